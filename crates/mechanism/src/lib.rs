@@ -1,0 +1,5 @@
+//! Closed-form crank train: exact kinematics, orders, inertia loads.
+
+mod result;
+
+pub use result::*;

@@ -1,0 +1,292 @@
+//! The general form of an engine: what every short form of the file expands to.
+//!
+//! SI units and radians throughout. An [`Engine`] that the reader returns is *valid*: every index exists, every
+//! linkage turns, every mass is finite and not negative. Nothing downstream checks this again.
+//!
+//! Frame (book, "Conventions"): z is the crank axis from the free end to the flywheel, the crank turns from +x to
+//! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
+//! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
+
+use crate::ratio::Ratio;
+use serde::Serialize;
+
+/// A piston engine in its general form.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Engine {
+    /// What the user calls it.
+    pub name: String,
+    /// Free text: where the data come from.
+    pub note: Option<String>,
+    /// Strokes in a working cycle.
+    pub strokes: Strokes,
+    /// Sense of rotation seen from the free end towards the flywheel.
+    pub rotation: Rotation,
+    /// Speeds of crankshaft 1 [rad/s] at which the engine is judged.
+    pub speed: SpeedRange,
+    /// Crankshafts; the first is the reference of all angles, orders and speeds.
+    pub crankshafts: Vec<Crankshaft>,
+    /// Throws of all crankshafts, numbered as in the file.
+    pub throws: Vec<Throw>,
+    /// Cylinders, numbered as in the file.
+    pub cylinders: Vec<Cylinder>,
+    /// Weights fixed to a crankshaft (or its flywheel, pulley).
+    pub counterweights: Vec<Counterweight>,
+    /// Balance shafts.
+    pub shafts: Vec<BalanceShaft>,
+    /// Engine mounts.
+    pub mounts: Vec<Mount>,
+}
+
+/// Strokes in a working cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Strokes {
+    /// One revolution a cycle.
+    Two,
+    /// Two revolutions a cycle.
+    Four,
+}
+
+impl Strokes {
+    /// Revolutions of crankshaft 1 in one working cycle: 1 or 2.
+    pub fn revolutions(self) -> u32 {
+        match self {
+            Strokes::Two => 1,
+            Strokes::Four => 2,
+        }
+    }
+}
+
+/// Sense of rotation seen from the free end towards the flywheel.
+///
+/// `Reverse` mirrors the y axis, so that the crank still turns from +x to +y: every number stays, the picture is
+/// mirrored.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rotation {
+    /// Clockwise with x up (+y to the right).
+    Clockwise,
+    /// Anticlockwise with x up (+y to the left).
+    Reverse,
+}
+
+/// Speeds of crankshaft 1 [rad/s], `lowest <= highest`; one speed has both equal.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SpeedRange {
+    /// Lowest speed [rad/s].
+    pub lowest: f64,
+    /// Highest speed [rad/s]: loads are reported here unless another speed is asked for.
+    pub highest: f64,
+}
+
+/// A crankshaft. Its angle is `ratio * theta + phase`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Crankshaft {
+    /// Name for tables and pictures.
+    pub name: String,
+    /// Speed over that of crankshaft 1, signed: negative turns the other way. 1 for the first.
+    pub ratio: Ratio,
+    /// Angle at `theta = 0` [rad]. 0 for the first.
+    pub phase: f64,
+    /// Position of its axis [m]. 0, 0 for the first.
+    pub x: f64,
+    /// Position of its axis [m].
+    pub y: f64,
+}
+
+/// A throw: a crankpin (one pin of a split pair is a throw of its own).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Throw {
+    /// Index of its crankshaft.
+    pub crankshaft: usize,
+    /// Direction on the crankshaft [rad]: the pin stands at `ratio * theta + phase + angle`.
+    pub angle: f64,
+    /// Plane of the throw [m], from the origin.
+    pub z: f64,
+    /// Crank radius [m].
+    pub radius: f64,
+    /// Unbalance of the crank itself along the throw [kg m] (pin and webs, no rod, no counterweight); may be negative.
+    pub unbalance: f64,
+    /// Planes of its two webs [m], front then rear, from the origin; `None` if the file gives no web distance.
+    pub webs: Option<[f64; 2]>,
+}
+
+/// A cylinder with its piston and rod.
+///
+/// Cylinder frame: `u = e^{i angle}` along the axis away from the crankshaft, `v = i u`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Cylinder {
+    /// Index of the throw whose pin drives it (for an articulated rod: the throw of its master).
+    pub throw: usize,
+    /// Direction `b` of the axis [rad] from +x towards +y.
+    pub angle: f64,
+    /// Plane of the cylinder axis [m], from the origin.
+    pub z: f64,
+    /// Offset of the cylinder axis from the crankshaft's axis along +v [m].
+    pub offset: f64,
+    /// Offset of the piston pin from the cylinder axis along +v [m].
+    pub pin_offset: f64,
+    /// Bore [m].
+    pub bore: Option<f64>,
+    /// Mass of the piston with pin, rings and clips [kg]; its centre lies on the cylinder axis.
+    pub piston_mass: f64,
+    /// Its connecting rod.
+    pub rod: Rod,
+    /// `theta` [rad] in the cycle at which it fires, at or near its own TDC; `None` if the file gives no firing.
+    pub firing_angle: Option<f64>,
+}
+
+impl Cylinder {
+    /// Net offset `e` of the piston pin's line along +v [m]: cylinder offset plus piston-pin offset.
+    pub fn net_offset(&self) -> f64 {
+        self.offset + self.pin_offset
+    }
+
+    /// Reciprocating mass [kg]: piston and the rod's small-end mass.
+    pub fn reciprocating_mass(&self) -> f64 {
+        self.piston_mass + self.rod.small_end_mass
+    }
+}
+
+/// A connecting rod as two end masses and what they miss of its inertia.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Rod {
+    /// Distance between eye centres [m].
+    pub length: f64,
+    /// Mass concentrated at the big end (crankpin, or knuckle pin of an articulated rod) [kg].
+    pub big_end_mass: f64,
+    /// Mass concentrated at the small end (piston pin) [kg].
+    pub small_end_mass: f64,
+    /// Moment of inertia about the rod's own centre of gravity [kg m^2], where the file gives it.
+    pub inertia: Option<f64>,
+    /// How the file gave its mass.
+    pub mass_rule: RodMassRule,
+    /// What its big end sits on.
+    pub joint: RodJoint,
+}
+
+impl Rod {
+    /// Mass of the whole rod [kg].
+    pub fn mass(&self) -> f64 {
+        self.big_end_mass + self.small_end_mass
+    }
+
+    /// Distance `a` of the centre of gravity from the big-end eye [m] (0 for a massless rod).
+    pub fn centre_of_gravity(&self) -> f64 {
+        if self.mass() > 0.0 { self.length * self.small_end_mass / self.mass() } else { 0.0 }
+    }
+
+    /// What the two end masses have too much of the rod's inertia [kg m^2]: `m_A a^2 + m_B b^2 - I`, 0 where `I` is
+    /// not given. It acts on torque and roll moment only.
+    pub fn residual_inertia(&self) -> f64 {
+        let Some(inertia) = self.inertia else { return 0.0 };
+        let a = self.centre_of_gravity();
+        let b = self.length - a;
+        self.big_end_mass * a * a + self.small_end_mass * b * b - inertia
+    }
+}
+
+/// How the file gave the rod's mass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RodMassRule {
+    /// Two thirds of the mass at the big end, one third at the small end.
+    Thirds,
+    /// Both ends weighed.
+    WeighedEnds,
+    /// Mass and centre of gravity.
+    CentreOfGravity,
+}
+
+/// What a rod's big end sits on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum RodJoint {
+    /// The crankpin, alone or side by side with other rods.
+    Crankpin,
+    /// The crankpin, as the fork of a fork-and-blade pair (same plane as its blade).
+    Fork,
+    /// The crankpin, as the blade of a fork-and-blade pair.
+    Blade,
+    /// A knuckle pin on the master rod of another cylinder.
+    Articulated {
+        /// Index of the master's cylinder.
+        master: usize,
+        /// Distance of the knuckle pin from the crankpin [m].
+        knuckle_radius: f64,
+        /// Direction of the knuckle pin from the crankpin [rad], from the master rod's line (crankpin to piston pin)
+        /// towards the same sense as angles in the frame (+x to +y).
+        knuckle_angle: f64,
+    },
+}
+
+/// A weight fixed to a crankshaft.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Counterweight {
+    /// Name for tables: "web 1", "throw 2", "flywheel", or the user's.
+    pub name: String,
+    /// Index of its crankshaft.
+    pub crankshaft: usize,
+    /// Plane [m], from the origin.
+    pub z: f64,
+    /// Unbalance: mass times radius [kg m], not negative.
+    pub unbalance: f64,
+    /// Direction on the crankshaft [rad]: it stands at `ratio * theta + phase + angle`.
+    pub angle: f64,
+}
+
+/// A balance shaft: weights on an axis parallel to the crankshaft.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BalanceShaft {
+    /// Name for tables and pictures.
+    pub name: String,
+    /// Speed over that of crankshaft 1, signed; never 0.
+    pub ratio: Ratio,
+    /// Position of its axis [m].
+    pub x: f64,
+    /// Position of its axis [m].
+    pub y: f64,
+    /// Its weights.
+    pub weights: Vec<ShaftWeight>,
+}
+
+/// A weight on a balance shaft.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ShaftWeight {
+    /// Plane [m], from the origin.
+    pub z: f64,
+    /// Unbalance: mass times radius [kg m], not negative.
+    pub unbalance: f64,
+    /// Direction at `theta = 0` [rad]: it stands at `ratio * theta + phase`.
+    pub phase: f64,
+}
+
+/// An engine mount.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Mount {
+    /// Name for tables and pictures.
+    pub name: String,
+    /// Position [m].
+    pub x: f64,
+    /// Position [m].
+    pub y: f64,
+    /// Position [m], from the origin.
+    pub z: f64,
+}
+
+impl Engine {
+    /// Angle of the pin of throw `throw` [rad] at crank angle `theta` [rad].
+    pub fn pin_angle(&self, throw: usize, theta: f64) -> f64 {
+        let throw = &self.throws[throw];
+        let crankshaft = &self.crankshafts[throw.crankshaft];
+        crankshaft.ratio.value() * theta + crankshaft.phase + throw.angle
+    }
+
+    /// Rotating mass at the pin of throw `throw` times its radius [kg m]: big ends of its rods, masters carrying the
+    /// big ends of their articulated rods, without the crank itself and without counterweights.
+    pub fn rod_unbalance(&self, throw: usize) -> f64 {
+        let mass: f64 =
+            self.cylinders.iter().filter(|c| c.throw == throw).map(|c| c.rod.big_end_mass).sum();
+        mass * self.throws[throw].radius
+    }
+}
