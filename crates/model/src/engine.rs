@@ -285,8 +285,7 @@ impl Engine {
     /// Rotating mass at the pin of throw `throw` times its radius [kg m]: big ends of its rods, masters carrying the
     /// big ends of their articulated rods, without the crank itself and without counterweights.
     pub fn rod_unbalance(&self, throw: usize) -> f64 {
-        let mass: f64 =
-            self.cylinders.iter().filter(|c| c.throw == throw).map(|c| c.rod.big_end_mass).sum();
+        let mass: f64 = self.cylinders.iter().filter(|c| c.throw == throw).map(|c| c.rod.big_end_mass).sum();
         mass * self.throws[throw].radius
     }
 }

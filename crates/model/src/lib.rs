@@ -2,6 +2,8 @@
 #![forbid(unsafe_code)]
 
 mod engine;
+mod firing;
+mod layout;
 mod ratio;
 
 pub use engine::*;
