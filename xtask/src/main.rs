@@ -1,2 +1,52 @@
-//! Tasks of the workspace.
-fn main() {}
+//! Tasks of the workspace: `cargo xtask <task>`.
+
+mod book;
+mod browser;
+mod ci;
+mod command;
+mod engines;
+mod fuzz;
+mod generate;
+mod readme;
+mod tidy;
+mod workspace;
+
+use anyhow::{Result, bail};
+use std::process::ExitCode;
+
+const HELP: &str = "\
+tasks of the workspace
+
+  cargo xtask ci                                all that CI runs; installs what it needs
+  cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...
+  cargo xtask generate                          write the generated pages of the book anew
+  cargo xtask book                              build the book into docs/book
+  cargo xtask fuzz [--seconds N] [--target T]   fuzz the reader and the load path (nightly, cargo-fuzz)
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    match task(&arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn task(arguments: &[String]) -> Result<()> {
+    let rest = arguments.get(1..).unwrap_or_default();
+    match arguments.first().map(String::as_str) {
+        Some("ci") if rest.is_empty() => ci::run(),
+        Some("tidy") if rest.is_empty() => tidy::run(),
+        Some("generate") if rest.is_empty() => generate::write(),
+        Some("book") if rest.is_empty() => book::build(),
+        Some("fuzz") => fuzz::run(rest),
+        None | Some("help" | "--help" | "-h") => {
+            print!("{HELP}");
+            Ok(())
+        }
+        Some(_) => bail!("unknown task or option `{}`\n\n{HELP}", arguments.join(" ")),
+    }
+}

@@ -1,0 +1,129 @@
+//! The report in a headless Chromium: it loads, nothing is logged, nothing sticks out sideways, it prints.
+
+use crate::command::{exists, quiet};
+use crate::workspace::{root, scratch};
+use anyhow::{Context, Result, bail, ensure};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Engines whose reports are opened; the first, the widest, and one with geared or many parts.
+const ENGINES: usize = 3;
+/// Widths of a phone and of a desk [CSS pixels].
+const WIDTHS: [u32; 2] = [360, 1280];
+const NAMES: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
+
+/// Opens the reports of a few examples.
+pub fn check_reports(program: &Path) -> Result<String> {
+    let chromium = chromium()?;
+    let folder = scratch("browser")?;
+    let mut examples = crate::engines::examples()?;
+    examples.truncate(ENGINES);
+    for example in &examples {
+        let name = example.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let report = folder.join(format!("{name}.html"));
+        quiet(
+            Command::new(program).arg("report").arg(example).arg("--output").arg(&report).current_dir(root()),
+        )?;
+        for width in WIDTHS {
+            check_width(&chromium, &folder, &report, width)
+                .with_context(|| format!("{name} at {width} px"))?;
+        }
+        check_print(&chromium, &folder, &report).with_context(|| format!("{name} on paper"))?;
+    }
+    Ok(format!("{} reports at {WIDTHS:?} px and as PDF", examples.len()))
+}
+
+/// Loads the report in a frame of the given width, where a probe at its end tells its parent what it measures.
+fn check_width(chromium: &Path, folder: &Path, report: &Path, width: u32) -> Result<()> {
+    let text = std::fs::read_to_string(report)?;
+    let (head, tail) = text.rsplit_once("</body>").context("the report has no </body>")?;
+    let probe = "<script>addEventListener('load', () => setTimeout(() => { \
+        const page = document.documentElement; \
+        parent.postMessage(`wide=${page.scrollWidth} view=${page.clientWidth} figures=${document.querySelectorAll('svg').length}`, '*'); \
+        }, 100));</script>";
+    std::fs::write(folder.join("probed.html"), format!("{head}{probe}</body>{tail}"))?;
+    let frame = format!(
+        "<!doctype html><body style='margin:0'><iframe src='probed.html' style='border:0' width='{width}' height='900'></iframe>\
+         <pre id='said'></pre><script>addEventListener('message', e => said.textContent = e.data)</script></body>"
+    );
+    let page = folder.join("frame.html");
+    std::fs::write(&page, frame)?;
+
+    let mut command = headless(chromium, folder);
+    command.args([
+        "--enable-logging=stderr",
+        "--virtual-time-budget=5000",
+        "--window-size=1400,1000",
+        "--dump-dom",
+    ]);
+    let finished = crate::command::output(command.arg(address(&page)))?;
+    if let Some(line) = finished.stderr.lines().find(|line| line.contains(":CONSOLE")) {
+        bail!("the page logs: {line}");
+    }
+    let said = finished.stdout.split("<pre id=\"said\">").nth(1).and_then(|rest| rest.split("</pre>").next());
+    let said = said.filter(|text| !text.is_empty()).context("the page did not load")?;
+    let number = |key: &str| -> Result<u32> {
+        let word = said.split(' ').find_map(|word| word.strip_prefix(key));
+        Ok(word.context("the probe said too little")?.parse()?)
+    };
+    let (wide, view) = (number("wide=")?, number("view=")?);
+    ensure!(wide <= view, "the page is {wide} px wide in a window of {view} px");
+    ensure!(number("figures=")? > 0, "the page shows no figure");
+    Ok(())
+}
+
+fn check_print(chromium: &Path, folder: &Path, report: &Path) -> Result<()> {
+    let pdf = folder.join("report.pdf");
+    let mut command = headless(chromium, folder);
+    quiet(command.arg(format!("--print-to-pdf={}", pdf.display())).arg(address(report)))?;
+    let bytes = std::fs::read(&pdf).context("nothing was printed")?;
+    ensure!(bytes.starts_with(b"%PDF") && bytes.len() > 10_000, "the printed file is no PDF or empty");
+    std::fs::remove_file(&pdf)?;
+    Ok(())
+}
+
+fn headless(chromium: &Path, folder: &Path) -> Command {
+    let mut command = Command::new(chromium);
+    command.args([
+        "--headless",
+        "--disable-gpu",
+        "--hide-scrollbars",
+        "--no-first-run",
+        "--disable-dev-shm-usage",
+    ]);
+    command.arg(format!("--user-data-dir={}", folder.join("profile").display()));
+    if is_root() {
+        // Chromium refuses its sandbox to root; the page is our own and opens nothing else.
+        command.arg("--no-sandbox");
+    }
+    command
+}
+
+fn address(page: &Path) -> String {
+    format!("file://{}", page.display())
+}
+
+/// A Chromium on the path, installed from the distribution where it is missing and we may.
+fn chromium() -> Result<PathBuf> {
+    if let Some(name) = NAMES.iter().find(|name| exists(name)) {
+        return Ok(name.into());
+    }
+    if !(is_root() && exists("apt-get")) {
+        bail!(
+            "no Chromium found ({}): install it, for example `sudo apt-get install chromium`, and run again",
+            NAMES.join(", ")
+        );
+    }
+    println!("   chromium is missing: installing it");
+    quiet(Command::new("apt-get").arg("update"))?;
+    quiet(
+        Command::new("apt-get")
+            .args(["install", "--yes", "chromium"])
+            .env("DEBIAN_FRONTEND", "noninteractive"),
+    )?;
+    Ok("chromium".into())
+}
+
+fn is_root() -> bool {
+    quiet(Command::new("id").arg("--user")).is_ok_and(|user| user.trim() == "0")
+}

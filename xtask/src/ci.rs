@@ -1,0 +1,69 @@
+//! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure.
+
+use crate::command::{cargo, in_view, quiet};
+use crate::workspace::{program, root};
+use crate::{book, browser, engines, generate, readme, tidy};
+use anyhow::{Context, Result};
+use std::time::{Duration, Instant};
+
+/// Runs every step.
+pub fn run() -> Result<()> {
+    let mut steps = Steps::default();
+    steps.run("formatting", || {
+        quiet(cargo().args(["fmt", "--all", "--check"]).current_dir(root())).map(|_| String::new())
+    })?;
+    steps.run("rules of the house", tidy::sources)?;
+    steps.run("clippy, all targets, no warning", || {
+        let mut clippy = cargo();
+        clippy.args(["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"]);
+        in_view(clippy.current_dir(root())).map(|()| String::new())
+    })?;
+    steps.run("tests, with the kept fuzz corpus", || {
+        in_view(cargo().args(["test", "--workspace", "--no-fail-fast"]).current_dir(root()))
+            .map(|()| String::new())
+    })?;
+    let program = program().context("the program does not build")?;
+    steps.run("every example and template: check, loads, report", || engines::run(&program))?;
+    steps.run("published numbers", || {
+        let text = quiet(std::process::Command::new(&program).arg("validate").current_dir(root()))?;
+        Ok(text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned())
+    })?;
+    steps.run("generated pages are fresh", || generate::check(&program))?;
+    steps.run("API documentation, no warning", || {
+        let mut doc = cargo();
+        doc.args(["doc", "--workspace", "--no-deps", "--document-private-items", "--quiet"]);
+        quiet(doc.env("RUSTDOCFLAGS", "--deny warnings").current_dir(root())).map(|_| String::new())
+    })?;
+    steps.run("book", || book::build().map(|()| String::new()))?;
+    steps.run("report in a browser", || browser::check_reports(&program))?;
+    steps.run("commands of the README", readme::run)?;
+    steps.print();
+    Ok(())
+}
+
+#[derive(Default)]
+struct Steps {
+    done: Vec<(&'static str, Duration, String)>,
+}
+
+impl Steps {
+    /// Runs one step; what it returns is a remark for the list, what it fails with is its output.
+    fn run(&mut self, name: &'static str, step: impl FnOnce() -> Result<String>) -> Result<()> {
+        println!("== {name}");
+        let start = Instant::now();
+        let remark = step().with_context(|| format!("step failed: {name}"))?;
+        let time = start.elapsed();
+        println!("   {:.1} s  {remark}", time.as_secs_f64());
+        self.done.push((name, time, remark));
+        Ok(())
+    }
+
+    fn print(&self) {
+        println!("\nall steps passed");
+        for (name, time, remark) in &self.done {
+            println!("{:8.1} s  {name:50} {remark}", time.as_secs_f64());
+        }
+        let total: Duration = self.done.iter().map(|(_, time, _)| *time).sum();
+        println!("{:8.1} s  in all", total.as_secs_f64());
+    }
+}

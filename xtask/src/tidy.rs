@@ -1,0 +1,27 @@
+//! `cargo xtask tidy`: the rules that no compiler checks. Every breach is reported, not the first alone.
+
+mod arrows;
+mod pages;
+mod sources;
+
+use crate::{generate, workspace};
+use anyhow::{Result, bail};
+
+/// All rules, generated pages included.
+pub fn run() -> Result<()> {
+    println!("{}", sources()?);
+    println!("{}", generate::check(&workspace::program()?)?);
+    Ok(())
+}
+
+/// The rules that need nothing built.
+pub fn sources() -> Result<String> {
+    let files = workspace::files()?;
+    let mut breaches = arrows::check(&workspace::metadata()?);
+    breaches.extend(sources::check(&files)?);
+    breaches.extend(pages::check(&files)?);
+    if !breaches.is_empty() {
+        bail!("{} breaches of the rules\n{}", breaches.len(), breaches.join("\n"));
+    }
+    Ok(format!("{} files", files.len()))
+}

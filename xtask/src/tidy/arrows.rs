@@ -1,0 +1,66 @@
+//! Crate arrows: which crate may import which.
+
+use serde_json::Value;
+
+/// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
+/// exist: a new room needs a decision record and a line.
+const ARROWS: [(&str, &[&str]); 6] = [
+    ("lanchester-model", &[]),
+    ("lanchester-mechanism", &["lanchester-model"]),
+    ("lanchester-report", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester", &["lanchester-model", "lanchester-mechanism", "lanchester-report"]),
+    ("lanchester-cli", &["lanchester"]),
+    ("xtask", &[]),
+];
+
+/// Breaches of the table, from the output of `cargo metadata --no-deps`.
+pub fn check(metadata: &Value) -> Vec<String> {
+    let packages = metadata["packages"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let name = |package: &Value| package["name"].as_str().unwrap_or_default().to_owned();
+    let members: Vec<String> = packages.iter().map(name).collect();
+    let mut breaches = Vec::new();
+    for package in packages {
+        let from = name(package);
+        let Some((_, allowed)) = ARROWS.iter().find(|(crate_name, _)| *crate_name == from) else {
+            breaches
+                .push(format!("crate {from} is not in the table of crate arrows (xtask/src/tidy/arrows.rs)"));
+            continue;
+        };
+        for dependency in package["dependencies"].as_array().map(Vec::as_slice).unwrap_or_default() {
+            let to = name(dependency);
+            let normal = dependency["kind"].is_null();
+            if normal && members.contains(&to) && !allowed.contains(&to.as_str()) {
+                breaches.push(format!("crate {from} may not import {to}"));
+            }
+        }
+    }
+    breaches
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn package(name: &str, dependencies: &[(&str, Option<&str>)]) -> Value {
+        let dependencies: Vec<Value> =
+            dependencies.iter().map(|(name, kind)| json!({ "name": name, "kind": kind })).collect();
+        json!({ "name": name, "dependencies": dependencies })
+    }
+
+    #[test]
+    fn arrow_up_the_table_is_a_breach_but_not_for_tests() {
+        let mut packages = vec![
+            package("lanchester-model", &[("serde", None), ("lanchester-mechanism", Some("dev"))]),
+            package("lanchester-mechanism", &[("lanchester-model", None)]),
+        ];
+        assert!(check(&json!({ "packages": packages })).is_empty());
+        packages[0] = package("lanchester-model", &[("lanchester-mechanism", None)]);
+        assert_eq!(
+            check(&json!({ "packages": packages })),
+            ["crate lanchester-model may not import lanchester-mechanism"]
+        );
+        packages[0] = package("lanchester-attic", &[]);
+        assert_eq!(check(&json!({ "packages": packages })).len(), 1);
+    }
+}

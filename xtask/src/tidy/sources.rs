@@ -1,0 +1,124 @@
+//! Rules on source text: purity below the front ends, file length, no orphaned reminders, no traces of one machine.
+
+use crate::workspace;
+use anyhow::Result;
+
+/// Longest source file [lines].
+const MAX_LINES: usize = 700;
+
+/// Below the front ends: no file, network, clock, printing.
+const PURE: [&str; 4] =
+    ["crates/model/src/", "crates/mechanism/src/", "crates/report/src/", "crates/lanchester/src/"];
+const IMPURE: [&str; 12] = [
+    "std::fs",
+    "std::net",
+    "std::env",
+    "std::process",
+    "SystemTime",
+    "Instant::now",
+    "println!",
+    "eprintln!",
+    "print!(",
+    "eprint!(",
+    "static mut",
+    "io::stdout",
+];
+
+/// This file names what it forbids.
+const EXEMPT: &str = "xtask/src/tidy/sources.rs";
+const REMINDERS: [&str; 3] = ["TODO", "FIXME", "XXX"];
+const MACHINE: [&str; 9] = [
+    "/work/",
+    "/root/",
+    "/home/",
+    "/Users/",
+    "C:\\Users",
+    "index.crates.io",
+    "static.crates.io",
+    "sparse+http",
+    "://localhost",
+];
+
+/// Breaches in the files given.
+pub fn check(files: &[String]) -> Result<Vec<String>> {
+    let mut breaches = Vec::new();
+    for file in files.iter().filter(|file| *file != EXEMPT) {
+        // Data of the sources and fuzz seeds are not ours to word.
+        if file.starts_with("validation/") || file.starts_with("fuzz/seeds/") {
+            continue;
+        }
+        if let Some(text) = workspace::text(file)? {
+            breaches.extend(check_text(file, &text));
+        }
+    }
+    Ok(breaches)
+}
+
+fn check_text(file: &str, text: &str) -> Vec<String> {
+    let mut breaches = Vec::new();
+    let lines = text.lines().count();
+    if file.ends_with(".rs") && lines > MAX_LINES {
+        breaches.push(format!("{file}: {lines} lines, more than {MAX_LINES}: one noun a file reads better"));
+    }
+    let pure = PURE.iter().any(|folder| file.starts_with(folder)) && file.ends_with(".rs") && !is_test(file);
+    let mut in_tests = false;
+    let mut after_cfg_test = false;
+    for (index, line) in text.lines().enumerate() {
+        let place = format!("{file}:{}", index + 1);
+        // A test module within the file is its last item; one in a file of its own only has its name here.
+        in_tests |= after_cfg_test && line.contains('{');
+        after_cfg_test = line.trim_start().starts_with("#[cfg(test)]");
+        let code = line.split("//").next().unwrap_or_default();
+        if pure && !in_tests {
+            for word in IMPURE.iter().filter(|word| holds(code, word)) {
+                breaches.push(format!("{place}: `{word}` below the front ends"));
+            }
+        }
+        for word in REMINDERS.iter().filter(|word| holds(line, word)) {
+            if !line.contains('#') {
+                breaches.push(format!("{place}: {word} without the number of an issue"));
+            }
+        }
+        for word in MACHINE.iter().filter(|word| line.contains(*word)) {
+            breaches.push(format!("{place}: `{word}` belongs to one machine"));
+        }
+    }
+    breaches
+}
+
+/// `word` in `text`, not as the tail of a longer word (`print!(` is not in `eprint!(`).
+fn holds(text: &str, word: &str) -> bool {
+    text.match_indices(word).any(|(start, _)| {
+        !text[..start].chars().next_back().is_some_and(|before| before.is_alphanumeric() || before == '_')
+    })
+}
+
+fn is_test(file: &str) -> bool {
+    file.ends_with("/tests.rs") || file.contains("/tests/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn printing_is_a_breach_below_the_front_ends_alone() {
+        let text = "fn f() {\n    println!(\"x\");\n}\n";
+        assert_eq!(
+            check_text("crates/model/src/a.rs", text),
+            ["crates/model/src/a.rs:2: `println!` below the front ends"]
+        );
+        assert!(check_text("crates/cli/src/a.rs", text).is_empty());
+        assert!(check_text("crates/model/src/a.rs", "#[cfg(test)]\nmod tests {\nprintln!()\n}").is_empty());
+        assert!(check_text("crates/model/src/a.rs", "// println! is not for us\n").is_empty());
+    }
+
+    #[test]
+    fn long_files_reminders_and_machine_paths() {
+        assert_eq!(check_text("a.rs", &"\n".repeat(MAX_LINES + 1)).len(), 1);
+        assert!(check_text("a.rs", &"\n".repeat(MAX_LINES)).is_empty());
+        assert_eq!(check_text("a.md", "TODO: later").len(), 1);
+        assert!(check_text("a.md", "TODO(#12): later").is_empty());
+        assert_eq!(check_text("a.md", "see /home/someone/x").len(), 1);
+    }
+}
