@@ -1,1 +1,34 @@
-//! Placeholder head.
+//! Results as tables, plots and pages: pure functions from data to text.
+//!
+//! Nothing here opens a file, asks the time or prints. Figures are SVG of our own (`docs/decisions`, "Plots"): one
+//! figure is a string that works in a page and as a file of its own, light and dark.
+#![forbid(unsafe_code)]
+
+mod axis;
+mod component;
+mod csv;
+mod engine_tables;
+mod figure;
+mod load_tables;
+mod magnitude;
+mod number;
+mod over_angle;
+mod plot;
+#[cfg(test)]
+mod sample;
+mod spectrum;
+mod svg;
+mod table;
+mod terminal;
+
+pub use csv::{orders_csv, trace_csv};
+pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
+pub use figure::{Figure, Panel};
+pub use load_tables::{
+    articulation_table, couple_orders_table, cylinders_table, force_orders_table, motion_table, parts_table,
+    peaks_table, rod_inertia_table, roll_orders_table,
+};
+pub use over_angle::{over_angle, vanishing};
+pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
+pub use table::{Cell, Column, Table};
+pub use terminal::loads_text;
