@@ -153,6 +153,7 @@ fn cannot_fire(strokes: Strokes, tops: &[f64], order: &[usize], after_first: &[f
     );
     let first = order[0];
     let hint = match orders::orders(strokes, tops, first) {
+        Ok(orders) if orders.is_empty() => None,
         Ok(orders) => {
             let list: Vec<String> = orders.iter().map(|order| hyphenated(order)).collect();
             Some(format!("this crank can fire, most evenly first, {}", list.join(", ")))
@@ -177,3 +178,6 @@ fn listed(numbers: &[usize]) -> String {
         _ => numbers.concat(),
     }
 }
+
+#[cfg(test)]
+mod tests;

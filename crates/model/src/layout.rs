@@ -321,3 +321,6 @@ fn degrees(angle: f64) -> String {
     let rounded = (angle.to_degrees() * 1e3).round() / 1e3;
     format!("{} deg", rounded + 0.0)
 }
+
+#[cfg(test)]
+mod tests;

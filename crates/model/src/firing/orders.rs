@@ -5,6 +5,9 @@ use crate::engine::Strokes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
+/// More dead centres than this are not worth a list (the search grows with their square).
+const MOST_DEAD_CENTRES: usize = 48;
+
 /// Cylinders that come to top dead centre at one angle.
 struct Together {
     angle: f64,
@@ -24,7 +27,7 @@ struct Spread {
 type Ends = (usize, Option<(usize, usize)>);
 
 /// Orders that start with cylinder `first`, by evenness, at most [`MOST_LISTED`]; if more cylinders come to top dead
-/// centre together than the cycle has revolutions, these cylinders.
+/// centre together than the cycle has revolutions, these cylinders. None are listed above [`MOST_DEAD_CENTRES`].
 pub(super) fn orders(strokes: Strokes, tops: &[f64], first: usize) -> Result<Vec<Vec<usize>>, Vec<usize>> {
     let revolutions = strokes.revolutions() as usize;
     let groups = dead_centres(tops, first);
@@ -35,6 +38,9 @@ pub(super) fn orders(strokes: Strokes, tops: &[f64], first: usize) -> Result<Vec
         return Ok(vec![groups.iter().map(|group| group.cylinders[0]).collect()]);
     }
     let mut orders = Vec::new();
+    if groups.len() > MOST_DEAD_CENTRES {
+        return Ok(orders);
+    }
     for spread in most_even_spreads(&groups) {
         expand(&groups, &spread, &mut orders);
         if orders.len() >= MOST_LISTED {
@@ -102,6 +108,9 @@ fn most_even_spreads(groups: &[Together]) -> Vec<Spread> {
         states = next;
     }
     let mut complete: Vec<Spread> = Vec::new();
+    // Where all of revolution 2 lies after all of revolution 1, the order is that of the dead centres, wherever the
+    // revolutions part: one order, of which the most even spread stands for all.
+    let mut rising: Vec<Spread> = Vec::new();
     for ((one, two), spreads) in states {
         let left_in_one = TAU - groups[one].angle;
         let closing = match two {
@@ -110,8 +119,11 @@ fn most_even_spreads(groups: &[Together]) -> Vec<Spread> {
             }
             None => (left_in_one + TAU).powi(2),
         };
-        complete.extend(spreads.into_iter().map(|spread| Spread { cost: spread.cost + closing, ..spread }));
+        let kept = if two.is_none_or(|(from, _)| one < from) { &mut rising } else { &mut complete };
+        kept.extend(spreads.into_iter().map(|spread| Spread { cost: spread.cost + closing, ..spread }));
     }
+    keep_best(&mut rising);
+    complete.extend(rising.into_iter().next());
     keep_best(&mut complete);
     complete
 }
