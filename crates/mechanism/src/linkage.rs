@@ -1,0 +1,198 @@
+//! Slider-crank kinematics in closed form: plain rods with offset, and articulated rods on a master.
+//!
+//! ```text
+//! frame of the cylinder: u along its axis, v = i u; phi = angle of the crank from u
+//! s(phi) = p + W,  W = sqrt(l^2 - q^2),  sin(beta) = q / l
+//! plain rod:        p + i (q + e) = r e^{i phi}                          (crankpin A)
+//! articulated rod:  p + i (q + e) = ((1 - k) A + k B) e^{i (b_m - b)}    (knuckle pin K, linear in A and B)
+//! ```
+//! | symbol | name                                                              | unit |
+//! |--------|-------------------------------------------------------------------|------|
+//! | s      | piston pin from the crankshaft's axis along u                     | m    |
+//! | r, l   | crank radius, rod length                                          | m    |
+//! | e      | net offset of the piston pin's line along v                       | m    |
+//! | beta   | angle of the rod: it points along `e^{i (b - beta)}`              | rad  |
+//! | A, B   | crankpin and the master's piston pin, in the master's frame       | m    |
+//! | k      | knuckle radius over master length, times `e^{i knuckle angle}`    | -    |
+//! | b, b_m | axis of the cylinder, of the master's cylinder                    | rad  |
+//!
+//! All derivatives are by the crank's own angle. Valid where `|q| < l`.
+
+use crate::extremes::extremes_over_turn;
+use crate::request::LoadError;
+use num_complex::Complex64;
+
+/// A function of the crank angle and its first three derivatives by it.
+pub(crate) type Jet = [f64; 4];
+
+/// Travel of the piston pin [m] and angle of the rod [rad], with their derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stroke {
+    /// `s` and its derivatives [m].
+    pub travel: Jet,
+    /// `beta` and its derivatives [rad].
+    pub swing: Jet,
+}
+
+/// Motion of a rod of length `length` whose big end stands at `p` along and `q` beside the line of its piston pin.
+///
+/// ```text
+/// beta'   = k   = q' / W                        W' = -q k
+/// beta''  = k'  = (q'' + q k^2) / W
+/// beta''' = k'' = (q k k' + q''' + q' k^2 + 2 q k k') / W
+/// s'   = p'   - q k
+/// s''  = p''  - q' k  - q k'
+/// s''' = p''' - q'' k - 2 q' k' - q k''
+/// ```
+/// The forms have no difference of nearly equal numbers but those of the motion itself.
+pub(crate) fn slide(p: Jet, q: Jet, length: f64) -> Stroke {
+    let reach = ((length - q[0]) * (length + q[0])).sqrt();
+    let inverse = 1.0 / reach;
+    let k = q[1] * inverse;
+    let k1 = (q[2] + q[0] * k * k) * inverse;
+    let k2 = (q[3] + q[1] * k * k + 3.0 * q[0] * k * k1) * inverse;
+    Stroke {
+        travel: [
+            p[0] + reach,
+            p[1] - q[0] * k,
+            p[2] - q[1] * k - q[0] * k1,
+            p[3] - q[2] * k - 2.0 * q[1] * k1 - q[0] * k2,
+        ],
+        swing: [(q[0] / length).atan2(reach / length), k, k1, k2],
+    }
+}
+
+/// A plain rod on a crankpin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Slider {
+    /// Crank radius [m].
+    pub radius: f64,
+    /// Rod length [m].
+    pub length: f64,
+    /// Net offset along +v [m].
+    pub offset: f64,
+}
+
+impl Slider {
+    /// Refuses a rod that cannot pass its dead centres; `cylinder` counts from 1.
+    pub fn check(&self, cylinder: usize) -> Result<(), LoadError> {
+        let needed = self.radius + self.offset.abs();
+        let turns = self.radius > 0.0 && needed.is_finite() && self.length.is_finite();
+        // The root must be positive as it is computed, not only on paper.
+        if turns && (self.length - self.offset.abs()) - self.radius > 0.0 {
+            Ok(())
+        } else {
+            Err(LoadError::RodTooShort { cylinder, needed, length: self.length })
+        }
+    }
+
+    /// Motion at crank angle `phi` from the cylinder axis.
+    pub fn stroke(&self, phi: f64) -> Stroke {
+        let (sin, cos) = phi.sin_cos();
+        let (s, c) = (self.radius * sin, self.radius * cos);
+        slide([c, -s, -c, s], [s - self.offset, c, -s, -c], self.length)
+    }
+
+    /// Crank angle of top dead centre from the cylinder axis [rad]: crank and rod in line.
+    pub fn top_dead_centre(&self) -> f64 {
+        (self.offset / (self.length + self.radius)).asin()
+    }
+
+    /// Crank angle of bottom dead centre from the cylinder axis [rad]: crank folded onto the rod.
+    pub fn bottom_dead_centre(&self) -> f64 {
+        std::f64::consts::PI + (self.offset / (self.length - self.radius)).asin()
+    }
+}
+
+/// Angles at which the reach of an articulated rod is scanned before its extreme is refined.
+const CHECK_ANGLES: usize = 720;
+
+/// An articulated rod on the knuckle pin of a master.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Articulated {
+    /// The master.
+    pub master: Slider,
+    /// `k`: knuckle radius over master length, times `e^{i knuckle angle}`.
+    pub knuckle: Complex64,
+    /// `e^{i (b_m - b)}`: from the master's frame to the slave's.
+    pub turn: Complex64,
+    /// Rod length, knuckle pin to piston pin [m].
+    pub length: f64,
+    /// Net offset of the slave's cylinder along its own +v [m].
+    pub offset: f64,
+}
+
+/// Crankpin, knuckle pin and master's piston pin in the master's frame, with derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct KnuckleMotion {
+    /// Master's travel [m].
+    pub master_travel: f64,
+    /// Crankpin `A` [m] and derivatives.
+    pub crankpin: [Complex64; 4],
+    /// Knuckle pin `K` [m] and derivatives.
+    pub knuckle: [Complex64; 4],
+}
+
+impl Articulated {
+    /// Motion of the knuckle pin, from the master's travel at `phi` (crank from the master's axis).
+    pub fn knuckle(&self, phi: f64, master_travel: Jet) -> KnuckleMotion {
+        let (sin, cos) = phi.sin_cos();
+        let a = Complex64::new(self.master.radius * cos, self.master.radius * sin);
+        let crankpin = [a, a * Complex64::I, -a, -a * Complex64::I];
+        let along = 1.0 - self.knuckle;
+        let knuckle = std::array::from_fn(|j| {
+            let beside = if j == 0 { self.master.offset } else { 0.0 };
+            along * crankpin[j] + self.knuckle * Complex64::new(master_travel[j], beside)
+        });
+        KnuckleMotion { master_travel: master_travel[0], crankpin, knuckle }
+    }
+
+    /// Big end of the slave in its own frame: along and beside the line of its piston pin.
+    pub fn big_end(&self, motion: &KnuckleMotion) -> (Jet, Jet) {
+        let turned = motion.knuckle.map(|k| k * self.turn);
+        let mut q = turned.map(|k| k.im);
+        q[0] -= self.offset;
+        (turned.map(|k| k.re), q)
+    }
+
+    /// Motion of the slave at `phi` (crank from the master's axis).
+    pub fn stroke(&self, phi: f64) -> Stroke {
+        let knuckle = self.knuckle(phi, self.master.stroke(phi).travel);
+        let (p, q) = self.big_end(&knuckle);
+        slide(p, q, self.length)
+    }
+}
+
+impl Articulated {
+    /// Refuses a rod that loses its knuckle pin; `cylinder` counts from 1.
+    pub fn check(&self, cylinder: usize) -> Result<(), LoadError> {
+        let sine = self.largest_sine();
+        // The root must be positive as it is computed at every angle, not only on paper.
+        if sine < 1.0 - 1e-12 && self.length.is_finite() {
+            Ok(())
+        } else {
+            Err(LoadError::KnuckleOutOfReach { cylinder, needed: sine * self.length, length: self.length })
+        }
+    }
+
+    /// Distance from the crankpin to the slave's piston pin [m], and what has the roots and signs of its derivative.
+    pub fn reach(&self, phi: f64) -> (f64, f64) {
+        let pins = self.knuckle(phi, self.master.stroke(phi).travel);
+        let (p, q) = self.big_end(&pins);
+        let travel = slide(p, q, self.length).travel;
+        let pin = |j: usize| {
+            let piston = Complex64::new(travel[j], if j == 0 { self.offset } else { 0.0 });
+            piston - pins.crankpin[j] * self.turn
+        };
+        (pin(0).norm(), (pin(0).conj() * pin(1)).re)
+    }
+
+    /// Largest `|q| / l` over a turn: sine of the largest rod angle.
+    pub fn largest_sine(&self) -> f64 {
+        let beside = |phi: f64| {
+            let (_, q) = self.big_end(&self.knuckle(phi, self.master.stroke(phi).travel));
+            (q[0], q[1])
+        };
+        extremes_over_turn(CHECK_ANGLES, beside).max_abs() / self.length
+    }
+}
