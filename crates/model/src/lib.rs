@@ -1,10 +1,50 @@
 //! The engine file: from TOML text to a validated, immutable [`Engine`] in SI units.
+//!
+//! [`read`] takes the text of a file and gives the engine, or all its mistakes at once; [`render`] shows them.
+//!
+//! ```
+//! let text = r#"
+//! name = "Single"
+//! speed = "3000 rpm"
+//!
+//! [layout]
+//! type = "in-line"
+//! cylinders = 1
+//!
+//! [crank]
+//! stroke = "60 mm"
+//!
+//! [piston]
+//! mass = "0,3 kg"
+//!
+//! [rod]
+//! length = "100 mm"
+//! mass = "0.3 kg"
+//! "#;
+//! let reading = lanchester_model::read(text);
+//! assert!(reading.engine.is_none());
+//! let shown = lanchester_model::render(&reading.diagnostics, "single.toml", text, false);
+//! assert!(shown.contains("single.toml:13:8"), "{shown}");
+//! assert!(shown.contains("hint: write \"0.3 kg\""), "{shown}");
+//!
+//! let engine = lanchester_model::read(&text.replace("0,3", "0.3")).engine.expect("the file is mended");
+//! assert_eq!(engine.throws[0].radius, 0.03);
+//! ```
 #![forbid(unsafe_code)]
 
+mod diagnostic;
+mod document;
 mod engine;
 mod firing;
 mod layout;
+mod nearest;
+mod quantity;
 mod ratio;
+mod read;
+mod schema;
 
+pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use ratio::Ratio;
+pub use read::{Reading, read};
+pub use schema::{json_schema, reference_markdown};

@@ -1,0 +1,319 @@
+//! From the tree of values to the engine: defaults, short forms, and everything that only the whole can tell.
+
+mod arrangement;
+mod crank;
+mod cylinder;
+mod firing;
+mod layers;
+mod linkage;
+mod mount;
+mod places;
+mod rod;
+mod shaft;
+mod sizes;
+mod weights;
+
+use crate::diagnostic::{Diagnostic, Mistake, Mistakes};
+use crate::document::{self, Field, Section, Span};
+use crate::engine::{Crankshaft, Engine, Rotation, SpeedRange, Strokes};
+use crate::quantity::{self, Dimension};
+use cylinder::DraftCylinder;
+use layers::Layers;
+
+/// What reading an engine file gives.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reading {
+    /// The engine; `None` if and only if a diagnostic is an error.
+    pub engine: Option<Engine>,
+    /// All mistakes and doubts, sorted by their place in the file.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Reads an engine file: TOML text, as the book's reference of the engine file describes it.
+///
+/// All mistakes are found at once. Nothing in the file is ignored: every key has an effect or a diagnostic. No text
+/// makes this panic.
+pub fn read(text: &str) -> Reading {
+    let mut mistakes = Mistakes::default();
+    let document = document::parse(text, &mut mistakes);
+    let mut reader = Reader { root: &document.root, whole: document.whole, mistakes: &mut mistakes };
+    let engine = reader.engine();
+    if !reader.mistakes.any_error() {
+        reader.report_unused();
+    }
+    debug_assert!(engine.is_some() || mistakes.any_error(), "a file without an engine has an error");
+    let engine = engine.filter(|_| !mistakes.any_error());
+    Reading { engine, diagnostics: mistakes.into_diagnostics(text) }
+}
+
+/// Tables whose keys hold for many parts: a key of them that no part needs is a doubt, not a mistake.
+const DEFAULTS: [&str; 5] = ["crank", "piston", "rod", "articulated_rod", "cylinders"];
+
+/// Reads the tree, collecting mistakes.
+struct Reader<'a> {
+    root: &'a Section,
+    /// Whether the syntax is whole; if not, nothing can be called missing.
+    whole: bool,
+    mistakes: &'a mut Mistakes,
+}
+
+impl<'a> Reader<'a> {
+    fn engine(&mut self) -> Option<Engine> {
+        let root = self.root;
+        // A file of version 1 is the only one there is: the kind of the key has checked it.
+        let version = root.whole("version");
+        let name = self.required(root, "name", root.text("name"));
+        let note = root.text("note");
+        let strokes = root.whole("strokes").or(4).map(|n| if n == 2 { Strokes::Two } else { Strokes::Four });
+        let rotation = root
+            .word("rotation")
+            .or("clockwise")
+            .map(|word| if word == "reverse" { Rotation::Reverse } else { Rotation::Clockwise });
+        let speed = self.speed();
+        let origin = root.number("origin");
+        let firing = self.firing_section();
+
+        let crankshafts = self.crankshafts();
+        let drafts = self.throws_and_cylinders(strokes, crankshafts.as_deref(), firing);
+        let shafts = self.shafts();
+        self.check_period(crankshafts.as_deref(), shafts.as_deref());
+        let mounts = self.mounts();
+        let count = drafts.as_ref().map(|drafts| drafts.throws.len());
+        let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len));
+        self.check_shares();
+        let drafts = drafts?;
+        self.check_places(&drafts, crankshafts.as_deref());
+        self.check_linkages(&drafts);
+        self.check_sizes(&drafts);
+
+        let middle = drafts.middle();
+        let tops = self.tops(&drafts, crankshafts.as_deref());
+        let firing_angles = self.firing_angles(firing, strokes, tops, drafts.cylinders.len());
+        let origin = origin.or(middle.unwrap_or(0.0));
+        let (mut throws, cylinders): (Option<Vec<_>>, Option<Vec<_>>) = drafts.into_parts();
+        if let (Some(throws), Some(origin)) = (&mut throws, origin) {
+            for throw in throws {
+                throw.move_by(-origin);
+            }
+        }
+        let throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
+        let counterweights = match (&throws, &cylinders, weights, origin) {
+            (Some(throws), Some(cylinders), Some(weights), Some(origin)) => {
+                self.counterweights(weights, throws, cylinders, origin)
+            }
+            _ => None,
+        };
+        if version.is_bad() || note.is_bad() {
+            return None;
+        }
+        let mut engine = Engine {
+            name: name?,
+            note: note.given(),
+            strokes: strokes?,
+            rotation: rotation?,
+            speed: speed?,
+            crankshafts: crankshafts?,
+            throws: throws?,
+            cylinders: cylinders?.into_iter().map(|draft| draft.cylinder).collect(),
+            counterweights: counterweights?,
+            shafts: shafts?,
+            mounts: mounts?,
+        };
+        let origin = origin?;
+        for cylinder in &mut engine.cylinders {
+            cylinder.z -= origin;
+        }
+        for weight in engine.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights) {
+            weight.z -= origin;
+        }
+        for mount in &mut engine.mounts {
+            mount.z -= origin;
+        }
+        for (cylinder, angle) in engine.cylinders.iter_mut().zip(firing_angles?) {
+            cylinder.firing_angle = angle;
+        }
+        Some(engine)
+    }
+
+    fn speed(&mut self) -> Option<SpeedRange> {
+        let field = self.root.numbers("speed");
+        let speeds = self.required(self.root, "speed", field)?;
+        match speeds.as_slice() {
+            [one] => Some(SpeedRange { lowest: one.value, highest: one.value }),
+            [lowest, highest] if lowest.value < highest.value => {
+                Some(SpeedRange { lowest: lowest.value, highest: highest.value })
+            }
+            [lowest, highest] => {
+                let [low, high] =
+                    [lowest, highest].map(|speed| quantity::readable(speed.value, Dimension::Speed));
+                self.mistakes.push(
+                    Mistake::error(
+                        "E0301",
+                        self.root.value_span("speed"),
+                        format!("the speed range runs from {low} to {high}"),
+                    )
+                    .label("lowest speed first")
+                    .hint("write the lowest speed first, then the highest; or one speed alone"),
+                );
+                None
+            }
+            other => {
+                let got = other.len();
+                self.mistakes.push(
+                    Mistake::error(
+                        "E0206",
+                        self.root.value_span("speed"),
+                        format!("`speed` needs one or two speeds, got {got}"),
+                    )
+                    .hint("write [\"800 rpm\", \"4000 rpm\"] for a range"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The value; a mistake if the key is not there.
+    fn required<T>(&mut self, section: &Section, key: &str, field: Field<T>) -> Option<T> {
+        match field {
+            Field::Given(spot) => Some(spot.value),
+            Field::Bad => None,
+            Field::Absent => {
+                let header = section.title();
+                self.missing(
+                    section.span.clone(),
+                    format!("`{key}` is missing in {header}"),
+                    section.example(key),
+                );
+                None
+            }
+        }
+    }
+
+    /// Something that has to be there is not; no mistake if it may hide behind a mistake of syntax.
+    fn missing(&mut self, span: Span, message: String, hint: String) {
+        if self.whole {
+            self.mistakes.push(Mistake::error("E0202", span, message).hint(hint));
+        } else {
+            // The engine is lost all the same: the mistake of syntax stands for this one.
+            debug_assert!(self.mistakes.any_error());
+        }
+    }
+
+    /// Two keys that say the same thing.
+    fn two_sources(&mut self, section: &Section, keep: &str, other: &str, what: &str) {
+        self.mistakes.push(
+            Mistake::error(
+                "E0203",
+                section.key_span(other),
+                format!("`{keep}` and `{other}` both give {what}"),
+            )
+            .label("second source")
+            .related(section.key_span(keep), "first source")
+            .hint("keep one of the two"),
+        );
+    }
+
+    /// A key that means nothing beside what else the file says.
+    fn without_effect(&mut self, section: &Section, key: &str, why: &str, hint: &str) {
+        self.mistakes.push(
+            Mistake::error("E0204", section.key_span(key), format!("`{key}` has no effect: {why}"))
+                .hint(hint),
+        );
+    }
+
+    fn report_unused(&mut self) {
+        for (path, span) in self.root.unused() {
+            let table = path.split('.').next().unwrap_or("");
+            if DEFAULTS.contains(&table) {
+                let (message, hint) = if path == table {
+                    (format!("[{table}] is never used"), "leave it out")
+                } else {
+                    (
+                        format!("`{path}` is never used"),
+                        "every part that it could hold for has its own value, or is not there; leave it out",
+                    )
+                };
+                self.mistakes.push(Mistake::warning("W0204", span, message).hint(hint));
+            } else {
+                let message = format!("`{path}` has no effect");
+                self.mistakes.push(Mistake::error("E0204", span, message).hint("leave it out"));
+            }
+        }
+    }
+
+    /// A table of the root, `None` if it is not there; the flag says that it is there but bad.
+    fn section(&self, name: &str) -> (Option<&'a Section>, bool) {
+        match self.root.table(name) {
+            Field::Given(spot) => (Some(spot.value), false),
+            Field::Absent => (None, false),
+            Field::Bad => (None, true),
+        }
+    }
+
+    /// The tables that say something about one part, the nearest first.
+    fn layers(&self, own: &[Option<&'a Section>], default: &'static str) -> Layers<'a> {
+        let (section, broken) = self.section(default);
+        let sections: Vec<&Section> = own.iter().copied().flatten().chain(section).collect();
+        Layers { sections, broken, default }
+    }
+
+    fn check_period(
+        &mut self,
+        crankshafts: Option<&[Crankshaft]>,
+        shafts: Option<&[crate::engine::BalanceShaft]>,
+    ) {
+        let (Some(crankshafts), Some(shafts)) = (crankshafts, shafts) else { return };
+        let ratios = crankshafts.iter().map(|c| c.ratio).chain(shafts.iter().map(|s| s.ratio));
+        let period = ratios.fold(1_u64, |period, ratio| {
+            let own = u64::from(ratio.denominator());
+            let divisor = u64::from(crate::ratio::greatest_common_divisor(
+                u32::try_from(period % own).unwrap_or(0),
+                ratio.denominator(),
+            ));
+            (period / divisor).saturating_mul(own)
+        });
+        if period > LONGEST_PERIOD {
+            let span = match (self.root.has("shaft"), self.root.has("crankshaft")) {
+                (true, _) => self.root.key_span("shaft"),
+                _ => self.root.key_span("crankshaft"),
+            };
+            self.mistakes.push(
+                Mistake::error(
+                    "E0302",
+                    span,
+                    format!(
+                        "the speed ratios repeat only after {period} revolutions, more than {LONGEST_PERIOD}"
+                    ),
+                )
+                .hint("use ratios with common denominators"),
+            );
+        }
+    }
+}
+
+/// Most revolutions of crankshaft 1 in a period of all shafts.
+const LONGEST_PERIOD: u64 = 64;
+
+/// Throws and cylinders as far as they could be read.
+struct Drafts<'a> {
+    throws: Vec<Option<crank::DraftThrow>>,
+    cylinders: Vec<Option<DraftCylinder<'a>>>,
+    /// Whether they come from `[layout]`.
+    from_layout: bool,
+}
+
+impl<'a> Drafts<'a> {
+    /// Midway between the first and the last throw plane; `None` if not all are known.
+    fn middle(&self) -> Option<f64> {
+        let planes: Option<Vec<f64>> =
+            self.throws.iter().map(|throw| throw.as_ref().map(|throw| throw.throw.z)).collect();
+        let planes = planes?;
+        let first = planes.iter().copied().fold(f64::INFINITY, f64::min);
+        let last = planes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        (!planes.is_empty()).then(|| first + (last - first) / 2.0)
+    }
+
+    fn into_parts(self) -> (Option<Vec<crank::DraftThrow>>, Option<Vec<DraftCylinder<'a>>>) {
+        (self.throws.into_iter().collect(), self.cylinders.into_iter().collect())
+    }
+}

@@ -1,0 +1,278 @@
+//! Counterweights: one by one, and the short form.
+
+use super::Reader;
+use super::cylinder::DraftCylinder;
+use crate::diagnostic::Mistake;
+use crate::document::{Field, Section, Span};
+use crate::engine::{Counterweight, Throw};
+use std::f64::consts::PI;
+
+/// Shares above this are taken for a percentage without its sign.
+const LARGEST_SHARE: f64 = 2.0;
+
+/// A `[[counterweight]]` before the throws are known.
+#[derive(Debug)]
+pub(super) struct DraftWeight {
+    name: Option<String>,
+    place: WeightPlace,
+    unbalance: f64,
+    angle: Option<f64>,
+    span: Span,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum WeightPlace {
+    Throw(usize),
+    /// Index of the throw, and of the web on it.
+    Web(usize, usize),
+    Plane {
+        z: f64,
+        crankshaft: usize,
+    },
+}
+
+impl<'a> Reader<'a> {
+    /// The weights of `[[counterweight]]`; `throws` and `crankshafts` say how many there are, if that is known.
+    pub(super) fn weight_drafts(
+        &mut self,
+        throws: Option<usize>,
+        crankshafts: Option<usize>,
+    ) -> Option<Vec<DraftWeight>> {
+        let sections = self.root.tables("counterweight").or(&[])?;
+        let drafts: Vec<Option<DraftWeight>> =
+            sections.iter().map(|section| self.weight_draft(section, throws, crankshafts)).collect();
+        drafts.into_iter().collect()
+    }
+
+    fn weight_draft(
+        &mut self,
+        section: &'a Section,
+        throws: Option<usize>,
+        crankshafts: Option<usize>,
+    ) -> Option<DraftWeight> {
+        let name = section.text("name");
+        let unbalance = self.weight_unbalance(section);
+        let angle = section.number("angle");
+        let place = self.weight_place(section, throws, crankshafts);
+        if name.is_bad() || angle.is_bad() {
+            return None;
+        }
+        Some(DraftWeight {
+            name: name.given(),
+            place: place?,
+            unbalance: unbalance?,
+            angle: angle.given(),
+            span: section.span.clone(),
+        })
+    }
+
+    fn weight_place(
+        &mut self,
+        section: &'a Section,
+        throws: Option<usize>,
+        crankshafts: Option<usize>,
+    ) -> Option<WeightPlace> {
+        let given: Vec<&str> = ["throw", "web", "z"].into_iter().filter(|key| section.has(key)).collect();
+        let (throw, web, z) = (section.whole("throw"), section.whole("web"), section.number("z"));
+        let crankshaft = section.whole("crankshaft");
+        if let [first, second, ..] = given.as_slice() {
+            self.two_sources(section, first, second, "the place of the weight");
+            return None;
+        }
+        if !section.has("z") && section.has("crankshaft") {
+            self.without_effect(
+                section,
+                "crankshaft",
+                "a throw or web says which crankshaft it is",
+                "leave it out; it goes with z",
+            );
+        }
+        if let Field::Given(number) = throw {
+            return self.existing(number.value, throws, "throw", number.span).map(WeightPlace::Throw);
+        }
+        if let Field::Given(number) = web {
+            let index = self.existing(number.value, throws.map(|count| 2 * count), "web", number.span)?;
+            return Some(WeightPlace::Web(index / 2, index % 2));
+        }
+        if let Field::Given(z) = z {
+            let span = section.value_span("crankshaft");
+            let crankshaft = self.existing(crankshaft.or(1)?, crankshafts, "crankshaft", span)?;
+            return Some(WeightPlace::Plane { z: z.value, crankshaft });
+        }
+        if given.is_empty() {
+            self.missing(
+                section.span.clone(),
+                "the place of the weight is missing".into(),
+                "add throw = 1, web = 1 or z = \"10 mm\"".into(),
+            );
+        }
+        None
+    }
+
+    /// Unbalance, or mass times radius.
+    pub(super) fn weight_unbalance(&mut self, section: &'a Section) -> Option<f64> {
+        let [unbalance, mass, radius] = ["unbalance", "mass", "radius"].map(|key| section.number(key));
+        if section.has("unbalance") {
+            if let Some(other) = ["mass", "radius"].into_iter().find(|key| section.has(key)) {
+                self.two_sources(section, "unbalance", other, "the unbalance of the weight");
+                return None;
+            }
+            return unbalance.given();
+        }
+        if !section.has("mass") && !section.has("radius") {
+            self.missing(
+                section.span.clone(),
+                "the unbalance of the weight is missing".into(),
+                "add unbalance = \"0.02 kg m\", or mass and radius".into(),
+            );
+            return None;
+        }
+        let mass = self.required(section, "mass", mass);
+        let radius = self.required(section, "radius", radius);
+        Some(mass? * radius?)
+    }
+
+    /// All weights on the crankshafts; throws stand relative to the origin already.
+    pub(super) fn counterweights(
+        &mut self,
+        drafts: Vec<DraftWeight>,
+        throws: &[Throw],
+        cylinders: &[DraftCylinder<'a>],
+        origin: f64,
+    ) -> Option<Vec<Counterweight>> {
+        let short = self.short_form(throws, cylinders);
+        let count = drafts.len();
+        let single: Vec<Counterweight> = drafts
+            .into_iter()
+            .enumerate()
+            .filter_map(|(index, draft)| self.placed_weight(draft, index, throws, origin))
+            .collect();
+        let all_placed = single.len() == count;
+        let mut weights = short?;
+        weights.extend(single);
+        all_placed.then_some(weights)
+    }
+
+    fn placed_weight(
+        &mut self,
+        draft: DraftWeight,
+        index: usize,
+        throws: &[Throw],
+        origin: f64,
+    ) -> Option<Counterweight> {
+        let (crankshaft, z, angle, name) = match draft.place {
+            WeightPlace::Throw(index) => {
+                let throw = &throws[index];
+                let angle = throw.angle + draft.angle.unwrap_or(PI);
+                (throw.crankshaft, throw.z, angle, format!("throw {}", index + 1))
+            }
+            WeightPlace::Web(index, web) => {
+                let throw = &throws[index];
+                let angle = throw.angle + draft.angle.unwrap_or(PI);
+                let Some(webs) = throw.webs else {
+                    self.web_distance_missing(draft.span, index);
+                    return None;
+                };
+                (throw.crankshaft, webs[web], angle, format!("web {}", 2 * index + web + 1))
+            }
+            WeightPlace::Plane { z, crankshaft } => {
+                (crankshaft, z - origin, draft.angle.unwrap_or(0.0), format!("weight {}", index + 1))
+            }
+        };
+        Some(Counterweight {
+            name: draft.name.unwrap_or(name),
+            crankshaft,
+            z,
+            unbalance: draft.unbalance,
+            angle,
+        })
+    }
+
+    fn web_distance_missing(&mut self, span: Span, throw: usize) {
+        self.missing(
+            span,
+            format!("a weight on a web of throw {} needs the distance of its webs", throw + 1),
+            "add web_distance = \"44 mm\" to [crank] or to the throw".into(),
+        );
+    }
+
+    /// `[counterweights]`: shares of what turns and of what goes to and fro, opposite every throw.
+    fn short_form(
+        &mut self,
+        throws: &[Throw],
+        cylinders: &[DraftCylinder<'a>],
+    ) -> Option<Vec<Counterweight>> {
+        let (section, broken) = self.section("counterweights");
+        let Some(section) = section else { return (!broken).then(Vec::new) };
+        let rotating = section.number("rotating_share").or(0.0);
+        let reciprocating = section.number("reciprocating_share").or(0.0);
+        let at = section.word("at").or("throws");
+        let (rotating, reciprocating, at) = (rotating?, reciprocating?, at?);
+        if at == "webs"
+            && let Some(bare) = throws.iter().position(|throw| throw.webs.is_none())
+        {
+            self.web_distance_missing(section.value_span("at"), bare);
+            return None;
+        }
+        let mut weights = Vec::new();
+        for (index, throw) in throws.iter().enumerate() {
+            let driven = || cylinders.iter().map(|draft| &draft.cylinder).filter(|c| c.throw == index);
+            let big_ends: f64 = driven().map(|c| c.rod.big_end_mass).sum();
+            let reciprocating_mass: f64 = driven().map(|c| c.reciprocating_mass()).sum();
+            let wanted = rotating * (throw.unbalance + big_ends * throw.radius)
+                + reciprocating * reciprocating_mass * throw.radius;
+            // A crank whose own unbalance lies opposite the throw may need weight along it.
+            let (unbalance, angle) =
+                if wanted < 0.0 { (-wanted, throw.angle) } else { (wanted, throw.angle + PI) };
+            let crankshaft = throw.crankshaft;
+            match throw.webs {
+                Some(webs) if at == "webs" => weights.extend(webs.iter().enumerate().map(|(web, &z)| {
+                    let name = format!("web {}", 2 * index + web + 1);
+                    Counterweight { name, crankshaft, z, unbalance: unbalance / 2.0, angle }
+                })),
+                _ => {
+                    let name = format!("throw {}", index + 1);
+                    weights.push(Counterweight { name, crankshaft, z: throw.z, unbalance, angle });
+                }
+            }
+        }
+        Some(weights)
+    }
+
+    /// Shares that say nothing or look like slips.
+    pub(super) fn check_shares(&mut self) {
+        let (Some(section), _) = self.section("counterweights") else { return };
+        let keys = ["rotating_share", "reciprocating_share"];
+        if !keys.iter().any(|key| section.has(key)) {
+            self.missing(
+                section.span.clone(),
+                "[counterweights] says no share".into(),
+                "add rotating_share = \"100 %\", or reciprocating_share, or leave the table out".into(),
+            );
+            return;
+        }
+        let shares = keys.map(|key| section.number(key));
+        if keys.iter().zip(&shares).all(|(key, share)| match share {
+            Field::Given(share) => share.value == 0.0,
+            Field::Absent => !section.has(key),
+            Field::Bad => false,
+        }) {
+            self.mistakes.push(
+                Mistake::warning("W0204", section.span.clone(), "[counterweights] asks for weights of 0")
+                    .hint("leave it out, or give a share above 0"),
+            );
+        }
+        for (key, share) in keys.into_iter().zip(shares) {
+            if let Field::Given(share) = share
+                && share.value > LARGEST_SHARE
+            {
+                let percent = share.value * 100.0;
+                self.mistakes.push(
+                    Mistake::warning("W0802", share.span, format!("`{key}` is {percent} %"))
+                        .label("more than 200 %")
+                        .hint(format!("a bare number is a fraction: write \"{} %\"?", share.value)),
+                );
+            }
+        }
+    }
+}

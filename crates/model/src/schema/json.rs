@@ -1,0 +1,109 @@
+//! The JSON Schema of the engine file, for completion and checking in editors.
+
+use super::{Bound, FILE, Key, Kind, Need, Table};
+use crate::quantity::Dimension;
+use serde_json::{Map, Value, json};
+
+/// JSON Schema (draft 2020-12) of the engine file.
+///
+/// It says what each key holds; what only the engine as a whole can tell, [`read`](crate::read) checks.
+pub fn json_schema() -> Value {
+    let Value::Object(mut root) = table_schema(&FILE) else { return Value::Null };
+    let mut schema = Map::new();
+    schema.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
+    schema.insert("title".into(), json!("Lanchester engine file"));
+    schema.append(&mut root);
+    let definitions: Map<String, Value> = Dimension::ALL
+        .iter()
+        .map(|dimension| (definition_name(*dimension), quantity_schema(*dimension)))
+        .collect();
+    schema.insert("$defs".into(), Value::Object(definitions));
+    Value::Object(schema)
+}
+
+fn table_schema(table: &Table) -> Value {
+    let properties: Map<String, Value> =
+        table.keys.iter().map(|key| (key.name.to_string(), key_schema(key))).collect();
+    let required: Vec<&str> =
+        table.keys.iter().filter(|key| key.need == Need::Required).map(|key| key.name).collect();
+    json!({
+        "type": "object",
+        "description": table.doc,
+        "properties": properties,
+        "required": required,
+        "additionalProperties": false,
+    })
+}
+
+fn key_schema(key: &Key) -> Value {
+    let list = |items: Value| json!({ "type": "array", "items": items });
+    let mut schema = match key.kind {
+        Kind::Text(most) => json!({ "type": "string", "minLength": 1, "maxLength": most }),
+        Kind::Whole(least, most) => json!({ "type": "integer", "minimum": least, "maximum": most }),
+        Kind::Wholes(least, most) => list(json!({ "type": "integer", "minimum": least, "maximum": most })),
+        Kind::WholeChoice(choices) => json!({ "enum": choices }),
+        Kind::Choice(words) => json!({ "enum": words }),
+        Kind::Quantity(dimension, bound) => bounded(dimension, bound),
+        Kind::Quantities(dimension, bound) => list(bounded(dimension, bound)),
+        Kind::QuantityOrPair(dimension, bound) => json!({ "anyOf": [
+            bounded(dimension, bound),
+            { "type": "array", "items": bounded(dimension, bound), "minItems": 2, "maxItems": 2 },
+        ] }),
+        Kind::Share => json!({ "anyOf": [
+            bounded(Dimension::Share, Bound::NotNegative),
+            { "type": "number", "minimum": 0 },
+        ] }),
+        Kind::Ratio => json!({ "anyOf": [
+            { "type": "integer", "not": { "const": 0 } },
+            { "type": "string", "pattern": "^\\s*[+-]?0*[1-9][0-9]*\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },
+        ] }),
+        Kind::Table(table) => table_schema(table),
+        Kind::Tables(table, most) => {
+            json!({ "type": "array", "items": table_schema(table), "maxItems": most })
+        }
+    };
+    if let Value::Object(object) = &mut schema {
+        object.insert("description".into(), json!(key.doc));
+        if !matches!(key.kind, Kind::Table(_) | Kind::Tables(..))
+            && let Ok(example) = serde_json::from_str::<Value>(key.example)
+        {
+            object.insert("examples".into(), json!([example]));
+        }
+    }
+    schema
+}
+
+fn bounded(dimension: Dimension, bound: Bound) -> Value {
+    let reference = format!("#/$defs/{}", definition_name(dimension));
+    match bound {
+        Bound::Any => json!({ "$ref": reference }),
+        Bound::NotNegative | Bound::Positive => json!({ "$ref": reference, "pattern": "^\\s*[^\\s-]" }),
+    }
+}
+
+fn definition_name(dimension: Dimension) -> String {
+    dimension.name().replace(' ', "-")
+}
+
+/// A text of a number and a unit. A product may be spelled `kg m`, `kg*m`, `kg·m` or `kgm`.
+fn quantity_schema(dimension: Dimension) -> Value {
+    let units: Vec<String> = dimension
+        .units()
+        .map(|unit| {
+            let name = unit.name.replace(' ', "\\s*[*·⋅]?\\s*");
+            let name = match name.strip_suffix('2') {
+                Some(base) => format!("{base}(2|\\^2|²)"),
+                None => name,
+            };
+            name.replace("um", "[uµμ]m")
+        })
+        .collect();
+    json!({
+        "type": "string",
+        "description": format!("{} with its unit: {}", dimension.with_article(), dimension.unit_list()),
+        "pattern": format!(
+            "^\\s*[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?\\s*({})\\s*$",
+            units.join("|")
+        ),
+    })
+}

@@ -1,0 +1,67 @@
+//! The reference of the engine file for the book.
+
+use super::{Bound, FILE, Key, Kind, Need};
+use crate::quantity::{Dimension, one_of};
+
+/// Reference of the engine file as Markdown: every table, every key, every unit.
+pub fn reference_markdown() -> String {
+    let mut out = String::new();
+    for table in FILE.all() {
+        let title = if table.header.is_empty() { "The file".into() } else { format!("`{}`", table.header) };
+        out += &format!("## {title}\n\n{}\n\n", table.doc);
+        out += "| key | holds | meaning | example |\n|---|---|---|---|\n";
+        for key in table.keys {
+            let need = if key.need == Need::Required { " (required)" } else { "" };
+            out += &format!(
+                "| `{}`{need} | {} | {} | `{}` |\n",
+                key.name,
+                holds(key.kind),
+                meaning(key),
+                key.example.replace('|', "\\|")
+            );
+        }
+        out += "\n";
+    }
+    out += "## Units\n\n| quantity | units |\n|---|---|\n";
+    for dimension in Dimension::ALL {
+        let units: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.name)).collect();
+        out += &format!("| {} | {} |\n", dimension.name(), units.join(", "));
+    }
+    out
+}
+
+fn holds(kind: Kind) -> String {
+    let bounded = |dimension: Dimension, bound| match bound {
+        Bound::Any => dimension.name().to_string(),
+        Bound::NotNegative => format!("{}, not negative", dimension.name()),
+        Bound::Positive => format!("{}, positive", dimension.name()),
+    };
+    match kind {
+        Kind::Text(most) => format!("text of at most {most} characters"),
+        Kind::Whole(least, most) => format!("whole number from {least} to {most}"),
+        Kind::Wholes(least, most) => format!("list of whole numbers from {least} to {most}"),
+        Kind::WholeChoice(choices) => {
+            let names: Vec<String> = choices.iter().map(|choice| format!("`{choice}`")).collect();
+            one_of(names.iter().map(String::as_str))
+        }
+        Kind::Choice(words) => {
+            let names: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
+            one_of(names.iter().map(String::as_str))
+        }
+        Kind::Quantity(dimension, bound) => bounded(dimension, bound),
+        Kind::Quantities(dimension, bound) => format!("list: {}", bounded(dimension, bound)),
+        Kind::QuantityOrPair(dimension, bound) => format!("{}; one or two", bounded(dimension, bound)),
+        Kind::Share => "share, or a bare fraction".into(),
+        Kind::Ratio => "whole number, or a fraction as text".into(),
+        Kind::Table(table) => format!("table `{}`", table.header),
+        Kind::Tables(table, most) => format!("tables `{}`, at most {most}", table.header),
+    }
+}
+
+fn meaning(key: &Key) -> String {
+    if key.layouts.is_empty() {
+        key.doc.to_string()
+    } else {
+        format!("{} For {}.", key.doc, one_of(key.layouts.iter().copied()).replace(" or ", " and "))
+    }
+}
