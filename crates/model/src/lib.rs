@@ -42,9 +42,11 @@ mod quantity;
 mod ratio;
 mod read;
 mod schema;
+mod template;
 
 pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use ratio::Ratio;
 pub use read::{Reading, read};
 pub use schema::{json_schema, reference_markdown};
+pub use template::{Template, template, templates};
