@@ -1,0 +1,177 @@
+//! One engine of a table: its file's text with the table's changes, read and computed.
+
+use super::files::Source;
+use super::source::{Change, Edit, KinematicsName, NewValue};
+use lanchester_mechanism::{LoadRequest, Loads, PeakMode, loads};
+use lanchester_model::{Engine, read};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// An engine and its loads.
+pub(super) struct Run {
+    pub engine: Engine,
+    pub loads: Loads,
+}
+
+/// Keeps what was computed, for a table asks for the same engine many times.
+#[derive(Default)]
+pub(super) struct Bench {
+    runs: HashMap<String, Rc<Run>>,
+}
+
+impl Bench {
+    /// Reads and computes the engine that the first edit names, after the others.
+    pub fn run(
+        &mut self,
+        source: &Source,
+        edits: &[Edit],
+        kinematics: KinematicsName,
+        about: Option<&str>,
+    ) -> Result<Rc<Run>, String> {
+        let text = engine_text(source, edits)?;
+        let mut request = LoadRequest { kinematics: kinematics.kinematics(), ..LoadRequest::default() };
+        if let Some(grid) = source.grid {
+            request.peaks = PeakMode::Grid(grid);
+            request.samples = grid;
+        }
+        let id = format!("{text}\n{request:?} {about:?}");
+        if let Some(run) = self.runs.get(&id) {
+            return Ok(run.clone());
+        }
+        let reading = read(&text);
+        let Some(engine) = reading.engine else {
+            let messages: Vec<_> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
+            return Err(messages.join("; "));
+        };
+        if let Some(about) = about {
+            request.reference = reference_point(&engine, about)?;
+        }
+        let loads = loads(&engine, &request).map_err(|error| error.to_string())?;
+        let run = Rc::new(Run { engine, loads });
+        self.runs.insert(id, run.clone());
+        Ok(run)
+    }
+}
+
+fn reference_point(engine: &Engine, about: &str) -> Result<[f64; 3], String> {
+    let front = engine.shafts.first().and_then(|s| s.weights.first());
+    match (about, front) {
+        ("front shaft weight", Some(weight)) => Ok([0.0, 0.0, weight.z]),
+        _ => Err(format!("no point is called {about:?} in this engine")),
+    }
+}
+
+/// Text of the engine file after all edits.
+fn engine_text(source: &Source, edits: &[Edit]) -> Result<String, String> {
+    let mut edits = edits.iter();
+    let Some(Edit::Named(file)) = edits.next() else {
+        return Err("the first edit must name an engine file".to_string());
+    };
+    let engine = source.engines.get(file).ok_or_else(|| format!("no engine file is called {file:?}"))?;
+    let mut lines: Vec<String> = engine.lines().map(str::to_string).collect();
+    for edit in edits {
+        let change = match edit {
+            Edit::Named(name) => {
+                source.changes.get(name).ok_or_else(|| format!("no change is called {name:?}"))?
+            }
+            Edit::Written(change) => change,
+        };
+        apply(&mut lines, change)?;
+    }
+    Ok(lines.join("\n") + "\n")
+}
+
+fn apply(lines: &mut Vec<String>, change: &Change) -> Result<(), String> {
+    for (place, value) in change {
+        match (place.as_str(), value) {
+            ("append", NewValue::Lines(more)) => lines.extend(more.iter().cloned()),
+            (_, NewValue::Text(value)) => set(lines, place, &format!("\"{value}\""))?,
+            (_, NewValue::Gone(())) => remove(lines, place)?,
+            _ => return Err(format!("{place:?} cannot take lines")),
+        }
+    }
+    Ok(())
+}
+
+/// Name of the section that a line opens.
+fn section(line: &str) -> Option<&str> {
+    let header = line.split('#').next()?.trim();
+    Some(header.strip_prefix('[')?.trim_start_matches('[').trim_end_matches(']'))
+}
+
+/// Lines of the first section of this name without its header; the name "" is the head of the file.
+fn section_lines(lines: &[String], name: &str) -> Option<std::ops::Range<usize>> {
+    let start = if name.is_empty() { 0 } else { lines.iter().position(|l| section(l) == Some(name))? + 1 };
+    let length = lines[start..].iter().position(|l| section(l).is_some()).unwrap_or(lines.len() - start);
+    Some(start..start + length)
+}
+
+fn find(lines: &[String], place: &str) -> Result<(std::ops::Range<usize>, Option<usize>, String), String> {
+    let (name, key) = place.rsplit_once('.').unwrap_or(("", place));
+    let range =
+        section_lines(lines, name).ok_or_else(|| format!("the engine file has no section {name:?}"))?;
+    let is_key = |line: &String| line.split_once('=').is_some_and(|(k, _)| k.trim() == key);
+    let at = lines[range.clone()].iter().position(is_key).map(|i| range.start + i);
+    Ok((range, at, key.to_string()))
+}
+
+fn set(lines: &mut Vec<String>, place: &str, value: &str) -> Result<(), String> {
+    let (range, at, key) = find(lines, place)?;
+    let line = format!("{key} = {value}");
+    match at {
+        Some(at) => lines[at] = line,
+        None => lines.insert(range.start, line),
+    }
+    Ok(())
+}
+
+/// Takes out a key, or a whole section.
+fn remove(lines: &mut Vec<String>, place: &str) -> Result<(), String> {
+    if !place.contains('.')
+        && let Some(range) = section_lines(lines, place)
+    {
+        lines.drain(range.start - 1..range.end);
+        return Ok(());
+    }
+    let (_, at, _) = find(lines, place)?;
+    let at = at.ok_or_else(|| format!("the engine file has no {place:?}"))?;
+    lines.remove(at);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn changed(place: &str, value: NewValue) -> Result<String, String> {
+        let text = "speed = '1 rpm'\n[rod] # long\nmass = '1 kg'\nlength = '2 m'\n[a]\nmass = '3 kg'";
+        let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
+        apply(&mut lines, &Change::from([(place.to_string(), value)]))?;
+        Ok(lines.join("|"))
+    }
+
+    #[test]
+    fn changes_replace_add_and_remove_lines() {
+        let text = |t: &str| NewValue::Text(t.to_string());
+        assert_eq!(
+            changed("rod.mass", text("5 kg")).unwrap(),
+            "speed = '1 rpm'|[rod] # long|mass = \"5 kg\"|length = '2 m'|[a]|mass = '3 kg'"
+        );
+        assert_eq!(
+            changed("speed", text("2 rpm")).unwrap(),
+            "speed = \"2 rpm\"|[rod] # long|mass = '1 kg'|length = '2 m'|[a]|mass = '3 kg'"
+        );
+        assert!(changed("a.radius", text("1 m")).unwrap().ends_with("[a]|radius = \"1 m\"|mass = '3 kg'"));
+        assert_eq!(changed("rod", NewValue::Gone(())).unwrap(), "speed = '1 rpm'|[a]|mass = '3 kg'");
+        assert!(
+            changed("rod.length", NewValue::Gone(())).unwrap().contains("[rod] # long|mass = '1 kg'|[a]")
+        );
+    }
+
+    #[test]
+    fn a_change_that_finds_nothing_is_refused() {
+        assert!(changed("crank.radius", NewValue::Text("1 m".into())).is_err());
+        assert!(changed("rod.inertia", NewValue::Gone(())).is_err());
+        assert!(changed("rod.mass", NewValue::Lines(vec![])).is_err());
+    }
+}
