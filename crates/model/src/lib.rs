@@ -35,6 +35,7 @@
 mod diagnostic;
 mod document;
 mod engine;
+mod expanded;
 mod firing;
 mod layout;
 mod nearest;
@@ -46,6 +47,7 @@ mod template;
 
 pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
+pub use expanded::expanded;
 pub use ratio::Ratio;
 pub use read::{Reading, read};
 pub use schema::{json_schema, reference_markdown};

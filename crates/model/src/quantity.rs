@@ -382,6 +382,15 @@ fn scaled(number: &str, exponent: i32) -> Option<f64> {
 
 /// `value` [SI] as text that [`parse`] reads back into the same double, in the unit that reads best.
 pub(crate) fn exact_text(value: f64, dimension: Dimension) -> String {
+    text_that(value, dimension, |read| read == value)
+}
+
+/// Doubles to either side of a guess that [`text_that`] tries.
+const NEIGHBOURS: usize = 8;
+
+/// Text of a value at or next to `guess` [SI] that reads back as one that `fits`, in the unit that reads best; the
+/// text of the guess itself if none does.
+pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> bool) -> String {
     let (nice, plain) = match dimension {
         Dimension::Length => ("mm", "m"),
         Dimension::Mass => ("kg", "kg"),
@@ -395,12 +404,25 @@ pub(crate) fn exact_text(value: f64, dimension: Dimension) -> String {
         Dimension::Torque => ("N m", "N m"),
         Dimension::Density => ("kg/m3", "kg/m3"),
     };
-    [nice, plain]
+    let guess = guess + 0.0;
+    neighbours(guess)
         .into_iter()
-        .filter_map(|name| UNITS.iter().find(|unit| unit.name == name))
-        .flat_map(|unit| unit.candidates(value).map(|number| format!("{number} {}", unit.name)))
-        .find(|text| parse(text, dimension, "") == Ok(value))
-        .unwrap_or_else(|| format!("{value} {plain}"))
+        .flat_map(|value| [nice, plain].map(|name| (value, name)))
+        .filter_map(|(value, name)| Some((value, UNITS.iter().find(|unit| unit.name == name)?)))
+        .flat_map(|(value, unit)| unit.candidates(value).map(|number| format!("{number} {}", unit.name)))
+        .find(|text| parse(text, dimension, "").is_ok_and(&fits))
+        .unwrap_or_else(|| format!("{guess} {plain}"))
+}
+
+/// The value and the doubles next to it, nearest first.
+pub(crate) fn neighbours(value: f64) -> Vec<f64> {
+    let mut found = vec![value];
+    let (mut up, mut down) = (value, value);
+    for _ in 0..NEIGHBOURS {
+        (up, down) = (up.next_up(), down.next_down());
+        found.extend([up, down]);
+    }
+    found
 }
 
 impl Unit {

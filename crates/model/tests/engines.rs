@@ -1,6 +1,6 @@
 //! Whole engine files, short and general form.
 
-use lanchester_model::{Engine, RodJoint, RodMassRule, Severity, read, render};
+use lanchester_model::{Engine, RodJoint, RodMassRule, Severity, expanded, read, render};
 use std::f64::consts::{PI, TAU};
 
 #[track_caller]
@@ -8,7 +8,18 @@ fn engine(text: &str) -> Engine {
     let reading = read(text);
     let rendered = render(&reading.diagnostics, "engine.toml", text, false);
     assert!(reading.diagnostics.is_empty(), "{rendered}");
-    reading.engine.expect("no engine")
+    let engine = reading.engine.expect("no engine");
+    assert_reads_back(&engine);
+    engine
+}
+
+/// The expanded form is the same engine, to the last bit.
+#[track_caller]
+fn assert_reads_back(engine: &Engine) {
+    let text = expanded(engine);
+    let reading = read(&text);
+    let rendered = render(&reading.diagnostics, "expanded.toml", &text, false);
+    assert_eq!(reading.engine.as_ref(), Some(engine), "{rendered}{text}");
 }
 
 const FOUR: &str = r#"
