@@ -148,6 +148,9 @@ mod tests {
         let mut found = Vec::new();
         for source in std::fs::read_dir(folder).unwrap() {
             let source = source.unwrap().path();
+            if source.is_file() {
+                continue;
+            }
             for file in std::fs::read_dir(&source).unwrap() {
                 let file = file.unwrap().path();
                 let name = |p: &Path| p.file_name().unwrap().to_str().unwrap().to_string();
