@@ -125,8 +125,8 @@ pub(crate) struct Articulated {
 /// Crankpin, knuckle pin and master's piston pin in the master's frame, with derivatives.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct KnuckleMotion {
-    /// Master's travel [m].
-    pub master_travel: f64,
+    /// Second derivative of the master's travel [m].
+    pub master_acceleration: f64,
     /// Crankpin `A` [m] and derivatives.
     pub crankpin: [Complex64; 4],
     /// Knuckle pin `K` [m] and derivatives.
@@ -144,7 +144,7 @@ impl Articulated {
             let beside = if j == 0 { self.master.offset } else { 0.0 };
             along * crankpin[j] + self.knuckle * Complex64::new(master_travel[j], beside)
         });
-        KnuckleMotion { master_travel: master_travel[0], crankpin, knuckle }
+        KnuckleMotion { master_acceleration: master_travel[2], crankpin, knuckle }
     }
 
     /// Big end of the slave in its own frame: along and beside the line of its piston pin.

@@ -1,10 +1,10 @@
 //! Loads by order, split into parts that turn with the crank and against it.
 //!
 //! ```text
-//! piston, own harmonic n, a_n = n^2 s_n e^{i n phi_0}:
+//! piston, own harmonic n, a_n = -(s'')_n e^{i n phi_0} = n^2 s_n e^{i n phi_0}:
 //!   force at e^{+i n phi}: G a_n        at e^{-i n phi}: G conj(a_n)        (couple: H)
 //!   torque    T_n = -1/2 i n rate ( m W^2 (s'^2)_n + J W^2 (beta'^2)_n ) e^{i n phi_0}
-//!   roll      M_n = -T_n + R a_n + i n J W^2 beta'_n e^{i n phi_0}
+//!   roll      M_n = -T_n + R a_n + J W^2 (beta'')_n e^{i n phi_0}
 //! ```
 //! Symbols as in [`crate::train`]; the coefficients of the motion are closed forms ([`crate::series`]) for plain rods
 //! and a spectral quadrature ([`crate::sampling`]) for articulated rods and truncated motions. A crankshaft that
@@ -14,7 +14,7 @@ use crate::drive::{Drive, Linkage};
 use crate::result::OrderLoads;
 use crate::sampling::sampled_orders;
 use crate::series::slider_orders;
-use crate::train::{Mechanism, Piston, Rotor};
+use crate::train::{Piston, Rotor};
 use lanchester_model::{Engine, Ratio};
 use num_complex::Complex64;
 use std::collections::BTreeSet;
@@ -73,7 +73,7 @@ impl OrderAxis {
 }
 
 /// No load of order `order`.
-fn empty(order: f64) -> OrderLoads {
+pub(crate) fn empty(order: f64) -> OrderLoads {
     let zero = Complex64::ZERO;
     OrderLoads {
         order,
@@ -87,16 +87,17 @@ fn empty(order: f64) -> OrderLoads {
 }
 
 /// One harmonic of a shaft: coefficients of `e^{+i n phi}` and `e^{-i n phi}`, and of `2 Re` for roll and torque.
-struct Harmonic {
-    force: [Complex64; 2],
-    couple: [Complex64; 2],
-    roll: Complex64,
-    torque: Complex64,
+pub(crate) struct Harmonic {
+    pub force: [Complex64; 2],
+    pub couple: [Complex64; 2],
+    pub roll: Complex64,
+    pub torque: Complex64,
 }
 
 impl Harmonic {
     /// Adds it to its order, senses exchanged for a shaft that turns against crankshaft 1.
-    fn add_to(&self, order: &mut OrderLoads, ratio: Ratio) {
+    #[inline(always)]
+    pub fn add_to(&self, order: &mut OrderLoads, ratio: Ratio) {
         let forward = usize::from(ratio.numerator() < 0);
         order.force_forward += self.force[forward];
         order.force_backward += self.force[1 - forward];
@@ -108,27 +109,9 @@ impl Harmonic {
     }
 }
 
-impl Mechanism {
-    /// Loads by order, rising, from 0 to the highest order asked for.
-    pub fn orders(&self) -> Vec<OrderLoads> {
-        let mut orders: Vec<OrderLoads> = self.axis.orders().map(empty).collect();
-        for rotor in &self.rotors {
-            if self.axis.highest(rotor.ratio) >= 1 {
-                rotor.harmonic().add_to(&mut orders[self.axis.place(rotor.ratio, 1)], rotor.ratio);
-            }
-        }
-        for piston in &self.pistons {
-            let highest = self.axis.highest(piston.ratio);
-            for (n, harmonic) in piston.harmonics(highest).iter().enumerate().skip(1) {
-                harmonic.add_to(&mut orders[self.axis.place(piston.ratio, n)], piston.ratio);
-            }
-        }
-        orders
-    }
-}
-
 impl Rotor {
-    fn harmonic(&self) -> Harmonic {
+    /// Its one harmonic.
+    pub fn harmonic(&self) -> Harmonic {
         let zero = Complex64::ZERO;
         Harmonic {
             force: [self.force, zero],
@@ -139,14 +122,15 @@ impl Rotor {
     }
 }
 
-/// Orders of what a piston's loads are made of, n = 0..=highest, phases counted from its cylinder axis.
+/// Orders of what a piston's loads are made of, n = 0..=highest, phases counted from its (master's) cylinder axis.
 struct PistonOrders {
-    /// `s`, or what has the same second derivative.
-    travel: Vec<Complex64>,
-    swing_rate: Vec<Complex64>,
-    /// `m W^2 s'^2 + J W^2 beta'^2`, twice the kinetic energy over the speed squared.
-    energy: Vec<Complex64>,
-    /// Master's travel and angular momentum `Im(conj(K) K')` of the knuckle pin.
+    /// `s''`.
+    acceleration: Vec<Complex64>,
+    /// `beta''`.
+    spin: Vec<Complex64>,
+    /// `m W^2 s' s'' + J W^2 beta' beta''`, and that of the knuckle pin: rate of the kinetic energy.
+    power: Vec<Complex64>,
+    /// Master's `s''` and moment `Im(conj(K) K'')` of the knuckle pin.
     knuckle: Option<[Vec<Complex64>; 2]>,
 }
 
@@ -154,12 +138,15 @@ impl Piston {
     fn motion_orders(&self, highest: usize) -> PistonOrders {
         if let Drive::Exact(Linkage::Plain(slider)) = &self.drive {
             let orders = slider_orders(slider, highest);
+            let by_phi = |n: usize| Complex64::new(0.0, n as f64);
             let squares = orders.travel_rate_squared.iter().zip(&orders.swing_rate_squared);
-            let energy = squares.map(|(s, k)| self.mass * s + self.inertia * k).collect();
             return PistonOrders {
-                travel: orders.travel,
-                swing_rate: orders.swing_rate,
-                energy,
+                acceleration: orders.travel.iter().enumerate().map(|(n, s)| by_phi(n).powi(2) * s).collect(),
+                spin: orders.swing_rate.iter().enumerate().map(|(n, k)| by_phi(n) * k).collect(),
+                power: squares
+                    .enumerate()
+                    .map(|(n, (s, k))| 0.5 * by_phi(n) * (self.mass * s + self.inertia * k))
+                    .collect(),
                 knuckle: None,
             };
         }
@@ -168,57 +155,55 @@ impl Piston {
             Drive::Series { own, .. } => 2 * own.travel.len(),
         };
         let mass = self.knuckle.as_ref().map_or(0.0, |k| k.mass);
+        // Derivatives are sampled as such: multiplying sampled travel by n^2 would lift its rounding.
         let sampled = sampled_orders(highest, band, |phi| {
             let motion = self.drive.motion(phi);
-            let [_, s1, ..] = motion.stroke.travel;
-            let [_, k, ..] = motion.stroke.swing;
-            let energy = self.mass * s1 * s1 + self.inertia * k * k;
-            let Some(pin) = motion.knuckle else { return [motion.stroke.travel[0], k, energy, 0.0, 0.0] };
-            let [at, rate, ..] = pin.knuckle;
-            let energy = energy + mass * rate.norm_sqr();
-            [motion.stroke.travel[0], k, energy, (at.conj() * rate).im, pin.master_travel]
+            let [_, s1, s2, _] = motion.stroke.travel;
+            let [_, k, k1, _] = motion.stroke.swing;
+            let power = self.mass * s1 * s2 + self.inertia * k * k1;
+            let Some(pin) = motion.knuckle else { return [s2, k1, power, 0.0, 0.0] };
+            let [at, rate, change, _] = pin.knuckle;
+            let power = power + mass * (rate.conj() * change).re;
+            [s2, k1, power, pin.master_acceleration, (at.conj() * change).im]
         });
         let column = |m: usize| sampled.iter().map(|c| c[m]).collect::<Vec<_>>();
         PistonOrders {
-            travel: column(0),
-            swing_rate: column(1),
-            energy: column(2),
-            knuckle: self.knuckle.as_ref().map(|_| [column(4), column(3)]),
+            acceleration: column(0),
+            spin: column(1),
+            power: column(2),
+            knuckle: self.knuckle.as_ref().map(|_| [column(3), column(4)]),
         }
     }
 
-    fn harmonics(&self, highest: usize) -> Vec<Harmonic> {
+    /// Harmonics 0..=highest of its crankshaft.
+    pub fn harmonics(&self, highest: usize) -> Vec<Harmonic> {
         let orders = self.motion_orders(highest);
-        let rate = self.ratio.value();
         (0..=highest)
             .map(|n| {
-                let order = n as f64;
-                let phase = Complex64::cis(order * self.phase);
-                let along = order * order * orders.travel[n] * phase;
-                let by_phi = Complex64::new(0.0, order) * phase;
-                let torque = -0.5 * rate * by_phi * orders.energy[n];
-                let roll = self.roll * along + self.inertia * by_phi * orders.swing_rate[n] - torque;
+                let phase = Complex64::cis(n as f64 * self.phase);
+                let along = -orders.acceleration[n] * phase;
+                let torque = -self.ratio.value() * orders.power[n] * phase;
+                let roll = self.roll * along + self.inertia * orders.spin[n] * phase - torque;
                 let mut harmonic = Harmonic {
                     force: [self.force * along, self.force * along.conj()],
                     couple: [self.couple * along, self.couple * along.conj()],
                     roll,
                     torque,
                 };
-                if let (Some(mass), Some([travel, momentum]), Some(linkage)) =
+                if let (Some(mass), Some([acceleration, moment]), Some(linkage)) =
                     (&self.knuckle, &orders.knuckle, self.drive.articulated())
                 {
-                    let knuckle = linkage.knuckle;
-                    let travel = order * order * travel[n] * phase;
+                    let piston = -acceleration[n] * phase;
                     let pin = if n == 1 { linkage.master.radius * phase } else { Complex64::ZERO };
-                    // A'' - K'' = -k (B'' - A''): B'' = -n^2 s_n both ways, A'' = -r forward only.
-                    let excess = [knuckle * (travel - pin), knuckle * travel.conj()];
+                    // A'' - K'' = k (A'' - B''): B'' both ways, A'' = -r e^{i phi} forward only.
+                    let excess = [linkage.knuckle * (piston - pin), linkage.knuckle * piston.conj()];
                     for (sense, excess) in excess.into_iter().enumerate() {
                         harmonic.force[sense] += mass.force * excess;
                         harmonic.couple[sense] += mass.couple * excess;
                     }
                     let [forward, backward] = excess.map(|c| mass.roll * c);
                     harmonic.roll += Complex64::new(0.0, -0.5) * (forward - backward.conj())
-                        - mass.mass * by_phi * momentum[n];
+                        - mass.mass * moment[n] * phase;
                 }
                 harmonic
             })

@@ -1,6 +1,9 @@
 //! Engines built by hand, and the one way in which these tests compare numbers.
 #![allow(dead_code)]
 
+pub mod brute;
+pub mod random;
+
 use lanchester_model::*;
 use std::f64::consts::{PI, TAU};
 

@@ -1,0 +1,123 @@
+//! Eight numbers at a time, in plain code that compilers turn into vector instructions.
+
+/// Numbers in a [`Lanes`]: one register of AVX-512, two of AVX2, four of SSE2 or NEON.
+pub(crate) const WIDTH: usize = 8;
+
+/// Eight numbers that go through the same arithmetic.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Lanes(pub [f64; WIDTH]);
+
+impl Lanes {
+    /// All zero.
+    pub const ZERO: Lanes = Lanes([0.0; WIDTH]);
+
+    /// The same number in all lanes.
+    #[inline(always)]
+    pub fn all(value: f64) -> Lanes {
+        Lanes([value; WIDTH])
+    }
+
+    /// `f` of every lane.
+    #[inline(always)]
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Lanes {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = f(self.0[i]);
+        }
+        Lanes(out)
+    }
+
+    /// `f` of every pair of lanes.
+    #[inline(always)]
+    pub fn zip(self, other: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = f(self.0[i], other.0[i]);
+        }
+        Lanes(out)
+    }
+
+    /// `self * factor + term`, in one rounding where the machine can (`FMA`), else in two.
+    #[inline(always)]
+    pub fn times_plus<const FMA: bool>(self, factor: Lanes, term: Lanes) -> Lanes {
+        let mut out = [0.0; WIDTH];
+        for i in 0..WIDTH {
+            out[i] = if FMA {
+                self.0[i].mul_add(factor.0[i], term.0[i])
+            } else {
+                self.0[i] * factor.0[i] + term.0[i]
+            };
+        }
+        Lanes(out)
+    }
+
+    /// `term - self * factor`, rounded as [`Lanes::times_plus`].
+    #[inline(always)]
+    pub fn taken_from<const FMA: bool>(self, factor: Lanes, term: Lanes) -> Lanes {
+        (-self).times_plus::<FMA>(factor, term)
+    }
+
+    /// `1 / sqrt` of every lane, each of the two operations correctly rounded.
+    #[inline(always)]
+    pub fn inverse_root(self) -> Lanes {
+        self.map(|x| 1.0 / x.sqrt())
+    }
+
+    /// Sum of all lanes.
+    #[inline(always)]
+    pub fn sum(self) -> f64 {
+        let x = self.0;
+        ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]))
+    }
+}
+
+impl std::ops::Add for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn add(self, other: Lanes) -> Lanes {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl std::ops::Sub for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn sub(self, other: Lanes) -> Lanes {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl std::ops::Mul for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn mul(self, other: Lanes) -> Lanes {
+        self.zip(other, |a, b| a * b)
+    }
+}
+
+impl std::ops::Neg for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn neg(self) -> Lanes {
+        self.map(|a| -a)
+    }
+}
+
+/// Complex numbers, eight at a time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ComplexLanes {
+    pub re: Lanes,
+    pub im: Lanes,
+}
+
+impl ComplexLanes {
+    /// Product.
+    #[inline(always)]
+    pub fn times<const FMA: bool>(self, other: ComplexLanes) -> ComplexLanes {
+        ComplexLanes {
+            re: self.im.taken_from::<FMA>(other.im, self.re * other.re),
+            im: self.im.times_plus::<FMA>(other.re, self.re * other.im),
+        }
+    }
+}
