@@ -9,26 +9,39 @@ mod component;
 mod csv;
 mod engine_tables;
 mod figure;
+mod front_view;
+mod hodograph;
 mod load_tables;
 mod magnitude;
+mod mechanism_sketch;
 mod number;
 mod over_angle;
 mod plot;
+mod pose;
 #[cfg(test)]
 mod sample;
+mod side_view;
 mod spectrum;
+mod star;
+mod story;
 mod svg;
 mod table;
 mod terminal;
+mod view;
 
 pub use csv::{orders_csv, trace_csv};
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};
+pub use front_view::front_view;
+pub use hodograph::{couple_hodograph, force_hodograph};
 pub use load_tables::{
     articulation_table, couple_orders_table, cylinders_table, force_orders_table, motion_table, parts_table,
     peaks_table, rod_inertia_table, roll_orders_table,
 };
 pub use over_angle::{over_angle, vanishing};
+pub use side_view::side_view;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
+pub use star::{couple_stars, force_stars};
+pub use story::{Told, story};
 pub use table::{Cell, Column, Table};
 pub use terminal::loads_text;

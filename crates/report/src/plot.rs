@@ -49,12 +49,12 @@ impl AnglePlot<'_> {
         let turns = (self.period / std::f64::consts::TAU).round().max(1.0);
         let angles = Axis::stepped(0.0, 360.0 * turns, 90.0 * (turns / 2.0).ceil());
 
-        let legend = Legend::of(&self.series);
+        let legend = Legend::of(&self.names(), LEFT, WIDTH);
         let top = 26.0 + legend.height;
         let mut svg = Svg::new(WIDTH, HEIGHT + legend.height);
         let (right, bottom) = (WIDTH - RIGHT, svg.height - BOTTOM);
         svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{} [{}]", self.quantity, scale.unit));
-        legend.draw(&mut svg, &self.series);
+        legend.draw(&mut svg);
         value_axis(&mut svg, &axis, top, bottom);
         for &tick in &angles.ticks {
             let x = angles.place(tick, LEFT, right);
@@ -81,6 +81,10 @@ impl AnglePlot<'_> {
         Panel::new(svg, description)
     }
 
+    fn names(&self) -> Vec<(String, usize)> {
+        self.series.iter().map(|s| (s.name.clone(), s.style)).collect()
+    }
+
     /// At most 361 points: more would not be seen; the period is closed with its first point.
     fn curve(&self, series: &Series<'_>, place: impl Fn(f64, f64) -> (f64, f64)) -> Path {
         let count = self.theta.len().min(series.values.len());
@@ -104,32 +108,33 @@ fn value_axis(svg: &mut Svg, axis: &Axis, top: f64, bottom: f64) {
 
 /// Rows of line samples with names, above the plot so that they never cover data.
 pub(crate) struct Legend {
-    places: Vec<(f64, f64)>,
+    entries: Vec<(String, usize, (f64, f64))>,
     pub(crate) height: f64,
 }
 
 impl Legend {
-    pub(crate) fn of(series: &[Series<'_>]) -> Legend {
-        if series.len() < 2 {
-            return Legend { places: Vec::new(), height: 0.0 };
+    /// Names with their line styles, in rows from `left` up to `width`; one name alone needs no legend.
+    pub(crate) fn of(names: &[(String, usize)], left: f64, width: f64) -> Legend {
+        if names.len() < 2 {
+            return Legend { entries: Vec::new(), height: 0.0 };
         }
-        let mut places = Vec::with_capacity(series.len());
-        let (mut x, mut y) = (LEFT, 32.0);
-        for entry in series {
-            let width = 34.0 + text_width(&entry.name, 12.0) + 14.0;
-            if x + width > WIDTH && x > LEFT {
-                (x, y) = (LEFT, y + LEGEND_ROW);
+        let mut entries = Vec::with_capacity(names.len());
+        let (mut x, mut y) = (left, 32.0);
+        for (name, style) in names {
+            let length = 34.0 + text_width(name, 12.5) + 14.0;
+            if x + length > width && x > left {
+                (x, y) = (left, y + LEGEND_ROW);
             }
-            places.push((x, y));
-            x += width;
+            entries.push((name.clone(), *style, (x, y)));
+            x += length;
         }
-        Legend { places, height: y - 32.0 + LEGEND_ROW }
+        Legend { entries, height: y - 32.0 + LEGEND_ROW }
     }
 
-    pub(crate) fn draw(&self, svg: &mut Svg, series: &[Series<'_>]) {
-        for (entry, &(x, y)) in series.iter().zip(&self.places) {
-            svg.line(&format!("s{}", entry.style.min(5)), (x, y - 4.0), (x + 28.0, y - 4.0));
-            svg.text("small", (x + 34.0, y), Anchor::Start, &entry.name);
+    pub(crate) fn draw(&self, svg: &mut Svg) {
+        for (name, style, (x, y)) in &self.entries {
+            svg.line(&format!("s{}", style.min(&5)), (*x, y - 4.0), (x + 28.0, y - 4.0));
+            svg.text("small", (x + 34.0, *y), Anchor::Start, name);
         }
     }
 }

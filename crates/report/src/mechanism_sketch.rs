@@ -1,0 +1,165 @@
+//! The crank train across the crank, drawn the same way in the engine drawing and in the stepped story.
+
+use crate::number;
+use crate::pose::{Pose, bore, pose};
+use crate::svg::{Anchor, Path, Svg};
+use crate::view::{Bounds, View};
+use lanchester_model::Engine;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Height of a piston over its bore.
+const PISTON_HEIGHT: f64 = 0.55;
+
+/// Cylinders that look the same in this view: one bore line and all the positions of its pistons.
+pub(crate) struct Bank {
+    /// Indices of its cylinders.
+    pub cylinders: Vec<usize>,
+    /// Direction of the axis.
+    pub axis: Complex64,
+    /// Foot of the axis: the point nearest to the crankshaft's axis.
+    pub foot: Complex64,
+    /// From the foot to the lower edge of the bore and to the head [m].
+    pub walls: (f64, f64),
+    /// Bore [m].
+    pub bore: f64,
+}
+
+/// Cylinders grouped by their axis.
+pub(crate) fn banks(engine: &Engine) -> Vec<Bank> {
+    let mut banks: Vec<Bank> = Vec::new();
+    for (index, cylinder) in engine.cylinders.iter().enumerate() {
+        let still = pose(engine, index, 0.0);
+        let foot = still.centre + still.axis * Complex64::new(0.0, cylinder.offset);
+        let bore = bore(engine, index);
+        // The stroke as the picture needs it; the tables print the exact one.
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for step in 0..72 {
+            let at = pose(engine, index, TAU * f64::from(step) / 72.0);
+            let height = ((at.piston - foot) / at.axis).re;
+            (low, high) = (low.min(height), high.max(height));
+        }
+        let half = 0.5 * PISTON_HEIGHT * bore;
+        let walls = (low - half, high + half + 0.06 * bore);
+        let same = |b: &&mut Bank| (b.axis - still.axis).norm() < 1e-6 && (b.foot - foot).norm() < 1e-6;
+        match banks.iter_mut().find(same) {
+            Some(bank) => {
+                bank.cylinders.push(index);
+                bank.walls = (bank.walls.0.min(walls.0), bank.walls.1.max(walls.1));
+                bank.bore = bank.bore.max(bore);
+            }
+            None => banks.push(Bank { cylinders: vec![index], axis: still.axis, foot, walls, bore }),
+        }
+    }
+    banks
+}
+
+/// The space that the crank train needs, as `(y, -x)` with +y to the right.
+pub(crate) fn bounds(engine: &Engine, banks: &[Bank], side: f64) -> Bounds {
+    let mut out = Bounds::empty();
+    let mut take = |p: Complex64, radius: f64| out.take((side * p.im, -p.re), radius);
+    for throw in &engine.throws {
+        let shaft = &engine.crankshafts[throw.crankshaft];
+        take(Complex64::new(shaft.x, shaft.y), 1.45 * throw.radius);
+    }
+    for bank in banks {
+        for height in [bank.walls.0, bank.walls.1] {
+            for across in [-0.5 * bank.bore, 0.5 * bank.bore] {
+                take(bank.foot + bank.axis * Complex64::new(height, across), 0.0);
+            }
+        }
+    }
+    out
+}
+
+/// Walls and heads of all cylinders.
+pub(crate) fn draw_walls(svg: &mut Svg, view: &View, banks: &[Bank]) {
+    for bank in banks {
+        let at = |height: f64, across: f64| view.at(bank.foot + bank.axis * Complex64::new(height, across));
+        let half = 0.5 * bank.bore;
+        let path = Path::new()
+            .move_to(at(bank.walls.0, -half))
+            .line_to(at(bank.walls.1, -half))
+            .line_to(at(bank.walls.1, half))
+            .line_to(at(bank.walls.0, half));
+        svg.path("wall", &path);
+    }
+}
+
+/// Pistons, rods and throws at crank angle `theta`; links that coincide are drawn once. With `labels`, pistons carry
+/// their cylinders' numbers.
+pub(crate) fn draw_links(svg: &mut Svg, view: &View, engine: &Engine, theta: f64, labels: bool) {
+    let mut poses: Vec<(Pose, Vec<usize>, f64)> = Vec::new();
+    for index in 0..engine.cylinders.len() {
+        let now = pose(engine, index, theta);
+        let near = |a: Complex64, b: Complex64| (a - b).norm() * view.scale < 0.7;
+        let same = |p: &&mut (Pose, Vec<usize>, f64)| {
+            near(p.0.crankpin, now.crankpin)
+                && near(p.0.piston_pin, now.piston_pin)
+                && near(p.0.big_end, now.big_end)
+        };
+        match poses.iter_mut().find(same) {
+            Some(entry) => entry.1.push(index + 1),
+            None => poses.push((now, vec![index + 1], bore(engine, index))),
+        }
+    }
+    for (now, numbers, bore) in &poses {
+        let (half, height) = (0.47 * bore, 0.5 * PISTON_HEIGHT * bore);
+        let corner = |up: f64, across: f64| view.at(now.piston + now.axis * Complex64::new(up, across));
+        let path = Path::new()
+            .move_to(corner(height, -half))
+            .line_to(corner(height, half))
+            .line_to(corner(-height, half))
+            .line_to(corner(-height, -half))
+            .close();
+        svg.path("metal", &path);
+        if labels {
+            let text = number::list(numbers);
+            let at = view.at(now.piston + now.axis * (0.2 * height));
+            svg.text("small strong", (at.0, at.1 - 1.0), Anchor::Middle, &text);
+        }
+    }
+    for (now, _, _) in &poses {
+        if now.big_end != now.crankpin {
+            svg.line("rod", view.at(now.crankpin), view.at(now.big_end));
+        }
+        svg.line("rod", view.at(now.big_end), view.at(now.piston_pin));
+    }
+    for (now, _, _) in &poses {
+        svg.line("crank", view.at(now.centre), view.at(now.crankpin));
+    }
+    for (now, _, _) in &poses {
+        svg.circle("pin", view.at(now.piston_pin), 2.6);
+        svg.circle("pin", view.at(now.crankpin), 3.6);
+        if now.big_end != now.crankpin {
+            svg.circle("pin", view.at(now.big_end), 2.4);
+        }
+    }
+    for shaft in &engine.crankshafts {
+        svg.circle("pin", view.at(Complex64::new(shaft.x, shaft.y)), 4.2);
+    }
+}
+
+/// A weight around its axis: a piece of a ring towards `direction` [rad in the frame].
+pub(crate) fn draw_sector(
+    svg: &mut Svg,
+    view: &View,
+    class: &str,
+    centre: (f64, f64),
+    radii: (f64, f64),
+    direction: f64,
+) {
+    let spread = 0.62;
+    let at = |radius: f64, offset: f64| {
+        let angle = view.angle(direction) + offset;
+        (centre.0 + radius * angle.cos(), centre.1 + radius * angle.sin())
+    };
+    let path = Path::new()
+        .move_to(at(radii.0, -spread))
+        .line_to(at(radii.1, -spread))
+        .arc_to(radii.1, false, true, at(radii.1, spread))
+        .line_to(at(radii.0, spread))
+        .arc_to(radii.0, false, false, at(radii.0, -spread))
+        .close();
+    svg.path(class, &path);
+}
