@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 const WIDTH: f64 = 470.0;
 const MARGIN: f64 = 44.0;
-const TALLEST: f64 = 500.0;
+const TALLEST: f64 = 420.0;
 
 /// Cylinders, throws, weights, shafts and mounts seen from the free end.
 pub fn front_view(engine: &Engine) -> Figure {
@@ -81,9 +81,32 @@ fn draw_cranks(svg: &mut Svg, view: &View, engine: &Engine) {
         let at = view.at(Complex64::new(shaft.x, shaft.y));
         svg.circle("axis-line", at, radius * view.scale);
         let sense = shaft.ratio.value().signum();
-        let (from, to) = (view.angle(PI + sense * -0.45), view.angle(PI + sense * 0.45));
+        let middle = free_direction(engine, index);
+        let (from, to) = (view.angle(middle - sense * 0.42), view.angle(middle + sense * 0.42));
         svg.arc_arrow("arrow turn", at, 1.34 * radius * view.scale, from, to, 9.0);
     }
+}
+
+/// The direction farthest from cylinders and throws of a crankshaft; the opposite of its cylinders where it can be.
+fn free_direction(engine: &Engine, crankshaft: usize) -> f64 {
+    let throws = (0..engine.throws.len()).filter(|t| engine.throws[*t].crankshaft == crankshaft);
+    let taken: Vec<f64> = throws
+        .map(|t| engine.pin_angle(t, 0.0))
+        .chain(
+            engine
+                .cylinders
+                .iter()
+                .filter(|c| engine.throws[c.throw].crankshaft == crankshaft)
+                .map(|c| c.angle),
+        )
+        .collect();
+    let room = |direction: f64| {
+        let apart = |a: &f64| PI - ((direction - a).rem_euclid(2.0 * PI) - PI).abs();
+        taken.iter().map(apart).fold(PI, f64::min)
+    };
+    let candidates = (0..24).map(|k| 0.5 * PI + PI * f64::from(k) / 12.0);
+    // The first of equals: rounding must not choose.
+    candidates.fold((0.5 * PI, -1.0), |best, c| if room(c) > best.1 + 1e-6 { (c, room(c)) } else { best }).0
 }
 
 /// Counterweights, those of one direction once.
@@ -108,22 +131,36 @@ fn draw_counterweights(svg: &mut Svg, view: &View, engine: &Engine) {
     }
 }
 
+/// Throws of one direction, and where their numbers stand.
+struct ThrowLabel {
+    at: (f64, f64),
+    outwards: (f64, f64),
+    numbers: Vec<usize>,
+}
+
 /// Throw numbers beyond the crankpins, those of one direction together.
 fn draw_throw_numbers(svg: &mut Svg, view: &View, engine: &Engine) {
-    let mut places: Vec<((f64, f64), (f64, f64), Vec<usize>)> = Vec::new();
+    // Beyond the counterweights, where there are any.
+    let out = if engine.counterweights.iter().any(|w| w.unbalance > 0.0) { 1.22 } else { 1.0 };
+    let mut labels: Vec<ThrowLabel> = Vec::new();
     for (index, throw) in engine.throws.iter().enumerate() {
         let shaft = &engine.crankshafts[throw.crankshaft];
         let unit = Complex64::from_polar(1.0, engine.pin_angle(index, 0.0));
-        let at = view.at(Complex64::new(shaft.x, shaft.y) + unit * throw.radius);
-        match places.iter_mut().find(|(p, _, _)| (p.0 - at.0).hypot(p.1 - at.1) < 2.0) {
-            Some((_, _, list)) => list.push(index + 1),
-            None => places.push((at, View { scale: 1.0, ..*view }.span(unit), vec![index + 1])),
+        // Above, the label stands beside the pin and needs no room for the weight.
+        let distance = throw.radius * if unit.re > 0.8 { 1.0 } else { out };
+        let at = view.at(Complex64::new(shaft.x, shaft.y) + unit * distance);
+        match labels.iter_mut().find(|l| (l.at.0 - at.0).hypot(l.at.1 - at.1) < 2.0) {
+            Some(label) => label.numbers.push(index + 1),
+            None => {
+                let outwards = View { scale: 1.0, ..*view }.span(unit);
+                labels.push(ThrowLabel { at, outwards, numbers: vec![index + 1] });
+            }
         }
     }
-    for (at, (ux, uy), list) in places {
-        // Beside the pin, not on the rod that goes on from it.
-        let label = number::list(&list);
+    for ThrowLabel { at, outwards: (ux, uy), numbers } in labels {
+        let label = number::list(&numbers);
         let half = 0.5 * text_width(&label, 11.5);
+        // Beside the pin, not on the rod that goes on from it.
         let (x, y) = if uy < -0.8 {
             (at.0 + half + 9.0, at.1 + 4.0)
         } else {

@@ -10,7 +10,7 @@ use crate::view::View;
 use lanchester_mechanism::{Loads, OrderLoads};
 use lanchester_model::Rotation;
 use num_complex::Complex64;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 const WIDTH: f64 = 420.0;
 const RADIUS: f64 = 158.0;
@@ -27,11 +27,15 @@ pub fn force_hodograph(loads: &Loads, rotation: Rotation) -> Figure {
         noise: Magnitude::of(loads).force_noise(),
         rotation,
     };
+    let nothing = curve.largest() <= curve.noise;
     let panel = curve.panel(&loads.total.orders, |o| (o.force_forward, o.force_backward));
     Figure {
         id: "force-hodograph".to_owned(),
         title: "The force arrow over one cycle".to_owned(),
-        caption: format!("Path of the tip of the shaking force, seen from the free end. {READING}"),
+        caption: match nothing {
+            true => "There is no path to draw.".to_owned(),
+            false => format!("Path of the tip of the shaking force, seen from the free end. {READING}"),
+        },
         panels: vec![panel],
         columns: 1,
     }
@@ -49,13 +53,19 @@ pub fn couple_hodograph(loads: &Loads, rotation: Rotation) -> Figure {
         noise: Magnitude::of(loads).couple_noise(),
         rotation,
     };
+    let nothing = curve.largest() <= curve.noise;
     let panel = curve.panel(&loads.total.orders, |o| (o.couple_forward, o.couple_backward));
     Figure {
         id: "couple-hodograph".to_owned(),
         title: "The couple arrow over one cycle".to_owned(),
-        caption: format!(
-            "Path of the tip of the rocking couple M_x + i M_y about the reference point. {READING}"
-        ),
+        caption: match nothing {
+            true => "There is no path to draw.".to_owned(),
+            false => {
+                format!(
+                    "Path of the tip of the rocking couple M_x + i M_y about the reference point. {READING}"
+                )
+            }
+        },
         panels: vec![panel],
         columns: 1,
     }
@@ -63,6 +73,56 @@ pub fn couple_hodograph(loads: &Loads, rotation: Rotation) -> Figure {
 
 const READING: &str = "Dots every 30 degrees of the crank; the arrow shows where it starts and which way it runs. A circle turns evenly, \
                        a line only swings.";
+
+/// What a label must not cover: the curve and other labels.
+struct Room {
+    curve: Vec<(f64, f64)>,
+    labels: Vec<((f64, f64), f64)>,
+}
+
+impl Room {
+    fn of(curve: Vec<(f64, f64)>) -> Room {
+        Room { curve, labels: Vec::new() }
+    }
+
+    /// How much a label of this width, middle of its base line here, would cover.
+    fn cost(&self, (x, y): (f64, f64), width: f64) -> f64 {
+        let half = 0.5 * width + 2.0;
+        let curve = self
+            .curve
+            .iter()
+            .filter(|(cx, cy)| (cx - x).abs() < half && (cy - (y - 4.0)).abs() < 8.0)
+            .count();
+        let clash = |((lx, ly), other): &&((f64, f64), f64)| {
+            (lx - x).abs() < half + 0.5 * other && (ly - y).abs() < 14.0
+        };
+        curve as f64 + 100.0 * self.labels.iter().filter(clash).count() as f64
+    }
+
+    fn take(&mut self, at: (f64, f64), width: f64) {
+        self.labels.push((at, width));
+    }
+
+    /// The best place for a label of a point: outwards if that is free, else around it.
+    fn place(&mut self, point: (f64, f64), centre: (f64, f64), width: f64) -> (f64, f64) {
+        let out = (point.1 - centre.1).atan2(point.0 - centre.0);
+        let half = 0.5 * width;
+        let (mut best, mut least) = (point, f64::INFINITY);
+        for (rank, turn) in
+            [0.0, 0.8, -0.8, FRAC_PI_2, -FRAC_PI_2, 2.4, -2.4, std::f64::consts::PI].into_iter().enumerate()
+        {
+            let (sine, cosine) = (out + turn).sin_cos();
+            let x = (point.0 + cosine * (half + 9.0)).clamp(half + 2.0, WIDTH - half - 2.0);
+            let at = (x, point.1 + sine * 14.0 + 4.0);
+            let cost = self.cost(at, width) + 0.5 * rank as f64;
+            if cost < least {
+                (best, least) = (at, cost);
+            }
+        }
+        self.take(best, width);
+        best
+    }
+}
 
 struct Curve<'a> {
     symbol: &'static str,
@@ -76,7 +136,7 @@ struct Curve<'a> {
 
 impl Curve<'_> {
     fn panel(&self, orders: &[OrderLoads], of: impl Fn(&OrderLoads) -> (Complex64, Complex64)) -> Panel {
-        let largest = self.values.iter().map(|v| v.norm()).filter(|v| v.is_finite()).fold(0.0, f64::max);
+        let largest = self.largest();
         if largest <= self.noise {
             return self.nothing();
         }
@@ -100,7 +160,10 @@ impl Curve<'_> {
         let view = View::new(self.rotation, centre, outer / scale.divisor);
         let mut svg = Svg::new(WIDTH, centre.1 + RADIUS + 26.0);
         legend.draw(&mut svg);
-        self.grid(&mut svg, &view, &rings, outer, &scale);
+        let mut room = Room::of(
+            self.values.iter().step_by((self.values.len() / 120).max(1)).map(|v| view.at(*v)).collect(),
+        );
+        self.grid(&mut svg, &view, &rings, outer, &scale, &mut room);
         if ellipses.len() > 1 {
             for (k, &(n, f, b)) in ellipses.iter().enumerate() {
                 let turn = |t: f64| Complex64::from_polar(1.0, n * t);
@@ -115,7 +178,7 @@ impl Curve<'_> {
         let stride = self.values.len().div_ceil(360).max(1);
         let points = self.values.iter().step_by(stride).chain(self.values.first()).map(|v| view.at(*v));
         svg.path("s0", &Path::through(points));
-        self.marks(&mut svg, &view);
+        self.marks(&mut svg, &view, room);
         let description = format!(
             "Path of the arrow {} over the cycle: largest {} {}.",
             self.symbol,
@@ -123,6 +186,10 @@ impl Curve<'_> {
             scale.unit
         );
         Panel::new(svg, description)
+    }
+
+    fn largest(&self) -> f64 {
+        self.values.iter().map(|v| v.norm()).filter(|v| v.is_finite()).fold(0.0, f64::max)
     }
 
     fn nothing(&self) -> Panel {
@@ -137,7 +204,7 @@ impl Curve<'_> {
         Panel::new(svg, format!("{} is zero at every crank angle.", self.symbol))
     }
 
-    fn grid(&self, svg: &mut Svg, view: &View, rings: &Axis, outer: f64, scale: &Scale) {
+    fn grid(&self, svg: &mut Svg, view: &View, rings: &Axis, outer: f64, scale: &Scale, room: &mut Room) {
         let (x, y) = view.centre;
         for spoke in 0..6 {
             let (sine, cosine) = (f64::from(spoke) * TAU / 12.0).sin_cos();
@@ -147,10 +214,21 @@ impl Curve<'_> {
         }
         for &ring in rings.ticks.iter().filter(|r| **r > 0.0) {
             svg.circle("grid", view.centre, ring * outer);
-            // Along 225 degrees on the screen, where neither axis runs.
-            let at = ring * outer * std::f64::consts::FRAC_1_SQRT_2;
+        }
+        // Ring labels run along the diagonal that the curve meets least.
+        let labels = |(right, down): (f64, f64)| {
+            rings.ticks.iter().filter(|r| **r > 0.0).map(move |ring| {
+                let at = ring * outer * std::f64::consts::FRAC_1_SQRT_2;
+                (*ring, (x + right * at, y + down * at + 4.0))
+            })
+        };
+        let cost = |diagonal: (f64, f64)| labels(diagonal).map(|(_, at)| room.cost(at, 20.0)).sum::<f64>();
+        let diagonals = [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)];
+        let best = diagonals.into_iter().min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or((-1.0, 1.0));
+        for (ring, at) in labels(best).collect::<Vec<_>>() {
             let label = number::fixed(ring, rings.decimals);
-            svg.text("muted small halo", (x - at, y + at + 4.0), Anchor::Middle, &label);
+            room.take(at, text_width(&label, 12.0));
+            svg.text("muted small halo", at, Anchor::Middle, &label);
         }
         let reach = rings.high * outer;
         let up = format!("{}_x [{}]", self.symbol, scale.unit);
@@ -161,7 +239,7 @@ impl Curve<'_> {
     }
 
     /// Dots every 30 degrees, labels every 90, those that share a place in one label; an arrow where it starts.
-    fn marks(&self, svg: &mut Svg, view: &View) {
+    fn marks(&self, svg: &mut Svg, view: &View, mut room: Room) {
         let turns = (self.period / TAU).round().max(1.0);
         let count = (12.0 * turns) as usize;
         let mut labels: Vec<((f64, f64), Vec<String>)> = Vec::new();
@@ -188,14 +266,8 @@ impl Curve<'_> {
         for (at, list) in labels {
             let text =
                 if list.len() > 4 { format!("{}, …", list[..3].join(", ")) } else { list.join(", ") };
-            let (dx, dy) = (at.0 - view.centre.0, at.1 - view.centre.1);
-            let far = dx.hypot(dy);
-            let (ux, uy) = if far > 6.0 { (dx / far, dy / far) } else { (0.7, 0.7) };
-            let half = 0.5 * text_width(&text, 11.5);
-            let x = (at.0 + ux * (half + 9.0)).clamp(half + 2.0, WIDTH - half - 2.0);
-            // On an upright line the label goes beside it, not onto it.
-            let x = if ux.abs() < 0.2 { at.0 + half + 9.0 } else { x };
-            svg.text("small strong halo", (x, at.1 + uy * 12.0 + 4.0), Anchor::Middle, &text);
+            let place = room.place(at, view.centre, text_width(&text, 12.0));
+            svg.text("small strong halo", place, Anchor::Middle, &text);
         }
     }
 

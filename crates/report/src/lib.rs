@@ -9,13 +9,16 @@ mod component;
 mod csv;
 mod engine_tables;
 mod figure;
+mod frame_sketch;
 mod front_view;
+mod gallery;
 mod hodograph;
 mod load_tables;
 mod magnitude;
 mod mechanism_sketch;
 mod number;
 mod over_angle;
+mod page;
 mod plot;
 mod pose;
 #[cfg(test)]
@@ -32,6 +35,7 @@ mod view;
 pub use csv::{orders_csv, trace_csv};
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};
+pub use frame_sketch::frame_sketch;
 pub use front_view::front_view;
 pub use hodograph::{couple_hodograph, force_hodograph};
 pub use load_tables::{
@@ -39,6 +43,7 @@ pub use load_tables::{
     peaks_table, rod_inertia_table, roll_orders_table,
 };
 pub use over_angle::{over_angle, vanishing};
+pub use page::{Provenance, ReportInput, figures, report};
 pub use side_view::side_view;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
 pub use star::{couple_stars, force_stars};

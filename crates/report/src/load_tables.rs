@@ -61,6 +61,7 @@ pub fn peaks_table(loads: &Loads) -> Table {
         note: "Largest and smallest value and the first crank angle where each is reached.".to_owned(),
         columns,
         rows,
+        remark: String::new(),
     }
 }
 
@@ -76,26 +77,28 @@ struct TwoSided {
 
 impl TwoSided {
     fn table(&self, orders: &[OrderLoads]) -> Table {
-        let of = |f: fn(&OrderLoads) -> f64| orders.iter().map(f).collect::<Vec<_>>();
         let forward: Vec<Complex64> = orders.iter().map(self.forward).collect();
         let backward: Vec<Complex64> = orders.iter().map(self.backward).collect();
+        let peaks: Vec<f64> = forward.iter().zip(&backward).map(|(f, b)| f.norm() + b.norm()).collect();
         // One number of decimals for the three columns, so that the eye can compare across.
-        let all = forward.iter().zip(&backward).map(|(f, b)| f.norm() + b.norm());
-        let decimals = number::decimals(all.filter(|v| v.is_finite()).fold(0.0, f64::max), 5);
+        let largest = peaks.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
+        let decimals = number::decimals(largest, 6);
+        let noise = self.noise.max(0.5 * 10f64.powi(-(decimals as i32)));
         let sizes = |values: Vec<f64>| -> Vec<Cell> {
             let size =
-                |value: f64| Cell::Number { value: if value <= self.noise { 0.0 } else { value }, decimals };
+                |value: f64| Cell::Number { value: if value <= noise { 0.0 } else { value }, decimals };
             values.into_iter().map(size).collect()
         };
-        let phases = |values: &[Complex64]| values.iter().map(|v| phase(*v, self.noise)).collect::<Vec<_>>();
+        let phases = |values: &[Complex64]| values.iter().map(|v| phase(*v, noise)).collect::<Vec<_>>();
         let moduli = |values: &[Complex64]| values.iter().map(|v| v.norm()).collect::<Vec<_>>();
-        let peaks = forward.iter().zip(&backward).map(|(f, b)| f.norm() + b.norm()).collect();
+        let gone: Vec<usize> = (0..peaks.len()).filter(|k| peaks[*k] <= noise).collect();
+        let remark = vanishing_orders(orders, &gone);
         Table::of_columns(
             self.id,
             self.title,
             ORDERS_NOTE,
             vec![
-                (Column::numbers("order", ""), order_cells(&of(|o| o.order))),
+                (Column::numbers("order", ""), order_cells(orders)),
                 (Column::numbers("with the crank", self.unit), sizes(moduli(&forward))),
                 (Column::numbers("phase", "deg"), phases(&forward)),
                 (Column::numbers("against it", self.unit), sizes(moduli(&backward))),
@@ -103,6 +106,18 @@ impl TwoSided {
                 (Column::numbers("peak", self.unit), sizes(peaks)),
             ],
         )
+        .without(&gone, remark)
+    }
+}
+
+/// "Orders 0, 1, 3 vanish."
+fn vanishing_orders(orders: &[OrderLoads], gone: &[usize]) -> String {
+    let names: Vec<String> = gone.iter().map(|k| number::order(orders[*k].order)).collect();
+    match names.as_slice() {
+        [] => String::new(),
+        all if all.len() == orders.len() => "Zero at every order.".to_owned(),
+        [one] => format!("Order {one} vanishes."),
+        many => format!("Orders {} vanish.", many.join(", ")),
     }
 }
 
@@ -138,25 +153,28 @@ pub fn couple_orders_table(loads: &Loads) -> Table {
 pub fn roll_orders_table(loads: &Loads) -> Table {
     let magnitude = Magnitude::of(loads);
     let orders = &loads.total.orders;
+    let (roll, torque) = (magnitude.roll_noise(), magnitude.torque_noise());
+    let gone: Vec<usize> = (0..orders.len())
+        .filter(|k| orders[*k].roll_moment.norm() <= roll && orders[*k].shaft_torque.norm() <= torque)
+        .collect();
     let amplitudes =
-        |f: fn(&OrderLoads) -> Complex64, noise| column_cells(orders.iter().map(|o| f(o).norm()), 5, noise);
+        |f: fn(&OrderLoads) -> Complex64, noise| column_cells(orders.iter().map(|o| f(o).norm()), 6, noise);
     let phases = |f: fn(&OrderLoads) -> Complex64, noise| {
         orders.iter().map(|o| phase(f(o), noise)).collect::<Vec<_>>()
     };
-    let (roll, torque) = (magnitude.roll_noise(), magnitude.torque_noise());
-    let numbers: Vec<f64> = orders.iter().map(|o| o.order).collect();
     Table::of_columns(
         "roll-orders",
         "Roll moment and shaft torque by order",
         "Each is amplitude · cos(order · θ + phase).",
         vec![
-            (Column::numbers("order", ""), order_cells(&numbers)),
+            (Column::numbers("order", ""), order_cells(orders)),
             (Column::numbers("roll moment", "N m"), amplitudes(|o| o.roll_moment, roll)),
             (Column::numbers("phase", "deg"), phases(|o| o.roll_moment, roll)),
             (Column::numbers("shaft torque", "N m"), amplitudes(|o| o.shaft_torque, torque)),
             (Column::numbers("phase", "deg"), phases(|o| o.shaft_torque, torque)),
         ],
     )
+    .without(&gone, vanishing_orders(orders, &gone))
 }
 
 /// What each kind of moving part puts on the block at most.
@@ -300,9 +318,9 @@ fn whole(number: usize) -> Cell {
     Cell::Number { value: number as f64, decimals: 0 }
 }
 
-fn order_cells(orders: &[f64]) -> Vec<Cell> {
-    let fractional = orders.iter().any(|o| (o - o.round()).abs() > 1e-6);
-    orders.iter().map(|&value| Cell::Number { value, decimals: if fractional { 2 } else { 0 } }).collect()
+fn order_cells(orders: &[OrderLoads]) -> Vec<Cell> {
+    let fractional = orders.iter().any(|o| (o.order - o.order.round()).abs() > 1e-6);
+    orders.iter().map(|o| Cell::Number { value: o.order, decimals: if fractional { 2 } else { 0 } }).collect()
 }
 
 fn phase(value: Complex64, noise: f64) -> Cell {

@@ -86,24 +86,23 @@ pub(crate) fn draw_walls(svg: &mut Svg, view: &View, banks: &[Bank]) {
     }
 }
 
-/// Pistons, rods and throws at crank angle `theta`; links that coincide are drawn once. With `labels`, pistons carry
-/// their cylinders' numbers.
+/// Pistons, rods and throws at crank angle `theta`; links that coincide are drawn once. With `labels`, the
+/// cylinders' numbers stand beside the pistons.
 pub(crate) fn draw_links(svg: &mut Svg, view: &View, engine: &Engine, theta: f64, labels: bool) {
-    let mut poses: Vec<(Pose, Vec<usize>, f64)> = Vec::new();
+    let mut poses: Vec<(Pose, f64)> = Vec::new();
     for index in 0..engine.cylinders.len() {
         let now = pose(engine, index, theta);
         let near = |a: Complex64, b: Complex64| (a - b).norm() * view.scale < 0.7;
-        let same = |p: &&mut (Pose, Vec<usize>, f64)| {
+        let same = |p: &(Pose, f64)| {
             near(p.0.crankpin, now.crankpin)
                 && near(p.0.piston_pin, now.piston_pin)
                 && near(p.0.big_end, now.big_end)
         };
-        match poses.iter_mut().find(same) {
-            Some(entry) => entry.1.push(index + 1),
-            None => poses.push((now, vec![index + 1], bore(engine, index))),
+        if !poses.iter().any(same) {
+            poses.push((now, bore(engine, index)));
         }
     }
-    for (now, numbers, bore) in &poses {
+    for (now, bore) in &poses {
         let (half, height) = (0.47 * bore, 0.5 * PISTON_HEIGHT * bore);
         let corner = |up: f64, across: f64| view.at(now.piston + now.axis * Complex64::new(up, across));
         let path = Path::new()
@@ -113,30 +112,49 @@ pub(crate) fn draw_links(svg: &mut Svg, view: &View, engine: &Engine, theta: f64
             .line_to(corner(-height, -half))
             .close();
         svg.path("metal", &path);
-        if labels {
-            let text = number::list(numbers);
-            let at = view.at(now.piston + now.axis * (0.2 * height));
-            svg.text("small strong", (at.0, at.1 - 1.0), Anchor::Middle, &text);
-        }
     }
-    for (now, _, _) in &poses {
+    for (now, _) in &poses {
         if now.big_end != now.crankpin {
             svg.line("rod", view.at(now.crankpin), view.at(now.big_end));
         }
         svg.line("rod", view.at(now.big_end), view.at(now.piston_pin));
     }
-    for (now, _, _) in &poses {
+    for (now, _) in &poses {
         svg.line("crank", view.at(now.centre), view.at(now.crankpin));
     }
-    for (now, _, _) in &poses {
+    for (now, _) in &poses {
         svg.circle("pin", view.at(now.piston_pin), 2.6);
         svg.circle("pin", view.at(now.crankpin), 3.6);
         if now.big_end != now.crankpin {
             svg.circle("pin", view.at(now.big_end), 2.4);
         }
     }
+    if labels {
+        draw_piston_numbers(svg, view, engine, theta);
+    }
     for shaft in &engine.crankshafts {
         svg.circle("pin", view.at(Complex64::new(shaft.x, shaft.y)), 4.2);
+    }
+}
+
+/// Cylinder numbers beside the bores, level with the pistons.
+fn draw_piston_numbers(svg: &mut Svg, view: &View, engine: &Engine, theta: f64) {
+    let mut places: Vec<((f64, f64), Vec<usize>)> = Vec::new();
+    for index in 0..engine.cylinders.len() {
+        let now = pose(engine, index, theta);
+        // To the right on the screen, to the upper side of a lying cylinder.
+        let across = now.axis * Complex64::new(0.0, 1.0);
+        let (dx, dy) = View { scale: 1.0, ..*view }.span(across);
+        let sign = if dx > 0.1 || (dx.abs() <= 0.1 && dy < 0.0) { 1.0 } else { -1.0 };
+        let at = view.at(now.piston + across * (0.5 * sign * bore(engine, index)));
+        let at = (at.0 + sign * 9.0 * dx, at.1 + sign * 9.0 * dy + 4.0);
+        match places.iter_mut().find(|(p, _)| (p.0 - at.0).hypot(p.1 - at.1) < 8.0) {
+            Some((_, list)) => list.push(index + 1),
+            None => places.push((at, vec![index + 1])),
+        }
+    }
+    for (at, list) in places {
+        svg.text("small strong halo", at, Anchor::Middle, &number::list(&list));
     }
 }
 

@@ -49,7 +49,7 @@ impl AnglePlot<'_> {
         let turns = (self.period / std::f64::consts::TAU).round().max(1.0);
         let angles = Axis::stepped(0.0, 360.0 * turns, 90.0 * (turns / 2.0).ceil());
 
-        let legend = Legend::of(&self.names(), LEFT, WIDTH);
+        let legend = Legend::of(&self.names(), 4.0, WIDTH + 10.0);
         let top = 26.0 + legend.height;
         let mut svg = Svg::new(WIDTH, HEIGHT + legend.height);
         let (right, bottom) = (WIDTH - RIGHT, svg.height - BOTTOM);
@@ -178,7 +178,7 @@ impl BarPlot<'_> {
         let orders = Axis::stepped(low, reach + 0.6, step);
 
         let mut svg = Svg::new(WIDTH, HEIGHT);
-        let (right, top, bottom) = (WIDTH - RIGHT, 44.0, HEIGHT - 56.0);
+        let (right, top, bottom) = (WIDTH - RIGHT, 52.0, HEIGHT - 56.0);
         svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{} [{}]", self.quantity, scale.unit));
         value_axis(&mut svg, &axis, top, bottom);
         let place = |at: f64| orders.place(at, LEFT, right);
@@ -214,6 +214,10 @@ impl BarPlot<'_> {
             };
             let y = axis.place(bar.value / scale.divisor, bottom, top);
             svg.rect(class, place(bar.at) - half, y, 2.0 * half, bottom - y);
+        }
+        if shown.is_empty() {
+            let middle = ((LEFT + right) / 2.0, (top + bottom) / 2.0);
+            svg.text("muted halo", middle, Anchor::Middle, "zero at every order");
         }
         self.values(&mut svg, &shown, &scale, |b| {
             (place(b.at), axis.place(b.value / scale.divisor, bottom, top))

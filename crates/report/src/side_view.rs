@@ -11,7 +11,7 @@ use lanchester_model::Engine;
 
 const WIDTH: f64 = 470.0;
 const MARGIN: f64 = 34.0;
-const TALLEST: f64 = 330.0;
+const TALLEST: f64 = 300.0;
 
 /// From (z, x) [m] to the screen.
 #[derive(Clone, Copy)]
@@ -238,7 +238,7 @@ fn draw_dimensions(svg: &mut Svg, side: &Side, engine: &Engine, y: f64) {
         let (left, right) = (side.at(from, 0.0).0, side.at(to, 0.0).0);
         let text = millimetres(to - from);
         let width = text_width(&text, 11.5);
-        if width + 6.0 > right - left {
+        if width + 16.0 > right - left {
             return;
         }
         svg.line("dimension", (left, y - 5.0), (left, y + 5.0));
@@ -246,7 +246,10 @@ fn draw_dimensions(svg: &mut Svg, side: &Side, engine: &Engine, y: f64) {
         svg.line("dimension", (left, y), (right, y));
         svg.text("small muted halo", (0.5 * (left + right), y + 4.0), Anchor::Middle, &text);
     };
-    for pair in planes.windows(2) {
+    // One of many equal distances is enough.
+    let equal = planes.windows(3).all(|w| ((w[2] - w[1]) - (w[1] - w[0])).abs() < 1e-5);
+    let shown = if equal { 2.min(planes.len()) } else { planes.len() };
+    for pair in planes[..shown].windows(2) {
         line(pair[0], pair[1], y);
     }
     if let (Some(first), Some(last), true) = (planes.first(), planes.last(), planes.len() > 2) {

@@ -67,6 +67,30 @@ pub(crate) fn bundles(arrows: impl IntoIterator<Item = (usize, Complex64)>) -> V
     out
 }
 
+/// Orders of the cylinders' forces that matter, rising; the largest four at most.
+pub(crate) fn told_orders(loads: &Loads) -> Vec<f64> {
+    let mut orders = orders_that_matter(loads, OrderLoads::force_peak, Magnitude::of(loads).force_noise());
+    orders.truncate(4);
+    orders.sort_by(|a, b| a.0.total_cmp(&b.0));
+    orders.into_iter().map(|o| o.0).collect()
+}
+
+/// Orders with the largest size that any cylinder has there, the largest first.
+fn orders_that_matter(loads: &Loads, size: impl Fn(&OrderLoads) -> f64, noise: f64) -> Vec<(f64, f64)> {
+    let mut orders: Vec<(f64, f64)> = Vec::new();
+    for order in loads.cylinders.iter().flat_map(|c| &c.loads.orders).filter(|o| o.order > 0.0) {
+        let size = size(order);
+        match orders.iter_mut().find(|(n, _)| (*n - order.order).abs() < 1e-9) {
+            Some(entry) => entry.1 = entry.1.max(size),
+            None => orders.push((order.order, size)),
+        }
+    }
+    let largest = orders.iter().fold(0.0f64, |m, o| m.max(o.1));
+    orders.retain(|o| o.1 > noise && o.1 >= 3e-3 * largest);
+    orders.sort_by(|a, b| b.1.total_cmp(&a.1));
+    orders
+}
+
 struct Stars {
     unit: &'static str,
     noise: f64,
@@ -75,19 +99,9 @@ struct Stars {
 
 impl Stars {
     fn panels(&self, loads: &Loads, of: impl Fn(&OrderLoads) -> (Complex64, Complex64)) -> Vec<Panel> {
-        let mut orders: Vec<(f64, f64)> = Vec::new();
-        for cylinder in &loads.cylinders {
-            for order in cylinder.loads.orders.iter().filter(|o| o.order > 0.0) {
-                let size = of(order).0.norm() + of(order).1.norm();
-                match orders.iter_mut().find(|(n, _)| (*n - order.order).abs() < 1e-9) {
-                    Some(entry) => entry.1 = entry.1.max(size),
-                    None => orders.push((order.order, size)),
-                }
-            }
-        }
+        let size = |o: &OrderLoads| of(o).0.norm() + of(o).1.norm();
+        let mut orders = orders_that_matter(loads, size, self.noise);
         let largest = orders.iter().fold(0.0f64, |m, o| m.max(o.1));
-        orders.retain(|o| o.1 > self.noise && o.1 >= 3e-3 * largest);
-        orders.sort_by(|a, b| b.1.total_cmp(&a.1));
         orders.truncate(4);
         orders.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut panels = Vec::with_capacity(2 * orders.len());
@@ -104,7 +118,15 @@ impl Stars {
     }
 
     fn panel(&self, order: f64, forward: bool, arrows: &[(usize, Complex64)], largest: f64) -> Panel {
-        let mut svg = Svg::new(WIDTH, 276.0);
+        let present: Vec<(usize, Complex64)> =
+            arrows.iter().copied().filter(|(_, a)| a.norm() > self.noise.max(1e-6 * largest)).collect();
+        let sum: Complex64 = present.iter().map(|(_, a)| a).sum();
+        let longest = present.iter().fold(0.0f64, |m, (_, a)| m.max(a.norm()));
+        let cancels = sum.norm() <= self.noise.max(1e-6 * longest);
+        // Small arrows under a long sum would be dots: the sum has its own scale then, and the picture says so.
+        let own_scale = sum.norm() > 6.0 * longest;
+        let reach = if own_scale { 2.0 * longest } else { longest.max(sum.norm()) };
+        let mut svg = Svg::new(WIDTH, if own_scale { 290.0 } else { 276.0 });
         let sense = if forward { "with the crank" } else { "against the crank" };
         let mut title = number::order_word(order);
         title[..1].make_ascii_uppercase();
@@ -114,20 +136,18 @@ impl Stars {
         svg.line("grid", (CENTRE.0 - RADIUS, CENTRE.1), (CENTRE.0 + RADIUS, CENTRE.1));
         svg.line("grid", (CENTRE.0, CENTRE.1 - RADIUS), (CENTRE.0, CENTRE.1 + RADIUS));
 
-        let present: Vec<(usize, Complex64)> =
-            arrows.iter().copied().filter(|(_, a)| a.norm() > self.noise.max(1e-6 * largest)).collect();
-        let sum: Complex64 = present.iter().map(|(_, a)| a).sum();
-        let longest = present.iter().fold(0.0f64, |m, (_, a)| m.max(a.norm()));
-        let cancels = sum.norm() <= self.noise.max(1e-6 * longest);
-        // Small arrows under a long sum would be dots: the sum has its own scale then, and the picture says so.
-        let own_scale = sum.norm() > 6.0 * longest;
-        let reach = if own_scale { 2.0 * longest } else { longest.max(sum.norm()) };
         let view = View::new(self.rotation, CENTRE, RADIUS / reach.max(f64::MIN_POSITIVE));
         if !cancels && longest > 0.0 {
             let scale = if own_scale { RADIUS / sum.norm() } else { view.scale };
             svg.arrow("arrow sum", CENTRE, View { scale, ..view }.at(sum), 17.0);
         }
-        draw_fan(&mut svg, &view, &bundles(present.iter().copied()), "arrow a1");
+        draw_fan(
+            &mut svg,
+            &view,
+            &bundles(present.iter().copied()),
+            "arrow a1",
+            if cancels { Complex64::default() } else { sum },
+        );
         svg.circle("dot", CENTRE, 2.5);
 
         let scale = Scale::of(sum.norm().max(longest), self.unit);
@@ -139,16 +159,16 @@ impl Stars {
             let value = format!("{} {}", number::short(sum.norm() / scale.divisor, 4), scale.unit);
             (format!("sum {value}"), format!("{title} {sense}: the arrows add up to {value}."))
         };
-        svg.text("strong", (CENTRE.0, 258.0), Anchor::Middle, &words);
+        svg.text("strong", (CENTRE.0, 268.0), Anchor::Middle, &words);
         if own_scale {
-            svg.text("muted small", (CENTRE.0, 273.0), Anchor::Middle, "sum drawn shorter");
+            svg.text("muted small", (CENTRE.0, 284.0), Anchor::Middle, "sum drawn shorter");
         }
         Panel::new(svg, description)
     }
 }
 
 /// Draws bundled arrows from the centre, those of one direction side by side, each with its numbers at the tip.
-pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], class: &str) {
+pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], class: &str, sum: Complex64) {
     let mut drawn: Vec<Complex64> = Vec::new();
     for bundle in bundles {
         let unit = bundle.arrow / bundle.arrow.norm().max(f64::MIN_POSITIVE);
@@ -166,6 +186,13 @@ pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], class: &s
         let half = 0.5 * text_width(&label, 12.0);
         let gap = 8.0 + ux.abs() * half;
         let side = 9.0 * step.signum() * f64::from(u8::from(step != 0.0));
+        // A label at the tip would lie on the broad arrow of a longer sum: it goes beside.
+        if step == 0.0 && (sum * unit.conj()).re > 0.95 * sum.norm() && sum.norm() > 1.3 * bundle.arrow.norm()
+        {
+            let out = 10.0 + uy.abs() * half;
+            svg.text("small strong halo", (to.0 - uy * out, to.1 + ux * out + 4.0), Anchor::Middle, &label);
+            continue;
+        }
         let at = (to.0 + ux * gap - uy * side, to.1 + uy * (gap + 2.0) + ux * side + 4.0);
         svg.text("small strong halo", at, Anchor::Middle, &label);
     }

@@ -14,6 +14,7 @@ use std::f64::consts::TAU;
 
 const WIDTH: f64 = 262.0;
 const FRONT: (f64, f64, f64) = (78.0, 118.0, 172.0);
+const STRIP: f64 = 92.0;
 const DIAL: ((f64, f64), f64) = ((202.0, 100.0), 46.0);
 
 /// Which part of the forces a story tells.
@@ -45,8 +46,10 @@ pub fn story(engine: &Engine, loads: &Loads, told: Told) -> Option<Figure> {
     }
     let across = all().fold(0.0f64, |m, p| m.max(p.force.im.abs())) > 0.02 * longest;
     let banks = banks(engine);
-    let scene = Scene { engine, banks: &banks, longest, across, reference: loads.reference[2] };
-    let panels = steps.iter().zip(&pulls).map(|(theta, pulls)| scene.panel(*theta, pulls)).collect();
+    let mut scene = Scene { engine, banks: &banks, longest, across, reference: loads.reference[2], lines: 0 };
+    scene.lines = pulls.iter().map(|p| scene.wrapped(p).len()).max().unwrap_or(0);
+    let panels: Vec<Panel> =
+        steps.iter().zip(&pulls).map(|(theta, pulls)| scene.panel(*theta, pulls)).collect();
     let (id, title) = match told {
         Told::Order(n) => {
             (format!("story-order-{}", number::order(n).replace('.', "-")), number::order_word(n))
@@ -59,8 +62,8 @@ pub fn story(engine: &Engine, loads: &Loads, told: Told) -> Option<Figure> {
         caption: "Crank train from the free end; beside it the arrows of the cylinders (blue, numbered), of counterweights and balance \
                   shafts (green) and their sum (broad grey); below it where along the crank they act: free end left, flywheel right."
             .to_owned(),
+        columns: if panels.len() == 6 { 3 } else { 4 },
         panels,
-        columns: 4,
     })
 }
 
@@ -144,16 +147,17 @@ struct Scene<'a> {
     longest: f64,
     across: bool,
     reference: f64,
+    /// Lines of the longest sentence, so that all panels are of one height.
+    lines: usize,
 }
 
 impl Scene<'_> {
     fn panel(&self, theta: f64, pulls: &[Pull]) -> Panel {
         let strips = if self.across { 2.0 } else { 1.0 };
         let strips_top = 214.0;
-        let words_top = strips_top + 84.0 * strips + 12.0;
+        let words_top = strips_top + STRIP * strips + 6.0;
         let sentence = self.sentence(pulls);
-        let lines = wrap(&sentence, 12.5, WIDTH - 8.0);
-        let mut svg = Svg::new(WIDTH, words_top + 17.0 * 3.0);
+        let mut svg = Svg::new(WIDTH, words_top + 17.0 * self.lines as f64 + 6.0);
         svg.text("strong", (6.0, 16.0), Anchor::Start, &format!("θ = {:.0}°", theta.to_degrees()));
         self.front(&mut svg, theta);
         self.dial(&mut svg, pulls);
@@ -161,9 +165,9 @@ impl Scene<'_> {
         if self.across {
             // From above, +y points down the page for a crank that turns clockwise.
             let down = -crate::view::side(self.engine.rotation);
-            self.strip(&mut svg, pulls, strips_top + 84.0, "F_y, from above", |f| down * f.im);
+            self.strip(&mut svg, pulls, strips_top + STRIP, "F_y, from above", |f| down * f.im);
         }
-        for (k, line) in lines.iter().take(3).enumerate() {
+        for (k, line) in self.wrapped(pulls).iter().enumerate() {
             svg.text("", (6.0, words_top + 12.0 + 17.0 * k as f64), Anchor::Start, line);
         }
         Panel::new(svg, format!("At {:.0} degrees: {sentence}", theta.to_degrees()))
@@ -203,7 +207,7 @@ impl Scene<'_> {
         let cylinders =
             pulls.iter().filter(|p| p.cylinder > 0 && visible(p.force)).map(|p| (p.cylinder, p.force));
         let bundles: Vec<Bundle> = bundles(cylinders);
-        draw_fan(svg, &view, &bundles, "arrow a1");
+        draw_fan(svg, &view, &bundles, "arrow a1", if visible(sum) { sum } else { Complex64::default() });
         svg.circle("dot", centre, 2.5);
     }
 
@@ -215,31 +219,47 @@ impl Scene<'_> {
         if high - low < 1e-3 {
             (low, high) = (low - 0.05, high + 0.05);
         }
-        let (left, right, middle) = (22.0, WIDTH - 22.0, top + 46.0);
+        let (left, right, middle) = (30.0, WIDTH - 30.0, top + 44.0);
         let place = |z: f64| left + (z - low) / (high - low) * (right - left);
         let reach = 28.0 / self.longest;
         svg.text("muted small", (6.0, top + 8.0), Anchor::Start, title);
         svg.line("thin", (6.0, middle), (WIDTH - 6.0, middle));
         let origin = place(self.reference);
         svg.line("zero", (origin, middle - 4.0), (origin, middle + 4.0));
-        let mut taken: Vec<(f64, usize)> = Vec::new();
+        let force: Complex64 = pulls.iter().map(|p| p.force).sum();
+        let couple: Complex64 = pulls.iter().map(|p| p.couple).sum();
+        // The sum where it counts, at the reference, and the couple as its pair of forces at the ends.
+        let pair = part(Complex64::new(0.0, -1.0) * couple / (high - low));
+        for (x, value) in [(origin, part(force)), (8.0, -pair), (WIDTH - 8.0, pair)] {
+            if value.abs() > 0.02 * self.longest {
+                svg.arrow("arrow sum", (x, middle), (x, middle - (value * reach).clamp(-40.0, 40.0)), 12.0);
+            }
+        }
+        let mut taken: Vec<f64> = Vec::new();
+        let mut numbered: Vec<(f64, Vec<usize>)> = Vec::new();
         for pull in pulls {
             let length = part(pull.force) * reach;
-            let level = taken
-                .iter()
-                .filter(|(z, _)| (z - pull.z).abs() * (right - left) / (high - low) < 4.0)
-                .count();
-            taken.push((pull.z, level));
+            let level = taken.iter().filter(|z| (place(**z) - place(pull.z)).abs() < 4.0).count();
+            taken.push(pull.z);
             let step = if level % 2 == 1 { level.div_ceil(2) as f64 } else { -((level / 2) as f64) };
             let x = place(pull.z) + 6.0 * step;
             let class = if pull.cylinder > 0 { "arrow a1" } else { "arrow a3" };
             svg.circle("dot", (x, middle), 1.8);
             svg.arrow(class, (x, middle), (x, middle - length), 9.0);
             if pull.cylinder > 0 {
-                let y = if length >= 0.0 { middle + 14.0 } else { middle - 6.0 };
-                svg.text("small halo", (x, y), Anchor::Middle, &pull.cylinder.to_string());
+                match numbered.iter_mut().find(|(other, _)| (other - place(pull.z)).abs() < 14.0) {
+                    Some((_, list)) => list.push(pull.cylinder),
+                    None => numbered.push((place(pull.z), vec![pull.cylinder])),
+                }
             }
         }
+        for (x, list) in numbered {
+            svg.text("small muted halo", (x, middle + 42.0), Anchor::Middle, &number::list(&list));
+        }
+    }
+
+    fn wrapped(&self, pulls: &[Pull]) -> Vec<String> {
+        wrap(&self.sentence(pulls), 12.5, WIDTH - 8.0)
     }
 
     fn sentence(&self, pulls: &[Pull]) -> String {
@@ -263,7 +283,13 @@ impl Scene<'_> {
         let second = if couple.norm() <= 1e-4 * couples.max(1e-3 * forces) {
             "no couple".to_owned()
         } else {
-            format!("couple {}", quantity(couple.norm(), "N m"))
+            // C = i z F: a force -i C at the flywheel's end and its opposite at the free end do the same.
+            let push = Complex64::new(0.0, -1.0) * couple;
+            format!(
+                "a couple of {} pushes the flywheel end {}",
+                quantity(couple.norm(), "N m"),
+                direction(push, self.engine)
+            )
         };
         format!("{first}; {second}.")
     }

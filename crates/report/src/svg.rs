@@ -262,17 +262,17 @@ impl Path {
     }
 }
 
-/// Width [px] of a text at this font size, good to a few per cent for the sans-serif faces in use.
+/// Width [px] of a text at this font size: that of a wide sans-serif face, so that no reader's face needs more.
 pub fn text_width(text: &str, size: f64) -> f64 {
     let units: f64 = text
         .chars()
         .map(|c| match c {
-            'i' | 'j' | 'l' | '\'' | '|' | '.' | ',' | ':' | ';' | '!' | '_' => 0.27,
-            'f' | 't' | 'r' | '(' | ')' | '[' | ']' | ' ' | '/' | '-' => 0.34,
+            'i' | 'j' | 'l' | '\'' | '|' | '.' | ',' | ':' | ';' | '!' | '_' => 0.31,
+            'f' | 't' | 'r' | '(' | ')' | '[' | ']' | ' ' | '/' | '-' => 0.39,
             '\u{202f}' => 0.2,
-            'm' | 'w' | 'M' | 'W' | '%' | '@' => 0.87,
-            'A'..='Z' => 0.68,
-            _ => 0.56,
+            'm' | 'w' | 'M' | 'W' | '%' | '@' => 0.93,
+            'A'..='Z' => 0.7,
+            _ => 0.62,
         })
         .sum();
     units * size
@@ -283,7 +283,7 @@ pub fn wrap(text: &str, size: f64, width: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {
         match lines.last_mut() {
-            Some(line) if text_width(line, size) + text_width(word, size) + 0.34 * size <= width => {
+            Some(line) if text_width(line, size) + text_width(word, size) + 0.39 * size <= width => {
                 line.push(' ');
                 line.push_str(word);
             }

@@ -13,6 +13,8 @@ pub struct Table {
     pub title: String,
     /// How to read it; may be empty.
     pub note: String,
+    /// What it leaves out, said below it in every form; may be empty.
+    pub remark: String,
     /// Its columns.
     pub columns: Vec<Column>,
     /// Its rows, each as long as `columns`.
@@ -104,7 +106,18 @@ impl Table {
                 row.push(cell);
             }
         }
-        Table { id, title: title.into(), note: note.into(), columns: heads, rows }
+        Table { id, title: title.into(), note: note.into(), remark: String::new(), columns: heads, rows }
+    }
+
+    /// Leaves out the rows `keys` and says so.
+    pub(crate) fn without(mut self, keys: &[usize], remark: String) -> Table {
+        let mut index = 0;
+        self.rows.retain(|_| {
+            index += 1;
+            !keys.contains(&(index - 1))
+        });
+        self.remark = remark;
+        self
     }
 
     /// Aligned plain text for a terminal.
@@ -125,6 +138,10 @@ impl Table {
         let mut out = String::with_capacity(128 * (self.rows.len() + 4));
         out.push_str(&self.title);
         out.push('\n');
+        if self.rows.is_empty() {
+            let _ = writeln!(out, "  {}", self.remark);
+            return out;
+        }
         let line = |out: &mut String, cell: &dyn Fn(usize) -> String| {
             let start = out.len();
             for (k, column) in self.columns.iter().enumerate() {
@@ -150,20 +167,33 @@ impl Table {
         for row in &cells {
             line(&mut out, &|k| row[k].clone());
         }
+        if !self.remark.is_empty() {
+            let _ = writeln!(out, "  {}", self.remark);
+        }
         out
     }
 
     /// HTML; a wide table scrolls inside its own box.
     pub fn html(&self) -> String {
         let mut out = String::with_capacity(256 * (self.rows.len() + 2));
-        let _ = write!(out, "<figure class=\"table\" id=\"{}\">\n<figcaption><b>", self.id);
+        let class = if self.columns.len() > 7 { "table wide" } else { "table" };
+        let _ = write!(out, "<figure class=\"{class}\" id=\"{}\">\n<figcaption><b>", self.id);
         push_rich(&mut out, &self.title);
         out.push_str("</b>");
         if !self.note.is_empty() {
             out.push(' ');
             push_rich(&mut out, &self.note);
         }
-        out.push_str("</figcaption>\n<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
+        if !self.remark.is_empty() {
+            out.push(' ');
+            push_rich(&mut out, &self.remark);
+        }
+        out.push_str("</figcaption>\n");
+        if self.rows.is_empty() {
+            out.push_str("</figure>\n");
+            return out;
+        }
+        out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>");
         for column in &self.columns {
             out.push_str(if column.numeric {
                 "<th scope=\"col\" class=\"n\">"

@@ -1,0 +1,46 @@
+//! Renders the report of an engine file, and on request every figure as a file of its own:
+//!
+//! ```text
+//! cargo run -p lanchester-report --example page -- engine.toml report.html [figures/]
+//! ```
+
+use lanchester_mechanism::{LoadRequest, loads};
+use lanchester_report::{Provenance, ReportInput, figures, report};
+use std::error::Error;
+use std::{env, fs, path::Path};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let (input, output) = match arguments.as_slice() {
+        [input, output, ..] => (input, output),
+        _ => return Err("needs an engine file and the name of the page to write".into()),
+    };
+    let text = fs::read_to_string(input)?;
+    let reading = lanchester_model::read(&text);
+    let Some(engine) = reading.engine else {
+        return Err(lanchester_model::render(&reading.diagnostics, input, &text, false).into());
+    };
+    let warnings: Vec<String> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
+    let request = LoadRequest::default();
+    let loads = loads(&engine, &request)?;
+    let provenance = Provenance {
+        program: concat!("lanchester ", env!("CARGO_PKG_VERSION")).to_owned(),
+        input: Path::new(input).file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        input_hash: String::new(),
+        settings: vec![
+            ("motion".to_owned(), loads.kinematics.clone()),
+            ("highest order".to_owned(), request.max_order.to_string()),
+            ("angles per revolution".to_owned(), request.samples.to_string()),
+        ],
+    };
+    let page =
+        report(&ReportInput { engine: &engine, loads: &loads, provenance: &provenance, warnings: &warnings });
+    fs::write(output, page)?;
+    if let Some(folder) = arguments.get(2) {
+        fs::create_dir_all(folder)?;
+        for figure in figures(&engine, &loads) {
+            fs::write(Path::new(folder).join(format!("{}.svg", figure.id)), figure.svg())?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,186 @@
+//! The report: one HTML page that needs nothing but itself.
+
+use crate::engine_tables;
+use crate::figure::{Figure, STYLE};
+use crate::gallery::Gallery;
+use crate::load_tables;
+use crate::number;
+use crate::over_angle;
+use crate::svg::escape;
+use crate::table::{Table, push_rich};
+use askama::Template;
+use lanchester_mechanism::{Finding, Loads, Quantity, Sense};
+use lanchester_model::{Engine, Rotation};
+use std::f64::consts::TAU;
+
+/// What made a report: printed at its foot.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Provenance {
+    /// Program with its version: "lanchester 0.1.0".
+    pub program: String,
+    /// Name of the engine file.
+    pub input: String,
+    /// Hash of the engine file with the name of the hash: "fnv1a 93ab...".
+    pub input_hash: String,
+    /// Settings of the calculation: name and value.
+    pub settings: Vec<(String, String)>,
+}
+
+/// Everything that a report shows.
+#[derive(Debug, Clone, Copy)]
+pub struct ReportInput<'a> {
+    /// The engine.
+    pub engine: &'a Engine,
+    /// Its loads.
+    pub loads: &'a Loads,
+    /// What made the report.
+    pub provenance: &'a Provenance,
+    /// Warnings of the engine file, as plain text.
+    pub warnings: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "page.html")]
+struct Page<'a> {
+    figure_style: &'static str,
+    engine: &'a Engine,
+    loads: &'a Loads,
+    provenance: &'a Provenance,
+    warnings: &'a [String],
+    speed: String,
+    main_data: Vec<(&'static str, String)>,
+    findings: Vec<(String, &'a str)>,
+    reference: String,
+    turning: &'static str,
+    side: &'static str,
+    vanishing: String,
+    drawings: String,
+    spectra: String,
+    load_tables: String,
+    curves: String,
+    hodographs: String,
+    stars: String,
+    stories: String,
+    motion_tables: String,
+    engine_tables: String,
+    frame: String,
+}
+
+/// The report as one self-contained HTML page.
+pub fn report(input: &ReportInput<'_>) -> String {
+    let ReportInput { engine, loads, provenance, warnings } = *input;
+    let gallery = Gallery::of(engine, loads);
+    let mut motion_tables = vec![load_tables::motion_table(loads)];
+    motion_tables.extend(load_tables::articulation_table(loads));
+    motion_tables.extend(load_tables::rod_inertia_table(loads));
+    let mut engine_tables = vec![engine_tables::masses_table(engine), engine_tables::throws_table(engine)];
+    engine_tables.extend(engine_tables::weights_table(engine));
+    let load_tables = [
+        load_tables::peaks_table(loads),
+        load_tables::parts_table(loads),
+        load_tables::force_orders_table(loads),
+        load_tables::couple_orders_table(loads),
+        load_tables::roll_orders_table(loads),
+        load_tables::cylinders_table(loads),
+    ];
+    let (turning, side) = match engine.rotation {
+        Rotation::Clockwise => ("clockwise", "right"),
+        Rotation::Reverse => ("anticlockwise", "left"),
+    };
+    let page = Page {
+        figure_style: STYLE,
+        engine,
+        loads,
+        provenance,
+        warnings,
+        speed: number::short(loads.speed * 60.0 / TAU, 4),
+        main_data: engine_tables::main_data(engine, loads.speed),
+        findings: loads.diagnosis.findings.iter().map(|f| (heading(f), f.text.as_str())).collect(),
+        reference: reference(loads),
+        turning,
+        side,
+        vanishing: vanishing(loads),
+        drawings: figures_html(&gallery.drawings),
+        spectra: figures_html(&gallery.spectra),
+        load_tables: tables_html(&load_tables),
+        curves: figures_html(&gallery.curves),
+        hodographs: figures_html(&gallery.hodographs),
+        stars: figures_html(&gallery.stars),
+        stories: figures_html(&gallery.stories),
+        motion_tables: tables_html(&motion_tables),
+        engine_tables: tables_html(&engine_tables),
+        frame: figures_html(std::slice::from_ref(&gallery.frame)),
+    };
+    page.render().expect("invariant: writing a page to a string cannot fail")
+}
+
+/// Every figure of the report, for files of their own.
+pub fn figures(engine: &Engine, loads: &Loads) -> Vec<Figure> {
+    Gallery::of(engine, loads).into_figures()
+}
+
+/// "Force, second order, with the crank".
+fn heading(finding: &Finding) -> String {
+    let quantity = match finding.quantity {
+        Quantity::Force => "Force",
+        Quantity::Couple => "Couple",
+        Quantity::RollMoment => "Roll moment",
+    };
+    let sense = match finding.sense {
+        Sense::Forward => ", with the crank",
+        Sense::Backward => ", against the crank",
+        Sense::None => "",
+    };
+    format!("{quantity}, {}{sense}", number::order_word(finding.order))
+}
+
+fn reference(loads: &Loads) -> String {
+    if loads.reference.iter().all(|v| v.abs() < 1e-12) {
+        return "the origin".to_owned();
+    }
+    let [x, y, z] = loads.reference.map(|v| number::short(1e3 * v, 4));
+    format!("the point x = {x}, y = {y}, z = {z} mm")
+}
+
+/// A sentence on the components that have no plot.
+fn vanishing(loads: &Loads) -> String {
+    let names = over_angle::vanishing(loads);
+    let Some((last, others)) = names.split_last() else { return String::new() };
+    let list = if others.is_empty() {
+        format!("{last} vanishes")
+    } else {
+        format!("{} and {last} vanish", others.join(", "))
+    };
+    let mut out = String::new();
+    push_rich(&mut out, &format!("{list} at every crank angle, part by part, and need no plot."));
+    out
+}
+
+fn tables_html(tables: &[Table]) -> String {
+    tables.iter().map(Table::html).collect()
+}
+
+fn figures_html(figures: &[Figure]) -> String {
+    let mut out = String::with_capacity(64 * 1024);
+    for figure in figures {
+        let class = match (figure.panels.len(), figure.columns) {
+            (0..=2, _) => "plot",
+            (_, 3) => "plot many three",
+            _ => "plot many",
+        };
+        out.push_str("<figure class=\"");
+        out.push_str(class);
+        out.push_str("\" id=\"");
+        out.push_str(&escape(&figure.id));
+        out.push_str("\">\n<h3>");
+        push_rich(&mut out, &figure.title);
+        out.push_str("</h3>\n<div class=\"panels\">\n");
+        for panel in &figure.panels {
+            panel.write_inline(&mut out);
+        }
+        out.push_str("</div>\n<figcaption>");
+        push_rich(&mut out, &figure.caption);
+        out.push_str("</figcaption>\n</figure>\n");
+    }
+    out
+}
