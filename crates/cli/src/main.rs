@@ -1,2 +1,42 @@
-//! The command line.
-fn main() {}
+//! The binary `lanchester`: reads the command line and engine files, calls the facade, writes what it returns.
+//!
+//! Data go to standard output, everything else to standard error. Exit status: see [`failure`].
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod commands;
+mod failure;
+mod files;
+mod request;
+
+use arguments::{Arguments, Colour, Command};
+use clap::Parser;
+use std::io::IsTerminal;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let colour = match arguments.colour {
+        Colour::Always => true,
+        Colour::Never => false,
+        Colour::Auto => std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+    };
+    let outcome = match arguments.command {
+        Command::Check(arguments) => commands::check::run(&arguments, colour),
+        Command::Show(arguments) => commands::show::run(&arguments, colour),
+        Command::New(arguments) => commands::new::run(&arguments),
+        Command::Loads(arguments) => commands::loads::run(&arguments, colour),
+        Command::Report(arguments) => commands::report::run(&arguments, colour),
+        Command::Validate(arguments) => commands::validate::run(&arguments),
+        Command::Schema(arguments) => commands::schema::run(&arguments),
+    };
+    match outcome {
+        Ok(status) => ExitCode::from(status),
+        Err(failure) => {
+            if !failure.message.is_empty() {
+                eprintln!("{}", failure.message);
+            }
+            failure.exit_code()
+        }
+    }
+}

@@ -1,3 +1,23 @@
-//! Placeholder head.
+//! Lanchester: shaking forces and moments of piston engines from one engine file.
+//!
+//! This crate is the one that front ends and other programs import: it re-exports the rooms below and adds what
+//! needs more than one of them.
+//!
+//! ```
+//! use lanchester::mechanism::{LoadRequest, loads};
+//!
+//! let template = lanchester::model::template("in-line-4").expect("it is in the gallery");
+//! let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+//! let loads = loads(&engine, &LoadRequest::default())?;
+//! let (first, second) = (loads.total.orders[1], loads.total.orders[2]);
+//! // An in-line four is free of first order and shakes at second order.
+//! assert!(first.force_peak() < 1e-9 * second.force_peak());
+//! # Ok::<(), lanchester::mechanism::LoadError>(())
+//! ```
+#![forbid(unsafe_code)]
 
 pub mod validate;
+
+pub use lanchester_mechanism as mechanism;
+pub use lanchester_model as model;
+pub use lanchester_report as report;

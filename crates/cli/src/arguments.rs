@@ -1,0 +1,214 @@
+//! The command line as clap sees it: the one definition behind parsing and help.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Shaking forces and moments of piston engines, from one engine file.
+#[derive(Debug, Parser)]
+#[command(
+    name = "lanchester",
+    version,
+    after_help = "Start with:  lanchester new --list\n             lanchester new in-line-4 > four.toml\n             \
+                  lanchester report four.toml\n\n\
+                  Exit status: 0 done; 1 done, but a validation verdict is not the expected one; 2 the input is \
+                  wrong; 3 our own fault."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// Colour in messages.
+    #[arg(long, global = true, value_enum, default_value_t = Colour::Auto)]
+    pub colour: Colour,
+}
+
+/// When messages are coloured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Colour {
+    /// On a terminal, unless NO_COLOR is set.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// The form of the output on stdout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people.
+    Text,
+    /// Every field of the result, SI units and radians.
+    Json,
+    /// Tables for a spreadsheet.
+    Csv,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Read engine files and report every mistake, with its place and a way to mend it.
+    #[command(after_help = "Examples:\n  lanchester check twin.toml\n  lanchester check engines/*.toml --format json")]
+    Check(CheckArguments),
+    /// Print the expanded form of an engine file and where every cylinder has its dead centres; draw the engine.
+    #[command(after_help = "Examples:\n  lanchester show twin.toml\n  lanchester show twin.toml --drawing twin.svg\n  \
+                            lanchester show twin.toml > general-form.toml")]
+    Show(ShowArguments),
+    /// Write a new engine file from the gallery.
+    #[command(after_help = "Examples:\n  lanchester new --list\n  lanchester new v8-crossplane > v8.toml\n  \
+                            lanchester new in-line-3 --output three.toml")]
+    New(NewArguments),
+    /// Shaking forces, couples, roll moment and torque: by order and sense of rotation, and their peaks.
+    #[command(after_help = "Examples:\n  lanchester loads twin.toml\n  lanchester loads twin.toml --speed '6000 rpm' \
+                            --orders 12\n  lanchester loads twin.toml --about '0 mm, 0 mm, 120 mm'\n  \
+                            lanchester loads twin.toml --series power:4:5 --grid 360\n  \
+                            lanchester loads twin.toml --format csv --table trace > trace.csv")]
+    Loads(LoadsArguments),
+    /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
+    #[command(after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \
+                            lanchester report twin.toml --figures figures/")]
+    Report(ReportArguments),
+    /// Recompute every published number: printed against computed, with verdict and reason.
+    #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \
+                            lanchester validate --format csv > verdicts.csv")]
+    Validate(ValidateArguments),
+    /// Print the JSON Schema of the engine file, for completion in an editor.
+    #[command(after_help = "Examples:\n  lanchester schema > engine.schema.json\n  \
+                            lanchester schema --markdown > engine-file.md")]
+    Schema(SchemaArguments),
+}
+
+/// `check`
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// Engine files; `-` reads standard input.
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `show`
+#[derive(Debug, Args)]
+pub struct ShowArguments {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Draw front and side view into this SVG file.
+    #[arg(long, value_name = "SVG")]
+    pub drawing: Option<PathBuf>,
+    /// Form of the output: the general form as TOML, the engine as JSON, or its cylinders as CSV.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `new`
+#[derive(Debug, Args)]
+pub struct NewArguments {
+    /// Name of a layout in the gallery.
+    #[arg(value_name = "LAYOUT", required_unless_present = "list")]
+    pub name: Option<String>,
+    /// List the gallery.
+    #[arg(long, conflicts_with = "name")]
+    pub list: bool,
+    /// Write to this file instead of standard output; never overwrites.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Form of the list.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// What the loads are computed with; shared by `loads` and `report`.
+#[derive(Debug, Clone, Args)]
+pub struct RequestArguments {
+    /// Speed of crankshaft 1, with its unit; default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Point that couples and roll moment are about, `x, y, z` with units; default: the origin of the frame.
+    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
+    pub about: Option<String>,
+    /// Motion of the pistons: `exact`; `orders:N`, exact coefficients up to order N; `power:N:P`, the literature's
+    /// series up to order N with powers of the rod ratio up to P.
+    #[arg(long, value_name = "SERIES", default_value = "exact")]
+    pub series: String,
+    /// Highest order listed.
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    pub orders: u32,
+    /// Look for peaks only at this many equally spaced angles a revolution, as published tables do; default: the
+    /// true extremes over the continuous angle.
+    #[arg(long, value_name = "ANGLES")]
+    pub grid: Option<u32>,
+}
+
+/// `loads`
+#[derive(Debug, Args)]
+pub struct LoadsArguments {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What to compute with.
+    #[command(flatten)]
+    pub request: RequestArguments,
+    /// Table written with `--format csv`.
+    #[arg(long, value_enum, default_value_t = LoadsTable::Orders)]
+    pub table: LoadsTable,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Tables of `loads --format csv`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LoadsTable {
+    /// By order: forward and backward parts of force and couple, roll moment, torque.
+    Orders,
+    /// All components over one period.
+    Trace,
+}
+
+/// `report`
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What to compute with.
+    #[command(flatten)]
+    pub request: RequestArguments,
+    /// The page to write, `-` for standard output; default: the engine file's name with `.html`, in this folder.
+    #[arg(long, short, value_name = "HTML")]
+    pub output: Option<PathBuf>,
+    /// Also write every figure as an SVG file of its own into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Form of what is said on standard output about the files written.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `validate`
+#[derive(Debug, Args)]
+pub struct ValidateArguments {
+    /// Only rows whose source or table contains this text.
+    #[arg(value_name = "FILTER")]
+    pub filter: Option<String>,
+    /// Print every row, not only those that need a reason.
+    #[arg(long)]
+    pub verbose: bool,
+    /// Write the validation page of the book instead.
+    #[arg(long, conflicts_with_all = ["verbose", "filter"])]
+    pub markdown: bool,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `schema`
+#[derive(Debug, Args)]
+pub struct SchemaArguments {
+    /// Print the reference page of the engine file instead.
+    #[arg(long)]
+    pub markdown: bool,
+}

@@ -1,0 +1,44 @@
+//! One file a command; each returns its exit status.
+
+pub mod check;
+pub mod loads;
+pub mod new;
+pub mod report;
+pub mod schema;
+pub mod show;
+pub mod validate;
+
+use crate::failure::Failure;
+use crate::files::{Source, read_source};
+use lanchester::model::{Diagnostic, Engine, read, render};
+use std::path::Path;
+
+/// An engine with the text it was read from.
+pub struct Opened {
+    pub source: Source,
+    pub engine: Engine,
+    pub warnings: Vec<Diagnostic>,
+}
+
+/// Read an engine file for a command that needs the engine: mistakes and warnings go to standard error.
+pub fn open(path: &Path, colour: bool) -> Result<Opened, Failure> {
+    let source = read_source(path)?;
+    let reading = read(&source.text);
+    if !reading.diagnostics.is_empty() {
+        eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
+    }
+    match reading.engine {
+        Some(engine) => Ok(Opened { source, engine, warnings: reading.diagnostics }),
+        None => Err(Failure::diagnosed()),
+    }
+}
+
+/// Pretty JSON with a trailing newline.
+pub fn json(value: &impl serde::Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(Failure::own)
+}
+
+/// A calculation that cannot be done as asked.
+pub fn refused(error: lanchester::mechanism::LoadError) -> Failure {
+    Failure { status: crate::failure::WRONG_INPUT, message: format!("error: {error}") }
+}

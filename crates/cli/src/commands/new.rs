@@ -1,0 +1,58 @@
+//! `lanchester new`: an engine file to start from.
+
+use crate::arguments::{Format, NewArguments};
+use crate::commands::json;
+use crate::failure::{DONE, Failure};
+use crate::files::{print, write_new};
+use lanchester::model::{template, templates};
+
+pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
+    let Some(name) = &arguments.name else { return list(arguments.format) };
+    let Some(template) = template(name) else {
+        let nearest = nearest(name).map_or(String::new(), |nearest| format!("did you mean {nearest}? "));
+        return Err(Failure::input(
+            format_args!("there is no layout `{name}` in the gallery"),
+            format_args!("{nearest}`lanchester new --list` shows all of them"),
+        ));
+    };
+    match &arguments.output {
+        Some(path) => {
+            write_new(path, template.text)?;
+            print(&format!("{}\n", path.display()))?;
+        }
+        None => print(template.text)?,
+    }
+    Ok(DONE)
+}
+
+fn list(format: Format) -> Result<u8, Failure> {
+    let width = templates().iter().map(|template| template.name.len()).max().unwrap_or(0);
+    let mut out = String::new();
+    match format {
+        Format::Text => {
+            for template in templates() {
+                out += &format!("{:width$}  {}\n", template.name, template.title);
+            }
+        }
+        Format::Csv => {
+            out += "name,title\n";
+            for template in templates() {
+                out += &format!("{},\"{}\"\n", template.name, template.title.replace('"', "\"\""));
+            }
+        }
+        Format::Json => {
+            let list: Vec<_> = templates()
+                .iter()
+                .map(|template| serde_json::json!({ "name": template.name, "title": template.title }))
+                .collect();
+            out = json(&list)?;
+        }
+    }
+    print(&out)?;
+    Ok(DONE)
+}
+
+/// The gallery's name that shares the most with `name`, if they share enough.
+fn nearest(name: &str) -> Option<&'static str> {
+    lanchester::model::nearest(name, templates().iter().map(|template| template.name))
+}

@@ -1,0 +1,90 @@
+//! The only place that touches the file system: engine files in, results out.
+
+use crate::failure::Failure;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Write};
+use std::path::Path;
+
+/// An engine file may be this long; a longer one is some other file.
+const LONGEST_INPUT: u64 = 4 << 20;
+
+/// A text and the name that messages call it by.
+pub struct Source {
+    /// File name as given, or `<stdin>`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// Read an engine file; `-` is standard input.
+pub fn read_source(path: &Path) -> Result<Source, Failure> {
+    let mut bytes = Vec::new();
+    let name = if path == Path::new("-") { "<stdin>".to_string() } else { path.display().to_string() };
+    let outcome = if path == Path::new("-") {
+        io::stdin().lock().take(LONGEST_INPUT + 1).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(LONGEST_INPUT + 1).read_to_end(&mut bytes))
+    };
+    if let Err(error) = outcome {
+        let hint = match error.kind() {
+            io::ErrorKind::NotFound => "`lanchester new --list` shows layouts to start from",
+            _ => "give the path of an engine file, or - for standard input",
+        };
+        return Err(Failure::input(format_args!("cannot read {name}: {error}"), hint));
+    }
+    if bytes.len() as u64 > LONGEST_INPUT {
+        return Err(Failure::input(
+            format_args!("{name} is longer than {} MiB", LONGEST_INPUT >> 20),
+            "an engine file is a short TOML text: is this the right file?",
+        ));
+    }
+    let text = String::from_utf8(bytes).map_err(|error| {
+        Failure::input(
+            format_args!("{name} is not UTF-8 text (byte {})", error.utf8_error().valid_up_to()),
+            "save the engine file as UTF-8",
+        )
+    })?;
+    Ok(Source { name, text })
+}
+
+/// Write `text` to standard output. A closed pipe (`| head`) is no fault.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::input(format_args!("cannot write to standard output: {error}"), "is the disk full?"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Write a result, making its folder; an earlier result is written over, an engine file never.
+pub fn write_result(path: &Path, engine_file: &Path, text: &str) -> Result<(), Failure> {
+    let same = fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(engine_file).is_ok_and(|file| file == path));
+    if same || path.extension().is_some_and(|extension| extension == "toml") {
+        return Err(Failure::input(
+            format_args!("{} looks like an engine file and is not overwritten", path.display()),
+            "choose another name for the result",
+        ));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    folder.map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(path, text)).map_err(|error| {
+        Failure::input(format_args!("cannot write {}: {error}", path.display()), "choose another place")
+    })
+}
+
+/// Write an engine file that does not exist yet: a user's file is never overwritten.
+pub fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+    let outcome = OpenOptions::new()
+        .write(true)
+        .create_new(true)
+        .open(path)
+        .and_then(|mut file| file.write_all(text.as_bytes()));
+    outcome.map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => Failure::input(
+            format_args!("{} exists and is not overwritten", path.display()),
+            "choose another name with --output, or remove it first",
+        ),
+        _ => Failure::input(format_args!("cannot write {}: {error}", path.display()), "choose another place with --output"),
+    })
+}

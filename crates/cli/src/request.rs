@@ -1,0 +1,57 @@
+//! From the options of the command line to a request of the facade.
+
+use crate::arguments::RequestArguments;
+use crate::failure::Failure;
+use lanchester::mechanism::{Kinematics, LoadRequest, PeakMode};
+use lanchester::model::{Dimension, quantity};
+
+/// The request behind the options that `loads` and `report` share.
+pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure> {
+    let mut request = LoadRequest { max_order: arguments.orders, ..LoadRequest::default() };
+    if let Some(speed) = &arguments.speed {
+        request.speed = Some(option_quantity("--speed", speed, Dimension::Speed)?);
+    }
+    if let Some(about) = &arguments.about {
+        request.reference = point(about)?;
+    }
+    request.kinematics = series(&arguments.series)?;
+    if let Some(grid) = arguments.grid {
+        request.peaks = PeakMode::Grid(grid as usize);
+    }
+    Ok(request)
+}
+
+fn option_quantity(option: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
+    quantity(text, dimension).map_err(|refusal| Failure::input(format_args!("{option}: {}", refusal.message), refusal.hint))
+}
+
+fn point(text: &str) -> Result<[f64; 3], Failure> {
+    let parts: Vec<&str> = text.split(',').map(str::trim).collect();
+    let [x, y, z] = parts[..] else {
+        return Err(Failure::input(
+            format_args!("--about needs three coordinates x, y, z, got {}: `{text}`", parts.len()),
+            "write it like --about \"0 mm, 0 mm, 120 mm\"",
+        ));
+    };
+    let coordinate = |text| option_quantity("--about", text, Dimension::Length);
+    Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
+}
+
+fn series(text: &str) -> Result<Kinematics, Failure> {
+    let parts: Vec<&str> = text.split(':').collect();
+    let number = |part: &str| part.parse::<u32>().ok();
+    let kinematics = match parts[..] {
+        ["exact"] => Some(Kinematics::Exact),
+        ["orders", max] => number(max).map(Kinematics::Orders),
+        ["power", max_order, max_power] => number(max_order)
+            .zip(number(max_power))
+            .map(|(max_order, max_power)| Kinematics::PowerSeries { max_order, max_power }),
+        _ => None,
+    };
+    kinematics.ok_or_else(|| {
+        Failure::input(
+            format_args!("--series must be exact, orders:N or power:N:P, got `{text}`"),
+            "power:4:5 is the series of most textbooks: orders 1, 2, 4 with powers of the rod ratio up to 5",
+        )
+    })
+}
