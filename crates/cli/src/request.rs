@@ -3,13 +3,13 @@
 use crate::arguments::RequestArguments;
 use crate::failure::Failure;
 use lanchester::mechanism::{Kinematics, LoadRequest, PeakMode};
-use lanchester::model::{Dimension, quantity};
+use lanchester::model::option::{self, BadQuantity};
 
 /// The request behind the options that `loads` and `report` share.
 pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure> {
     let mut request = LoadRequest { max_order: arguments.orders, ..LoadRequest::default() };
     if let Some(speed) = &arguments.speed {
-        request.speed = Some(option_quantity("--speed", speed, Dimension::Speed)?);
+        request.speed = Some(option::speed(speed, "--speed").map_err(refused)?);
     }
     if let Some(about) = &arguments.about {
         request.reference = point(about)?;
@@ -21,8 +21,8 @@ pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure
     Ok(request)
 }
 
-fn option_quantity(option: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
-    quantity(text, dimension).map_err(|refusal| Failure::input(format_args!("{option}: {}", refusal.message), refusal.hint))
+fn refused(bad: BadQuantity) -> Failure {
+    Failure::input(&bad.message, &bad.hint)
 }
 
 fn point(text: &str) -> Result<[f64; 3], Failure> {
@@ -33,7 +33,7 @@ fn point(text: &str) -> Result<[f64; 3], Failure> {
             "write it like --about \"0 mm, 0 mm, 120 mm\"",
         ));
     };
-    let coordinate = |text| option_quantity("--about", text, Dimension::Length);
+    let coordinate = |text| option::length(text, "--about").map_err(refused);
     Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
 }
 

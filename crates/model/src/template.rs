@@ -1,5 +1,7 @@
 //! The gallery: engine files of real layouts to start from.
 
+use crate::nearest::nearest;
+
 /// A ready engine file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Template {
@@ -19,6 +21,11 @@ pub fn templates() -> &'static [Template] {
 /// The template of this name.
 pub fn template(name: &str) -> Option<&'static Template> {
     TEMPLATES.iter().find(|template| template.name == name)
+}
+
+/// The template whose name a misspelled one was probably meant to be.
+pub fn nearest_template(name: &str) -> Option<&'static Template> {
+    nearest(name, TEMPLATES.iter().map(|template| template.name)).and_then(template)
 }
 
 macro_rules! gallery {

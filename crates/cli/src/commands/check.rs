@@ -4,7 +4,7 @@ use crate::arguments::{CheckArguments, Format};
 use crate::commands::json;
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, read_source};
-use lanchester::model::{Diagnostic, read, render};
+use lanchester::model::{Diagnostic, Severity, read, render};
 use serde::Serialize;
 
 /// What is known of one file.
@@ -55,7 +55,7 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
 fn text(checked: &[Checked]) -> String {
     let mut out = String::new();
     for file in checked {
-        let errors = file.diagnostics.iter().filter(|diagnostic| diagnostic.is_error()).count();
+        let errors = file.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
         let warnings = file.diagnostics.len() - errors;
         let verdict = match &file.engine {
             Some(engine) => format!("valid: {engine}"),
@@ -75,7 +75,7 @@ fn csv(checked: &[Checked]) -> String {
     let mut out = String::from("file,severity,code,line,column,message,hint\n");
     for file in checked {
         for diagnostic in &file.diagnostics {
-            let severity = if diagnostic.is_error() { "error" } else { "warning" };
+            let severity = if diagnostic.severity == Severity::Error { "error" } else { "warning" };
             out += &format!(
                 "{},{severity},{},{},{},{},{}\n",
                 quoted(&file.file),

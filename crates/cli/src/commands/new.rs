@@ -4,12 +4,12 @@ use crate::arguments::{Format, NewArguments};
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_new};
-use lanchester::model::{template, templates};
+use lanchester::model::{nearest_template, template, templates};
 
 pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
     let Some(name) = &arguments.name else { return list(arguments.format) };
     let Some(template) = template(name) else {
-        let nearest = nearest(name).map_or(String::new(), |nearest| format!("did you mean {nearest}? "));
+        let nearest = nearest_template(name).map_or(String::new(), |near| format!("did you mean {}? ", near.name));
         return Err(Failure::input(
             format_args!("there is no layout `{name}` in the gallery"),
             format_args!("{nearest}`lanchester new --list` shows all of them"),
@@ -50,9 +50,4 @@ fn list(format: Format) -> Result<u8, Failure> {
     }
     print(&out)?;
     Ok(DONE)
-}
-
-/// The gallery's name that shares the most with `name`, if they share enough.
-fn nearest(name: &str) -> Option<&'static str> {
-    lanchester::model::nearest(name, templates().iter().map(|template| template.name))
 }
