@@ -48,25 +48,35 @@ pub enum Format {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Read engine files and report every mistake, with its place and a way to mend it.
-    #[command(after_help = "Examples:\n  lanchester check twin.toml\n  lanchester check engines/*.toml --format json")]
+    #[command(
+        after_help = "Examples:\n  lanchester check twin.toml\n  lanchester check engines/*.toml --format json"
+    )]
     Check(CheckArguments),
     /// Print the expanded form of an engine file and where every cylinder has its dead centres; draw the engine.
-    #[command(after_help = "Examples:\n  lanchester show twin.toml\n  lanchester show twin.toml --drawing twin.svg\n  \
-                            lanchester show twin.toml > general-form.toml")]
+    #[command(
+        after_help = "Examples:\n  lanchester show twin.toml\n  lanchester show twin.toml --drawing twin.svg\n  \
+                            lanchester show twin.toml > general-form.toml"
+    )]
     Show(ShowArguments),
     /// Write a new engine file from the gallery.
-    #[command(after_help = "Examples:\n  lanchester new --list\n  lanchester new v8-crossplane > v8.toml\n  \
-                            lanchester new in-line-3 --output three.toml")]
+    #[command(
+        after_help = "Examples:\n  lanchester new --list\n  lanchester new v8-crossplane > v8.toml\n  \
+                            lanchester new in-line-3 --output three.toml"
+    )]
     New(NewArguments),
     /// Shaking forces, couples, roll moment and torque: by order and sense of rotation, and their peaks.
-    #[command(after_help = "Examples:\n  lanchester loads twin.toml\n  lanchester loads twin.toml --speed '6000 rpm' \
+    #[command(
+        after_help = "Examples:\n  lanchester loads twin.toml\n  lanchester loads twin.toml --speed '6000 rpm' \
                             --orders 12\n  lanchester loads twin.toml --about '0 mm, 0 mm, 120 mm'\n  \
                             lanchester loads twin.toml --series power:4:5 --grid 360\n  \
-                            lanchester loads twin.toml --format csv --table trace > trace.csv")]
+                            lanchester loads twin.toml --format csv --table trace > trace.csv"
+    )]
     Loads(LoadsArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
-    #[command(after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \
-                            lanchester report twin.toml --figures figures/")]
+    #[command(
+        after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \
+                            lanchester report twin.toml --figures figures/"
+    )]
     Report(ReportArguments),
     /// Recompute every published number: printed against computed, with verdict and reason.
     #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \

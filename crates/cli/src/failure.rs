@@ -36,7 +36,9 @@ impl Failure {
     pub fn own(message: impl fmt::Display) -> Failure {
         Failure {
             status: OWN_FAULT,
-            message: format!("error: {message}\n hint: this is a fault of lanchester itself, please report it"),
+            message: format!(
+                "error: {message}\n hint: this is a fault of lanchester itself, please report it"
+            ),
         }
     }
 

@@ -60,7 +60,8 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// Write a result, making its folder; an earlier result is written over, an engine file never.
 pub fn write_result(path: &Path, engine_file: &Path, text: &str) -> Result<(), Failure> {
-    let same = fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(engine_file).is_ok_and(|file| file == path));
+    let same =
+        fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(engine_file).is_ok_and(|file| file == path));
     if same || path.extension().is_some_and(|extension| extension == "toml") {
         return Err(Failure::input(
             format_args!("{} looks like an engine file and is not overwritten", path.display()),
@@ -85,6 +86,9 @@ pub fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
             format_args!("{} exists and is not overwritten", path.display()),
             "choose another name with --output, or remove it first",
         ),
-        _ => Failure::input(format_args!("cannot write {}: {error}", path.display()), "choose another place with --output"),
+        _ => Failure::input(
+            format_args!("cannot write {}: {error}", path.display()),
+            "choose another place with --output",
+        ),
     })
 }

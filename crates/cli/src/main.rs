@@ -7,6 +7,7 @@ mod arguments;
 mod commands;
 mod failure;
 mod files;
+mod provenance;
 mod request;
 
 use arguments::{Arguments, Colour, Command};
@@ -23,10 +24,12 @@ fn main() -> ExitCode {
     };
     let outcome = match arguments.command {
         Command::Check(arguments) => commands::check::run(&arguments, colour),
+        Command::Show(arguments) => commands::show::run(&arguments, colour),
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Loads(arguments) => commands::loads::run(&arguments, colour),
+        Command::Report(arguments) => commands::report::run(&arguments, colour),
+        Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
-        _ => Ok(3),
     };
     match outcome {
         Ok(status) => ExitCode::from(status),

@@ -7,6 +7,7 @@
 mod axis;
 mod component;
 mod csv;
+mod drawing;
 mod engine_tables;
 mod figure;
 mod frame_sketch;
@@ -33,6 +34,7 @@ mod terminal;
 mod view;
 
 pub use csv::{orders_csv, trace_csv};
+pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};
 pub use frame_sketch::frame_sketch;

@@ -55,7 +55,8 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
 fn text(checked: &[Checked]) -> String {
     let mut out = String::new();
     for file in checked {
-        let errors = file.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
+        let errors =
+            file.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
         let warnings = file.diagnostics.len() - errors;
         let verdict = match &file.engine {
             Some(engine) => format!("valid: {engine}"),

@@ -3,7 +3,10 @@
 pub mod check;
 pub mod loads;
 pub mod new;
+pub mod report;
 pub mod schema;
+pub mod show;
+pub mod validate;
 
 use crate::failure::Failure;
 use crate::files::{Source, read_source};

@@ -9,7 +9,8 @@ use lanchester::model::{nearest_template, template, templates};
 pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
     let Some(name) = &arguments.name else { return list(arguments.format) };
     let Some(template) = template(name) else {
-        let nearest = nearest_template(name).map_or(String::new(), |near| format!("did you mean {}? ", near.name));
+        let nearest =
+            nearest_template(name).map_or(String::new(), |near| format!("did you mean {}? ", near.name));
         return Err(Failure::input(
             format_args!("there is no layout `{name}` in the gallery"),
             format_args!("{nearest}`lanchester new --list` shows all of them"),
