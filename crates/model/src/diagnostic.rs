@@ -242,7 +242,7 @@ fn excerpt<'a>(group: Group<'a>, diagnostic: &'a Diagnostic, file_name: &'a str,
         let before = text.get(..first).unwrap_or("");
         let start = before.rfind('\n').map_or(bom_length(text), |at| at + 1);
         let after = text.get(last..).unwrap_or("");
-        let end = last + after.find('\n').unwrap_or(after.len());
+        let end = last + after.lines().next().map_or(0, str::len);
         start..end
     };
     let alone = lines(&mut std::iter::once(&diagnostic.span));
@@ -257,9 +257,14 @@ fn excerpt<'a>(group: Group<'a>, diagnostic: &'a Diagnostic, file_name: &'a str,
     let (Some(source), true) = (text.get(window.clone()), window.len() <= LONGEST_EXCERPT) else {
         return group.element(Origin::path(file_name).line(diagnostic.line).char_column(diagnostic.column));
     };
+    // Carriage returns would show as signs of their own: they go, and places behind them move up.
+    let source = source.replace("\r\n", "\n");
     let within = |span: &Range<usize>| {
-        span.start.saturating_sub(window.start).min(source.len())
-            ..span.end.saturating_sub(window.start).min(source.len())
+        let place = |at: usize| {
+            let before = text.get(window.start..at.clamp(window.start, window.end)).unwrap_or("");
+            before.len() - before.matches("\r\n").count()
+        };
+        place(span.start)..place(span.end)
     };
     let first_line = text[..window.start].bytes().filter(|byte| *byte == b'\n').count() + 1;
     let mut snippet = Snippet::source(source).line_start(first_line).path(file_name);

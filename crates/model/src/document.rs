@@ -136,6 +136,19 @@ fn line_of(text: &str, at: usize) -> &str {
     text[start..].lines().next().unwrap_or("").trim_start_matches('\u{feff}')
 }
 
+/// The first line of the span, to its end.
+fn line_from(text: &str, span: Span) -> &str {
+    text.get(span).and_then(|text| text.lines().next()).unwrap_or("")
+}
+
+/// What stands behind the `=` of the line, if it is a bare text or a bare number with a unit.
+fn unquoted_value(text: &str, at: usize) -> Option<&str> {
+    let (_, value) = line_of(text, at).split_once('=')?;
+    let value = value.split('#').next().unwrap_or("").trim();
+    let is_bare = value.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '-' || c == '+' || c == '.');
+    (is_bare && value.len() < 60 && !value.contains('"')).then_some(value)
+}
+
 fn syntax_mistake(error: &toml_spanner::Error, text: &str) -> Mistake {
     use toml_spanner::ErrorKind;
     let kind = error.kind();
@@ -159,20 +172,35 @@ fn syntax_mistake(error: &toml_spanner::Error, text: &str) -> Mistake {
         mistake = mistake.label(label);
     }
     if let Some((span, label)) = error.secondary_label() {
-        mistake = mistake.related(span.range(), label);
+        let first_line = span.range().start..span.range().start + line_from(text, span.range()).len();
+        mistake = mistake.related(first_line, label);
     }
     match kind {
         ErrorKind::DuplicateKey { .. } => mistake.hint("keep one of the two"),
         ErrorKind::DuplicateTable { .. } => {
             mistake.hint("write its keys under one header; tables that may repeat have [[two brackets]]")
         }
-        ErrorKind::UnquotedString => {
-            mistake.hint("write texts and quantities in quotes, such as \"79.5 mm\"")
+        ErrorKind::UnquotedString | ErrorKind::Wanted { .. } | ErrorKind::InvalidInteger(_) => {
+            match unquoted_value(text, error.span().start as usize) {
+                Some(value) => mistake.hint(format!("write texts and quantities in quotes: \"{value}\"")),
+                None => mistake,
+            }
         }
         ErrorKind::UnterminatedString(_) => {
             mistake.hint("close the text with the same quote on the same line")
         }
         _ => mistake,
+    }
+}
+
+/// The table whose header names the key: itself, or the first of its list. `None` for a value.
+fn header_of<'a, 'de>(item: &'a Item<'de>) -> Option<&'a Item<'de>> {
+    match (item.as_table(), item.as_array()) {
+        (Some(table), _) => {
+            matches!(table.style(), TableStyle::Header | TableStyle::Implicit).then_some(item)
+        }
+        (_, Some(array)) if array.style() == toml_spanner::ArrayStyle::Header => array.get(0),
+        _ => None,
     }
 }
 
@@ -185,57 +213,68 @@ struct Walk<'a> {
 impl Walk<'_> {
     fn section(&mut self, table: &'static Table, toml: &toml_spanner::Table<'_>, span: Span) -> Section {
         let is_root = table.header.is_empty();
-        let mut entries = Vec::new();
+        let mut entries: Vec<Entry> = Vec::new();
+        let mut unknown = Vec::new();
         for (key, item) in toml {
-            let key_span = key.span.range();
-            let is_value = !matches!(
-                (
-                    item.as_table().map(toml_spanner::Table::style),
-                    item.as_array().map(toml_spanner::Array::style)
-                ),
-                (Some(TableStyle::Header | TableStyle::Implicit), _)
-                    | (_, Some(toml_spanner::ArrayStyle::Header))
-            );
-            if is_root && is_value && key_span.start >= self.foreign_from {
+            let mut key_span = key.span.range();
+            let header = header_of(item);
+            if is_root && header.is_none() && key_span.start >= self.foreign_from {
                 continue;
             }
             let Some(known) = table.key(key.name) else {
-                self.unknown_key(table, key.name, key_span);
+                unknown.push((key.name, key_span));
                 continue;
             };
+            if let Some(header) = header {
+                key_span = self.item_span(header, &key_span);
+            }
             let value = self.value(known, item, &key_span).unwrap_or(Value::Bad);
             let span = self.item_span(item, &key_span);
             entries.push(Entry { key: known, key_span, span, value, used: Cell::new(false) });
         }
+        for (name, span) in unknown {
+            // A misspelled key stands for the one that was meant: nobody shall call that one missing.
+            if let Some(meant) = self.unknown_key(table, name, span.clone())
+                && !entries.iter().any(|entry| entry.key.name == meant.name)
+            {
+                let (key_span, used) = (span.clone(), Cell::new(false));
+                entries.push(Entry { key: meant, key_span, span, value: Value::Bad, used });
+            }
+        }
         Section { table, span, entries }
     }
 
-    fn unknown_key(&mut self, table: &'static Table, name: &str, span: Span) {
+    /// Reports the key; gives the key that was probably meant.
+    fn unknown_key(&mut self, table: &'static Table, name: &str, span: Span) -> Option<&'static Key> {
         let shown: String = name.chars().take(60).collect();
         let mut mistake =
             Mistake::error("E0201", span, format!("unknown key `{shown}` in {}", table.title()))
                 .label("unknown key");
-        if !self.mistakes.crowded() {
-            let elsewhere: Vec<&str> = FILE
-                .all()
-                .into_iter()
-                .filter(|other| !std::ptr::eq(*other, table) && other.key(name).is_some())
-                .map(Table::title)
-                .collect();
-            mistake = if let Some(near) = nearest(name, table.keys.iter().map(|key| key.name)) {
-                mistake.hint(format!("did you mean `{near}`?"))
-            } else if !elsewhere.is_empty() {
-                mistake.hint(format!("`{name}` is a key of {}", quantity::one_of(elsewhere.into_iter())))
-            } else {
-                let keys: Vec<String> = table.keys.iter().map(|key| format!("`{}`", key.name)).collect();
-                mistake.hint(format!(
-                    "{} knows {}",
-                    table.title(),
-                    quantity::one_of(keys.iter().map(String::as_str)).replace(" or ", " and ")
-                ))
-            };
+        if self.mistakes.crowded() {
+            self.mistakes.push(mistake);
+            return None;
         }
+        let near = nearest(name, table.keys.iter().map(|key| key.name));
+        let elsewhere: Vec<&str> = FILE
+            .all()
+            .into_iter()
+            .filter(|other| !std::ptr::eq(*other, table) && other.key(name).is_some())
+            .map(Table::title)
+            .collect();
+        mistake = if let Some(near) = near {
+            mistake.hint(format!("did you mean `{near}`?"))
+        } else if !elsewhere.is_empty() {
+            mistake.hint(format!("`{name}` is a key of {}", quantity::one_of(elsewhere.into_iter())))
+        } else {
+            let keys: Vec<String> = table.keys.iter().map(|key| format!("`{}`", key.name)).collect();
+            mistake.hint(format!(
+                "{} knows {}",
+                table.title(),
+                quantity::one_of(keys.iter().map(String::as_str)).replace(" or ", " and ")
+            ))
+        };
         self.mistakes.push(mistake);
+        near.and_then(|near| table.key(near))
     }
 
     /// Header of a table with one, the value else.

@@ -81,6 +81,9 @@ impl<'a> Reader<'a> {
         let count = drafts.as_ref().map(|drafts| drafts.throws.len());
         let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len));
         self.check_shares();
+        if drafts.is_none() {
+            self.check_order(firing);
+        }
         let drafts = drafts?;
         self.check_places(&drafts, crankshafts.as_deref());
         self.check_linkages(&drafts);

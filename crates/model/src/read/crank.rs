@@ -117,7 +117,8 @@ impl<'a> Reader<'a> {
                 .hint("angles, speeds and places are counted from crankshaft 1; leave it out here"),
             );
         }
-        wrong.iter().all(|(_, wrong)| !wrong).then_some(crankshaft)
+        // The rest of the file is read as if it were right.
+        Some(Crankshaft { ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, ..crankshaft })
     }
 
     /// Radius, unbalance and web distance, from the throw's own table over `[crank]`.

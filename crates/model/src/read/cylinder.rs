@@ -253,7 +253,7 @@ impl<'a> Reader<'a> {
         let arrangement = strokes
             .and_then(|strokes| self.arrangement(layout, strokes, firing, masses.as_ref().map(|m| m.radius)));
         let Some(Arrangement { throws, cylinders }) = arrangement else {
-            self.check_defaults();
+            self.check_parts(layout, overrides);
             return None;
         };
         let span = layout.key_span("type");
@@ -285,10 +285,13 @@ impl<'a> Reader<'a> {
         Some(Drafts { throws, cylinders, from_layout: true })
     }
 
-    /// Mistakes of the tables that hold for all parts, where there are no parts to hold for.
-    fn check_defaults(&mut self) {
-        if self.section("rod").0.is_some() {
-            self.rod(&self.layers(&[], "rod"), RodJoint::Crankpin);
+    /// Mistakes of pistons and rods where their places are not known.
+    fn check_parts(&mut self, layout: &'a Section, overrides: &'a [Section]) {
+        if overrides.is_empty() {
+            self.cylinder(layout.span.clone(), None, None);
+        }
+        for section in overrides {
+            self.cylinder(section.span.clone(), Some(section), None);
         }
         if self.section("articulated_rod").0.is_some() {
             self.rod(&self.layers(&[], "articulated_rod"), RodJoint::Crankpin);
@@ -326,7 +329,7 @@ impl<'a> Reader<'a> {
                         section,
                         key,
                         "[layout] says where the cylinder stands",
-                        "leave it out, or use the general form: `show` prints it",
+                        "leave it out, or use the general form: `lanchester show` prints it",
                     );
                 }
             }
@@ -342,7 +345,7 @@ impl<'a> Reader<'a> {
                             rod,
                             key,
                             "[layout] says what the rods sit on",
-                            "leave it out, or use the general form: `show` prints it",
+                            "leave it out, or use the general form: `lanchester show` prints it",
                         );
                     }
                 }

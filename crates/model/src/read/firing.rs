@@ -81,6 +81,20 @@ impl<'a> Reader<'a> {
         Some(angles.into_iter().map(Some).collect())
     }
 
+    /// Whether the order names each cylinder of the layout once, where the layout itself is not known.
+    pub(super) fn check_order(&mut self, firing: Option<&'a Section>) {
+        let Some(Field::Given(order)) = firing.map(|firing| firing.wholes("order")) else { return };
+        let Some(layout) = self.root.table("layout").given() else { return };
+        let Some(cylinders) = layout.whole("cylinders").given() else { return };
+        let numbers: Vec<usize> =
+            order.value.iter().filter_map(|spot| usize::try_from(spot.value).ok()).collect();
+        if let (Ok(count), false) = (usize::try_from(cylinders), layout.has("rows"))
+            && let Err(problem) = firing::check_permutation(&numbers, count)
+        {
+            self.problem(problem);
+        }
+    }
+
     fn fired_in_order(
         &mut self,
         order: Spot<Vec<Spot<i64>>>,

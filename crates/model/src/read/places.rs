@@ -37,7 +37,6 @@ impl<'a> Reader<'a> {
         };
         for (index, draft) in drafts.cylinders.iter().enumerate() {
             let Some(draft) = draft else { continue };
-            let mut overlaps = None;
             for (before, other) in drafts.cylinders[..index].iter().enumerate() {
                 let Some(other) = other else { continue };
                 let (a, b) = (&draft.cylinder, &other.cylinder);
@@ -55,28 +54,32 @@ impl<'a> Reader<'a> {
                         .related(other.span.clone(), "the other")
                         .hint("give each its own z, angle or offset"),
                     );
-                } else if let (Some(bore), Some(bore_of_other), Some(span)) =
-                    (a.bore, b.bore, &draft.bore_span)
-                {
-                    let distance = (a.z - b.z).hypot(a.offset - b.offset);
-                    if distance < (bore + bore_of_other) / 2.0 && overlaps.is_none() {
-                        overlaps = Some((before + 1, distance, bore, span.clone()));
-                    }
+                } else {
+                    self.check_overlap(draft, other);
                 }
             }
-            if let Some((_, distance, bore, span)) = overlaps {
-                let [distance, bore] =
-                    [distance, bore].map(|value| quantity::readable(value, Dimension::Length));
-                self.mistakes.push(
-                    Mistake::warning(
-                        "W0502",
-                        span,
-                        format!("a bore of {bore} overlaps the next: the cylinders stand {distance} apart"),
-                    )
-                    .hint("check the bore and the distance between the cylinders"),
-                );
-            }
         }
+    }
+
+    /// Cylinders side by side must leave room for their bores.
+    fn check_overlap(&mut self, one: &DraftCylinder<'a>, other: &DraftCylinder<'a>) {
+        let bore_of = |draft: &DraftCylinder<'a>| Some((draft.cylinder.bore?, draft.bore_span.clone()?));
+        let (Some(one_bore), Some(other_bore)) = (bore_of(one), bore_of(other)) else { return };
+        let (a, b) = (&one.cylinder, &other.cylinder);
+        let distance = (a.z - b.z).hypot(a.offset - b.offset);
+        if distance >= (one_bore.0 + other_bore.0) / 2.0 {
+            return;
+        }
+        let (bore, span) = if one_bore.0 >= other_bore.0 { one_bore } else { other_bore };
+        let [distance, bore] = [distance, bore].map(|value| quantity::readable(value, Dimension::Length));
+        self.mistakes.push(
+            Mistake::warning(
+                "W0502",
+                span,
+                format!("a bore of {bore} overlaps the next: the cylinders stand {distance} apart"),
+            )
+            .hint("check the bore and the distance between the cylinders"),
+        );
     }
 
     /// Rods that say what they share the pin with, and what is there.
@@ -108,15 +111,14 @@ impl<'a> Reader<'a> {
             let Some((before, other)) = on_pin[..place].first() else { continue };
             if draft.own_pin || other.own_pin {
                 let (one, two) = (before + 1, index + 1);
-                let owner = if draft.own_pin { draft } else { other };
                 self.mistakes.push(
                     Mistake::error(
                         "E0505",
                         draft.span.clone(),
-                        format!("the rods of cylinders {one} and {two} sit on throw {number}, but one has the pin for itself"),
+                        format!("the rods of cylinders {one} and {two} both sit on the pin of throw {number}"),
                     )
-                    .related(owner.span.clone(), "has the pin for itself")
-                    .hint("write rod.type = \"side-by-side\", \"fork\", \"blade\" or \"articulated\", or give it a throw of its own"),
+                    .related(other.span.clone(), "the other")
+                    .hint("say how they share it: rod.type = \"side-by-side\", \"fork\", \"blade\" or \"articulated\""),
                 );
             }
         }
@@ -171,10 +173,9 @@ impl<'a> Reader<'a> {
                     let both_on_pin = [a.rod.joint, b.rod.joint]
                         .iter()
                         .all(|joint| !matches!(joint, RodJoint::Articulated { .. }));
-                    let pair = matches!(
-                        (a.rod.joint, b.rod.joint),
-                        (RodJoint::Fork, RodJoint::Blade) | (RodJoint::Blade, RodJoint::Fork)
-                    );
+                    let pair = [a.rod.joint, b.rod.joint]
+                        .iter()
+                        .all(|joint| matches!(joint, RodJoint::Fork | RodJoint::Blade));
                     a.throw == b.throw && both_on_pin && !pair && same_place(a.z, b.z)
                 })
             });

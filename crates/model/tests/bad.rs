@@ -1,0 +1,63 @@
+//! Every mistake that a file can make, as its author sees it.
+
+use lanchester_model::{Diagnostic, Severity, read, render};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn bad_files() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad");
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder)
+        .expect("no folder of bad files")
+        .map(|entry| entry.expect("no entry").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+        .collect();
+    paths.sort();
+    assert!(paths.len() > 40, "bad files are missing");
+    paths
+}
+
+#[test]
+fn snap_bad_files() {
+    for path in bad_files() {
+        let text = fs::read_to_string(&path).expect("cannot read the file");
+        let reading = read(&text);
+        let has_error = reading.diagnostics.iter().any(|d| d.severity == Severity::Error);
+        assert_eq!(reading.engine.is_none(), has_error);
+        let file_name = path.file_name().and_then(|name| name.to_str()).expect("a file has a name");
+        assert!(!reading.diagnostics.is_empty(), "nothing said about {file_name}");
+        let name = file_name.trim_end_matches(".toml");
+        insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false, snapshot_path => "bad" }, {
+            insta::assert_snapshot!(name, render(&reading.diagnostics, file_name, &text, false));
+        });
+    }
+}
+
+#[test]
+fn diagnostics_are_sorted_unique_and_in_the_house_style() {
+    for path in bad_files() {
+        let text = fs::read_to_string(&path).expect("cannot read the file");
+        let diagnostics = read(&text).diagnostics;
+        let shown = path.display();
+        for (place, diagnostic) in diagnostics.iter().enumerate() {
+            let Diagnostic { span, message, .. } = diagnostic;
+            assert!(text.get(span.clone()).is_some(), "{message} lies off the text of {shown}");
+            assert!(!diagnostics[..place].contains(diagnostic), "{message} twice in {shown}");
+            assert!(place == 0 || diagnostics[place - 1].span.start <= span.start, "{shown} is not sorted");
+            for text in [Some(message), diagnostic.hint.as_ref()].into_iter().flatten() {
+                assert!(!text.starts_with(char::is_uppercase) && !text.ends_with('.'), "{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_codes_are_stable_data() {
+    let text = "name = \"x\"\nspeed = \"79,5 rpm\"\n";
+    let reading = read(text);
+    let json = serde_json::to_value(&reading.diagnostics).expect("diagnostics serialise");
+    let comma = json.as_array().and_then(|all| all.iter().find(|d| d["code"] == "E0104")).expect("the comma");
+    assert_eq!(
+        (&comma["severity"], &comma["line"], &comma["column"]),
+        (&"error".into(), &2.into(), &9.into())
+    );
+}
