@@ -198,7 +198,7 @@ fn span(values: &[f64], factor: f64, unit: &str) -> String {
 fn span_digits(values: &[f64], factor: f64, unit: &str, digits: i32) -> String {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min) * factor;
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max) * factor;
-    let (low, high) = (number::short(low, digits), number::short(high, digits));
+    let (low, high) = (number::trimmed(low, digits), number::trimmed(high, digits));
     let range = if low == high { low } else { format!("{low} to {high}") };
     if unit.is_empty() { range } else { format!("{range} {unit}") }
 }

@@ -28,9 +28,11 @@ impl Panel {
     pub(crate) fn write_inline(&self, out: &mut String) {
         let (width, height) = (self.width, self.height);
         let label = escape(&self.description);
+        // A broad drawing shrinks most on a phone: its words are set larger there.
+        let broad = if width > 400.0 { " broad" } else { "" };
         let _ = write!(
             out,
-            "<svg class=\"figure\" viewBox=\"0 0 {width:.0} {height:.0}\" \
+            "<svg class=\"figure{broad}\" viewBox=\"0 0 {width:.0} {height:.0}\" \
              style=\"--natural:{width:.0}px\" role=\"img\" aria-label=\"{label}\">\n{}</svg>\n",
             self.body
         );

@@ -9,7 +9,7 @@ use lanchester_model::Engine;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-const WIDTH: f64 = 470.0;
+const WIDTH: f64 = 440.0;
 const MARGIN: f64 = 44.0;
 const TALLEST: f64 = 420.0;
 
@@ -34,7 +34,7 @@ pub fn front_view(engine: &Engine) -> Figure {
     );
     let view = View::new(engine.rotation, centre, scale);
 
-    let mut svg = Svg::new(WIDTH, height + 40.0);
+    let mut svg = Svg::new(WIDTH, height + 56.0);
     draw_axes_of(&mut svg, &view, &banks);
     draw_counterweights(&mut svg, &view, engine);
     draw_walls(&mut svg, &view, &banks);
@@ -43,7 +43,7 @@ pub fn front_view(engine: &Engine) -> Figure {
     draw_throw_numbers(&mut svg, &view, engine);
     draw_shafts(&mut svg, &view, engine, shaft_radius * scale);
     draw_mounts(&mut svg, &view, engine);
-    draw_frame(&mut svg, side, height + 6.0);
+    draw_frame(&mut svg, side, height + 22.0);
     let description = format!(
         "{} cylinders on {} throws, seen from the free end, at theta = 0.",
         engine.cylinders.len(),

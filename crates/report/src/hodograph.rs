@@ -227,7 +227,7 @@ impl Curve<'_> {
         let best = diagonals.into_iter().min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or((-1.0, 1.0));
         for (ring, at) in labels(best).collect::<Vec<_>>() {
             let label = number::fixed(ring, rings.decimals);
-            room.take(at, text_width(&label, 12.0));
+            room.take(at, text_width(&label, 13.0));
             svg.text("muted small halo", at, Anchor::Middle, &label);
         }
         let reach = rings.high * outer;
@@ -266,7 +266,7 @@ impl Curve<'_> {
         for (at, list) in labels {
             let text =
                 if list.len() > 4 { format!("{}, …", list[..3].join(", ")) } else { list.join(", ") };
-            let place = room.place(at, view.centre, text_width(&text, 12.0));
+            let place = room.place(at, view.centre, text_width(&text, 13.0));
             svg.text("small strong halo", place, Anchor::Middle, &text);
         }
     }

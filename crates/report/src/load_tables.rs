@@ -29,7 +29,6 @@ pub fn peaks_table(loads: &Loads) -> Table {
         Column::numbers("smallest", ""),
         Column::numbers("at θ", "deg"),
         Column::numbers("range", ""),
-        Column::words("unit"),
     ];
     let rows = rows
         .into_iter()
@@ -45,13 +44,12 @@ pub fn peaks_table(loads: &Loads) -> Table {
                 false => Cell::Number { value: theta.to_degrees(), decimals: 1 },
             };
             vec![
-                Cell::text(name),
+                Cell::text(format!("{name} [{unit}]")),
                 value(extremes.max.value),
                 angle(extremes.max.theta),
                 value(extremes.min.value),
                 angle(extremes.min.theta),
                 value(extremes.range()),
-                Cell::text(unit),
             ]
         })
         .collect();
@@ -83,7 +81,7 @@ impl TwoSided {
         // One number of decimals for the three columns, so that the eye can compare across.
         let largest = peaks.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
         let decimals = number::decimals(largest, 6);
-        let noise = self.noise.max(0.5 * 10f64.powi(-(decimals as i32)));
+        let noise = self.noise.max(half_digit(decimals));
         let sizes = |values: Vec<f64>| -> Vec<Cell> {
             let size =
                 |value: f64| Cell::Number { value: if value <= noise { 0.0 } else { value }, decimals };
@@ -108,6 +106,11 @@ impl TwoSided {
         )
         .without(&gone, remark)
     }
+}
+
+/// Half of the last digit in print.
+fn half_digit(decimals: usize) -> f64 {
+    0.5 * 0.1f64.powi(decimals as i32)
 }
 
 /// "Orders 0, 1, 3 vanish."
@@ -153,7 +156,13 @@ pub fn couple_orders_table(loads: &Loads) -> Table {
 pub fn roll_orders_table(loads: &Loads) -> Table {
     let magnitude = Magnitude::of(loads);
     let orders = &loads.total.orders;
-    let (roll, torque) = (magnitude.roll_noise(), magnitude.torque_noise());
+    // What would be printed as 0 has no phase to speak of.
+    let visible = |f: fn(&OrderLoads) -> Complex64, noise: f64| {
+        let largest = orders.iter().map(|o| f(o).norm()).filter(|v| v.is_finite()).fold(0.0, f64::max);
+        noise.max(half_digit(number::decimals(largest, 6)))
+    };
+    let roll = visible(|o| o.roll_moment, magnitude.roll_noise());
+    let torque = visible(|o| o.shaft_torque, magnitude.torque_noise());
     let gone: Vec<usize> = (0..orders.len())
         .filter(|k| orders[*k].roll_moment.norm() <= roll && orders[*k].shaft_torque.norm() <= torque)
         .collect();
@@ -204,7 +213,7 @@ fn extremes_of_sets(
 ) -> Table {
     let magnitude = Magnitude::of(loads);
     let column = |f: fn(&Peaks) -> Extremes, noise| {
-        column_cells(sets.iter().map(|s| f(&s.1.peaks).max_abs()), 5, noise)
+        column_cells(sets.iter().map(|s| f(&s.1.peaks).max_abs()), 4, noise)
     };
     Table::of_columns(
         id,

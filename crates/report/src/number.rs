@@ -3,13 +3,13 @@
 /// What stands where a number is missing or not finite.
 pub const MISSING: &str = "\u{2013}";
 
-/// Decimals with which numbers up to `largest` show `significant` digits, 0 to 6.
+/// Decimals with which numbers up to `largest` show `significant` digits: 0 to 6, from 10 up not more than 2.
 pub fn decimals(largest: f64, significant: i32) -> usize {
     if !largest.is_finite() || largest <= 0.0 {
         return 0;
     }
     let leading = largest.abs().log10().floor() as i32;
-    (significant - 1 - leading).clamp(0, 6) as usize
+    (significant - 1 - leading).clamp(0, if leading > 0 { 2 } else { 6 }) as usize
 }
 
 /// `value` with a fixed number of decimals, plain ASCII, thousands not grouped. What rounds to zero is "0".
@@ -38,6 +38,15 @@ pub fn terminal(value: f64, decimals: usize) -> String {
 /// `value` with about `significant` digits, for running text and labels.
 pub fn short(value: f64, significant: i32) -> String {
     fixed(value, decimals(value.abs(), significant))
+}
+
+/// As [`short`], without zeros at its end: "87.5", not "87.50".
+pub fn trimmed(value: f64, significant: i32) -> String {
+    let text = short(value, significant);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
 }
 
 /// Degrees from radians, folded to (-180, 180].
@@ -156,6 +165,8 @@ mod tests {
         assert_eq!(decimals(0.0, 3), 0);
         assert_eq!(decimals(f64::NAN, 3), 0);
         assert_eq!(short(0.020624, 4), "0.02062");
+        assert_eq!(decimals(52.4826, 6), 2);
+        assert_eq!((trimmed(87.5, 4), trimmed(120.0, 4)), ("87.5".to_owned(), "120".to_owned()));
     }
 
     #[test]

@@ -184,3 +184,6 @@ fn figures_html(figures: &[Figure]) -> String {
     }
     out
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,11 +6,11 @@ use crate::number::{self, Scale};
 use crate::svg::{Anchor, Path, Svg, text_width};
 
 /// Natural width of a plot [px].
-pub const WIDTH: f64 = 470.0;
+pub const WIDTH: f64 = 440.0;
 const HEIGHT: f64 = 290.0;
-const LEFT: f64 = 58.0;
+const LEFT: f64 = 60.0;
 const RIGHT: f64 = 14.0;
-const BOTTOM: f64 = 40.0;
+const BOTTOM: f64 = 44.0;
 const LEGEND_ROW: f64 = 19.0;
 
 /// One curve.
@@ -61,7 +61,7 @@ impl AnglePlot<'_> {
             svg.line("grid", (x, top), (x, bottom));
             svg.text("small", (x, bottom + 17.0), Anchor::Middle, &format!("{tick:.0}"));
         }
-        svg.text("muted small", ((LEFT + right) / 2.0, bottom + 34.0), Anchor::Middle, "crank angle θ [deg]");
+        svg.text("muted small", ((LEFT + right) / 2.0, bottom + 37.0), Anchor::Middle, "crank angle θ [deg]");
         for series in self.series.iter().rev() {
             let path = self.curve(series, |degrees, value| {
                 (angles.place(degrees, LEFT, right), axis.place(value / scale.divisor, bottom, top))
@@ -121,7 +121,7 @@ impl Legend {
         let mut entries = Vec::with_capacity(names.len());
         let (mut x, mut y) = (left, 32.0);
         for (name, style) in names {
-            let length = 34.0 + text_width(name, 12.5) + 14.0;
+            let length = 34.0 + text_width(name, 14.0) + 12.0;
             if x + length > width && x > left {
                 (x, y) = (left, y + LEGEND_ROW);
             }
@@ -239,7 +239,7 @@ impl BarPlot<'_> {
         for bar in order {
             let (x, y) = place(bar);
             let text = number::short(bar.value / scale.divisor, 3);
-            let half = 0.5 * text_width(&text, 11.5) + 3.0;
+            let half = 0.5 * text_width(&text, 13.0) + 2.0;
             let clash = |&(other, level, other_half): &(f64, f64, f64)| {
                 (other - x).abs() < half + other_half && (level - y).abs() < 14.0
             };

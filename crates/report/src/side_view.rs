@@ -9,7 +9,7 @@ use crate::svg::{Anchor, Path, Svg, text_width};
 use crate::view::Bounds;
 use lanchester_model::Engine;
 
-const WIDTH: f64 = 470.0;
+const WIDTH: f64 = 440.0;
 const MARGIN: f64 = 34.0;
 const TALLEST: f64 = 300.0;
 
@@ -61,6 +61,7 @@ pub fn side_view(engine: &Engine) -> Figure {
             space.take((weight.z, -shaft.x), 0.5 * radius);
         }
     }
+    let ends_of_crank = (space.low.0, space.high.0);
     for mount in &engine.mounts {
         space.take((mount.z, -mount.x), 0.1 * radius);
     }
@@ -80,7 +81,7 @@ pub fn side_view(engine: &Engine) -> Figure {
     let mut svg = Svg::new(WIDTH, base + 62.0);
     draw_cylinders(&mut svg, &side, &outlines);
     draw_weights(&mut svg, &side, engine, radius);
-    draw_crankshafts(&mut svg, &side, engine, (space.low.0, space.high.0));
+    draw_crankshafts(&mut svg, &side, engine, ends_of_crank);
     draw_shafts(&mut svg, &side, engine, radius);
     for mount in &engine.mounts {
         draw_mount(&mut svg, side.at(mount.z, mount.x));

@@ -150,7 +150,7 @@ impl Stars {
         );
         svg.circle("dot", CENTRE, 2.5);
 
-        let scale = Scale::of(sum.norm().max(longest), self.unit);
+        let scale = Scale::of(sum.norm(), self.unit);
         let (words, description) = if present.is_empty() {
             ("none".to_owned(), format!("{title} {sense}: no arrows."))
         } else if cancels {

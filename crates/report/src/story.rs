@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 
 const WIDTH: f64 = 262.0;
 const FRONT: (f64, f64, f64) = (78.0, 118.0, 172.0);
-const STRIP: f64 = 92.0;
+const STRIP: f64 = 98.0;
 const DIAL: ((f64, f64), f64) = ((202.0, 100.0), 46.0);
 
 /// Which part of the forces a story tells.
@@ -231,8 +231,13 @@ impl Scene<'_> {
         // The sum where it counts, at the reference, and the couple as its pair of forces at the ends.
         let pair = part(Complex64::new(0.0, -1.0) * couple / (high - low));
         for (x, value) in [(origin, part(force)), (8.0, -pair), (WIDTH - 8.0, pair)] {
-            if value.abs() > 0.02 * self.longest {
-                svg.arrow("arrow sum", (x, middle), (x, middle - (value * reach).clamp(-40.0, 40.0)), 12.0);
+            if value.abs() * reach > 5.0 {
+                svg.arrow(
+                    "arrow sum slim",
+                    (x, middle),
+                    (x, middle - (value * reach).clamp(-40.0, 40.0)),
+                    12.0,
+                );
             }
         }
         let mut taken: Vec<f64> = Vec::new();
