@@ -134,7 +134,7 @@ pub struct NewArguments {
 #[derive(Debug, Clone, Args)]
 pub struct RequestArguments {
     /// Speed of crankshaft 1, with its unit; default: the highest speed of the file.
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     pub speed: Option<String>,
     /// Point that couples and roll moment are about, `x, y, z` with units; default: the origin of the frame.
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]

@@ -24,7 +24,7 @@ pub struct Failure {
 impl Failure {
     /// The input is wrong: `message` says what was needed, `hint` what to do.
     pub fn input(message: impl fmt::Display, hint: impl fmt::Display) -> Failure {
-        Failure { status: WRONG_INPUT, message: format!("error: {message}\n hint: {hint}") }
+        Failure { status: WRONG_INPUT, message: format!("error: {message}\nhint: {hint}") }
     }
 
     /// The input is wrong and its diagnostics have been printed.
@@ -37,7 +37,7 @@ impl Failure {
         Failure {
             status: OWN_FAULT,
             message: format!(
-                "error: {message}\n hint: this is a fault of lanchester itself, please report it"
+                "error: {message}\nhint: this is a fault of lanchester itself, please report it"
             ),
         }
     }

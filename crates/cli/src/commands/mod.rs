@@ -8,8 +8,9 @@ pub mod schema;
 pub mod show;
 pub mod validate;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, WRONG_INPUT};
 use crate::files::{Source, read_source};
+use lanchester::mechanism::LoadError;
 use lanchester::model::{Diagnostic, Engine, read, render};
 use std::path::Path;
 
@@ -39,6 +40,13 @@ pub fn json(value: &impl serde::Serialize) -> Result<String, Failure> {
 }
 
 /// A calculation that cannot be done as asked.
-pub fn refused(error: lanchester::mechanism::LoadError) -> Failure {
-    Failure { status: crate::failure::WRONG_INPUT, message: format!("error: {error}") }
+pub fn refused(error: LoadError) -> Failure {
+    let message = match error {
+        // The numbers of a request come from options.
+        LoadError::Request { .. } => {
+            format!("error: {error}\nhint: `lanchester loads --help` tells what each option means")
+        }
+        _ => format!("error: {error}"),
+    };
+    Failure { status: WRONG_INPUT, message }
 }

@@ -1,0 +1,224 @@
+//! The program as its user meets it: output, messages, exit status, files.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder of its own for one test.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+fn lanchester(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lanchester")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// What stands on standard output of a run that must end with `status`.
+fn output(folder: &Path, status: i32, arguments: &[&str]) -> String {
+    let output = lanchester(folder, arguments);
+    let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}\n{out}\n{err}");
+    out
+}
+
+fn message(folder: &Path, status: i32, arguments: &[&str]) -> String {
+    let output = lanchester(folder, arguments);
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}");
+    assert!(output.stdout.is_empty(), "no data on a failure: {arguments:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+fn twin() -> String {
+    examples().join("twin-in-line-in-phase.toml").display().to_string()
+}
+
+#[test]
+fn every_template_is_valid_and_comes_back_as_it_was_listed() {
+    let folder = folder("templates");
+    let list = output(&folder, 0, &["new", "--list", "--format", "csv"]);
+    let names: Vec<&str> = list.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    assert!(names.len() >= 24, "{} layouts", names.len());
+    for name in names {
+        let file = format!("{name}.toml");
+        output(&folder, 0, &["new", name, "--output", &file]);
+        let said = output(&folder, 0, &["check", &file]);
+        assert!(said.starts_with(&format!("{file}: valid: ")), "{said}");
+    }
+}
+
+#[test]
+fn a_users_file_is_never_overwritten() {
+    let folder = folder("overwrite");
+    fs::write(folder.join("mine.toml"), "name = \"mine\"").unwrap();
+    let said = message(&folder, 2, &["new", "in-line-4", "--output", "mine.toml"]);
+    assert!(said.contains("not overwritten") && said.contains("hint:"), "{said}");
+    for target in ["mine.toml", "./mine.toml", "other.toml"] {
+        let said = message(&folder, 2, &["report", &twin(), "--output", target]);
+        assert!(said.contains("engine file"), "{said}");
+    }
+    fs::copy(twin(), folder.join("engine.txt")).unwrap();
+    let said = message(&folder, 2, &["show", "engine.txt", "--drawing", "engine.txt"]);
+    assert!(said.contains("not overwritten"), "{said}");
+    assert_eq!(fs::read_to_string(folder.join("mine.toml")).unwrap(), "name = \"mine\"");
+}
+
+#[test]
+fn all_mistakes_at_once_with_their_places() {
+    let folder = folder("mistakes");
+    let text = fs::read_to_string(twin()).unwrap();
+    let wrong = text
+        .replace("mass = \"0.7754 kg\"", "mass = \"0,7754 kg\"")
+        .replace("[rod]", "[rod]\nlenght = \"3 mm\"");
+    assert_ne!(wrong, text);
+    fs::write(folder.join("wrong.toml"), wrong).unwrap();
+    let output = lanchester(&folder, &["check", "wrong.toml"]);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    for expected in ["0,7754 kg", "0.7754 kg", "lenght", "length", "wrong.toml:"] {
+        assert!(said.contains(expected), "`{expected}` is missing in:\n{said}");
+    }
+    let said = output_json(&folder, 2, &["check", "wrong.toml", "--format", "json"]);
+    assert_eq!(said[0]["diagnostics"].as_array().unwrap().len(), 2, "{said}");
+    assert_eq!(message(&folder, 2, &["loads", "wrong.toml"]).matches("error").count(), 2);
+}
+
+fn output_json(folder: &Path, status: i32, arguments: &[&str]) -> serde_json::Value {
+    serde_json::from_str(&output(folder, status, arguments)).unwrap()
+}
+
+#[test]
+fn the_shown_general_form_has_the_same_loads() {
+    let folder = folder("show");
+    for name in ["twin-boxer-in-phase", "in-line-3", "v6-60"] {
+        let file = examples().join(format!("{name}.toml")).display().to_string();
+        fs::write(folder.join("general.toml"), output(&folder, 0, &["show", &file])).unwrap();
+        let short = output_json(&folder, 0, &["loads", &file, "--format", "json"]);
+        let general = output_json(&folder, 0, &["loads", "general.toml", "--format", "json"]);
+        assert_eq!(short["total"], general["total"], "{name}");
+    }
+    output(&folder, 0, &["show", &twin(), "--drawing", "drawn/twin.svg"]);
+    assert!(fs::read_to_string(folder.join("drawn/twin.svg")).unwrap().starts_with("<svg"));
+    assert!(output(&folder, 0, &["show", &twin(), "--format", "csv"]).lines().count() == 3);
+}
+
+#[test]
+fn loads_in_the_convention_of_the_twin_thesis() {
+    let folder = folder("loads");
+    // Louvigny 2008, Table 17 case 1: 21973 N; Table 40 the same.
+    let loads = output_json(
+        &folder,
+        0,
+        &["loads", &twin(), "--series", "power:4:5", "--grid", "360", "--format", "json"],
+    );
+    let force = loads["total"]["peaks"]["force"]["max"]["value"].as_f64().unwrap();
+    assert_eq!(force.round(), 21973.0);
+    let orders = output(&folder, 0, &["loads", &twin(), "--format", "csv", "--orders", "4"]);
+    assert_eq!(
+        orders.lines().filter(|line| line.starts_with("total,")).count(),
+        5,
+        "orders 0 to 4:\n{orders}"
+    );
+    let trace = output(&folder, 0, &["loads", &twin(), "--format", "csv", "--table", "trace"]);
+    assert_eq!(trace.lines().count(), 721);
+    // A couple about another point is the force times the distance.
+    let moved =
+        output_json(&folder, 0, &["loads", &twin(), "--about", "0 mm, 0 mm, -100 mm", "--format", "json"]);
+    let (force, couple) =
+        (&moved["total"]["peaks"]["force_x"]["max"], &moved["total"]["peaks"]["couple_y"]["max"]);
+    let lever = couple["value"].as_f64().unwrap() / force["value"].as_f64().unwrap();
+    assert!((lever - 0.1).abs() < 1e-9, "lever {lever}");
+}
+
+#[test]
+fn wrong_options_say_what_is_needed() {
+    let folder = folder("options");
+    for (arguments, expected) in [
+        (&["loads", "TWIN", "--speed", "4000"][..], "rpm"),
+        (&["loads", "TWIN", "--speed", "4 m"], "speed"),
+        (&["loads", "TWIN", "--speed", "-4 rpm"], "positive"),
+        (&["loads", "TWIN", "--about", "1 mm, 2 mm"], "three coordinates"),
+        (&["loads", "TWIN", "--series", "taylor"], "power:N:P"),
+        (&["loads", "TWIN", "--grid", "0"], "peak grid"),
+        (&["loads", "TWIN", "--orders", "0"], "highest order"),
+        (&["loads", "no-such-file.toml"], "lanchester new"),
+        (&["new", "inline4"], "in-line-4"),
+        (&["validate", "no such source"], "without a filter"),
+    ] {
+        let arguments: Vec<String> = arguments.iter().map(|word| word.replace("TWIN", &twin())).collect();
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let said = message(&folder, 2, &arguments);
+        assert!(said.contains(expected) && said.contains("hint:"), "`{expected}` is missing in:\n{said}");
+    }
+}
+
+#[test]
+fn standard_input_and_output() {
+    let folder = folder("pipes");
+    let run = |arguments: &[&str], text: &[u8]| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
+            .args(arguments)
+            .current_dir(&folder)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child.stdin.take().unwrap().write_all(text).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let text = fs::read_to_string(twin()).unwrap();
+    // Byte order mark and CRLF are what some editors write.
+    let windows = format!("\u{feff}{}", text.replace('\n', "\r\n"));
+    let plain = run(&["loads", "-", "--format", "csv"], text.as_bytes());
+    assert_eq!(plain.stdout, run(&["loads", "-", "--format", "csv"], windows.as_bytes()).stdout);
+    assert!(plain.status.success() && !plain.stdout.is_empty());
+    let page = run(&["report", "-", "--output", "-"], text.as_bytes());
+    assert!(page.stdout.starts_with(b"<!DOCTYPE html>") || page.stdout.starts_with(b"<!doctype html>"));
+    let binary = run(&["check", "-"], b"name = \"\xff\xfe\"");
+    assert_eq!(binary.status.code(), Some(2));
+    assert!(String::from_utf8(binary.stderr).unwrap().contains("UTF-8"));
+}
+
+#[test]
+fn report_writes_the_page_and_its_figures() {
+    let folder = folder("report");
+    assert_eq!(output(&folder, 0, &["report", &twin()]).trim(), "twin-in-line-in-phase.html");
+    let page = fs::read_to_string(folder.join("twin-in-line-in-phase.html")).unwrap();
+    assert!(page.contains("FNV-1a") && page.contains("4000 rpm"));
+    for outside in ["http://", "https://", "src=\"", "<script", "@import", "url("] {
+        let found = page.matches(outside).count()
+            - page.matches("http://www.w3.org/2000/svg").count() * usize::from(outside == "http://");
+        assert_eq!(found, 0, "`{outside}` would need a network");
+    }
+    let written =
+        output(&folder, 0, &["report", &twin(), "--output", "out/page.html", "--figures", "out/figures"]);
+    assert!(written.lines().count() > 5, "{written}");
+    for line in written.lines() {
+        assert!(folder.join(line).is_file(), "{line}");
+    }
+}
+
+#[test]
+fn validate_ends_with_0_and_speaks_every_format() {
+    let folder = folder("validate");
+    assert!(output(&folder, 0, &["validate"]).contains("every verdict is the expected one"));
+    let rows = output(&folder, 0, &["validate", "twin", "--format", "csv"]).lines().count();
+    assert!(rows > 500, "{rows} rows");
+    assert_eq!(
+        output_json(&folder, 0, &["validate", "flexible", "--format", "json"])["sources"]
+            .as_array()
+            .unwrap()
+            .len(),
+        1
+    );
+}
