@@ -32,6 +32,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod codes;
 mod diagnostic;
 mod document;
 mod engine;
@@ -46,6 +47,7 @@ mod read;
 mod schema;
 mod template;
 
+pub use codes::diagnostic_codes;
 pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use expanded::expanded;

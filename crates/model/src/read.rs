@@ -85,6 +85,7 @@ impl<'a> Reader<'a> {
             self.check_order(firing);
         }
         let drafts = drafts?;
+        self.check_counts(&drafts);
         self.check_places(&drafts, crankshafts.as_deref());
         self.check_linkages(&drafts);
         self.check_sizes(&drafts);
@@ -143,7 +144,7 @@ impl<'a> Reader<'a> {
         let speeds = self.required(self.root, "speed", field)?;
         match speeds.as_slice() {
             [one] => Some(SpeedRange { lowest: one.value, highest: one.value }),
-            [lowest, highest] if lowest.value < highest.value => {
+            [lowest, highest] if lowest.value <= highest.value => {
                 Some(SpeedRange { lowest: lowest.value, highest: highest.value })
             }
             [lowest, highest] => {
@@ -258,6 +259,17 @@ impl<'a> Reader<'a> {
         let (section, broken) = self.section(default);
         let sections: Vec<&Section> = own.iter().copied().flatten().chain(section).collect();
         Layers { sections, broken, default }
+    }
+
+    /// A short form must not expand to more than the general form may hold.
+    fn check_counts(&mut self, drafts: &Drafts<'a>) {
+        let most = match self.root.limit("cylinder") {
+            Some(most) if drafts.cylinders.len() > most => most,
+            _ => return,
+        };
+        let span = drafts.cylinders.iter().flatten().next().map_or(0..0, |draft| draft.span.clone());
+        let message = format!("the layout has {} cylinders, more than {most}", drafts.cylinders.len());
+        self.mistakes.push(Mistake::error("E0004", span, message));
     }
 
     fn check_period(

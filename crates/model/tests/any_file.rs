@@ -299,6 +299,23 @@ fn every_template_reads_back_to_the_last_bit() {
 }
 
 #[test]
+fn too_much_is_refused_by_name() {
+    let codes = |text: &str| read(text).diagnostics.iter().map(|d| d.code).collect::<Vec<_>>();
+    assert_eq!(codes(&"#".repeat(5 * 1024 * 1024)), ["E0003"]);
+    assert!(codes(&"[[cylinder]]\n".repeat(65)).contains(&"E0004"));
+    let list = format!("[layout]\npositions = [{}]\n", "\"1 mm\",".repeat(257));
+    assert!(codes(&list).contains(&"E0004"));
+    let radial = templates().iter().find(|template| template.name == "radial-9").expect("a radial nine").text;
+    let rows = "type = \"radial\"\nrows = 16\nrow_spacing = \"200 mm\"";
+    assert!(codes(&radial.replace("type = \"radial\"", rows)).contains(&"E0004"));
+    let keys: String = (0..300).fold(String::new(), |mut text, k| {
+        let _ = writeln!(text, "k{k} = {k}");
+        text
+    });
+    assert_eq!(codes(&keys).last(), Some(&"E0005"));
+}
+
+#[test]
 fn extremes_are_survived() {
     let deep = format!("a = {}1{}", "[".repeat(100_000), "]".repeat(100_000));
     let tables = format!("[a{}]\nb = 1\n", ".a".repeat(50_000));

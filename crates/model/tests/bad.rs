@@ -1,6 +1,7 @@
 //! Every mistake that a file can make, as its author sees it.
 
-use lanchester_model::{Diagnostic, Severity, read, render};
+use lanchester_model::{Diagnostic, Severity, diagnostic_codes, read, render};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -60,4 +61,23 @@ fn the_codes_are_stable_data() {
         (&comma["severity"], &comma["line"], &comma["column"]),
         (&"error".into(), &2.into(), &9.into())
     );
+}
+
+/// Codes that need more text than a file here should have; `any_file.rs` shows them.
+const LARGE: [&str; 3] = ["E0003", "E0004", "E0005"];
+
+#[test]
+fn every_code_is_listed_and_has_a_bad_file() {
+    let mut seen = BTreeSet::new();
+    for path in bad_files() {
+        let text = fs::read_to_string(&path).expect("cannot read the file");
+        for diagnostic in read(&text).diagnostics {
+            let is_error = diagnostic.severity == Severity::Error;
+            assert_eq!(diagnostic.code.starts_with('E'), is_error, "{}", diagnostic.code);
+            seen.insert(diagnostic.code);
+        }
+    }
+    seen.extend(LARGE);
+    let listed: BTreeSet<&str> = diagnostic_codes().iter().map(|(code, _)| *code).collect();
+    assert_eq!(seen, listed);
 }

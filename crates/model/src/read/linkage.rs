@@ -9,6 +9,9 @@ use std::f64::consts::TAU;
 /// Crank angles at which an articulated rod is checked.
 const GRID: usize = 1440;
 
+/// Share of the limit by which a rod must be longer: below it a linkage turns on paper, but not in doubles.
+const CLEARANCE: f64 = 1e-9;
+
 /// Share of its length by which an articulated rod must clear its limit on the grid: between two grid angles the
 /// reach grows by less than `(tau / GRID)^2 / 8` of it, about 2e-6.
 const MARGIN: f64 = 1e-5;
@@ -22,7 +25,7 @@ impl<'a> Reader<'a> {
             let Some(throw) = &drafts.throws[cylinder.throw] else { continue };
             let offset = cylinder.net_offset();
             let limit = throw.throw.radius + offset.abs();
-            if cylinder.rod.length > limit {
+            if cylinder.rod.length > limit * (1.0 + CLEARANCE) {
                 continue;
             }
             let [length, limit] =

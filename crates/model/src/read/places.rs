@@ -22,6 +22,7 @@ fn same_place(a: f64, b: f64) -> bool {
 
 impl<'a> Reader<'a> {
     pub(super) fn check_places(&mut self, drafts: &Drafts<'a>, crankshafts: Option<&[Crankshaft]>) {
+        self.check_throw_places(drafts);
         self.check_cylinder_places(drafts);
         for throw in 0..drafts.throws.len() {
             self.check_rods_on(drafts, throw);
@@ -29,6 +30,31 @@ impl<'a> Reader<'a> {
         self.check_rods_in_one_plane(drafts);
         self.check_knuckles(drafts);
         self.check_idle_parts(drafts, crankshafts);
+    }
+
+    /// One pin is one throw.
+    fn check_throw_places(&mut self, drafts: &Drafts<'a>) {
+        for (index, draft) in drafts.throws.iter().enumerate() {
+            let Some(draft) = draft else { continue };
+            let twin = drafts.throws[..index].iter().position(|other| {
+                other.as_ref().is_some_and(|other| {
+                    let (a, b) = (&draft.throw, &other.throw);
+                    a.crankshaft == b.crankshaft && same_place(a.z, b.z) && same_direction(a.angle, b.angle)
+                })
+            });
+            let Some(twin) = twin else { continue };
+            let (one, two) = (twin + 1, index + 1);
+            let other = drafts.throws[twin].as_ref().map_or(0..0, |throw| throw.span.clone());
+            self.mistakes.push(
+                Mistake::error(
+                    "E0501",
+                    draft.span.clone(),
+                    format!("throws {one} and {two} stand in one place"),
+                )
+                .related(other, "the other")
+                .hint("let their cylinders name one throw, or give each its own z or angle"),
+            );
+        }
     }
 
     fn check_cylinder_places(&mut self, drafts: &Drafts<'a>) {
@@ -190,7 +216,7 @@ impl<'a> Reader<'a> {
             self.mistakes
                 .push(Mistake::warning("W0505", draft.span.clone(), what).label("in one plane").hint(
                 if drafts.from_layout {
-                    "true for a fork and blade alone: give bank_stagger, or take it as a simplification"
+                    "only a fork and its blade run so: give the banks a stagger, or take it as a simplification"
                 } else {
                     "give the cylinders the distance of their rods along z, or take it as a simplification"
                 },

@@ -80,7 +80,7 @@ impl<'a> Reader<'a> {
         self.mistakes.push(
             Mistake::warning("W0801", span, format!("{what} of {shown} is hard to believe"))
                 .label("suspicious size")
-                .hint(format!("check the unit: is it meant in {unit}?")),
+                .hint(format!("check the number and its unit: is it meant in {unit}?")),
         );
     }
 }

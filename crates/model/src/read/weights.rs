@@ -150,6 +150,13 @@ impl<'a> Reader<'a> {
         let all_placed = single.len() == count;
         let mut weights = short?;
         weights.extend(single);
+        if let Some(most) = self.root.limit("counterweight")
+            && weights.len() > most
+        {
+            let message = format!("the file has {} counterweights, more than {most}", weights.len());
+            let span = self.root.key_span("counterweight");
+            self.mistakes.push(Mistake::error("E0004", span, message));
+        }
         all_placed.then_some(weights)
     }
 

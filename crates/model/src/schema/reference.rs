@@ -1,9 +1,10 @@
 //! The reference of the engine file for the book.
 
 use super::{Bound, FILE, Key, Kind, Need};
+use crate::codes::diagnostic_codes;
 use crate::quantity::{Dimension, one_of};
 
-/// Reference of the engine file as Markdown: every table, every key, every unit.
+/// Reference of the engine file as Markdown: every table, every key, every unit, every diagnostic.
 pub fn reference_markdown() -> String {
     let mut out = String::new();
     for table in FILE.all() {
@@ -26,6 +27,10 @@ pub fn reference_markdown() -> String {
     for dimension in Dimension::ALL {
         let units: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.name)).collect();
         out += &format!("| {} | {} |\n", dimension.name(), units.join(", "));
+    }
+    out += "\n## Diagnostics\n\n| code | says |\n|---|---|\n";
+    for (code, meaning) in diagnostic_codes() {
+        out += &format!("| {code} | {meaning} |\n");
     }
     out
 }

@@ -1,0 +1,60 @@
+//! The codes of the diagnostics.
+
+/// Every code that a [`Diagnostic`](crate::Diagnostic) may have, and what it says; `E` is an error, `W` a warning.
+///
+/// A code keeps its meaning for good; one that is no longer used is not given to anything else.
+pub fn diagnostic_codes() -> &'static [(&'static str, &'static str)] {
+    &CODES
+}
+
+static CODES: [(&str, &str); 49] = [
+    ("E0001", "the text is no TOML"),
+    ("E0002", "a key or table stands twice"),
+    ("E0003", "the file is too large"),
+    ("E0004", "too many entries"),
+    ("E0005", "more mistakes than are shown"),
+    ("E0101", "a quantity has no unit"),
+    ("E0102", "unknown unit"),
+    ("E0103", "unit of another quantity"),
+    ("E0104", "decimal comma"),
+    ("E0105", "malformed number"),
+    ("E0106", "not a finite number"),
+    ("E0107", "value of another kind"),
+    ("E0108", "value out of range"),
+    ("E0109", "unknown word"),
+    ("E0110", "speed ratio 0"),
+    ("E0201", "unknown key"),
+    ("E0202", "something is missing"),
+    ("E0203", "two sources for one quantity"),
+    ("E0204", "a key without effect"),
+    ("E0205", "a part that does not exist"),
+    ("E0206", "a list of the wrong length"),
+    ("E0207", "cylinder numbers"),
+    ("E0301", "speed range"),
+    ("E0302", "the period of all shafts is too long"),
+    ("E0303", "a rod too short for its crank"),
+    ("E0304", "an articulated rod too short"),
+    ("E0401", "end masses that do not add up to the rod"),
+    ("E0402", "centre of gravity outside the rod"),
+    ("E0403", "inertia of a rod of unknown balance"),
+    ("E0501", "two cylinders or throws in one place"),
+    ("E0503", "throw 1 away from 0 deg"),
+    ("E0504", "the first crankshaft away from the origin"),
+    ("E0505", "two rods on one pin"),
+    ("E0506", "fork without blade"),
+    ("E0507", "two crankshafts or mounts in one place"),
+    ("E0508", "a master rod that is none"),
+    ("E0509", "an articulated rod out of its master's plane"),
+    ("E0601", "a firing order that the crank cannot fire"),
+    ("E0602", "firing angles"),
+    ("E0603", "firing away from top dead centre"),
+    ("E0701", "a layout that cannot be"),
+    ("W0204", "something without effect"),
+    ("W0404", "a rod with much inertia"),
+    ("W0502", "bores that overlap"),
+    ("W0505", "rods side by side in one plane"),
+    ("W0506", "a rod side by side with none"),
+    ("W0508", "a throw or crankshaft without use"),
+    ("W0801", "a suspicious size"),
+    ("W0802", "a suspicious share"),
+];
