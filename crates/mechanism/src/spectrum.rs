@@ -23,6 +23,9 @@ use num_complex::Complex64;
 /// Most coefficients that the kernel's buffer holds; longer series take the scalar way.
 const LONGEST: usize = 64;
 
+/// Coefficients that the short buffers hold: of the factors `g`, `h`, and of the roots.
+const USUAL: [usize; 2] = [24, 12];
+
 /// Factors of the recurrences of `g` and `h` ([`crate::series`]) at step k, divided by `k + 1`.
 struct Recurrence {
     first: [f64; LONGEST],
@@ -62,8 +65,8 @@ struct Batch {
     offset: Lanes,
     /// `e^{i (phi_0 - pi/2)}`.
     phase: ComplexLanes,
-    force: ComplexLanes,
-    couple: ComplexLanes,
+    /// Each piston's factors of `Re a_n` and `Im a_n` in the eight sums of force and couple.
+    masses: Vec<[Lanes; 2]>,
     /// `2 R`.
     roll: Lanes,
     /// `-rate m W^2`, `-rate J W^2`, `J W^2`.
@@ -131,6 +134,15 @@ impl OrderPlan {
     }
 }
 
+/// Factors of `Re a` and `Im a` in `G a`, `G conj(a)`, `H a`, `H conj(a)`, real and imaginary parts in turn.
+fn both_senses(piston: &Piston) -> [Lanes; 2] {
+    let (g, h) = (piston.force, piston.couple);
+    [
+        Lanes([g.re, g.im, g.re, g.im, h.re, h.im, h.re, h.im]),
+        Lanes([-g.im, g.re, g.im, -g.re, -h.im, h.re, h.im, -h.re]),
+    ]
+}
+
 impl Batch {
     fn of(ratio: Ratio, group: &[Member<'_>], axis: &OrderAxis) -> Batch {
         let rate = ratio.value();
@@ -156,8 +168,7 @@ impl Batch {
             length: geometry(|s| s.length),
             offset: geometry(|s| s.offset),
             phase: complex(&|p| -Complex64::I * Complex64::cis(p.phase)),
-            force: complex(&|p| p.force),
-            couple: complex(&|p| p.couple),
+            masses: group.iter().map(|(piston, ..)| both_senses(piston)).collect(),
             roll: masses(&|p| 2.0 * p.roll),
             power: masses(&|p| -rate * p.mass),
             spin_power: masses(&|p| -rate * p.inertia),
@@ -173,9 +184,9 @@ impl Batch {
         difference: Lanes,
         product: Lanes,
         scale: Lanes,
-        out: &mut [Lanes; N],
-        highest: usize,
+        out: &mut [Lanes],
     ) {
+        let highest = out.len() - 1;
         let mut g = [Lanes::ZERO; N];
         g[0] = Lanes::all(1.0);
         g[1] = difference * Lanes::all(recurrence.first[0]);
@@ -195,7 +206,7 @@ impl Batch {
     }
 
     #[inline(always)]
-    fn add_to<const FMA: bool, const N: usize>(&self, orders: &mut [OrderLoads]) {
+    fn add_to<const FMA: bool, const N: usize, const M: usize>(&self, orders: &mut [OrderLoads]) {
         let highest = self.places.len() - 1;
         let (r, l, e) = (self.radius, self.length, self.offset);
         let root = |x: Lanes| x.map(f64::sqrt);
@@ -210,12 +221,12 @@ impl Batch {
         let scale = root(product) * Lanes::all(0.5);
         let between = rho[0] * rho[1];
 
-        let mut w = [Lanes::ZERO; N];
-        self.root::<FMA, N>(&ROOT, difference, between, scale, &mut w, highest + 1);
-        let mut v = [Lanes::ZERO; N];
+        let mut w = [Lanes::ZERO; M];
+        self.root::<FMA, N>(&ROOT, difference, between, scale, &mut w[..highest + 2]);
+        let mut v = [Lanes::ZERO; M];
         if self.has_inertia {
             let scale = Lanes::all(4.0) * scale * inverse;
-            self.root::<FMA, N>(&INVERSE_ROOT, difference, between, scale, &mut v, highest + 1);
+            self.root::<FMA, N>(&INVERSE_ROOT, difference, between, scale, &mut v[..highest + 2]);
         }
 
         let half = Lanes::all(0.5);
@@ -242,26 +253,25 @@ impl Batch {
             };
             let energy = energy.times::<FMA>(phase);
             let by_order = Lanes::all(order);
-            let torque = Complex64::new(-(energy.im * by_order).sum(), (energy.re * by_order).sum());
-            let mut roll_re = self.roll * re;
-            let mut roll_im = self.roll * im;
+            let (torque_re, torque_im) = (-(energy.im * by_order), energy.re * by_order);
+            let mut roll = [self.roll * re - torque_re, self.roll * im - torque_im];
             if self.has_inertia {
                 let spin = self.spin * by_order * r * (v[n - 1] - v[n + 1]);
-                roll_re = roll_re - spin * phase.re;
-                roll_im = roll_im - spin * phase.im;
+                roll = [spin.taken_from::<FMA>(phase.re, roll[0]), spin.taken_from::<FMA>(phase.im, roll[1])];
             }
-            let roll = Complex64::new(roll_re.sum(), roll_im.sum()) - torque;
-
-            let both = |mass: ComplexLanes| {
-                let (rr, ii) = ((mass.re * re).sum(), (mass.im * im).sum());
-                let (ri, ir) = ((mass.re * im).sum(), (mass.im * re).sum());
-                [Complex64::new(rr - ii, ri + ir), Complex64::new(rr + ii, ir - ri)]
-            };
+            // Through memory: else the compiler takes the lanes apart all the way up to the series.
+            let rows = std::hint::black_box([re, im, roll[0], roll[1], torque_re, torque_im]);
+            let mut senses = Lanes::ZERO;
+            for (i, [by_re, by_im]) in self.masses.iter().enumerate() {
+                let turned = by_im.times_plus::<FMA>(Lanes::all(rows[1].0[i]), senses);
+                senses = by_re.times_plus::<FMA>(Lanes::all(rows[0].0[i]), turned);
+            }
+            let pair = |at: usize| Complex64::new(senses.0[at], senses.0[at + 1]);
             let harmonic = Harmonic {
-                force: both(self.force),
-                couple: both(self.couple),
-                roll: 0.5 * roll,
-                torque: 0.5 * torque,
+                force: [pair(0), pair(2)],
+                couple: [pair(4), pair(6)],
+                roll: 0.5 * Complex64::new(rows[2].sum(), rows[3].sum()),
+                torque: 0.5 * Complex64::new(rows[4].sum(), rows[5].sum()),
             };
             harmonic.add_to(&mut orders[self.places[n]], self.ratio);
             phase = phase.times::<FMA>(self.phase);
@@ -279,11 +289,12 @@ impl Kernel for OrderKernel<'_> {
     #[inline(always)]
     fn run<const FMA: bool>(self) {
         for batch in &self.plan.batches {
-            // A short buffer is cheaper to clear, and long enough for usual rods to order 8.
-            if batch.terms + batch.places.len() < LONGEST / 2 {
-                batch.add_to::<FMA, { LONGEST / 2 }>(self.orders);
+            let highest = batch.places.len() - 1;
+            // Short buffers are cheaper to clear, and long enough for usual rods to order 8.
+            if batch.terms + highest + 2 <= USUAL[0] && highest + 2 <= USUAL[1] {
+                batch.add_to::<FMA, { USUAL[0] }, { USUAL[1] }>(self.orders);
             } else {
-                batch.add_to::<FMA, LONGEST>(self.orders);
+                batch.add_to::<FMA, LONGEST, LONGEST>(self.orders);
             }
         }
     }
