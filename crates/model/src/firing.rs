@@ -15,7 +15,8 @@ const MOST_LISTED: usize = 8;
 /// The angle in [0, period); an angle that misses the period by rounding is 0.
 pub(crate) fn turn(angle: f64, period: f64) -> f64 {
     let turned = angle.rem_euclid(period);
-    if period - turned < 1e-9 { 0.0 } else { turned }
+    // Adding 0 turns -0 into 0.
+    if period - turned < 1e-9 { 0.0 } else { turned + 0.0 }
 }
 
 /// Angle [rad] by which the crank stands past the cylinder axis at top dead centre, where crank and rod are in one

@@ -34,7 +34,7 @@ macro_rules! gallery {
     };
 }
 
-static TEMPLATES: [Template; 41] = gallery! {
+static TEMPLATES: [Template; 42] = gallery! {
     "single": "single, four-stroke, crank counterweight of 50 %",
     "single-two-shafts": "single with two first-order balance shafts",
     "twin-360": "parallel twin, pins in line, even firing",
@@ -66,6 +66,7 @@ static TEMPLATES: [Template; 41] = gallery! {
     "v8-crossplane": "V8, 90 degrees, crossplane",
     "v8-flat-plane": "V8, 90 degrees, flat-plane",
     "v10-72": "V10, 72 degrees",
+    "v10-90": "V10, 90 degrees, shared pins, firing at 90 and 54 degrees",
     "v12-60": "V12, 60 degrees",
     "v16-45": "V16, 45 degrees",
     "w12-broad-arrow": "W12, three banks 60 degrees apart",
