@@ -1,5 +1,8 @@
 use super::*;
 use crate::firing;
+use proptest::option::of;
+use proptest::prelude::*;
+use std::f64::consts::TAU;
 
 fn engine(kind: LayoutKind, cylinders: usize, order: &[usize]) -> LayoutSpec {
     let mut spec = LayoutSpec::new(kind, cylinders, Strokes::Four);
@@ -88,7 +91,7 @@ fn lit_boxer_cranks() {
 
 #[test]
 fn lit_v8_crossplane_and_flat_plane() {
-    // Ford's numbering and order of the 302: banks 1 to 4 and 5 to 8.
+    // Ford 302: 1 to 4 on the left seen from the front, 5 to 8 on the right.
     let crossplane = v(8, 90.0, &[1, 5, 4, 2, 6, 3, 7, 8]);
     assert_eq!(throws(&crossplane), [0.0, 90.0, 270.0, 180.0]);
     assert_eq!(intervals(&crossplane), [90.0; 8]);
@@ -110,12 +113,32 @@ fn lit_v6_split_pins() {
     let narrow = split(60.0, -60.0, &[1, 4, 2, 5, 3, 6]);
     assert_eq!(throws(&narrow), [0.0, 300.0, 120.0, 60.0, 240.0, 180.0]);
     assert_eq!(intervals(&narrow), [120.0; 6]);
+    // Sprinter V6 3.0 l diesel, service manual: 72-degree V, order 1-4-2-5-3-6, "throw angles alternate between 48 and
+    // 192 degrees" (counted against the rotation).
+    let diesel = split(72.0, -48.0, &[1, 4, 2, 5, 3, 6]);
+    assert_eq!(throws(&diesel), [0.0, 312.0, 120.0, 72.0, 240.0, 192.0]);
+    assert_eq!(intervals(&diesel), [120.0; 6]);
     // The same pins without the split fire at 90 and 150 degrees in turn.
     let odd = LayoutSpec {
         crank_angles: Some([0.0_f64, 240.0, 120.0].map(f64::to_radians).to_vec()),
         ..v(6, 90.0, &[1, 4, 3, 6, 2, 5])
     };
     assert_eq!(intervals(&odd), [90.0, 150.0, 90.0, 150.0, 90.0, 150.0]);
+}
+
+#[test]
+fn lit_buick_v6_numbers_the_other_bank_first() {
+    // Buick 3.8 l V6, service manual: 1-3-5 left, 2-4-6 right, order 1-6-5-4-3-2, pins offset by 30 degrees. Seen from
+    // the front the left bank is on the right, at +45 degrees: the banks are those of a W with two banks.
+    let bank = |angle: f64| Bank { angle: angle.to_radians(), offset: None };
+    let spec = LayoutSpec {
+        banks: Some(vec![bank(45.0), bank(-45.0)]),
+        pins: Some(Pins::Separate),
+        numbering: Some(Numbering::Alternating),
+        ..engine(LayoutKind::W, 6, &[1, 6, 5, 4, 3, 2])
+    };
+    assert_eq!(throws(&spec), [0.0, 30.0, 240.0, 270.0, 120.0, 150.0]);
+    assert_eq!(intervals(&spec), [120.0; 6]);
 }
 
 #[test]
@@ -151,23 +174,41 @@ fn lit_radial_nine() {
     }
 }
 
-#[test]
-fn two_row_radial_crank_follows_from_the_order() {
-    // Row 1 (1 to 7) fires every other cylinder; row 2 (8 to 14), half a cylinder further round and on the opposite
-    // throw, fires half-way between.
-    let order = [1, 12, 3, 14, 5, 9, 7, 11, 2, 13, 4, 8, 6, 10];
-    let spec = LayoutSpec {
+/// Two rows of `row` cylinders, half a pitch apart, numbered row by row, firing by the rule of the aircraft mechanic's
+/// handbooks: cylinders numbered round the circle (odd ones row 1, even ones row 2), add one number or take off the
+/// other.
+fn two_row_radial(row: usize, add: usize, take_off: usize) -> LayoutSpec {
+    let mut number: usize = 1;
+    let mut order = Vec::new();
+    for _ in 0..2 * row {
+        order.push(if number % 2 == 1 { number.div_ceil(2) } else { row + number / 2 });
+        number = if number + add <= 2 * row { number + add } else { number - take_off };
+    }
+    LayoutSpec {
         rows: Some(2),
         row_spacing: Some(0.15),
-        row_angles: Some(vec![0.0, 180.0_f64.to_radians() / 7.0]),
+        row_angles: Some(vec![0.0, TAU / 2.0 / row as f64]),
         knuckle_radius: Some(0.06),
         master: Some(2),
-        ..engine(LayoutKind::Radial, 7, &order)
-    };
-    assert_eq!(throws(&spec), [0.0, 180.0]);
-    assert!(intervals(&spec).iter().all(|interval| (interval - 720.0 / 14.0).abs() < 1e-3));
-    let arrangement = arranged(&spec);
-    let masters: Vec<usize> = arrangement
+        ..engine(LayoutKind::Radial, row, &order)
+    }
+}
+
+#[test]
+fn lit_two_row_radials_fire_by_the_mechanics_rule() {
+    // "Firing order", Aviation Maintenance Technician Handbook: 14 cylinders +9 or -5, 18 cylinders +11 or -7.
+    for (row, add, take_off) in [(7, 9, 5), (9, 11, 7)] {
+        let spec = two_row_radial(row, add, take_off);
+        assert_eq!(throws(&spec), [0.0, 180.0]);
+        let even = 360.0 / row as f64;
+        assert!(intervals(&spec).iter().all(|interval| (interval - even).abs() < 1e-3));
+    }
+    assert_eq!(two_row_radial(7, 9, 5).order.unwrap(), [1, 12, 3, 14, 5, 9, 7, 11, 2, 13, 4, 8, 6, 10]);
+}
+
+#[test]
+fn masters_of_a_two_row_radial() {
+    let masters: Vec<usize> = arranged(&two_row_radial(7, 9, 5))
         .cylinders
         .iter()
         .filter_map(|c| if let RodJoint::Articulated { master, .. } = c.joint { Some(master) } else { None })
@@ -327,4 +368,123 @@ fn problems_name_what_was_needed() {
         one(engine(LayoutKind::InLine, 1_000_000_000, &[])),
         "layout.cylinders: needs 1 to 240 cylinders in all, got 1000000000"
     );
+}
+
+fn any_kind() -> impl Strategy<Value = LayoutKind> {
+    use LayoutKind::{Boxer, Flat, InLine, Radial, V, Vr, W};
+    prop_oneof![Just(InLine), Just(V), Just(Boxer), Just(Flat), Just(Vr), Just(W), Just(Radial)]
+}
+
+/// Any spec, most of them with problems: keys that do not belong, lists of wrong length, negative distances.
+fn any_spec() -> impl Strategy<Value = LayoutSpec> {
+    let length = || of(-0.05..0.3_f64);
+    let angle = || of(-7.0..7.0_f64);
+    let angles = || of(proptest::collection::vec(-7.0..7.0_f64, 0..7));
+    let pins = of(prop_oneof![Just(Pins::Shared), Just(Pins::Split), Just(Pins::Separate)]);
+    let rods = of(prop_oneof![Just(Rods::SideBySide), Just(Rods::ForkAndBlade), Just(Rods::Articulated)]);
+    let bank = (angle(), length()).prop_map(|(angle, offset)| Bank { angle: angle.unwrap_or(0.0), offset });
+    let order = of((1..9_usize).prop_flat_map(|count| Just((1..=count).collect::<Vec<_>>()).prop_shuffle()));
+    let first = (
+        any_kind(),
+        0..9_usize,
+        order,
+        length(),
+        of(proptest::collection::vec(-0.3..0.3_f64, 0..5)),
+        angles(),
+    );
+    let second = (angle(), length(), angle(), pins, angle(), rods, length());
+    let third =
+        (of(proptest::collection::vec(bank, 0..4)), of(0..4_usize), length(), angles(), of(0..9_usize));
+    let fourth = (length(), angles(), length(), angle(), any::<bool>());
+    (first, second, third, fourth).prop_map(|(first, second, third, fourth)| {
+        let (kind, cylinders, order, spacing, positions, crank_angles) = first;
+        let (crank_phase, bank_stagger, bank_angle, pins, split_angle, rods, bank_offset) = second;
+        let (banks, rows, row_spacing, row_angles, master) = third;
+        let (knuckle_radius, knuckle_angles, rod_knuckle_radius, rod_knuckle_angle, alternating) = fourth;
+        LayoutSpec {
+            order,
+            spacing,
+            positions,
+            crank_angles,
+            crank_phase,
+            bank_stagger,
+            bank_angle,
+            pins,
+            split_angle,
+            rods,
+            bank_offset,
+            banks,
+            rows,
+            row_spacing,
+            row_angles,
+            master,
+            knuckle_radius,
+            knuckle_angles,
+            rod_knuckle_radius,
+            rod_knuckle_angle,
+            numbering: alternating.then_some(Numbering::Alternating),
+            ..LayoutSpec::new(kind, cylinders, Strokes::Four)
+        }
+    })
+}
+
+/// Takes keys out of a spec until nothing is reported about them any more.
+fn without_idle_keys(mut spec: LayoutSpec) -> LayoutSpec {
+    for problem in arrange(&spec).err().unwrap_or_default() {
+        match problem.key {
+            "layout.spacing" => spec.spacing = spec.positions.is_none().then_some(0.1),
+            "layout.positions" => spec.positions = None,
+            "layout.crank_angles" => spec.crank_angles = None,
+            "layout.crank_phase" => spec.crank_phase = None,
+            "layout.numbering" => spec.numbering = None,
+            "layout.bank_stagger" => spec.bank_stagger = None,
+            "layout.bank_angle" => spec.bank_angle = (spec.kind == LayoutKind::V).then_some(1.0),
+            "layout.pins" => spec.pins = None,
+            "layout.split_angle" => spec.split_angle = (spec.pins == Some(Pins::Split)).then_some(1.0),
+            "layout.rods" => spec.rods = None,
+            "layout.bank_offset" => spec.bank_offset = None,
+            "layout.banks" => spec.banks = None,
+            "layout.rows" => spec.rows = None,
+            "layout.row_spacing" => spec.row_spacing = spec.rows.is_some().then_some(0.1),
+            "layout.row_angles" => spec.row_angles = None,
+            "layout.master" => spec.master = None,
+            "layout.knuckle_radius" => spec.knuckle_radius = None,
+            "layout.knuckle_angles" => spec.knuckle_angles = None,
+            "articulated_rod.knuckle_radius" => spec.rod_knuckle_radius = None,
+            "articulated_rod.knuckle_angle" => spec.rod_knuckle_angle = None,
+            _ => {}
+        }
+    }
+    spec
+}
+
+proptest! {
+    #[test]
+    fn prop_an_arrangement_holds_together(spec in any_spec().prop_map(without_idle_keys)) {
+        let Ok(arrangement) = arrange(&spec) else { return Ok(()) };
+        let rows = if spec.kind == LayoutKind::Radial { spec.rows.unwrap_or(1) } else { 1 };
+        prop_assert_eq!(arrangement.cylinders.len(), spec.cylinders * rows);
+        prop_assert_eq!(arrangement.throws[0].angle, 0.0);
+        prop_assert!(arrangement.throws.iter().all(|throw| (0.0..TAU).contains(&throw.angle)));
+        for throw in 0..arrangement.throws.len() {
+            prop_assert!(arrangement.cylinders.iter().any(|cylinder| cylinder.throw == throw));
+        }
+        for cylinder in &arrangement.cylinders {
+            prop_assert!(cylinder.throw < arrangement.throws.len());
+            if let RodJoint::Articulated { master, knuckle_radius, .. } = cylinder.joint {
+                let master = &arrangement.cylinders[master];
+                prop_assert_eq!(master.joint, RodJoint::Crankpin);
+                prop_assert_eq!(master.throw, cylinder.throw);
+                prop_assert!(knuckle_radius > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn prop_any_spec_ends_in_an_arrangement_or_in_problems(spec in any_spec()) {
+        if let Err(problems) = arrange(&spec) {
+            prop_assert!(!problems.is_empty());
+            prop_assert!(problems.iter().all(|problem| problem.key.contains('.') && !problem.message.is_empty()));
+        }
+    }
 }
