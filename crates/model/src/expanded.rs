@@ -4,6 +4,7 @@ use crate::engine::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Stro
 use crate::firing::turn;
 use crate::quantity::{Dimension, exact_text, neighbours, text_that};
 use crate::ratio::Ratio;
+use crate::read::fired_after;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -88,7 +89,7 @@ impl File {
                 let after = if fired == start { 0.0 } else { turn(fired - start, cycle) };
                 format!(
                     "\"{}\"",
-                    text_that(after, Dimension::Angle, |angle| turn(start + angle, cycle) == fired)
+                    text_that(after, Dimension::Angle, |after| fired_after(start, after, cycle) == fired)
                 )
             })
             .collect();

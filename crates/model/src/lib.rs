@@ -32,6 +32,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod angle;
 mod codes;
 mod diagnostic;
 mod document;

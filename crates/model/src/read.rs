@@ -18,6 +18,7 @@ use crate::document::{self, Field, Section, Span};
 use crate::engine::{Crankshaft, Engine, Rotation, SpeedRange, Strokes};
 use crate::quantity::{self, Dimension};
 use cylinder::DraftCylinder;
+pub(crate) use firing::fired_after;
 use layers::Layers;
 
 /// What reading an engine file gives.

@@ -306,8 +306,12 @@ fn too_much_is_refused_by_name() {
     let list = format!("[layout]\npositions = [{}]\n", "\"1 mm\",".repeat(257));
     assert!(codes(&list).contains(&"E0004"));
     let radial = templates().iter().find(|template| template.name == "radial-9").expect("a radial nine").text;
-    let rows = "type = \"radial\"\nrows = 16\nrow_spacing = \"200 mm\"";
-    assert!(codes(&radial.replace("type = \"radial\"", rows)).contains(&"E0004"));
+    let rows = format!(
+        "type = \"radial\"\nrows = 8\nrow_spacing = \"200 mm\"\ncrank_angles = [{}]",
+        (0..8).map(|row| format!("\"{} deg\"", 45 * row)).collect::<Vec<_>>().join(", ")
+    );
+    let many = radial.replace("type = \"radial\"", &rows).replace("order = [1, 3, 5, 7, 9, 2, 4, 6, 8]", "");
+    assert!(codes(&many).contains(&"E0004"), "{:?}", codes(&many));
     let keys: String = (0..300).fold(String::new(), |mut text, k| {
         let _ = writeln!(text, "k{k} = {k}");
         text

@@ -2,6 +2,7 @@
 
 use super::rod::DraftRod;
 use super::{Drafts, Reader};
+use crate::angle;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::{Crankshaft, Cylinder, RodJoint, Strokes, Throw};
@@ -263,7 +264,7 @@ impl<'a> Reader<'a> {
                 let masses = masses.as_ref()?;
                 let throw = Throw {
                     crankshaft: 0,
-                    angle: place.angle,
+                    angle: angle::direction(place.angle),
                     z: place.z,
                     radius: masses.radius,
                     unbalance: masses.unbalance,
@@ -320,7 +321,12 @@ impl<'a> Reader<'a> {
     /// Place of a cylinder of a layout with what its own table says.
     fn overridden_place(&mut self, place: &CylinderPlace, section: Option<&'a Section>) -> Option<Place> {
         let mut z = place.z;
-        let mut joint = place.joint;
+        let mut joint = match place.joint {
+            RodJoint::Articulated { master, knuckle_radius, knuckle_angle } => {
+                RodJoint::Articulated { master, knuckle_radius, knuckle_angle: angle::snapped(knuckle_angle) }
+            }
+            joint => joint,
+        };
         let mut is_good = true;
         if let Some(section) = section {
             for key in ["throw", "angle"] {
@@ -367,7 +373,7 @@ impl<'a> Reader<'a> {
         }
         is_good.then_some(Place {
             throw: place.throw,
-            angle: place.angle,
+            angle: angle::snapped(place.angle),
             z,
             offset: place.offset,
             joint,

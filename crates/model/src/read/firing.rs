@@ -1,6 +1,7 @@
 //! When the cylinders fire.
 
 use super::{Drafts, Reader};
+use crate::angle;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Spot};
 use crate::engine::{Crankshaft, RodJoint, Strokes};
@@ -18,6 +19,11 @@ pub(super) struct Top {
     theta: f64,
     /// From one to the next [rad].
     period: f64,
+}
+
+/// `theta` in the cycle at which a cylinder fires that fires `after` cylinder 1, which fires at `start` [rad].
+pub(crate) fn fired_after(start: f64, after: f64, cycle: f64) -> f64 {
+    angle::snapped(firing::turn(start + after, cycle))
 }
 
 impl<'a> Reader<'a> {
@@ -58,7 +64,7 @@ impl<'a> Reader<'a> {
                     _ => (cylinder.net_offset(), Some(throw.radius + cylinder.rod.length)),
                 };
                 let pin = crankshaft.phase + throw.angle;
-                let theta = firing::nominal_top(ratio, pin, cylinder.angle, offset, reach);
+                let theta = angle::snapped(firing::nominal_top(ratio, pin, cylinder.angle, offset, reach));
                 Some(Top { theta, period: TAU / ratio.abs() })
             })
             .collect()
@@ -127,7 +133,7 @@ impl<'a> Reader<'a> {
         numbers.rotate_left(first);
         let tops: Vec<f64> = tops.iter().map(|top| top.theta).collect();
         match firing::assign(strokes, &tops, &numbers) {
-            Ok(angles) => Some(angles),
+            Ok(angles) => Some(angles.into_iter().map(angle::snapped).collect()),
             Err(problem) => {
                 self.problem(problem);
                 None
@@ -186,7 +192,7 @@ impl<'a> Reader<'a> {
         let start = tops.first()?.theta;
         let mut fired = Vec::new();
         for (index, (angle, top)) in angles.value.iter().zip(&tops).enumerate() {
-            let theta = firing::turn(start + angle.value, cycle);
+            let theta = fired_after(start, angle.value, cycle);
             let off = (theta - top.theta + top.period / 2.0).rem_euclid(top.period) - top.period / 2.0;
             if off.abs() > FARTHEST_FROM_TOP {
                 let number = index + 1;

@@ -2,6 +2,7 @@
 
 use super::Reader;
 use super::cylinder::DraftCylinder;
+use crate::angle;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::{Counterweight, Throw};
@@ -170,12 +171,12 @@ impl<'a> Reader<'a> {
         let (crankshaft, z, angle, name) = match draft.place {
             WeightPlace::Throw(index) => {
                 let throw = &throws[index];
-                let angle = throw.angle + draft.angle.unwrap_or(PI);
+                let angle = angle::direction(throw.angle + draft.angle.unwrap_or(PI));
                 (throw.crankshaft, throw.z, angle, format!("throw {}", index + 1))
             }
             WeightPlace::Web(index, web) => {
                 let throw = &throws[index];
-                let angle = throw.angle + draft.angle.unwrap_or(PI);
+                let angle = angle::direction(throw.angle + draft.angle.unwrap_or(PI));
                 let Some(webs) = throw.webs else {
                     self.web_distance_missing(draft.span, index);
                     return None;
@@ -229,8 +230,11 @@ impl<'a> Reader<'a> {
             let wanted = rotating * (throw.unbalance + big_ends * throw.radius)
                 + reciprocating * reciprocating_mass * throw.radius;
             // A crank whose own unbalance lies opposite the throw may need weight along it.
-            let (unbalance, angle) =
-                if wanted < 0.0 { (-wanted, throw.angle) } else { (wanted, throw.angle + PI) };
+            let (unbalance, angle) = if wanted < 0.0 {
+                (-wanted, throw.angle)
+            } else {
+                (wanted, angle::direction(throw.angle + PI))
+            };
             let crankshaft = throw.crankshaft;
             match throw.webs {
                 Some(webs) if at == "webs" => weights.extend(webs.iter().enumerate().map(|(web, &z)| {
