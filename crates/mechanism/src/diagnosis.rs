@@ -4,7 +4,7 @@
 //! couples against that force at the length of the crank, roll moments against it at the crank radius.
 
 use crate::result::{CylinderLoads, Diagnosis, Finding, LoadSet, OrderLoads, Quantity, Remedy, Sense};
-use crate::wording::{amount, layout, ordinal, rpm, shaft_speed};
+use crate::wording::{adjective, amount, layout, ordinal, rpm, shaft_speed};
 use lanchester_model::Engine;
 
 /// Share of the scale below which a load is not worth a word.
@@ -132,7 +132,7 @@ fn sentence(
 ) -> String {
     let size = amount(amplitude, quantity);
     let noun = noun(quantity);
-    let at = format!("{size} of {} {noun} at {}", ordinal(order), rpm(speed));
+    let at = format!("{size} of {} {noun} at {}", adjective(order), rpm(speed));
     let planes = if quantity == Quantity::Couple { " in two planes" } else { "" };
     match remedy {
         Remedy::CrankWeights => {
@@ -177,10 +177,10 @@ impl Pair {
 
     /// What there is and what removes it.
     fn clause(&self, engine: &Engine) -> String {
-        let noun = noun(self.quantity);
         let kind = if self.quantity == Quantity::Couple { " couple" } else { "" };
-        let head = format!("{} of {}{kind}", amount(self.size(), self.quantity), ordinal(self.order));
-        let planes = if self.quantity == Quantity::Couple { ", weighted in two planes," } else { "" };
+        let order = if kind.is_empty() { ordinal(self.order) } else { adjective(self.order) };
+        let head = format!("{} of {order}{kind}", amount(self.size(), self.quantity));
+        let planes = if self.quantity == Quantity::Couple { ", in two planes," } else { "" };
         let by = |sense| match remedy(engine, self.quantity, self.order, sense) {
             Remedy::CrankWeights => crank_weights(engine, self.order, sense),
             _ => format!("a shaft {} turning {}", shaft_speed(self.order), turning(sense)),
@@ -200,14 +200,12 @@ impl Pair {
             format!("{head}, half turning with the crank, half against")
         } else {
             let (with, against) = (amount(self.forward, self.quantity), amount(self.backward, self.quantity));
-            format!("{head} {noun}, {with} turning with the crank, {against} against")
-                .replace("couple couple", "couple")
+            format!("{head}, {with} turning with the crank, {against} against")
         };
         let (with, against) = (by(Sense::Forward), by(Sense::Backward));
         if with.starts_with("a shaft") && against.starts_with("a shaft") {
-            let speed = shaft_speed(self.order);
-            format!("{halves}: two shafts {speed}, one each way,{} remove it", planes.trim_start_matches(','))
-                .replace(",  ", ", ")
+            let planes = planes.trim_end_matches(',');
+            format!("{halves}: two shafts {}, one each way{planes}, remove it", shaft_speed(self.order))
         } else {
             format!("{halves}: {with} and {against}{planes} together remove it")
         }
@@ -249,22 +247,22 @@ fn summary(engine: &Engine, speed: f64, findings: &[Finding], scales: &Scales) -
 
 /// Which forces and couples of first and second order vanish.
 fn balanced(engine: &Engine, left: &[&Pair]) -> String {
-    let orders = |quantity: Quantity| -> Vec<String> {
+    let orders = |quantity: Quantity| -> Vec<&'static str> {
         [1.0, 2.0]
             .into_iter()
             .filter(|&order| !left.iter().any(|p| p.quantity == quantity && p.order == order))
-            .map(ordinal)
+            .map(|order| if order == 1.0 { "first" } else { "second" })
             .collect()
     };
     let forces = orders(Quantity::Force);
     let couples = if crank_length(engine).is_some() { orders(Quantity::Couple) } else { Vec::new() };
-    let list = |noun: &str, orders: &[String]| match orders {
+    let list = |noun: &str, orders: &[&str]| match orders {
         [] => None,
-        [one] => Some(format!("the {one} {noun}")),
-        more => Some(format!("{noun}s of {}", more.join(" and "))),
+        [one] => Some(format!("the {one}-order {noun}")),
+        more => Some(format!("{noun}s of {} order", more.join(" and "))),
     };
     let parts: Vec<String> = if forces == couples && !forces.is_empty() {
-        vec![format!("forces and couples of {}", forces.join(" and "))]
+        vec![format!("forces and couples of {} order", forces.join(" and "))]
     } else {
         [list("force", &forces), list("couple", &couples)].into_iter().flatten().collect()
     };

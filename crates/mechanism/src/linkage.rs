@@ -76,13 +76,17 @@ pub(crate) struct Slider {
 impl Slider {
     /// Refuses a rod that cannot pass its dead centres; `cylinder` counts from 1.
     pub fn check(&self, cylinder: usize) -> Result<(), LoadError> {
-        let needed = self.radius + self.offset.abs();
-        let turns = self.radius > 0.0 && needed.is_finite() && self.length.is_finite();
+        let Slider { radius, length, offset } = *self;
+        for got in [radius, length] {
+            if !LENGTHS.contains(&got) {
+                return Err(LoadError::Length { cylinder, got });
+            }
+        }
         // The root must be positive as it is computed, not only on paper.
-        if turns && (self.length - self.offset.abs()) - self.radius > 0.0 {
+        if (length - offset.abs()) - radius > LOCKED * length {
             Ok(())
         } else {
-            Err(LoadError::RodTooShort { cylinder, needed, length: self.length })
+            Err(LoadError::RodTooShort { cylinder, needed: radius + offset.abs(), length })
         }
     }
 
@@ -103,6 +107,12 @@ impl Slider {
         std::f64::consts::PI + (self.offset / (self.length - self.radius)).asin()
     }
 }
+
+/// Lengths [m] that are computed with: beyond them products of a few lengths leave the range of numbers.
+const LENGTHS: std::ops::RangeInclusive<f64> = 1e-9..=1e6;
+
+/// Closer to locking than this share of its length a rod counts as locked: its root is rounding.
+const LOCKED: f64 = 1e-12;
 
 /// Angles at which the reach of an articulated rod is scanned before its extreme is refined.
 const CHECK_ANGLES: usize = 720;
@@ -166,9 +176,12 @@ impl Articulated {
 impl Articulated {
     /// Refuses a rod that loses its knuckle pin; `cylinder` counts from 1.
     pub fn check(&self, cylinder: usize) -> Result<(), LoadError> {
+        if !LENGTHS.contains(&self.length) {
+            return Err(LoadError::Length { cylinder, got: self.length });
+        }
         let sine = self.largest_sine();
-        // The root must be positive as it is computed at every angle, not only on paper.
-        if sine < 1.0 - 1e-12 && self.length.is_finite() {
+        // Not a number is no reach either.
+        if sine < 1.0 - LOCKED {
             Ok(())
         } else {
             Err(LoadError::KnuckleOutOfReach { cylinder, needed: sine * self.length, length: self.length })

@@ -19,6 +19,9 @@ use lanchester_model::{Engine, Ratio};
 use num_complex::Complex64;
 use std::collections::BTreeSet;
 
+/// Highest harmonic of a slow crankshaft that is listed.
+const MAX_HARMONIC: usize = 1000;
+
 /// The orders of an engine: all whole ones, and the fractions that its geared crankshafts and shafts bring.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct OrderAxis {
@@ -58,7 +61,7 @@ impl OrderAxis {
     /// Highest harmonic of a shaft that is listed.
     pub fn highest(&self, ratio: Ratio) -> usize {
         let limit = u64::from(self.max_order) * u64::from(self.revolutions);
-        (limit / self.key(ratio, 1)) as usize
+        ((limit / self.key(ratio, 1)) as usize).min(MAX_HARMONIC)
     }
 
     /// Place of harmonic `n` of a shaft in the list.

@@ -87,6 +87,16 @@ pub enum LoadError {
         /// What was asked for.
         got: f64,
     },
+    /// A crank radius or rod length beyond what is computed with.
+    #[error(
+        "crank radius and rod length of cylinder {cylinder} must lie between 1e-9 m and 1e6 m, got {got} m"
+    )]
+    Length {
+        /// Cylinder number, from 1.
+        cylinder: usize,
+        /// The length [m].
+        got: f64,
+    },
     /// A plain rod cannot pass its dead centres.
     #[error(
         "rod of cylinder {cylinder} must be longer than crank radius plus offset {needed} m, got {length} m\nhint: \
@@ -151,6 +161,9 @@ pub enum LoadError {
     },
 }
 
+/// Most angles in one period.
+pub(crate) const MAX_ANGLES: usize = 1 << 20;
+
 /// Longest common period of all shafts [revolutions of crankshaft 1].
 pub(crate) const MAX_REVOLUTIONS: u32 = 120;
 
@@ -164,8 +177,8 @@ impl LoadRequest {
     pub(crate) fn check(&self, engine: &Engine) -> Result<(), LoadError> {
         let refuse = |quantity, needed, got| Err(LoadError::Request { quantity, needed, got });
         let speed = self.speed_of(engine);
-        if !(speed.is_finite() && speed > 0.0) {
-            return refuse("speed [rad/s]", "positive and finite", speed);
+        if !(speed > 0.0 && speed <= 1e60) {
+            return refuse("speed [rad/s]", "positive and at most 1e60", speed);
         }
         if let Some(&bad) = self.reference.iter().find(|p| !p.is_finite()) {
             return refuse("reference point [m]", "finite", bad);
@@ -181,6 +194,25 @@ impl LoadRequest {
         {
             return refuse("angles of the peak grid", "from 1 to 100000", count as f64);
         }
+        self.check_kinematics()
+    }
+
+    /// Refuses more angles in a period than are computed with.
+    pub(crate) fn check_angles(&self, revolutions: u32) -> Result<(), LoadError> {
+        let peaks = match self.peaks {
+            PeakMode::Continuous => 0,
+            PeakMode::Grid(count) => count,
+        };
+        let angles = self.samples.max(peaks) * revolutions as usize;
+        if angles > MAX_ANGLES {
+            let got = angles as f64;
+            return Err(LoadError::Request { quantity: "angles in one period", needed: "at most 2^20", got });
+        }
+        Ok(())
+    }
+
+    fn check_kinematics(&self) -> Result<(), LoadError> {
+        let refuse = |quantity, needed, got| Err(LoadError::Request { quantity, needed, got });
         let cap = match self.kinematics {
             Kinematics::Exact => return Ok(()),
             Kinematics::Orders(cap) => cap,

@@ -143,6 +143,7 @@ impl Mechanism {
         request.check(engine)?;
         let speed = request.speed_of(engine);
         let revolutions = period(engine)?;
+        request.check_angles(revolutions)?;
         let mut mechanism = Mechanism {
             speed,
             revolutions,

@@ -43,6 +43,11 @@ pub(crate) fn ordinal(order: f64) -> String {
     }
 }
 
+/// "first-order", "second-order", "order-1.5".
+pub(crate) fn adjective(order: f64) -> String {
+    ordinal(order).replace(' ', "-")
+}
+
 /// A number without needless digits.
 fn trimmed(value: f64) -> String {
     let text = format!("{value:.3}");
