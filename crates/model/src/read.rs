@@ -204,6 +204,24 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Neither the part nor the table of defaults says something that every part must have.
+    fn missing_in(&mut self, layers: &Layers<'a>, what: &str, example: &str) {
+        let default = layers.default;
+        if layers.broken {
+            return;
+        }
+        if layers.sections.is_empty() {
+            // One sentence for all that it would hold.
+            self.missing(0..0, format!("[{default}] is missing"), format!("add [{default}] with {example}"));
+        } else {
+            self.missing(
+                layers.place(),
+                format!("{what} is missing"),
+                format!("add {example} to [{default}]"),
+            );
+        }
+    }
+
     /// Two keys that say the same thing.
     fn two_sources(&mut self, section: &Section, keep: &str, other: &str, what: &str) {
         self.mistakes.push(

@@ -136,13 +136,7 @@ impl<'a> Reader<'a> {
 
     fn radius(&mut self, layers: &Layers<'a>) -> Option<(f64, Span)> {
         let Some(section) = layers.with_any(&["stroke", "radius"]) else {
-            if !layers.broken {
-                self.missing(
-                    layers.place(),
-                    "the crank radius is missing".into(),
-                    "add stroke = \"95.5 mm\" to [crank]".into(),
-                );
-            }
+            self.missing_in(layers, "the crank radius", "stroke = \"95.5 mm\"");
             return None;
         };
         let (stroke, radius) = (section.number("stroke"), section.number("radius"));

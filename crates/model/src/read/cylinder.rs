@@ -400,13 +400,7 @@ impl<'a> Reader<'a> {
             Field::Given(spot) => Some(spot),
             Field::Bad => None,
             Field::Absent => {
-                if !pistons.broken {
-                    self.missing(
-                        pistons.place(),
-                        "the mass of the piston is missing".into(),
-                        "add mass = \"0.5 kg\" to [piston]: the piston with pin, rings and clips".into(),
-                    );
-                }
+                self.missing_in(&pistons, "the mass of the piston", "mass = \"0.5 kg\"");
                 None
             }
         };

@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
             Field::Given(spot) => Some(spot),
             Field::Bad => None,
             Field::Absent => {
-                self.missing_in(layers, "the rod length is missing", "length = \"144 mm\"");
+                self.missing_in(layers, "the rod length", "length = \"144 mm\"");
                 None
             }
         };
@@ -37,20 +37,13 @@ impl<'a> Reader<'a> {
         Some(DraftRod { rod, length_span: length.span })
     }
 
-    fn missing_in(&mut self, layers: &Layers<'a>, message: &str, what: &str) {
-        if !layers.broken {
-            let default = layers.default;
-            self.missing(layers.place(), message.to_string(), format!("add {what} to [{default}]"));
-        }
-    }
-
     fn rod_masses(
         &mut self,
         layers: &Layers<'a>,
         length: Option<f64>,
     ) -> Option<(f64, f64, RodMassRule, Option<f64>)> {
         let Some(section) = layers.with_any(&MASS_KEYS) else {
-            self.missing_in(layers, "the mass of the rod is missing", "mass = \"0.63 kg\"");
+            self.missing_in(layers, "the mass of the rod", "mass = \"0.63 kg\"");
             return None;
         };
         let masses = self.masses_of(section, length);
