@@ -24,7 +24,7 @@ pub struct Diagnostic {
     pub code: &'static str,
     /// What was needed and what was got.
     pub message: String,
-    /// Place in the text [bytes].
+    /// Place in the text, in bytes.
     pub span: Range<usize>,
     /// Line of the place, from 1.
     pub line: usize,
@@ -41,7 +41,7 @@ pub struct Diagnostic {
 /// A second place that a diagnostic is about.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Related {
-    /// Place in the text [bytes].
+    /// Place in the text, in bytes.
     pub span: Range<usize>,
     /// What stands there.
     pub label: String,

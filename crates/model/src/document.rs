@@ -14,7 +14,7 @@ use walk::Walk;
 
 /// Bytes of the longest file that is read.
 const LONGEST_FILE: usize = 4 * 1024 * 1024;
-/// Place in the text [bytes].
+/// Place in the text, in bytes.
 pub(crate) type Span = Range<usize>;
 
 /// A value and its place.
