@@ -74,8 +74,8 @@ fn side(rotation: Rotation) -> Panel {
     svg.rect("metal", 236.0, origin.1 - 44.0, 9.0, 88.0);
     svg.arrow("arrow turn", (245.0, origin.1), (276.0, origin.1), 9.0);
     svg.text("strong", (286.0, origin.1 + 4.5), Anchor::Middle, "z");
-    svg.arrow("arrow turn", origin, (origin.0, 40.0), 9.0);
-    svg.text("strong", (origin.0, 32.0), Anchor::Middle, "x");
+    svg.arrow("arrow turn", origin, (origin.0, 56.0), 9.0);
+    svg.text("strong", (origin.0, 48.0), Anchor::Middle, "x");
     svg.arrow("arrow a1", (190.0, origin.1), (190.0, origin.1 - 62.0), 10.0);
     svg.text("", (198.0, origin.1 - 52.0), Anchor::Start, "F_x");
     svg.line("dimension", (origin.0, origin.1 + 50.0), (190.0, origin.1 + 50.0));

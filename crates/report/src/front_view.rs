@@ -39,7 +39,8 @@ pub fn front_view(engine: &Engine) -> Figure {
     draw_counterweights(&mut svg, &view, engine);
     draw_walls(&mut svg, &view, &banks);
     draw_cranks(&mut svg, &view, engine);
-    draw_links(&mut svg, &view, engine, 0.0, false);
+    draw_links(&mut svg, &view, engine, 0.0);
+    draw_cylinder_numbers(&mut svg, &view, &banks);
     draw_throw_numbers(&mut svg, &view, engine);
     draw_shafts(&mut svg, &view, engine, shaft_radius * scale);
     draw_mounts(&mut svg, &view, engine);
@@ -61,15 +62,33 @@ pub fn front_view(engine: &Engine) -> Figure {
 
 fn draw_axes_of(svg: &mut Svg, view: &View, banks: &[Bank]) {
     for bank in banks {
-        let head = bank.foot + bank.axis * bank.walls.1;
-        let tail = bank.foot;
         let (ux, uy) = View { scale: 1.0, ..*view }.span(bank.axis);
-        let end = view.at(head);
-        svg.line("axis-line", view.at(tail), (end.0 + 8.0 * ux, end.1 + 8.0 * uy));
+        let end = view.at(bank.foot + bank.axis * bank.walls.1);
+        svg.line("axis-line", view.at(bank.foot), (end.0 + 8.0 * ux, end.1 + 8.0 * uy));
+    }
+}
+
+/// Cylinder numbers beyond the heads; beside the bore where another cylinder stands beyond the head.
+fn draw_cylinder_numbers(svg: &mut Svg, view: &View, banks: &[Bank]) {
+    for (index, bank) in banks.iter().enumerate() {
         let numbers: Vec<usize> = bank.cylinders.iter().map(|c| c + 1).collect();
         let label = number::list(&numbers);
-        let gap = 16.0 + ux.abs() * 0.5 * text_width(&label, 12.5);
-        svg.text("strong", (end.0 + gap * ux, end.1 + gap * uy + 4.5), Anchor::Middle, &label);
+        let half = 0.5 * text_width(&label, 12.5);
+        let beyond = bank.foot + bank.axis * (bank.walls.1 + 16.0 / view.scale);
+        let hidden = banks.iter().enumerate().any(|(other, b)| {
+            let local = (beyond - b.foot) / b.axis;
+            other != index && local.re > b.walls.0 && local.re < b.walls.1 && local.im.abs() < 0.5 * b.bore
+        });
+        let (from, direction) = if hidden {
+            let beside = bank.axis * Complex64::new(0.0, -view.side);
+            (bank.foot + bank.axis * 0.5 * (bank.walls.0 + bank.walls.1) + beside * (0.5 * bank.bore), beside)
+        } else {
+            (bank.foot + bank.axis * bank.walls.1, bank.axis)
+        };
+        let (ux, uy) = View { scale: 1.0, ..*view }.span(direction);
+        let at = view.at(from);
+        let gap = if hidden { 8.0 } else { 16.0 } + ux.abs() * half;
+        svg.text("strong halo", (at.0 + gap * ux, at.1 + gap * uy + 4.5), Anchor::Middle, &label);
     }
 }
 
@@ -172,7 +191,8 @@ fn draw_throw_numbers(svg: &mut Svg, view: &View, engine: &Engine) {
 
 fn draw_shafts(svg: &mut Svg, view: &View, engine: &Engine, radius: f64) {
     let radius = radius.max(9.0);
-    for (index, shaft) in engine.shafts.iter().enumerate() {
+    let mut taken: Vec<(f64, f64, f64)> = Vec::new();
+    for shaft in &engine.shafts {
         let at = view.at(Complex64::new(shaft.x, shaft.y));
         svg.circle("thin", at, radius);
         let mut drawn: Vec<Complex64> = Vec::new();
@@ -188,11 +208,15 @@ fn draw_shafts(svg: &mut Svg, view: &View, engine: &Engine, radius: f64) {
         let (from, to) = (view.angle(-sense * 0.9), view.angle(sense * 0.9));
         svg.arc_arrow("arrow turn", at, radius + 5.0, from, to, 8.0);
         let ratio = shaft.ratio.to_string().replace('-', "\u{2212}");
-        // A shaft above another of the same place leaves its label room.
-        let below = engine.shafts[..index].iter().filter(|s| (s.x, s.y) == (shaft.x, shaft.y)).count() as f64;
-        let y = at.1 + radius + 17.0 + 28.0 * below;
         let half = 0.5 * text_width(&shaft.name, 11.5).max(30.0);
         let x = at.0.clamp(half + 2.0, WIDTH - half - 2.0);
+        // Names of neighbours that would meet go one below the other.
+        let mut y = at.1 + radius + 17.0;
+        while taken.iter().any(|(tx, ty, other)| (tx - x).abs() < half + other + 4.0 && (ty - y).abs() < 27.0)
+        {
+            y += 28.0;
+        }
+        taken.push((x, y, half));
         svg.name("small halo", (x, y), Anchor::Middle, &shaft.name);
         svg.text("small muted halo", (x, y + 13.0), Anchor::Middle, &format!("{ratio} \u{d7}"));
     }

@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::pose::{Pose, bore, pose};
-use crate::svg::{Anchor, Path, Svg};
+use crate::svg::{Anchor, Path, Svg, text_width};
 use crate::view::{Bounds, View};
 use lanchester_model::Engine;
 use num_complex::Complex64;
@@ -86,9 +86,8 @@ pub(crate) fn draw_walls(svg: &mut Svg, view: &View, banks: &[Bank]) {
     }
 }
 
-/// Pistons, rods and throws at crank angle `theta`; links that coincide are drawn once. With `labels`, the
-/// cylinders' numbers stand beside the pistons.
-pub(crate) fn draw_links(svg: &mut Svg, view: &View, engine: &Engine, theta: f64, labels: bool) {
+/// Pistons, rods and throws at crank angle `theta`; links that coincide are drawn once.
+pub(crate) fn draw_links(svg: &mut Svg, view: &View, engine: &Engine, theta: f64) {
     let mut poses: Vec<(Pose, f64)> = Vec::new();
     for index in 0..engine.cylinders.len() {
         let now = pose(engine, index, theta);
@@ -129,32 +128,40 @@ pub(crate) fn draw_links(svg: &mut Svg, view: &View, engine: &Engine, theta: f64
             svg.circle("pin", view.at(now.big_end), 2.4);
         }
     }
-    if labels {
-        draw_piston_numbers(svg, view, engine, theta);
-    }
     for shaft in &engine.crankshafts {
         svg.circle("pin", view.at(Complex64::new(shaft.x, shaft.y)), 4.2);
     }
 }
 
-/// Cylinder numbers beside the bores, level with the pistons.
-fn draw_piston_numbers(svg: &mut Svg, view: &View, engine: &Engine, theta: f64) {
-    let mut places: Vec<((f64, f64), Vec<usize>)> = Vec::new();
-    for index in 0..engine.cylinders.len() {
+/// Cylinder numbers: beside the bores, level with the pistons, where there is room; else beyond the heads.
+pub(crate) fn draw_piston_numbers(svg: &mut Svg, view: &View, engine: &Engine, banks: &[Bank], theta: f64) {
+    type Place = ((f64, f64), (f64, f64), Vec<usize>);
+    let mut places: Vec<Place> = Vec::new();
+    // Beside the bores there is room for few.
+    let crowded = banks.len() > 1 && engine.cylinders.len() > 6;
+    let (beyond, beside): (Vec<&Bank>, Vec<&Bank>) =
+        banks.iter().partition(|b| crowded || b.cylinders.len() == 1);
+    for bank in beyond {
+        let at = view.at(bank.foot + bank.axis * bank.walls.1);
+        let outwards = View { scale: 1.0, ..*view }.span(bank.axis);
+        places.push((at, outwards, bank.cylinders.iter().map(|c| c + 1).collect()));
+    }
+    for &index in beside.iter().flat_map(|b| &b.cylinders) {
         let now = pose(engine, index, theta);
         // To the right on the screen, to the upper side of a lying cylinder.
         let across = now.axis * Complex64::new(0.0, 1.0);
         let (dx, dy) = View { scale: 1.0, ..*view }.span(across);
         let sign = if dx > 0.1 || (dx.abs() <= 0.1 && dy < 0.0) { 1.0 } else { -1.0 };
         let at = view.at(now.piston + across * (0.5 * sign * bore(engine, index)));
-        let at = (at.0 + sign * 9.0 * dx, at.1 + sign * 9.0 * dy + 4.0);
-        match places.iter_mut().find(|(p, _)| (p.0 - at.0).hypot(p.1 - at.1) < 8.0) {
-            Some((_, list)) => list.push(index + 1),
-            None => places.push((at, vec![index + 1])),
+        match places.iter_mut().find(|p| (p.0.0 - at.0).hypot(p.0.1 - at.1) < 8.0) {
+            Some((_, _, list)) => list.push(index + 1),
+            None => places.push((at, (sign * dx, sign * dy), vec![index + 1])),
         }
     }
-    for (at, list) in places {
-        svg.text("small strong halo", at, Anchor::Middle, &number::list(&list));
+    for (at, (dx, dy), list) in places {
+        let label = number::list(&list);
+        let gap = 6.0 + dx.abs() * 0.5 * text_width(&label, 12.0);
+        svg.text("small strong halo", (at.0 + gap * dx, at.1 + gap * dy + 4.0), Anchor::Middle, &label);
     }
 }
 

@@ -41,25 +41,27 @@ pub fn couple_stars(loads: &Loads, rotation: Rotation) -> Figure {
     }
 }
 
-const TURNING: &str = "The whole star turns at its order's multiple of the crank's speed, so what cancels here cancels always. \
+const TURNING: &str = "The whole star turns at its order's multiple of the crank's speed, so what cancels here cancels always. Arrows that nearly coincide are drawn once. \
                        Counterweights and balance shafts are left out.";
 
-/// Cylinders with one and the same arrow.
+/// Cylinders whose arrows nearly coincide.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bundle {
     /// Cylinder numbers.
     pub numbers: Vec<usize>,
-    /// Their common arrow (of one of them, not their sum).
+    /// The arrow of the first of them.
     pub arrow: Complex64,
 }
 
-/// Bundles arrows that coincide within a thousandth of the largest.
-pub(crate) fn bundles(arrows: impl IntoIterator<Item = (usize, Complex64)>) -> Vec<Bundle> {
+/// Tips nearer than this [px] are not told apart in a drawing.
+const NEAR: f64 = 7.0;
+
+/// Bundles arrows whose tips nearly coincide on the screen.
+pub(crate) fn bundles(arrows: impl IntoIterator<Item = (usize, Complex64)>, view: &View) -> Vec<Bundle> {
     let arrows: Vec<(usize, Complex64)> = arrows.into_iter().filter(|(_, a)| a.is_finite()).collect();
-    let largest = arrows.iter().fold(0.0f64, |m, (_, a)| m.max(a.norm()));
     let mut out: Vec<Bundle> = Vec::new();
     for (number, arrow) in arrows {
-        match out.iter_mut().find(|b| (b.arrow - arrow).norm() <= 2e-3 * largest) {
+        match out.iter_mut().find(|b| (b.arrow - arrow).norm() * view.scale < NEAR) {
             Some(bundle) => bundle.numbers.push(number),
             None => out.push(Bundle { numbers: vec![number], arrow }),
         }
@@ -144,8 +146,8 @@ impl Stars {
         draw_fan(
             &mut svg,
             &view,
-            &bundles(present.iter().copied()),
-            "arrow a1",
+            &bundles(present.iter().copied(), &view),
+            CENTRE.0,
             if cancels { Complex64::default() } else { sum },
         );
         svg.circle("dot", CENTRE, 2.5);
@@ -167,9 +169,11 @@ impl Stars {
     }
 }
 
-/// Draws bundled arrows from the centre, those of one direction side by side, each with its numbers at the tip.
-pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], class: &str, sum: Complex64) {
+/// Draws bundled arrows from the centre, those of one direction side by side, each with its numbers at the tip,
+/// not farther than `room` [px] from the centre. Labels keep off the broad arrow of `sum`.
+pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], room: f64, sum: Complex64) {
     let mut drawn: Vec<Complex64> = Vec::new();
+    let mut labels: Vec<(f64, f64, f64)> = Vec::new();
     for bundle in bundles {
         let unit = bundle.arrow / bundle.arrow.norm().max(f64::MIN_POSITIVE);
         let beside = drawn.iter().filter(|d| (**d - unit).norm() < 0.05).count();
@@ -181,7 +185,7 @@ pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], class: &s
         let tip = view.at(bundle.arrow);
         let from = (view.centre.0 + shift.0, view.centre.1 + shift.1);
         let to = (tip.0 + shift.0, tip.1 + shift.1);
-        svg.arrow(class, from, to, 10.0);
+        svg.arrow("arrow a1", from, to, 10.0);
         let label = number::list(&bundle.numbers);
         let half = 0.5 * text_width(&label, 12.0);
         let gap = 8.0 + ux.abs() * half;
@@ -193,7 +197,18 @@ pub(crate) fn draw_fan(svg: &mut Svg, view: &View, bundles: &[Bundle], class: &s
             svg.text("small strong halo", (to.0 - uy * out, to.1 + ux * out + 4.0), Anchor::Middle, &label);
             continue;
         }
-        let at = (to.0 + ux * gap - uy * side, to.1 + uy * (gap + 2.0) + ux * side + 4.0);
+        let (left, right) = (view.centre.0 - room + half, view.centre.0 + room - half);
+        let mut at = (to.0 + ux * gap - uy * side, to.1 + uy * (gap + 2.0) + ux * side + 4.0);
+        // Outwards until it covers no other label; a dozen steps reach past any of them.
+        for _ in 0..12 {
+            at.0 = at.0.min(right).max(left);
+            if !labels.iter().any(|(x, y, other)| (x - at.0).abs() < half + other && (y - at.1).abs() < 12.0)
+            {
+                break;
+            }
+            at = (at.0 + 4.0 * ux, at.1 + if uy.abs() < 0.3 { 4.0 } else { 4.0 * uy });
+        }
+        labels.push((at.0, at.1, half));
         svg.text("small strong halo", at, Anchor::Middle, &label);
     }
 }
@@ -205,7 +220,9 @@ mod tests {
     #[test]
     fn equal_arrows_are_bundled() {
         let arrow = |degrees: f64| Complex64::from_polar(10.0, degrees.to_radians());
-        let bundles = bundles([(1, arrow(0.0)), (2, arrow(120.0)), (5, arrow(120.01)), (6, arrow(0.0))]);
+        let view = View::new(Rotation::Clockwise, CENTRE, 8.0);
+        let bundles =
+            bundles([(1, arrow(0.0)), (2, arrow(120.0)), (5, arrow(120.01)), (6, arrow(0.0))], &view);
         assert_eq!(bundles.iter().map(|b| number::list(&b.numbers)).collect::<Vec<_>>(), ["1, 6", "2, 5"]);
     }
 }

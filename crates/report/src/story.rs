@@ -2,7 +2,7 @@
 
 use crate::component::Component;
 use crate::figure::{Figure, Panel};
-use crate::mechanism_sketch::{Bank, banks, bounds, draw_links, draw_walls};
+use crate::mechanism_sketch::{Bank, banks, bounds, draw_links, draw_piston_numbers, draw_walls};
 use crate::number::{self, Scale};
 use crate::star::{Bundle, bundles, draw_fan};
 use crate::svg::{Anchor, Svg, wrap};
@@ -12,10 +12,10 @@ use lanchester_model::Engine;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-const WIDTH: f64 = 262.0;
+const WIDTH: f64 = 280.0;
 const FRONT: (f64, f64, f64) = (78.0, 118.0, 172.0);
 const STRIP: f64 = 98.0;
-const DIAL: ((f64, f64), f64) = ((202.0, 100.0), 46.0);
+const DIAL: ((f64, f64), f64) = ((212.0, 100.0), 40.0);
 
 /// Which part of the forces a story tells.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,8 +45,10 @@ pub fn story(engine: &Engine, loads: &Loads, told: Told) -> Option<Figure> {
         return None;
     }
     let across = all().fold(0.0f64, |m, p| m.max(p.force.im.abs())) > 0.02 * longest;
+    let along = all().any(|p| (p.z - loads.reference[2]).abs() > 1e-3);
     let banks = banks(engine);
-    let mut scene = Scene { engine, banks: &banks, longest, across, reference: loads.reference[2], lines: 0 };
+    let mut scene =
+        Scene { engine, banks: &banks, longest, across, along, reference: loads.reference[2], lines: 0 };
     scene.lines = pulls.iter().map(|p| scene.wrapped(p).len()).max().unwrap_or(0);
     let panels: Vec<Panel> =
         steps.iter().zip(&pulls).map(|(theta, pulls)| scene.panel(*theta, pulls)).collect();
@@ -56,12 +58,20 @@ pub fn story(engine: &Engine, loads: &Loads, told: Told) -> Option<Figure> {
         }
         Told::Whole => ("story-whole".to_owned(), "all orders".to_owned()),
     };
+    let strips = match along {
+        true => {
+            " Below it where along the crank they act: free end left, flywheel right; the grey arrows are their sum and, \
+                 at the ends, their couple as a pair of forces."
+        }
+        false => "",
+    };
     Some(Figure {
         id,
         title: format!("Step by step: {title}"),
-        caption: "Crank train from the free end; beside it the arrows of the cylinders (blue, numbered), of counterweights and balance \
-                  shafts (green) and their sum (broad grey); below it where along the crank they act: free end left, flywheel right."
-            .to_owned(),
+        caption: format!(
+            "Crank train from the free end; beside it the arrows of the cylinders (blue, numbered), of counterweights \
+             and balance shafts (green) and their sum (broad grey).{strips}"
+        ),
         columns: if panels.len() == 6 { 3 } else { 4 },
         panels,
     })
@@ -146,6 +156,8 @@ struct Scene<'a> {
     banks: &'a [Bank],
     longest: f64,
     across: bool,
+    /// Something stands off the reference plane: without that, where along the crank says nothing.
+    along: bool,
     reference: f64,
     /// Lines of the longest sentence, so that all panels are of one height.
     lines: usize,
@@ -153,7 +165,7 @@ struct Scene<'a> {
 
 impl Scene<'_> {
     fn panel(&self, theta: f64, pulls: &[Pull]) -> Panel {
-        let strips = if self.across { 2.0 } else { 1.0 };
+        let strips = f64::from(u8::from(self.along)) + f64::from(u8::from(self.along && self.across));
         let strips_top = 214.0;
         let words_top = strips_top + STRIP * strips + 6.0;
         let sentence = self.sentence(pulls);
@@ -161,8 +173,10 @@ impl Scene<'_> {
         svg.text("strong", (6.0, 16.0), Anchor::Start, &format!("θ = {:.0}°", theta.to_degrees()));
         self.front(&mut svg, theta);
         self.dial(&mut svg, pulls);
-        self.strip(&mut svg, pulls, strips_top, "F_x, from the side", |f| f.re);
-        if self.across {
+        if self.along {
+            self.strip(&mut svg, pulls, strips_top, "F_x, from the side", |f| f.re);
+        }
+        if self.along && self.across {
             // From above, +y points down the page for a crank that turns clockwise.
             let down = -crate::view::side(self.engine.rotation);
             self.strip(&mut svg, pulls, strips_top + STRIP, "F_y, from above", |f| down * f.im);
@@ -177,7 +191,7 @@ impl Scene<'_> {
         let (x, y, size) = FRONT;
         let side = crate::view::side(self.engine.rotation);
         let space = bounds(self.engine, self.banks, side);
-        let scale = ((2.0 * x - 16.0) / space.width()).min(size / space.height());
+        let scale = ((2.0 * x - 38.0) / space.width()).min(size / space.height());
         let centre =
             (x - 0.5 * (space.low.0 + space.high.0) * scale, y - 0.5 * (space.low.1 + space.high.1) * scale);
         let view = View::new(self.engine.rotation, centre, scale);
@@ -186,7 +200,8 @@ impl Scene<'_> {
             let radius = self.engine.throws.iter().fold(0.0f64, |m, t| m.max(t.radius));
             svg.circle("grid", view.at(Complex64::new(shaft.x, shaft.y)), radius * scale);
         }
-        draw_links(svg, &view, self.engine, theta, true);
+        draw_links(svg, &view, self.engine, theta);
+        draw_piston_numbers(svg, &view, self.engine, self.banks, theta);
     }
 
     /// All arrows from one point, and their sum.
@@ -206,8 +221,14 @@ impl Scene<'_> {
         }
         let cylinders =
             pulls.iter().filter(|p| p.cylinder > 0 && visible(p.force)).map(|p| (p.cylinder, p.force));
-        let bundles: Vec<Bundle> = bundles(cylinders);
-        draw_fan(svg, &view, &bundles, "arrow a1", if visible(sum) { sum } else { Complex64::default() });
+        let bundles: Vec<Bundle> = bundles(cylinders, &view);
+        draw_fan(
+            svg,
+            &view,
+            &bundles,
+            WIDTH - centre.0,
+            if visible(sum) { sum } else { Complex64::default() },
+        );
         svg.circle("dot", centre, 2.5);
     }
 
@@ -274,7 +295,8 @@ impl Scene<'_> {
         let couples = pulls.iter().map(|p| p.couple.norm()).sum::<f64>();
         let quantity = |value: f64, unit: &str| {
             let scale = Scale::of(value, unit);
-            format!("{} {}", number::short(value / scale.divisor, 3), scale.unit)
+            // A number and its unit stay on one line.
+            format!("{}\u{a0}{}", number::short(value / scale.divisor, 3), scale.unit.replace(' ', "\u{a0}"))
         };
         if forces <= 1e-6 * self.longest {
             return "No force at this moment.".to_owned();
