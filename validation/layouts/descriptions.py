@@ -106,8 +106,8 @@ SIX = [0, 240, 120, 120, 240, 0]  # 1-5-3-6-2-4 every 120: f = 0, 480, 240, 600,
 EIGHT = [0, 180, 270, 90, 90, 270, 180, 0]  # 1-6-2-5-8-3-7-4 every 90: f = 0, 180, 450, 630, 270, 90, 540, 360
 
 LAYOUTS = {
-    "single": in_line([0], None, "one cylinder"),
-    "single-two-shafts": in_line([0], None, "one cylinder, two shafts at crank speed"),
+    "single": in_line([0], [1], "one cylinder"),
+    "single-two-shafts": in_line([0], [1], "one cylinder, two shafts at crank speed"),
     "twin-180": in_line([0, 180], [1, 2], "parallel twin, throws opposite: fires after 180 and 540", steps=[180, 540]),
     "twin-270": in_line(
         [0, 90], [1, 2], "parallel twin, throws at right angles: fires after 270 and 450", steps=[270, 450]
@@ -144,6 +144,10 @@ LAYOUTS = {
     "v8-flat-plane": vee(90, FOUR, [1, 5, 3, 7, 4, 8, 2, 6], "V8, 90 degrees, throws in one plane"),
     # 1-6-5-10-2-7-3-8-4-9 every 72: f = 0, 288, 432, 576, 144 on bank 1; bank 2 is 72 degrees behind on the same pins.
     "v10-72": vee(72, [0, 72, 288, 144, 216], [1, 6, 5, 10, 2, 7, 3, 8, 4, 9], "V10, 72 degrees, five pins"),
+    # The same crank; bank 2 is 90 degrees behind, so that f = 90, 234, 378, 522, 666 between the 144s of bank 1.
+    "v10-90": vee(
+        90, [0, 72, 288, 144, 216], [1, 6, 5, 10, 2, 7, 3, 8, 4, 9], "V10, 90 degrees, five pins", steps=[90, 54] * 5
+    ),
     "v12-60": vee(60, SIX, [1, 7, 5, 11, 3, 9, 6, 12, 2, 8, 4, 10], "V12, 60 degrees: two in-line sixes"),
     "v16-45": vee(
         45, EIGHT, [1, 9, 6, 14, 2, 10, 5, 13, 8, 16, 3, 11, 7, 15, 4, 12], "V16, 45 degrees: two straight eights"
