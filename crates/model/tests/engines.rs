@@ -225,3 +225,75 @@ fn byte_order_mark_and_windows_line_ends_change_nothing() {
     let windows = engine(&format!("\u{feff}{}", FOUR.replace('\n', "\r\n")));
     assert_eq!(plain, windows);
 }
+
+#[test]
+fn z_counts_from_midway_between_the_outer_throws_or_from_the_origin() {
+    let text = r#"
+name = "Twin with a wide flywheel side"
+speed = "3000 rpm"
+[layout]
+type = "in-line"
+cylinders = 2
+positions = ["10 mm", "110 mm"]
+crank_angles = ["0 deg", "180 deg"]
+[crank]
+stroke = "60 mm"
+web_distance = "30 mm"
+[piston]
+mass = "0.3 kg"
+[rod]
+length = "110 mm"
+mass = "0.3 kg"
+[[counterweight]]
+web = 4
+unbalance = "2 oz in"
+[[counterweight]]
+z = "150 mm"
+unbalance = "5 g mm"
+[[mount]]
+x = "0 mm"
+y = "0 mm"
+z = "60 mm"
+[[shaft]]
+ratio = "-1/2"
+weights = [{ z = "20 mm", mass = "100 g", radius = "2 cm" }]
+"#;
+    let near = |got: f64, expected: f64| assert!((got - expected).abs() < 1e-15, "{got} {expected}");
+    let middle = engine(text);
+    near(middle.throws[0].z, -0.05);
+    near(middle.cylinders[1].z, 0.05);
+    near(middle.mounts[0].z, 0.0);
+    near(middle.shafts[0].weights[0].z, -0.04);
+    near(middle.shafts[0].weights[0].unbalance, 0.002);
+    // Web 4 is the rear web of throw 2; its weight stands opposite that throw.
+    let weight = &middle.counterweights[0];
+    assert_eq!((weight.name.as_str(), weight.z), ("web 4", middle.throws[1].webs.unwrap()[1]));
+    near(weight.z, 0.065);
+    near(weight.angle, 0.0);
+    near(middle.counterweights[1].z, 0.09);
+
+    let moved = engine(&text.replace("[layout]", "origin = \"10 mm\"\n[layout]"));
+    near(moved.throws[0].z, 0.0);
+    near(moved.counterweights[0].z, 0.115);
+    near(moved.mounts[0].z, 0.05);
+}
+
+#[test]
+fn a_mass_rule_of_one_cylinder_replaces_the_whole_rule() {
+    let text = FOUR.replace(
+        "mass = \"0.63 kg\"",
+        "mass = \"0.63 kg\"\ncentre_of_gravity = \"40 mm\"\ninertia = \"2500 kg mm2\"",
+    );
+    let text = text
+        .replace("number = 2\npiston = { mass = \"0.52 kg\" }", "number = 2\npiston = { bore = \"80 mm\" }");
+    let text = text.replace(
+        "rod = { big_end_mass = \"0.42 kg\", small_end_mass = \"0.21 kg\", inertia = \"2000 kg mm2\" }",
+        "rod = { mass = \"0.66 kg\" }\n[[cylinder]]\nnumber = 3\nrod = { inertia = \"2600 kg mm2\" }",
+    );
+    let engine = engine(&text);
+    let rules: Vec<_> = engine.cylinders.iter().map(|c| (c.rod.mass_rule, c.rod.inertia)).collect();
+    let usual = (RodMassRule::CentreOfGravity, Some(2500e-6));
+    let other = (RodMassRule::CentreOfGravity, Some(2600e-6));
+    assert_eq!(rules, [usual, (RodMassRule::Thirds, None), other, usual]);
+    assert_eq!((engine.cylinders[1].bore, engine.cylinders[1].piston_mass), (Some(0.08), 0.5));
+}
