@@ -209,3 +209,53 @@ impl Articulated {
         extremes_over_turn(CHECK_ANGLES, beside).max_abs() / self.length
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Fourth-order central difference of `f` over 2e-3 rad: truncation and rounding both near 1e-11 of the values.
+    fn difference(f: impl Fn(f64) -> f64, phi: f64) -> f64 {
+        let step = 2e-3;
+        (8.0 * (f(phi + step) - f(phi - step)) - (f(phi + 2.0 * step) - f(phi - 2.0 * step))) / (12.0 * step)
+    }
+
+    fn check(stroke: impl Fn(f64) -> Stroke, scale: f64) {
+        for j in 0..24 {
+            let phi = 0.1 + 0.26 * f64::from(j);
+            let here = stroke(phi);
+            for n in 0..3 {
+                let travel = difference(|at| stroke(at).travel[n], phi);
+                let swing = difference(|at| stroke(at).swing[n], phi);
+                assert!(
+                    (here.travel[n + 1] - travel).abs() < 1e-8 * scale,
+                    "travel, derivative {n} at {phi}"
+                );
+                assert!((here.swing[n + 1] - swing).abs() < 1e-8, "swing, derivative {n} at {phi}");
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_are_the_differences() {
+        let master = Slider { radius: 0.08, length: 0.3, offset: 0.01 };
+        check(|phi| master.stroke(phi), 0.08);
+        let slave = Articulated {
+            master,
+            knuckle: Complex64::from_polar(0.2, 0.7),
+            turn: Complex64::cis(-0.7),
+            length: 0.25,
+            offset: -0.005,
+        };
+        slave.check(2).unwrap();
+        check(|phi| slave.stroke(phi), 0.08);
+    }
+
+    #[test]
+    fn a_knuckle_out_of_reach_is_an_error() {
+        let master = Slider { radius: 0.08, length: 0.3, offset: 0.0 };
+        let knuckle = Complex64::from_polar(0.2, std::f64::consts::FRAC_PI_2);
+        let slave = Articulated { master, knuckle, turn: Complex64::ONE, length: 0.1, offset: 0.0 };
+        assert!(matches!(slave.check(2), Err(LoadError::KnuckleOutOfReach { cylinder: 2, .. })));
+    }
+}

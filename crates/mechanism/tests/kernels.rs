@@ -3,8 +3,8 @@ mod support;
 
 use lanchester_mechanism::{LoadRequest, Mechanism, Trace};
 use proptest::prelude::*;
-use support::assert_close;
 use support::random::{ALL_SHAPES, any_engine};
+use support::{assert_close, list, scales};
 
 /// The six components of a trace.
 fn components(trace: &Trace) -> [&[f64]; 6] {
@@ -28,16 +28,13 @@ proptest! {
         let (mut best, mut portable) = (Trace::default(), Trace::default());
         plan.trace_into(&mut best);
         plan.trace_into_portable(&mut portable);
-        let scale = mechanism.trace(64);
+        let scale = scales(&engine);
         for (k, (a, b)) in components(&best).into_iter().zip(components(&portable)).enumerate() {
-            let largest = components(&scale)[k].iter().fold(1e-3f64, |m, v| m.max(v.abs()));
             for (j, (a, b)) in a.iter().zip(b).enumerate() {
-                assert_close("vector against portable", *a, *b, 1e-13 * 8.0 * largest, 0.0, "rounding of a sum");
-                let theta = best.theta[j];
-                let c = mechanism.components(theta);
-                let scalar =
-                    [c.force_x, c.force_y, c.couple_x, c.couple_y, c.roll_moment, c.shaft_torque][k];
-                assert_close("vector against scalar", *a, scalar, 1e-11 * largest, 0.0, "angles of many turns");
+                let reason = "rounding relative to the largest part";
+                assert_close("vector against portable", *a, *b, 1e-13 * scale[k], 0.0, reason);
+                let scalar = list(mechanism.components(best.theta[j]))[k];
+                assert_close("vector against scalar", *a, scalar, 1e-12 * scale[k], 0.0, "angles of a few turns");
             }
         }
     }

@@ -1,15 +1,11 @@
 //! Every load against an independent derivation: momentum, spin and energy of bodies placed by plane geometry.
 mod support;
 
-use lanchester_mechanism::{Components, LoadRequest, Mechanism, Part, Selection};
+use lanchester_mechanism::{LoadRequest, Mechanism, Part, Selection};
 use lanchester_model::Engine;
 use proptest::prelude::*;
 use support::random::{ALL_SHAPES, any_engine};
-use support::{assert_close, brute, odd_angles, radial};
-
-fn list(c: Components) -> [f64; 6] {
-    [c.force_x, c.force_y, c.couple_x, c.couple_y, c.roll_moment, c.shaft_torque]
-}
+use support::{assert_close, brute, list, odd_angles, radial};
 
 const NAMES: [&str; 6] = ["force x", "force y", "couple x", "couple y", "roll moment", "shaft torque"];
 

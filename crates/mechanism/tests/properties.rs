@@ -6,30 +6,12 @@ use lanchester_model::Engine;
 use num_complex::Complex64;
 use proptest::prelude::*;
 use support::random::{ALL_SHAPES, any_engine};
-use support::{assert_close, brute, odd_angles};
-
-fn list(c: Components) -> [f64; 6] {
-    [c.force_x, c.force_y, c.couple_x, c.couple_y, c.roll_moment, c.shaft_torque]
-}
+use support::{assert_close, brute, list, odd_angles, scales};
 
 const NAMES: [&str; 6] = ["force x", "force y", "couple x", "couple y", "roll moment", "shaft torque"];
 
 fn whole(engine: &Engine) -> Mechanism {
     Mechanism::new(engine, &LoadRequest::default()).expect("the engine is valid")
-}
-
-/// Largest value of each component of all parts, forces and moments apart: what rounding is measured against.
-fn scales(engine: &Engine) -> [f64; 6] {
-    let mut scale = [1e-6f64; 2];
-    for part in Part::ALL {
-        let mechanism = Mechanism::of(engine, &LoadRequest::default(), Selection::Part(part)).expect("valid");
-        for theta in odd_angles(24) {
-            let values = list(mechanism.components(theta)).map(f64::abs);
-            scale[0] = scale[0].max(values[0]).max(values[1]);
-            scale[1] = values[2..].iter().fold(scale[1], |s, v| s.max(*v));
-        }
-    }
-    [scale[0], scale[0], scale[1], scale[1], scale[1], scale[1]]
 }
 
 /// Compares components against wanted ones, at rounding.

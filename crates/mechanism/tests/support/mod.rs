@@ -4,6 +4,7 @@
 pub mod brute;
 pub mod random;
 
+use lanchester_mechanism::{Components, LoadRequest, Mechanism, Part, Selection};
 use lanchester_model::*;
 use std::f64::consts::{PI, TAU};
 
@@ -121,4 +122,24 @@ pub fn radial(count: usize, knuckle: f64) -> Engine {
 /// Angles for a search: `count` of them over a turn, off every symmetric place.
 pub fn odd_angles(count: usize) -> impl Iterator<Item = f64> {
     (0..count).map(move |j| TAU * (j as f64 + 0.37) / count as f64 - PI)
+}
+
+/// The six components in the order of tables.
+pub fn list(c: Components) -> [f64; 6] {
+    [c.force_x, c.force_y, c.couple_x, c.couple_y, c.roll_moment, c.shaft_torque]
+}
+
+/// Largest value of each component of all parts, forces and moments apart: what rounding is measured against.
+pub fn scales(engine: &Engine) -> [f64; 6] {
+    let mut scale = [1e-6f64; 2];
+    for part in Part::ALL {
+        let mechanism = Mechanism::of(engine, &LoadRequest::default(), Selection::Part(part))
+            .expect("the engine is valid");
+        for theta in odd_angles(24) {
+            let values = list(mechanism.components(theta)).map(f64::abs);
+            scale[0] = scale[0].max(values[0]).max(values[1]);
+            scale[1] = values[2..].iter().fold(scale[1], |s, v| s.max(*v));
+        }
+    }
+    [scale[0], scale[0], scale[1], scale[1], scale[1], scale[1]]
 }
