@@ -1,6 +1,6 @@
 //! Results as tables, plots and pages: pure functions from data to text.
 //!
-//! Nothing here opens a file, asks the time or prints. Figures are SVG of our own (`docs/decisions`, "Plots"): one
+//! Nothing here opens a file, asks the time or prints. Figures are SVG of our own (decision record 10): one
 //! figure is a string that works in a page and as a file of its own, light and dark.
 #![forbid(unsafe_code)]
 
