@@ -24,6 +24,7 @@ from mechanics import REAL, TURN, Motion, deg, loads, modulus_peak, real_extreme
 
 HERE = pathlib.Path(__file__).resolve().parent
 TEMPLATES = HERE.parents[1] / "crates" / "model" / "templates"
+EXTRA = HERE / "extra"  # engines that only serve as evidence
 HIGHEST_ORDER = 8
 
 
@@ -133,14 +134,14 @@ def derive(template, document):
 def main():
     """Writes the evidence of the templates named on the command line, or of all."""
     assert np.finfo(REAL).eps < 1e-18, "needs an extended long double (x87)"
-    names = sys.argv[1:] or sorted(path.stem for path in TEMPLATES.glob("*.toml"))
+    files = {path.stem: path for folder in (TEMPLATES, EXTRA) for path in sorted(folder.glob("*.toml"))}
+    names = sys.argv[1:] or list(files)
     missing = [name for name in names if name not in LAYOUTS]
     for name in names:
         if name in missing:
             continue
-        document = tomllib.loads((TEMPLATES / f"{name}.toml").read_text(encoding="utf-8"))
-        evidence = derive(name, document)
-        target = HERE / f"{name}.json"
+        evidence = derive(name, tomllib.loads(files[name].read_text(encoding="utf-8")))
+        target = (EXTRA if files[name].parent == EXTRA else HERE) / f"{name}.json"
         target.write_text(json.dumps(evidence, indent=1) + "\n", encoding="utf-8")
         print(f"{name}: {evidence['layout']}")
     if missing:

@@ -200,6 +200,10 @@ LAYOUTS = {
         phases=(0, 0),
         ratios=(1, -1),
     ),
+    # No real engine: see extra/.
+    "everything-at-once": vee(
+        50, [0, 130], None, "V4 with offsets, articulated rods of true inertia, a shaft at half speed", slaves={3: (1, 47), 4: (2, 47)}
+    ),
 }
 for name, layout in LAYOUTS.items():
     layout.template = name

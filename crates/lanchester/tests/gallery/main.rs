@@ -54,6 +54,36 @@ fn ext_derive_orders_peaks_and_dead_centres_of_every_template() {
     assert!(found.is_empty(), "{} differences:\n{}", found.len(), found.join("\n"));
 }
 
+/// What no template has: piston-pin and cylinder offset, rod inertia on articulated rods, a shaft at half speed.
+#[test]
+fn ext_derive_offsets_rod_inertia_articulation_and_half_speed_at_once() {
+    let folder = evidence::folder().join("extra");
+    let text = std::fs::read_to_string(folder.join("everything-at-once.toml")).expect("the file is there");
+    let evidence = evidence::read("extra/everything-at-once").unwrap_or_else(|missing| panic!("{missing}"));
+    let mut engine = lanchester_model::read(&text).engine.expect("the file has no mistake");
+    assert_eq!(evidence.period_revolutions, 2);
+    let found = mismatches(&evidence, &exact(&engine));
+    assert!(found.is_empty(), "{}", found.join("\n"));
+
+    // Each of them is felt: without it the comparison fails.
+    let without: [fn(&mut Engine); 5] = [
+        |e| e.cylinders[0].pin_offset = 0.0,
+        |e| e.cylinders[1].offset = 0.0,
+        |e| e.cylinders[0].rod.inertia = None,
+        |e| e.cylinders[2].rod.inertia = None,
+        |e| e.shafts[0].x = 0.0,
+    ];
+    for (which, take) in without.into_iter().enumerate() {
+        let keep = engine.clone();
+        take(&mut engine);
+        assert!(
+            !mismatches(&evidence, &exact(&engine)).is_empty(),
+            "taking away number {which} is not noticed"
+        );
+        engine = keep;
+    }
+}
+
 #[test]
 fn ext_derive_every_template_fires_as_its_layout_claims() {
     let found: Vec<String> =
