@@ -11,9 +11,9 @@ pub(crate) const STYLE: &str = include_str!("../templates/figure.css");
 pub struct Panel {
     /// What a reader who cannot see it is told; plain text.
     pub description: String,
-    /// Natural width [px].
+    /// Natural width in px.
     pub width: f64,
-    /// Natural height [px].
+    /// Natural height in px.
     pub height: f64,
     body: String,
 }
