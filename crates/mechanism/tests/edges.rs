@@ -9,7 +9,7 @@ fn shaft(numerator: i32, denominator: u32) -> BalanceShaft {
     let weights = vec![ShaftWeight { z: 0.1, unbalance: 0.01, phase: 0.3 }];
     BalanceShaft {
         name: "shaft".into(),
-        ratio: Ratio::new(numerator, denominator).unwrap(),
+        ratio: Ratio::new(numerator, denominator).expect("not 0"),
         x: 0.0,
         y: 0.1,
         weights,
