@@ -6,6 +6,7 @@ use crate::gallery::Gallery;
 use crate::load_tables;
 use crate::number;
 use crate::over_angle;
+use crate::speed_table::speed_table;
 use crate::svg::escape;
 use crate::table::{Table, push_rich};
 use askama::Template;
@@ -75,7 +76,7 @@ pub fn report(input: &ReportInput<'_>) -> String {
     motion_tables.extend(load_tables::rod_inertia_table(loads));
     let mut engine_tables = vec![engine_tables::masses_table(engine), engine_tables::throws_table(engine)];
     engine_tables.extend(engine_tables::weights_table(engine));
-    let load_tables = [
+    let mut load_tables = vec![
         load_tables::peaks_table(loads),
         load_tables::parts_table(loads),
         load_tables::force_orders_table(loads),
@@ -83,6 +84,7 @@ pub fn report(input: &ReportInput<'_>) -> String {
         load_tables::roll_orders_table(loads),
         load_tables::cylinders_table(loads),
     ];
+    load_tables.extend(speed_table(engine, loads));
     let (turning, side) = match engine.rotation {
         Rotation::Clockwise => ("clockwise", "right"),
         Rotation::Reverse => ("anticlockwise", "left"),
