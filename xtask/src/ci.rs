@@ -2,7 +2,7 @@
 
 use crate::command::{cargo, in_view, quiet};
 use crate::workspace::{program, root};
-use crate::{book, browser, engines, generate, readme, tidy};
+use crate::{book, browser, documents, engines, generate, tidy};
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
 
@@ -24,6 +24,7 @@ pub fn run() -> Result<()> {
     })?;
     let program = program().context("the program does not build")?;
     steps.run("every example and template: check, loads, report", || engines::run(&program))?;
+    steps.run("engine files of the README and the book", || documents::engines(&program))?;
     steps.run("published numbers", || {
         let text = quiet(std::process::Command::new(&program).arg("validate").current_dir(root()))?;
         Ok(text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned())
@@ -36,7 +37,7 @@ pub fn run() -> Result<()> {
     })?;
     steps.run("book", || book::build().map(|()| String::new()))?;
     steps.run("report in a browser", || browser::check_reports(&program))?;
-    steps.run("commands of the README", readme::run)?;
+    steps.run("commands of the README", documents::commands)?;
     steps.print();
     Ok(())
 }

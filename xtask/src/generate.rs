@@ -7,7 +7,10 @@ use std::path::Path;
 use std::process::Command;
 
 /// Each page and the arguments that make the program print it.
-const PAGES: [(&str, &[&str]); 0] = [];
+const PAGES: [(&str, &[&str]); 2] = [
+    ("docs/src/engine-file.md", &["schema", "--markdown"]),
+    ("docs/src/validation.md", &["validate", "--markdown"]),
+];
 
 /// Writes every page.
 pub fn write() -> Result<()> {

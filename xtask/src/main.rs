@@ -4,10 +4,10 @@ mod book;
 mod browser;
 mod ci;
 mod command;
+mod documents;
 mod engines;
 mod fuzz;
 mod generate;
-mod readme;
 mod tidy;
 mod workspace;
 
