@@ -1,7 +1,7 @@
 //! What must hold for any input: shared by the fuzz targets and by the test that replays the kept corpus.
 
-use lanchester::mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
-use lanchester::model::{Engine, expanded, read as read_text, render, templates};
+use lanchester_mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
+use lanchester_model::{Engine, expanded, read as read_text, render, templates};
 
 /// Any bytes, read as an engine file: mistakes can be shown, and what is accepted survives its expanded form.
 pub fn read(data: &[u8]) {
