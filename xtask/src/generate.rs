@@ -1,43 +1,81 @@
-//! Pages of the book that the program writes.
+//! Pages and pictures that the program writes.
 
 use crate::command::quiet;
-use crate::workspace::{program, root};
+use crate::workspace::{program, root, scratch};
 use anyhow::{Context, Result, bail};
 use std::path::Path;
 use std::process::Command;
 
-/// Each page and the arguments that make the program print it.
-const PAGES: [(&str, &[&str]); 2] = [
-    ("docs/src/engine-file.md", &["schema", "--markdown"]),
-    ("docs/src/validation.md", &["validate", "--markdown"]),
+/// Pages of the book, and the picture of the README.
+const WRITTEN: [Written; 3] = [
+    Written {
+        file: "docs/src/engine-file.md",
+        head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
+        arguments: &["schema", "--markdown"],
+        figure: None,
+    },
+    Written {
+        file: "docs/src/validation.md",
+        head: "",
+        arguments: &["validate", "--markdown"],
+        figure: None,
+    },
+    Written {
+        file: "docs/images/twin-spectrum.svg",
+        head: "",
+        arguments: &["report", "examples/twin-in-line-in-phase.toml", "--output", "-"],
+        figure: Some("force-spectrum.svg"),
+    },
 ];
 
-/// Writes every page.
+/// A file that the program writes.
+struct Written {
+    file: &'static str,
+    /// What stands above it.
+    head: &'static str,
+    /// What makes the program print it.
+    arguments: &'static [&'static str],
+    /// The figure of the report that it is, where it is one.
+    figure: Option<&'static str>,
+}
+
+impl Written {
+    fn text(&self, program: &Path) -> Result<String> {
+        let mut command = Command::new(program);
+        command.args(self.arguments).current_dir(root());
+        let body = match self.figure {
+            None => quiet(&mut command)?,
+            Some(figure) => {
+                let folder = scratch("figures")?;
+                quiet(command.arg("--figures").arg(&folder))?;
+                std::fs::read_to_string(folder.join(figure)).with_context(|| format!("no figure {figure}"))?
+            }
+        };
+        Ok(format!("{}{body}", self.head))
+    }
+}
+
+/// Writes every file.
 pub fn write() -> Result<()> {
     let program = program()?;
-    for (page, arguments) in PAGES {
-        std::fs::write(root().join(page), text(&program, arguments)?)?;
-        println!("{page}");
+    for written in &WRITTEN {
+        std::fs::write(root().join(written.file), written.text(&program)?)?;
+        println!("{}", written.file);
     }
     Ok(())
 }
 
-/// Fails where a page is not what the program prints now.
+/// Fails where a file is not what the program writes now.
 pub fn check(program: &Path) -> Result<String> {
     let mut stale = Vec::new();
-    for (page, arguments) in PAGES {
-        let kept =
-            std::fs::read_to_string(root().join(page)).with_context(|| format!("cannot read {page}"))?;
-        if kept != text(program, arguments)? {
-            stale.push(page);
+    for written in &WRITTEN {
+        let kept = std::fs::read_to_string(root().join(written.file));
+        if kept.with_context(|| format!("cannot read {}", written.file))? != written.text(program)? {
+            stale.push(written.file);
         }
     }
     if !stale.is_empty() {
-        bail!("stale pages: {}; run `cargo xtask generate`", stale.join(", "));
+        bail!("stale: {}; run `cargo xtask generate`", stale.join(", "));
     }
-    Ok(format!("{} generated pages", PAGES.len()))
-}
-
-fn text(program: &Path, arguments: &[&str]) -> Result<String> {
-    quiet(Command::new(program).args(arguments).current_dir(root()))
+    Ok(format!("{} files", WRITTEN.len()))
 }

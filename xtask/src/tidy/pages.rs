@@ -184,7 +184,7 @@ fn source_references(text: &str) -> Vec<(String, usize)> {
             let (name, year) = inner.split_at(letters);
             let year = year.trim_end_matches(|c: char| c.is_ascii_lowercase());
             let capital = name.bytes().next().is_some_and(|b| b.is_ascii_uppercase());
-            if capital && year.len() == 4 && year.bytes().all(|b| b.is_ascii_digit()) {
+            if capital && letters > 1 && year.len() == 4 && year.bytes().all(|b| b.is_ascii_digit()) {
                 found.push((inner.to_owned(), index + 1));
             }
         }
@@ -236,6 +236,7 @@ mod tests {
             source_references("see [Louvigny2008], [text] and [Iso1940]"),
             [("Louvigny2008".to_owned(), 1), ("Iso1940".to_owned(), 1)]
         );
+        assert!(source_references("error[E0101]: unit missing").is_empty());
         assert!(source_keys("@book{Heywood1988,\n title = {x}\n}").contains("Heywood1988"));
     }
 
