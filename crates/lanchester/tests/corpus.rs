@@ -8,9 +8,9 @@ use std::path::Path;
 fn replay(target: &str, check: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds").join(target);
     let mut files = 0;
-    for entry in std::fs::read_dir(&folder).unwrap() {
-        let path = entry.unwrap().path();
-        let data = std::fs::read(&path).unwrap();
+    for entry in std::fs::read_dir(&folder).expect("the corpus is kept") {
+        let path = entry.expect("its folder can be read").path();
+        let data = std::fs::read(&path).expect("its files can be read");
         if std::panic::catch_unwind(|| check(&data)).is_err() {
             panic!("the kept input {} breaks `{target}`", path.display());
         }
