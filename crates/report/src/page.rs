@@ -2,6 +2,7 @@
 
 use crate::engine_tables;
 use crate::figure::{Figure, STYLE};
+use crate::findings_table::findings_table;
 use crate::gallery::Gallery;
 use crate::load_tables;
 use crate::number;
@@ -10,7 +11,7 @@ use crate::speed_table::speed_table;
 use crate::svg::escape;
 use crate::table::{Table, push_rich};
 use askama::Template;
-use lanchester_mechanism::{Finding, Loads, Quantity, Sense};
+use lanchester_mechanism::Loads;
 use lanchester_model::{Engine, Rotation};
 use std::f64::consts::TAU;
 
@@ -50,7 +51,8 @@ struct Page<'a> {
     warnings: &'a [String],
     speed: String,
     main_data: Vec<(&'static str, String)>,
-    findings: Vec<(String, &'a str)>,
+    summary: String,
+    findings: String,
     reference: String,
     turning: &'static str,
     side: &'static str,
@@ -97,7 +99,8 @@ pub fn report(input: &ReportInput<'_>) -> String {
         warnings,
         speed: number::short(loads.speed * 60.0 / TAU, 4),
         main_data: engine_tables::main_data(engine, loads.speed),
-        findings: loads.diagnosis.findings.iter().map(|f| (heading(f), f.text.as_str())).collect(),
+        summary: unbroken(&loads.diagnosis.summary),
+        findings: findings_table(loads).html(),
         reference: reference(loads),
         turning,
         side,
@@ -121,19 +124,11 @@ pub fn figures(engine: &Engine, loads: &Loads) -> Vec<Figure> {
     Gallery::of(engine, loads).into_figures()
 }
 
-/// "Force, second order, with the crank".
-fn heading(finding: &Finding) -> String {
-    let quantity = match finding.quantity {
-        Quantity::Force => "Force",
-        Quantity::Couple => "Couple",
-        Quantity::RollMoment => "Roll moment",
-    };
-    let sense = match finding.sense {
-        Sense::Forward => ", with the crank",
-        Sense::Backward => ", against the crank",
-        Sense::None => "",
-    };
-    format!("{quantity}, {}{sense}", number::order_word(finding.order))
+/// The text with its units kept beside their numbers.
+fn unbroken(text: &str) -> String {
+    [" kN", " N", " m ", " rpm"]
+        .iter()
+        .fold(text.to_owned(), |text, unit| text.replace(unit, &unit.replacen(' ', "\u{a0}", 1)))
 }
 
 fn reference(loads: &Loads) -> String {

@@ -1,5 +1,6 @@
 //! The loads as plain text.
 
+use crate::findings_table::findings_table;
 use crate::load_tables;
 use crate::number;
 use lanchester_mechanism::Loads;
@@ -16,10 +17,11 @@ pub fn loads_text(loads: &Loads) -> String {
     let [x, y, z] = loads.reference.map(|v| number::terminal(1e3 * v, 1));
     let _ = writeln!(out, "Motion: {}. Couples about x = {x}, y = {y}, z = {z} mm.\n", loads.kinematics);
     push_wrapped(&mut out, "", &loads.diagnosis.summary);
-    for finding in &loads.diagnosis.findings {
-        push_wrapped(&mut out, "  - ", &finding.text);
+    let mut tables = Vec::new();
+    if !loads.diagnosis.findings.is_empty() {
+        tables.push(findings_table(loads));
     }
-    let mut tables = vec![
+    tables.extend([
         load_tables::peaks_table(loads),
         load_tables::force_orders_table(loads),
         load_tables::couple_orders_table(loads),
@@ -27,7 +29,7 @@ pub fn loads_text(loads: &Loads) -> String {
         load_tables::parts_table(loads),
         load_tables::cylinders_table(loads),
         load_tables::motion_table(loads),
-    ];
+    ]);
     tables.extend(load_tables::articulation_table(loads));
     tables.extend(load_tables::rod_inertia_table(loads));
     for table in tables {

@@ -1,7 +1,7 @@
 //! The gallery of layouts, held against values that share no code with it.
 //!
 //! `validation/layouts/derive.py` derives every template a second time: the layout from the textbook, the loads from
-//! point masses on a solved linkage. `validation/layouts/textbook.json` has what handbooks print of free forces and
+//! point masses on a solved linkage. `validation/layouts/textbook.json` has what textbooks print of free forces and
 //! couples. No Python is needed here.
 
 mod compare;

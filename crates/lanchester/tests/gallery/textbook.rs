@@ -1,4 +1,4 @@
-//! Free forces and couples as handbooks print them.
+//! Free forces and couples as textbooks print them or as derived by hand.
 
 use crate::{engine, evidence};
 use lanchester_mechanism::{Kinematics, LoadRequest, LoadSet, Part, loads};
@@ -72,7 +72,7 @@ fn table() -> Vec<Row> {
     serde_json::from_str::<Table>(&text).expect("the table has its form").rows
 }
 
-/// The handbooks' engine: every rod is the first one's, sits on the crankpin and runs in the plane of its throw; no
+/// The textbooks' engine: every rod is the first one's, sits on the crankpin and runs in the plane of its throw; no
 /// offsets.
 fn idealised(engine: &Engine) -> Engine {
     let mut engine = engine.clone();
@@ -141,7 +141,7 @@ fn parts(loads: &LoadSet, row: &Row) -> (Complex64, Complex64) {
 }
 
 #[test]
-fn lit_handbook_free_forces_and_couples() {
+fn lit_textbook_free_forces_and_couples() {
     let rows = table();
     assert!(rows.len() >= 130, "{} rows", rows.len());
     let found: Vec<String> = rows.iter().filter_map(|row| difference(row, &engine(&row.template))).collect();
@@ -149,7 +149,7 @@ fn lit_handbook_free_forces_and_couples() {
 }
 
 #[test]
-fn handbook_comparison_fails_where_a_value_or_a_sense_is_wrong() {
+fn textbook_comparison_fails_where_a_value_or_a_sense_is_wrong() {
     for row in table() {
         let engine = engine(&row.template);
         let mut wrong = row.clone();
