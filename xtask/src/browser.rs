@@ -6,18 +6,15 @@ use anyhow::{Context, Result, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Engines whose reports are opened; the first, the widest, and one with geared or many parts.
-const ENGINES: usize = 3;
 /// Widths of a phone and of a desk [CSS pixels].
 const WIDTHS: [u32; 2] = [360, 1280];
 const NAMES: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 
-/// Opens the reports of a few examples.
+/// Opens the reports of all examples.
 pub fn check_reports(program: &Path) -> Result<String> {
     let chromium = chromium()?;
     let folder = scratch("browser")?;
-    let mut examples = crate::engines::examples()?;
-    examples.truncate(ENGINES);
+    let examples = crate::engines::examples()?;
     for example in &examples {
         let name = example.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let report = folder.join(format!("{name}.html"));
