@@ -232,7 +232,8 @@ impl Curve<'_> {
         }
         let reach = rings.high * outer;
         let up = format!("{}_x [{}]", self.symbol, scale.unit);
-        svg.text("muted small", (x, y - reach - 8.0), Anchor::Middle, &up);
+        // Beside the axis: the marks of the path may stand on it.
+        svg.text("muted small", (x + 44.0, y - reach - 8.0), Anchor::Start, &up);
         let (right, anchor) =
             if view.side > 0.0 { (reach + 6.0, Anchor::Start) } else { (-reach - 6.0, Anchor::End) };
         svg.text("muted small", (x + right, y + 4.0), anchor, &format!("{}_y", self.symbol));

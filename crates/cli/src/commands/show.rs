@@ -4,9 +4,9 @@ use crate::arguments::{Format, ShowArguments};
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
-use lanchester::mechanism::{LoadRequest, loads};
-use lanchester::model::expanded;
-use lanchester::report::{drawing, motion_table};
+use lanchester::mechanism::{LoadRequest, Loads, loads};
+use lanchester::model::{Engine, Rotation, expanded};
+use lanchester::report::{articulation_table, drawing, motion_table, rod_inertia_table};
 
 pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
@@ -20,7 +20,7 @@ pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
             let loads = loads(engine, &request).map_err(refused)?;
             // The table stands in comments, so that the whole output is an engine file again.
             let mut out = String::new();
-            for line in motion_table(&loads).text().lines() {
+            for line in format!("{}\n{}", frame(engine), motion(&loads)).lines() {
                 out += format!("# {line}").trim_end();
                 out.push('\n');
             }
@@ -30,4 +30,27 @@ pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => motion_table(&loads(engine, &request).map_err(refused)?).csv(),
     })?;
     Ok(DONE)
+}
+
+/// Dead centres of every cylinder, what articulated rods change, and what two-mass rods miss.
+fn motion(loads: &Loads) -> String {
+    let mut out = motion_table(loads).text();
+    for table in [articulation_table(loads), rod_inertia_table(loads)].into_iter().flatten() {
+        out.push('\n');
+        out += &table.text();
+    }
+    out
+}
+
+/// The frame that all angles and places of the output refer to.
+fn frame(engine: &Engine) -> String {
+    let (sense, side) = match engine.rotation {
+        Rotation::Clockwise => ("clockwise", "right"),
+        Rotation::Reverse => ("anticlockwise", "left"),
+    };
+    format!(
+        "Frame\n  z: crank axis, from the free end to the flywheel; origin in the reference plane\n  x: up, y: to the \
+         {side}, seen from the free end; the crank turns {sense}, from +x to +y\n  theta = 0: throw 1 along +x; angles \
+         of throws and cylinders count from +x towards +y\n"
+    )
 }
