@@ -6,33 +6,53 @@ use anyhow::{Context, Result, bail, ensure};
 use std::path::Path;
 use std::process::Command;
 
-/// Every whole engine file in the README and in the book through `check` and `loads`, without a warning.
+/// Every whole engine file in the README and in the book through `check` and `loads`, without a warning, and every
+/// quoted output against what the program says.
+///
+/// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. A `text,says-COMMAND` block
+/// quotes a part of what that command says of the engine file before it.
 pub fn engines(program: &Path) -> Result<String> {
     let folder = scratch("documents")?;
-    let mut count = 0;
+    let (mut shown, mut quoted) = (0, 0);
     for page in files()?.iter().filter(|file| *file == "README.md" || file.starts_with("docs/src/")) {
         let Some(text) = text(page)? else { continue };
-        for (block, start) in blocks(&text, "toml") {
-            // Others are fragments, which show a few keys.
-            if !block.lines().any(|line| line.starts_with("name = ")) {
-                continue;
+        for block in blocks(&text) {
+            let place = format!("{page}:{}", block.line);
+            let run = |command: &str| {
+                crate::command::output(
+                    Command::new(program).args([command, "engine.toml"]).current_dir(&folder),
+                )
+            };
+            match (block.language, block.tag) {
+                // Other blocks of TOML are fragments, which show a few keys.
+                ("toml", tag) if block.text.lines().any(|line| line.starts_with("name = ")) => {
+                    std::fs::write(folder.join("engine.toml"), &block.text)?;
+                    for command in ["check", "loads"] {
+                        let finished = run(command)?;
+                        let clean = finished.status == 0 && finished.stderr.is_empty();
+                        let said = format!("{}{}", finished.stdout, finished.stderr);
+                        ensure!(clean != (tag == "wrong"), "{place}: `{command}` says\n{said}");
+                    }
+                    shown += 1;
+                }
+                ("text", tag) if tag.starts_with("says-") => {
+                    let finished = run(tag.trim_start_matches("says-"))?;
+                    let said = words(&format!("{}{}", finished.stderr, finished.stdout));
+                    let quote = words(block.text.trim_end().trim_end_matches("..."));
+                    ensure!(said.contains(&quote), "{place}: quotes what is not said; it says\n{}", said);
+                    quoted += 1;
+                }
+                _ => {}
             }
-            let file = folder.join("engine.toml");
-            std::fs::write(&file, block)?;
-            for command in ["check", "loads"] {
-                let mut run = Command::new(program);
-                let finished = crate::command::output(run.arg(command).arg(&file))?;
-                let said = format!("{}{}", finished.stdout, finished.stderr);
-                ensure!(
-                    finished.status == 0 && finished.stderr.is_empty(),
-                    "{page}:{start}: `{command}` says\n{said}"
-                );
-            }
-            count += 1;
         }
     }
-    ensure!(count > 0, "the documents show no engine");
-    Ok(format!("{count} engine files"))
+    ensure!(shown > 0 && quoted > 0, "the documents show no engine");
+    Ok(format!("{shown} engine files, {quoted} quotations"))
+}
+
+/// The text without its line breaks.
+fn words(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 /// Runs the README's commands as they are printed.
@@ -65,22 +85,28 @@ fn run_one(command: &str) -> Result<()> {
     }
 }
 
-/// Contents of the fenced blocks of a language, each with the line that it starts on.
-fn blocks(text: &str, language: &str) -> Vec<(String, usize)> {
+/// A fenced block: its language, what follows the language after a comma, its text and its first line.
+struct Block<'a> {
+    language: &'a str,
+    tag: &'a str,
+    text: String,
+    line: usize,
+}
+
+/// The fenced blocks of a page.
+fn blocks(page: &str) -> Vec<Block<'_>> {
     let mut found = Vec::new();
-    let mut open: Option<(bool, String, usize)> = None;
-    for (index, line) in text.lines().enumerate() {
+    let mut open: Option<Block> = None;
+    for (index, line) in page.lines().enumerate() {
         match (&mut open, line.strip_prefix("```")) {
-            (None, Some(info)) => open = Some((info.trim() == language, String::new(), index + 2)),
-            (Some(_), Some(_)) => {
-                let (wanted, block, start) = open.take().expect("invariant: a block is open");
-                if wanted {
-                    found.push((block, start));
-                }
+            (None, Some(info)) => {
+                let (language, tag) = info.trim().split_once(',').unwrap_or((info.trim(), ""));
+                open = Some(Block { language, tag, text: String::new(), line: index + 2 });
             }
-            (Some((_, block, _)), None) => {
-                block.push_str(line);
-                block.push('\n');
+            (Some(_), Some(_)) => found.extend(open.take()),
+            (Some(block), None) => {
+                block.text.push_str(line);
+                block.text.push('\n');
             }
             (None, None) => {}
         }
@@ -90,8 +116,8 @@ fn blocks(text: &str, language: &str) -> Vec<(String, usize)> {
 
 /// Lines of the `sh` blocks without comments.
 fn command_lines(readme: &str) -> Vec<String> {
-    let blocks = blocks(readme, "sh");
-    let lines = blocks.iter().flat_map(|(block, _)| block.lines());
+    let blocks = blocks(readme);
+    let lines = blocks.iter().filter(|block| block.language == "sh").flat_map(|block| block.text.lines());
     let bare = lines.map(|line| line.split(" #").next().unwrap_or_default().trim());
     bare.filter(|line| !line.is_empty() && !line.starts_with('#')).map(str::to_owned).collect()
 }
@@ -109,7 +135,8 @@ mod tests {
         let text =
             "```sh\n# first\ncargo xtask ci   # all tests\n```\n```toml\na = 1\n```\n```text\nx\n```\n";
         assert_eq!(command_lines(text), ["cargo xtask ci"]);
-        assert_eq!(blocks(text, "toml"), [("a = 1\n".to_owned(), 6)]);
+        let toml = &blocks("```toml,wrong\na = 1\n```\n")[0];
+        assert_eq!((toml.language, toml.tag, toml.text.as_str(), toml.line), ("toml", "wrong", "a = 1\n", 2));
     }
 
     #[test]
