@@ -222,18 +222,3 @@ fn validate_ends_with_0_and_speaks_every_format() {
         1
     );
 }
-
-#[test]
-fn the_readme_and_the_guide_quote_what_the_program_says() {
-    let folder = folder("quoted");
-    let documents = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let readme = fs::read_to_string(documents.join("README.md")).unwrap();
-    let engine = readme.split("```toml\n").nth(1).unwrap().split("```").next().unwrap();
-    fs::write(folder.join("three.toml"), engine).unwrap();
-    let said = output(&folder, 0, &["loads", "three.toml"]);
-    let summary = said.split("\n\n").nth(1).unwrap();
-    for document in ["README.md", "docs/src/guide/first-engine.md"] {
-        let text = fs::read_to_string(documents.join(document)).unwrap();
-        assert!(text.contains(summary), "{document} must quote:\n{summary}");
-    }
-}

@@ -118,7 +118,8 @@ impl Part {
 pub struct LoadSet {
     /// Over one period.
     pub trace: Trace,
-    /// By order, rising, all orders asked for (also the vanishing ones).
+    /// By order, rising: all whole orders asked for, also the vanishing ones, and the fractions that geared crankshafts
+    /// and shafts bring.
     pub orders: Vec<OrderLoads>,
     /// Extremes over the continuous angle (or over the grid, where one was asked for).
     pub peaks: Peaks,

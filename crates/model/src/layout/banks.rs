@@ -30,6 +30,19 @@ pub(super) fn skeleton(spec: &LayoutSpec, problems: &mut Vec<Problem>) -> Option
     }
     let groups = spec.cylinders / banks.len();
     let group = if banks.len() == 2 { "pair" } else { "group" };
+    if pins != Pins::Shared && spec.bank_stagger.is_none() {
+        // Without it the couples of the pair would silently vanish.
+        problems.push(
+            Problem::new(
+                "layout.bank_stagger",
+                format!("bank_stagger is missing: the pins of a {group} cannot stand in one plane"),
+            )
+            .hint(format!(
+                "add bank_stagger = \"20 mm\", the distance along the crank between the cylinders of a {group}; \
+                 \"0 mm\" leaves it out on purpose"
+            )),
+        );
+    }
     let planes = planes(spec, groups, group, problems)?;
     if problems.len() > before {
         return None;

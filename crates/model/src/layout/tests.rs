@@ -10,6 +10,9 @@ fn engine(kind: LayoutKind, cylinders: usize, order: &[usize]) -> LayoutSpec {
     if kind != LayoutKind::Radial {
         spec.spacing = Some(0.1);
     }
+    if kind == LayoutKind::Boxer {
+        spec.bank_stagger = Some(0.03);
+    }
     spec
 }
 
@@ -79,6 +82,13 @@ fn lit_two_stroke_three() {
 }
 
 #[test]
+fn a_boxer_without_stagger_is_refused() {
+    let boxer = LayoutSpec { bank_stagger: None, ..engine(LayoutKind::Boxer, 2, &[1, 2]) };
+    let problems = arrange(&boxer).expect_err("two pins in one plane");
+    assert_eq!(problems.iter().map(|problem| problem.key).collect::<Vec<_>>(), ["layout.bank_stagger"]);
+}
+
+#[test]
 fn lit_boxer_cranks() {
     assert_eq!(throws(&engine(LayoutKind::Boxer, 2, &[1, 2])), [0.0, 180.0]);
     let subaru =
@@ -105,6 +115,7 @@ fn lit_v6_split_pins() {
     let split = |bank: f64, angle: f64, order: &[usize]| LayoutSpec {
         pins: Some(Pins::Split),
         split_angle: Some(angle.to_radians()),
+        bank_stagger: Some(0.02),
         ..v(6, bank, order)
     };
     let wide = split(90.0, -30.0, &[1, 4, 3, 6, 2, 5]);
@@ -134,6 +145,7 @@ fn lit_buick_v6_numbers_the_other_bank_first() {
     let spec = LayoutSpec {
         banks: Some(vec![bank(45.0), bank(-45.0)]),
         pins: Some(Pins::Separate),
+        bank_stagger: Some(0.02),
         numbering: Some(Numbering::Alternating),
         ..engine(LayoutKind::W, 6, &[1, 6, 5, 4, 3, 2])
     };
@@ -448,7 +460,7 @@ fn mended(mut spec: LayoutSpec) -> LayoutSpec {
                 "layout.crank_phase" => spec.crank_phase = None,
                 "firing.order" => (spec.order, spec.crank_phase) = (None, None),
                 "layout.numbering" => spec.numbering = None,
-                "layout.bank_stagger" => spec.bank_stagger = None,
+                "layout.bank_stagger" => toggle(&mut spec.bank_stagger, 0.02),
                 "layout.bank_angle" => toggle(&mut spec.bank_angle, 1.0),
                 "layout.pins" => spec.pins = None,
                 "layout.split_angle" => toggle(&mut spec.split_angle, 1.0),

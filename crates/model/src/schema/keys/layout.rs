@@ -81,7 +81,7 @@ pub(super) static LAYOUT: Table = Table {
                 "bank_stagger",
                 Length,
                 Any,
-                "Distance along z between the banks' cylinders of a pair, bank 1 towards the free end; default 0.",
+                "Distance along z between the banks' cylinders of a pair, bank 1 towards the free end; default 0 on a shared pin, needed for pins of their own.",
                 "\"20 mm\"",
             ),
         ),
