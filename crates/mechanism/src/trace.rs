@@ -30,29 +30,41 @@ pub(crate) trait Kernel {
 pub(crate) fn dispatch<K: Kernel>(kernel: K) {
     #[cfg(target_arch = "x86_64")]
     {
-        #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
-        fn run_avx512<K: Kernel>(kernel: K) {
-            kernel.run::<true>();
-        }
-        #[target_feature(enable = "avx2,fma")]
-        fn run_avx2<K: Kernel>(kernel: K) {
-            kernel.run::<true>();
-        }
-        let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-        if avx2
-            && is_x86_feature_detected!("avx512f")
-            && is_x86_feature_detected!("avx512vl")
-            && is_x86_feature_detected!("avx512dq")
-        {
+        if has_avx512() {
             // SAFETY: the function is safe but for its instructions, and the machine was just found to have them.
             return unsafe { run_avx512(kernel) };
         }
-        if avx2 {
+        if has_avx2() {
             // SAFETY: as above.
             return unsafe { run_avx2(kernel) };
         }
     }
     run_portable(kernel);
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_avx2() -> bool {
+    is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_avx512() -> bool {
+    has_avx2()
+        && is_x86_feature_detected!("avx512f")
+        && is_x86_feature_detected!("avx512vl")
+        && is_x86_feature_detected!("avx512dq")
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,avx2,fma")]
+fn run_avx512<K: Kernel>(kernel: K) {
+    kernel.run::<true>();
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn run_avx2<K: Kernel>(kernel: K) {
+    kernel.run::<true>();
 }
 
 /// Runs `kernel` with the instructions that the program was compiled for.
@@ -501,5 +513,51 @@ impl TracePlan {
         }
         sums[4] = sums[4] - sums[5];
         sums
+    }
+}
+
+#[cfg(all(test, target_arch = "x86_64"))]
+mod tests {
+    use super::*;
+    use crate::LoadRequest;
+    use lanchester_model::{read, template};
+
+    /// Every variant by itself: `dispatch` would only ever run the best that the machine has.
+    #[test]
+    #[allow(unsafe_code)]
+    fn every_instruction_set_gives_the_same_trace() {
+        for name in ["v6-60", "radial-9", "opposed-piston-3"] {
+            let engine =
+                read(template(name).expect("it is in the gallery").text).engine.expect("it is valid");
+            let mechanism = Mechanism::new(&engine, &LoadRequest::default()).expect("it is valid");
+            let plan = mechanism.trace_plan(mechanism.angle_grid(90));
+            let mut portable = Trace::default();
+            plan.trace_into_portable(&mut portable);
+            let mut traces = Vec::new();
+            if has_avx2() {
+                let mut trace = Trace::default();
+                plan.make_room(&mut trace);
+                // SAFETY: the machine was just found to have the instructions.
+                unsafe { run_avx2(TraceKernel { plan: &plan, trace: &mut trace }) };
+                traces.push(trace);
+            }
+            if has_avx512() {
+                let mut trace = Trace::default();
+                plan.make_room(&mut trace);
+                // SAFETY: as above.
+                unsafe { run_avx512(TraceKernel { plan: &plan, trace: &mut trace }) };
+                traces.push(trace);
+            }
+            for mut trace in traces {
+                for (component, expected) in
+                    components_mut(&mut trace).into_iter().zip(components_mut(&mut portable))
+                {
+                    // What cancels in the sum is no larger than one cylinder's loads, some 1e5 N or N m here.
+                    let largest =
+                        component.iter().zip(expected.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    assert!(largest <= 1e-13 * 1e6, "{name}: {largest}");
+                }
+            }
+        }
     }
 }

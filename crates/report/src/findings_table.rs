@@ -63,7 +63,10 @@ fn remedy(finding: &Finding) -> String {
     };
     let planes = if finding.quantity == Quantity::Couple { ", in two planes" } else { "" };
     match finding.remedy {
-        Remedy::CrankWeights => format!("weights on the crankshaft{planes}"),
+        Remedy::CrankWeights if finding.order == 1.0 && finding.sense == Sense::Forward => {
+            format!("weights on the crankshaft{planes}")
+        }
+        Remedy::CrankWeights => format!("weights on the crankshaft that turns so{planes}"),
         Remedy::BalanceShaft => format!("a shaft {speed}, turning {}{planes}", turning(finding)),
         Remedy::NoneOfLowOrder => format!("no first- or second-order device; a shaft {speed}"),
         Remedy::RollDevice => format!("shafts {speed} at unequal heights, counter-rotating inertia"),
