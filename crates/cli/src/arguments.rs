@@ -18,7 +18,7 @@ pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,
     /// Colour in messages.
-    #[arg(long, global = true, value_enum, default_value_t = Colour::Auto)]
+    #[arg(long, alias = "color", global = true, value_enum, default_value_t = Colour::Auto)]
     pub colour: Colour,
 }
 
@@ -126,7 +126,7 @@ pub struct NewArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Form of the list.
-    #[arg(long, value_enum, default_value_t = Format::Text)]
+    #[arg(long, value_enum, default_value_t = Format::Text, conflicts_with = "name")]
     pub format: Format,
 }
 
@@ -161,9 +161,9 @@ pub struct LoadsArguments {
     /// What to compute with.
     #[command(flatten)]
     pub request: RequestArguments,
-    /// Table written with `--format csv`.
-    #[arg(long, value_enum, default_value_t = LoadsTable::Orders)]
-    pub table: LoadsTable,
+    /// Table written with `--format csv`; default: orders.
+    #[arg(long, value_enum, requires = "format")]
+    pub table: Option<LoadsTable>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -204,11 +204,11 @@ pub struct ValidateArguments {
     /// Only rows whose source or table contains this text.
     #[arg(value_name = "FILTER")]
     pub filter: Option<String>,
-    /// Print every row, not only those that need a reason.
-    #[arg(long)]
+    /// Print every row, not only those that need a reason; the other forms always have every row.
+    #[arg(long, conflicts_with = "format")]
     pub verbose: bool,
     /// Write the validation page of the book instead.
-    #[arg(long, conflicts_with_all = ["verbose", "filter"])]
+    #[arg(long, conflicts_with_all = ["verbose", "filter", "format"])]
     pub markdown: bool,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]

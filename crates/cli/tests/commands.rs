@@ -153,6 +153,7 @@ fn wrong_options_say_what_is_needed() {
         (&["loads", "no-such-file.toml"], "lanchester new"),
         (&["new", "inline4"], "in-line-4"),
         (&["validate", "no such source"], "without a filter"),
+        (&["loads", "TWIN", "--table", "trace", "--format", "json"], "--format csv"),
     ] {
         let arguments: Vec<String> = arguments.iter().map(|word| word.replace("TWIN", &twin())).collect();
         let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
@@ -221,4 +222,17 @@ fn validate_ends_with_0_and_speaks_every_format() {
             .len(),
         1
     );
+}
+
+#[test]
+fn an_option_that_would_be_ignored_is_refused() {
+    let folder = folder("ignored");
+    for arguments in [
+        &["new", "in-line-4", "--format", "json"][..],
+        &["loads", &twin(), "--table", "trace"],
+        &["validate", "--verbose", "--format", "csv"],
+        &["validate", "--markdown", "--format", "csv"],
+    ] {
+        assert!(message(&folder, 2, arguments).contains("--format"), "{arguments:?}");
+    }
 }

@@ -9,14 +9,20 @@ use lanchester::mechanism::loads;
 use lanchester::report::{loads_text, orders_csv, trace_csv};
 
 pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
+    if arguments.table.is_some() && arguments.format != Format::Csv {
+        return Err(Failure::input(
+            "--table chooses what --format csv writes",
+            "add --format csv, or leave --table out",
+        ));
+    }
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
     let loads = loads(&opened.engine, &request).map_err(refused)?;
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => loads_text(&loads),
         (Format::Json, _) => json(&loads)?,
-        (Format::Csv, LoadsTable::Orders) => orders_csv(&loads),
-        (Format::Csv, LoadsTable::Trace) => trace_csv(&loads),
+        (Format::Csv, Some(LoadsTable::Trace)) => trace_csv(&loads),
+        (Format::Csv, _) => orders_csv(&loads),
     })?;
     Ok(DONE)
 }
