@@ -176,6 +176,8 @@ pub enum LoadsTable {
     Orders,
     /// All components over one period.
     Trace,
+    /// Position, velocity, acceleration of every piston and the angle of its rod over one period.
+    Motion,
 }
 
 /// `report`

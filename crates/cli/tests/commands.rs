@@ -130,6 +130,10 @@ fn loads_in_the_convention_of_the_twin_thesis() {
     );
     let trace = output(&folder, 0, &["loads", &twin(), "--format", "csv", "--table", "trace"]);
     assert_eq!(trace.lines().count(), 721);
+    let motion = output(&folder, 0, &["loads", &twin(), "--format", "csv", "--table", "motion"]);
+    let top: Vec<f64> = motion.lines().nth(1).unwrap().split(',').map(|cell| cell.parse().unwrap()).collect();
+    // Louvigny 2008, Table 1: at top dead centre the pin stands at r + l and does not move.
+    assert!((top[1] - (0.04775 + 0.144)).abs() < 1e-12 && top[2].abs() < 1e-9, "{top:?}");
     // A couple about another point is the force times the distance.
     let moved =
         output_json(&folder, 0, &["loads", &twin(), "--about", "0 mm, 0 mm, -100 mm", "--format", "json"]);

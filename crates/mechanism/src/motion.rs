@@ -3,8 +3,8 @@
 use crate::drive::{Drive, Linkage};
 use crate::extremes::extremes_over_turn;
 use crate::request::{LoadError, LoadRequest};
-use crate::result::{Articulation, CylinderMotion, Extremes};
-use crate::train::{linkage, master_of};
+use crate::result::{Articulation, CylinderMotion, Extremes, MotionTrace};
+use crate::train::{linkage, master_of, period};
 use lanchester_model::Engine;
 use std::f64::consts::{PI, TAU};
 
@@ -60,13 +60,19 @@ fn wrapped(angle: f64) -> f64 {
 /// [`LoadError`] where a linkage does not turn or the request is impossible.
 pub fn motion(engine: &Engine, request: &LoadRequest) -> Result<Vec<CylinderMotion>, LoadError> {
     request.check(engine)?;
-    (0..engine.cylinders.len()).map(|index| cylinder_motion(engine, request, index)).collect()
+    let revolutions = period(engine)?;
+    request.check_angles(revolutions)?;
+    let count = request.samples * revolutions as usize;
+    let step = TAU * f64::from(revolutions) / count as f64;
+    let theta: Vec<f64> = (0..count).map(|j| step * j as f64).collect();
+    (0..engine.cylinders.len()).map(|index| cylinder_motion(engine, request, index, &theta)).collect()
 }
 
 fn cylinder_motion(
     engine: &Engine,
     request: &LoadRequest,
     index: usize,
+    angles: &[f64],
 ) -> Result<CylinderMotion, LoadError> {
     let cylinder = &engine.cylinders[index];
     let own_linkage = linkage(engine, index)?;
@@ -83,6 +89,18 @@ fn cylinder_motion(
     let top_dead_centre = theta(centres.top_angle);
 
     let rate = ratio.abs() * request.speed_of(engine);
+    let signed = ratio * request.speed_of(engine);
+    let exact = Drive::Exact(own_linkage);
+    let mut trace = MotionTrace { theta: angles.to_vec(), ..MotionTrace::default() };
+    for theta in angles {
+        let phi = ratio * theta + phase;
+        let [position, ..] = exact.motion(phi).stroke.travel;
+        let [_, velocity, acceleration, _] = drive.motion(phi).stroke.travel;
+        trace.position.push(position);
+        trace.velocity.push(signed * velocity);
+        trace.acceleration.push(signed * signed * acceleration);
+        trace.rod_angle.push(exact.motion(phi).stroke.swing[0]);
+    }
     let over_turn = |derivative: usize| {
         extremes_over_turn(scan, |phi| {
             let travel = drive.motion(phi).stroke.travel;
@@ -121,6 +139,7 @@ fn cylinder_motion(
         }),
         residual_inertia: cylinder.rod.residual_inertia(),
         articulation,
+        trace,
     })
 }
 

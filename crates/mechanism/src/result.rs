@@ -204,6 +204,24 @@ pub struct CylinderMotion {
     /// For an articulated rod: largest swing of the knuckle pin's line off the cylinder axis, and how its stroke and
     /// dead centres depart from those of a plain rod of the master's kind.
     pub articulation: Option<Articulation>,
+    /// Its motion over the period of the loads.
+    pub trace: MotionTrace,
+}
+
+/// Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`].
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct MotionTrace {
+    /// Crank angle of crankshaft 1 [rad], from 0, one period of the loads, end point excluded.
+    pub theta: Vec<f64>,
+    /// Distance `s` of the piston pin from the crankshaft's axis along the cylinder [m], always exact.
+    pub position: Vec<f64>,
+    /// Velocity of the piston away from the crankshaft [m/s], of the kinematics asked for.
+    pub velocity: Vec<f64>,
+    /// Acceleration of the piston away from the crankshaft [m/s^2], of the kinematics asked for.
+    pub acceleration: Vec<f64>,
+    /// Angle `beta` of the rod from the cylinder axis [rad], positive where its big end stands towards +v; always
+    /// exact.
+    pub rod_angle: Vec<f64>,
 }
 
 /// What an articulated rod changes.

@@ -335,7 +335,7 @@ pub(crate) fn linkage(engine: &Engine, index: usize) -> Result<Linkage, LoadErro
 }
 
 /// Revolutions of crankshaft 1 after which all shafts stand as before.
-fn period(engine: &Engine) -> Result<u32, LoadError> {
+pub(crate) fn period(engine: &Engine) -> Result<u32, LoadError> {
     let crankshafts = engine.crankshafts.iter().map(|c| c.ratio);
     let denominators: Vec<u32> =
         crankshafts.chain(engine.shafts.iter().map(|s| s.ratio)).map(Ratio::denominator).collect();

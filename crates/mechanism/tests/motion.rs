@@ -155,3 +155,26 @@ fn a_locked_rod_is_an_error_and_a_nearly_locked_one_is_not() {
         loads.total.orders.iter().all(|o| o.force_peak().is_finite() && o.shaft_torque.norm().is_finite())
     );
 }
+
+proptest! {
+    #[test]
+    fn prop_velocity_and_acceleration_are_the_slopes_of_position(engine in any_engine(ALL_SHAPES)) {
+        let speed = engine.speed.highest;
+        for motion in of(&engine) {
+            let trace = &motion.trace;
+            let count = trace.theta.len();
+            let step = trace.theta[1] / speed;
+            let slope = |values: &[f64], j: usize| {
+                let at = |k: usize| values[(j + count + k - 2) % count];
+                (8.0 * (at(3) - at(1)) - (at(4) - at(0))) / (12.0 * step)
+            };
+            for j in 0..count {
+                prop_assert!((trace.position[j] - travel(&engine, motion.cylinder - 1, trace.theta[j])).abs() < 1e-12);
+                // Fourth-order differences at half a degree: 1e-6 of the largest value where the rod is near its limit.
+                prop_assert!((slope(&trace.position, j) - trace.velocity[j]).abs() < 2e-6 * motion.max_speed);
+                let largest = motion.max_acceleration.max(motion.max_deceleration);
+                prop_assert!((slope(&trace.velocity, j) - trace.acceleration[j]).abs() < 2e-6 * largest);
+            }
+        }
+    }
+}

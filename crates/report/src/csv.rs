@@ -52,6 +52,27 @@ pub fn orders_csv(loads: &Loads) -> String {
     out
 }
 
+/// Position, velocity and acceleration of every piston and the angle of its rod over the crank angle.
+pub fn motion_csv(loads: &Loads) -> String {
+    let Some(first) = loads.motion.first() else { return String::new() };
+    let mut out = String::with_capacity(20 * (first.trace.theta.len() + 1) * (1 + 4 * loads.motion.len()));
+    let mut head = vec!["theta [deg]".to_owned()];
+    for motion in &loads.motion {
+        for column in ["position [m]", "velocity [m/s]", "acceleration [m/s2]", "rod_angle [deg]"] {
+            head.push(format!("cylinder {} {column}", motion.cylinder));
+        }
+    }
+    push_csv_line(&mut out, head);
+    for (k, theta) in first.trace.theta.iter().enumerate() {
+        let values = loads.motion.iter().flat_map(|motion| {
+            let trace = &motion.trace;
+            [trace.position[k], trace.velocity[k], trace.acceleration[k], trace.rod_angle[k].to_degrees()]
+        });
+        push_csv_line(&mut out, std::iter::once(theta.to_degrees()).chain(values).map(csv_number));
+    }
+    out
+}
+
 /// Every component of the whole, of every part and of every cylinder over the crank angle.
 pub fn trace_csv(loads: &Loads) -> String {
     let sets = sets(loads);

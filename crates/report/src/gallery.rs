@@ -5,6 +5,7 @@ use crate::frame_sketch::frame_sketch;
 use crate::front_view::front_view;
 use crate::hodograph::{couple_hodograph, force_hodograph};
 use crate::magnitude::Magnitude;
+use crate::motion_plot::motion_plot;
 use crate::over_angle::over_angle;
 use crate::side_view::side_view;
 use crate::spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
@@ -20,6 +21,7 @@ pub(crate) struct Gallery {
     pub hodographs: Vec<Figure>,
     pub stars: Vec<Figure>,
     pub stories: Vec<Figure>,
+    pub motion: Option<Figure>,
     pub frame: Figure,
 }
 
@@ -43,12 +45,13 @@ impl Gallery {
             ],
             stars,
             stories: stories.filter_map(|told| story(engine, loads, told)).collect(),
+            motion: motion_plot(loads),
             frame: frame_sketch(engine.rotation),
         }
     }
 
     pub fn into_figures(self) -> Vec<Figure> {
         let groups = [self.drawings, self.spectra, self.curves, self.hodographs, self.stars, self.stories];
-        groups.into_iter().flatten().chain([self.frame]).collect()
+        groups.into_iter().flatten().chain(self.motion).chain([self.frame]).collect()
     }
 }

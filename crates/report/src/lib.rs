@@ -18,6 +18,7 @@ mod hodograph;
 mod load_tables;
 mod magnitude;
 mod mechanism_sketch;
+mod motion_plot;
 mod number;
 mod over_angle;
 mod page;
@@ -35,7 +36,7 @@ mod table;
 mod terminal;
 mod view;
 
-pub use csv::{orders_csv, trace_csv};
+pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};
@@ -47,6 +48,7 @@ pub use load_tables::{
     articulation_table, couple_orders_table, cylinders_table, force_orders_table, motion_table, parts_table,
     peaks_table, rod_inertia_table, roll_orders_table,
 };
+pub use motion_plot::motion_plot;
 pub use over_angle::{over_angle, vanishing};
 pub use page::{Provenance, ReportInput, figures, report};
 pub use side_view::side_view;

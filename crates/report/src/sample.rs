@@ -161,6 +161,7 @@ fn motion(engine: &Engine, index: usize, cylinder: &Cylinder) -> CylinderMotion 
         firing_angle: cylinder.firing_angle,
         residual_inertia: cylinder.rod.residual_inertia(),
         articulation: None,
+        trace: MotionTrace::default(),
     }
 }
 

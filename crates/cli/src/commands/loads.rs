@@ -6,7 +6,7 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::request::load_request;
 use lanchester::mechanism::loads;
-use lanchester::report::{loads_text, orders_csv, trace_csv};
+use lanchester::report::{loads_text, motion_csv, orders_csv, trace_csv};
 
 pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
@@ -22,6 +22,7 @@ pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
         (Format::Text, _) => loads_text(&loads),
         (Format::Json, _) => json(&loads)?,
         (Format::Csv, Some(LoadsTable::Trace)) => trace_csv(&loads),
+        (Format::Csv, Some(LoadsTable::Motion)) => motion_csv(&loads),
         (Format::Csv, _) => orders_csv(&loads),
     })?;
     Ok(DONE)
