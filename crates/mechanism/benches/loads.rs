@@ -54,6 +54,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        balance: None,
     }
 }
 

@@ -8,6 +8,7 @@
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
 use crate::ratio::Ratio;
+use crate::task::BalanceTask;
 use serde::Serialize;
 
 /// A piston engine in its general form.
@@ -35,6 +36,9 @@ pub struct Engine {
     pub shafts: Vec<BalanceShaft>,
     /// Engine mounts.
     pub mounts: Vec<Mount>,
+    /// What may be done to balance it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub balance: Option<BalanceTask>,
 }
 
 /// Strokes in a working cycle.

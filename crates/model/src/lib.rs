@@ -46,6 +46,7 @@ mod quantity;
 mod ratio;
 mod read;
 mod schema;
+mod task;
 mod template;
 
 pub use codes::diagnostic_codes;
@@ -55,4 +56,5 @@ pub use expanded::expanded;
 pub use ratio::Ratio;
 pub use read::{Reading, read};
 pub use schema::{json_schema, reference_markdown};
+pub use task::*;
 pub use template::{Template, nearest_template, template, templates};

@@ -123,6 +123,7 @@ impl<'a> Reader<'a> {
             counterweights: counterweights?,
             shafts: shafts?,
             mounts: mounts?,
+            balance: None,
         };
         let origin = origin?;
         for cylinder in &mut engine.cylinders {

@@ -62,6 +62,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
             .collect(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        balance: None,
     }
 }
 

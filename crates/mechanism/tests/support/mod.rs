@@ -72,6 +72,7 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        balance: None,
     }
 }
 

@@ -1,0 +1,173 @@
+//! What balancing answers: plain data, SI units and radians, the same for every front end.
+
+use lanchester_model::{BalanceTask, Criterion};
+use num_complex::Complex64;
+use serde::Serialize;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const ANSWER_VERSION: u32 = 1;
+
+/// The best that can be done with the given devices.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Answer {
+    /// [`ANSWER_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// Speed of crankshaft 1 at which loads are judged [rad/s]: the highest of the engine, where all of them are largest.
+    pub speed: f64,
+    /// What was asked.
+    pub task: BalanceTask,
+    /// Whether there is an optimum, and if not, why.
+    pub outcome: Outcome,
+    /// How it was found.
+    pub method: Method,
+    /// Every free weight. Empty where there is no optimum.
+    pub weights: Vec<FoundWeight>,
+    /// Where the free shafts stand.
+    pub shafts: Vec<FoundShaft>,
+    /// Every free inertia.
+    pub inertias: Vec<FoundInertia>,
+    /// What each stage reached, with its proof.
+    pub stages: Vec<FoundStage>,
+    /// What each limit costs.
+    pub limits: Vec<FoundLimit>,
+    /// Criteria before and after: force, couple and roll moment always, then those that the task names.
+    pub effects: Vec<Effect>,
+}
+
+/// Whether there is an optimum.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum Outcome {
+    /// Found and proved within the gap of every stage.
+    Optimal,
+    /// The limits cannot hold together.
+    Infeasible {
+        /// How far every limit must be relaxed together, as a factor of it, until they can just be reached; above 1.
+        relaxation: f64,
+        /// The smallest value that each limited criterion can reach if the other limits are dropped, in the order of
+        /// the task's limits.
+        closest: Vec<f64>,
+        /// The reason in words, with numbers and units.
+        reason: String,
+    },
+    /// The search stopped before its gap was closed; what is given is feasible and the gaps stand.
+    Stopped {
+        /// Why.
+        reason: String,
+    },
+}
+
+/// How an optimum was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum Method {
+    /// One convex programme: every device is free, bounded, on a line of phase or tied.
+    Convex {
+        /// Cone programmes solved until the angles were refined.
+        solves: usize,
+    },
+    /// Branch and bound around convex programmes: free positions, given or least amounts, on/off choices.
+    BranchAndBound {
+        /// Boxes of choices examined.
+        nodes: usize,
+        /// Cone programmes solved.
+        solves: usize,
+    },
+}
+
+/// A free weight of the answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoundWeight {
+    /// Its name in the task.
+    pub name: String,
+    /// Its unbalance [kg m]: modulus = amount, argument = direction at `theta = 0` in the engine's frame.
+    pub unbalance: Complex64,
+    /// Its plane [m].
+    pub z: f64,
+    /// Its mass [kg], where the task gives its radius.
+    pub mass: Option<f64>,
+    /// Whether it is used.
+    pub used: bool,
+}
+
+/// A free shaft of the answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoundShaft {
+    /// Its name in the task.
+    pub name: String,
+    /// Position of its axis [m].
+    pub x: f64,
+    /// Position of its axis [m].
+    pub y: f64,
+    /// Whether it is used.
+    pub used: bool,
+}
+
+/// A free inertia of the answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoundInertia {
+    /// Its name in the task.
+    pub name: String,
+    /// Its inertia [kg m^2]; 0 if it is not used.
+    pub inertia: f64,
+    /// The share of the crank train's roll moment that is left with it.
+    pub roll_share: f64,
+}
+
+/// What a stage reached, and the proof that nothing better exists.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoundStage {
+    /// The sum of weight times criterion, its true value over the continuous cycle.
+    pub value: f64,
+    /// No choice of these devices that holds the limits goes below this.
+    pub lower_bound: f64,
+    /// `value - lower_bound`.
+    pub gap: f64,
+    /// Each term's criterion and true value.
+    pub terms: Vec<(Criterion, f64)>,
+    /// The parts of the cycle that hold the optimum up.
+    pub active: Vec<Active>,
+}
+
+/// A crank angle at which a criterion stands at its peak and holds the optimum up.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Active {
+    /// Which criterion.
+    pub criterion: Criterion,
+    /// Crank angle [rad].
+    pub theta: f64,
+    /// Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
+    /// limit for a limited one).
+    pub multiplier: f64,
+}
+
+/// A limit of the answer.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FoundLimit {
+    /// What is limited: a criterion, the largest amount of a weight, a position.
+    pub what: String,
+    /// Its criterion, if it is one.
+    pub criterion: Option<Criterion>,
+    /// The limit, in SI units.
+    pub most: f64,
+    /// What was reached.
+    pub value: f64,
+    /// Price: how much the first stage that this limit holds up would fall if the limit were one SI unit wider, e.g.
+    /// N per kg m; 0 for a limit that does not matter. `None` where a choice was branched on.
+    pub price: Option<f64>,
+}
+
+/// A criterion before and after.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Effect {
+    /// Which.
+    pub criterion: Criterion,
+    /// Without the free weights (those that they replace left out) [SI unit].
+    pub without: f64,
+    /// As the engine file stands [SI unit].
+    pub before: f64,
+    /// With the answer [SI unit].
+    pub after: f64,
+}

@@ -1,0 +1,60 @@
+//! Why a balancing question cannot be answered.
+
+use lanchester_mechanism::LoadError;
+
+/// A question that has no meaning for this engine. A limit that nobody can reach is an [`crate::Outcome`].
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BalanceError {
+    /// The engine's own loads cannot be computed.
+    #[error(transparent)]
+    Loads(#[from] LoadError),
+    /// Two free weights act in exactly the same way.
+    #[error(
+        "weights `{first}` and `{second}` act alike: same plane, axis and speed\nhint: leave one out, or tie them"
+    )]
+    Alike {
+        /// Name of one.
+        first: String,
+        /// Name of the other.
+        second: String,
+    },
+    /// Added mass is asked for, but a weight has no radius.
+    #[error(
+        "added mass needs the radius of every free weight, and `{weight}` has none\nhint: give its radius, or ask for added unbalance"
+    )]
+    NoRadius {
+        /// Name of the weight.
+        weight: String,
+    },
+    /// A criterion needs something that the engine file does not give.
+    #[error("{criterion} needs {needed}\nhint: {hint}")]
+    Missing {
+        /// Which criterion.
+        criterion: String,
+        /// What it needs.
+        needed: &'static str,
+        /// What to do.
+        hint: &'static str,
+    },
+    /// A choice that cannot be searched without a bound on the amount.
+    #[error(
+        "`{device}` has a free position or may be left out, so it needs a largest amount\nhint: give `most`"
+    )]
+    Unbounded {
+        /// Name of the weight or shaft.
+        device: String,
+    },
+    /// A number of the task is not possible.
+    #[error("{quantity} of `{device}` must be {needed}, got {got}")]
+    Number {
+        /// Which number.
+        quantity: &'static str,
+        /// Whose.
+        device: String,
+        /// What is possible.
+        needed: &'static str,
+        /// What was given.
+        got: f64,
+    },
+}

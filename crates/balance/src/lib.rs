@@ -1,0 +1,11 @@
+//! Balancing: the best counterweights and balance shafts that exist for an engine, with the proof.
+//!
+//! Every device is linear in its complex unbalance, so that the smallest peak of a load over the cycle is a convex
+//! problem; free positions, given amounts and on/off choices are searched by branch and bound around it.
+#![forbid(unsafe_code)]
+
+mod answer;
+mod error;
+
+pub use answer::*;
+pub use error::BalanceError;

@@ -1,0 +1,181 @@
+//! What may be done to balance an engine, and what is wanted: the section `[balance]` of the engine file.
+//!
+//! A *free weight* is an unbalance whose amount and phase are to be found, on a crankshaft or on a free shaft. A free
+//! weight or shaft that has the name of a weight or shaft of the engine stands in its place: the engine is judged
+//! without the old one.
+
+use crate::ratio::Ratio;
+use serde::Serialize;
+
+/// Free weights, shafts and inertias, with what is to be minimised and what must hold.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BalanceTask {
+    /// Balance shafts that may be fitted.
+    pub shafts: Vec<FreeShaft>,
+    /// Weights on the crankshafts and on these shafts.
+    pub weights: Vec<FreeWeight>,
+    /// Inertias that turn against a crankshaft.
+    pub inertias: Vec<FreeInertia>,
+    /// Weights that depend on one another.
+    pub ties: Vec<Tie>,
+    /// What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
+    /// couple.
+    pub stages: Vec<Stage>,
+    /// What must hold.
+    pub limits: Vec<Limit>,
+    /// Most of the optional weights, shafts and inertias that may be used at once.
+    pub most_optional: Option<usize>,
+}
+
+/// A coordinate that is given or to be found.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Place {
+    /// Given [m].
+    At(f64),
+    /// Anywhere from the first to the second [m], `first < second`.
+    Between(f64, f64),
+}
+
+/// A balance shaft that may be fitted.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FreeShaft {
+    /// Name for tables and for the engine file.
+    pub name: String,
+    /// Speed over that of crankshaft 1, signed.
+    pub ratio: Ratio,
+    /// Position of its axis [m].
+    pub x: Place,
+    /// Position of its axis [m].
+    pub y: Place,
+    /// Whether it may be left out.
+    pub optional: bool,
+}
+
+/// What a free weight sits on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Seat {
+    /// A crankshaft of the engine (its web, flywheel or pulley), by index.
+    Crankshaft(usize),
+    /// A shaft of [`BalanceTask::shafts`], by index.
+    Shaft(usize),
+}
+
+/// An unbalance that is to be found: `U = amount e^{i phase}` at `theta = 0`, in the engine's frame.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FreeWeight {
+    /// Name for tables and for the engine file.
+    pub name: String,
+    /// What it sits on.
+    pub seat: Seat,
+    /// Plane [m], from the origin.
+    pub z: Place,
+    /// Least amount [kg m], 0 or more. An optional weight is either left out or has at least this.
+    pub least: f64,
+    /// Largest amount [kg m]; equal to `least` for a given amount.
+    pub most: Option<f64>,
+    /// Direction at `theta = 0` in the engine's frame (crankshaft phase included).
+    pub phase: Phase,
+    /// Whether it may be left out.
+    pub optional: bool,
+    /// Distance of its centre of gravity from the axis it turns about [m]: its mass is amount over radius.
+    pub radius: Option<f64>,
+}
+
+/// Direction of a free weight at `theta = 0`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Phase {
+    /// To be found.
+    Free,
+    /// Along this direction [rad] or opposite to it, whichever is better.
+    Line(f64),
+    /// Along this direction [rad].
+    Direction(f64),
+}
+
+/// An inertia geared to turn against crankshaft 1 (Heron flywheel, geared alternator): with the crank train free to
+/// follow its torque it takes part of the roll moment.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FreeInertia {
+    /// Name for tables.
+    pub name: String,
+    /// Its speed over that of crankshaft 1, as a positive number: it turns the other way.
+    pub ratio: f64,
+    /// Inertia of everything that turns with crankshaft 1 [kg m^2], flywheel included.
+    pub crank_inertia: f64,
+    /// Largest inertia [kg m^2].
+    pub most: Option<f64>,
+    /// Whether it may be left out.
+    pub optional: bool,
+}
+
+/// `U_second = factor * U_first`, or `factor * conj(U_first)` if mirrored (in the plane of x and z).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Tie {
+    /// Index of the leading weight.
+    pub first: usize,
+    /// Index of the weight that follows it.
+    pub second: usize,
+    /// 1: equal, -1: opposed.
+    pub factor: f64,
+    /// Whether the phase is mirrored.
+    pub mirrored: bool,
+}
+
+/// A load over the cycle whose largest amount is judged; about the origin.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Load {
+    /// Resultant force `|F_x + i F_y|` [N].
+    Force,
+    /// Force along x [N].
+    ForceX,
+    /// Force along y [N].
+    ForceY,
+    /// Resultant couple `|M_x + i M_y|` [N m].
+    Couple,
+    /// Couple about x [N m].
+    CoupleX,
+    /// Couple about y [N m].
+    CoupleY,
+    /// Roll moment [N m].
+    RollMoment,
+    /// Force at one mount [N], by index.
+    MountForce(usize),
+    /// Largest force at any mount [N].
+    LargestMountForce,
+    /// Largest bending moment along crankshaft 1 [N m].
+    BendingMoment,
+}
+
+/// What is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// Peak of a load over the continuous cycle, at the highest speed of the engine.
+    Peak(Load),
+    /// Peak of one order of a load (both senses together).
+    Order(Load, f64),
+    /// Mass of all free weights [kg]: every one needs its radius.
+    AddedMass,
+    /// Sum of the amounts of all free weights [kg m].
+    AddedUnbalance,
+}
+
+/// Criteria that are minimised together: the sum of weight times criterion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stage {
+    /// Positive weights and criteria.
+    pub terms: Vec<(f64, Criterion)>,
+}
+
+/// A criterion that must not pass a value.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Limit {
+    /// What.
+    pub criterion: Criterion,
+    /// Largest value, in the criterion's SI unit.
+    pub most: f64,
+}
