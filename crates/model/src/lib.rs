@@ -34,6 +34,8 @@
 
 mod angle;
 mod codes;
+mod criterion;
+mod default_task;
 mod diagnostic;
 mod document;
 mod engine;
@@ -50,6 +52,8 @@ mod task;
 mod template;
 
 pub use codes::diagnostic_codes;
+pub use criterion::{criterion, criterion_name, criterion_unit};
+pub use default_task::default_task;
 pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use expanded::expanded;

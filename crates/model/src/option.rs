@@ -1,6 +1,9 @@
 //! Quantities outside an engine file: the options of a command line.
 
-use crate::quantity::{Dimension, parse};
+use crate::criterion::{self, criterion};
+use crate::engine::Mount;
+use crate::quantity::{Dimension, Refusal, parse};
+use crate::task::{Limit, Stage};
 
 /// Why a text is no quantity of the kind that is due.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -10,6 +13,12 @@ pub struct BadQuantity {
     pub message: String,
     /// What to do.
     pub hint: String,
+}
+
+impl From<Refusal> for BadQuantity {
+    fn from(refusal: Refusal) -> BadQuantity {
+        BadQuantity { message: refusal.message, hint: refusal.hint }
+    }
 }
 
 /// A speed with its unit, such as "4000 rpm" [rad/s]; `option` names what asks for it in the message.
@@ -28,14 +37,89 @@ pub fn length(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Length, option)
 }
 
+/// A limit such as "couple = 5 N m" or "force order 1=200 N"; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if it is not a criterion, an equals sign and a quantity of 0 or more in a unit of the criterion.
+pub fn limit(text: &str, mounts: &[Mount], option: &str) -> Result<Limit, BadQuantity> {
+    let Some((name, value)) = text.rsplit_once('=') else {
+        return Err(BadQuantity {
+            message: format!("`{option}` needs a criterion and its largest value, got \"{text}\""),
+            hint: format!("for example {option} \"couple = 5 N m\""),
+        });
+    };
+    let criterion = criterion(name, mounts)?;
+    let most = amount(value, &criterion, name.trim())?;
+    if most < 0.0 {
+        return Err(BadQuantity {
+            message: format!("the limit of `{}` must not be negative, got {}", name.trim(), value.trim()),
+            hint: "give the largest amount that it may have".into(),
+        });
+    }
+    Ok(Limit { criterion, most })
+}
+
+/// What is minimised at once: a criterion such as "force", or several with the value of each that counts as much as
+/// those of the others, such as "force = 200 N, couple = 10 N m"; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if it is neither.
+pub fn stage(text: &str, mounts: &[Mount], option: &str) -> Result<Stage, BadQuantity> {
+    if !text.contains('=') {
+        return Ok(Stage { terms: vec![(1.0, criterion(text, mounts)?)] });
+    }
+    let term = |part: &str| {
+        let limit = limit(part, mounts, option)?;
+        let weight = 1.0 / limit.most;
+        if weight.is_finite() {
+            Ok((weight, limit.criterion))
+        } else {
+            Err(BadQuantity {
+                message: format!("the value of {} must be more than 0", part.trim()),
+                hint: "a criterion counts by its share of the value given for it".into(),
+            })
+        }
+    };
+    Ok(Stage { terms: text.split(',').map(term).collect::<Result<_, _>>()? })
+}
+
+fn amount(text: &str, criterion: &crate::task::Criterion, name: &str) -> Result<f64, BadQuantity> {
+    parse(text, criterion::dimension(criterion), name).map_err(BadQuantity::from)
+}
+
 fn of_dimension(text: &str, dimension: Dimension, option: &str) -> Result<f64, BadQuantity> {
-    parse(text, dimension, option)
-        .map_err(|refusal| BadQuantity { message: refusal.message, hint: refusal.hint })
+    parse(text, dimension, option).map_err(BadQuantity::from)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::task::{Criterion, Load};
+
+    #[test]
+    fn limits_and_stages_of_a_command_line() {
+        let limit = |text| limit(text, &[], "--limit");
+        assert_eq!(limit("couple=5 N m"), Ok(Limit { criterion: Criterion::Peak(Load::Couple), most: 5.0 }));
+        assert_eq!(
+            limit("force order 1/2 = 0.2 kN"),
+            Ok(Limit { criterion: Criterion::Order(Load::Force, 0.5), most: 200.0 })
+        );
+        for (text, says) in [
+            ("couple", "--limit"),
+            ("couple = 5 N", "`couple` needs a torque"),
+            ("couple = -5 N m", "negative"),
+            ("coupel = 5 N m", "no criterion"),
+            ("couple = 5", "unit"),
+        ] {
+            let refused = limit(text).unwrap_err();
+            assert!(refused.message.contains(says), "{refused:?}");
+        }
+        let stage = |text| stage(text, &[], "--minimise");
+        assert_eq!(stage("force"), Ok(Stage { terms: vec![(1.0, Criterion::Peak(Load::Force))] }));
+        let both = vec![(1.0 / 200.0, Criterion::Peak(Load::Force)), (0.1, Criterion::Peak(Load::Couple))];
+        assert_eq!(stage("force = 200 N, couple = 10 N m"), Ok(Stage { terms: both }));
+        assert!(stage("force = 0 N").is_err() && stage("force, couple").is_err());
+    }
 
     #[test]
     fn a_speed_and_what_is_none() {
