@@ -7,7 +7,7 @@ pub fn diagnostic_codes() -> &'static [(&'static str, &'static str)] {
     &CODES
 }
 
-static CODES: [(&str, &str); 49] = [
+static CODES: [(&str, &str); 51] = [
     ("E0001", "the text is no TOML"),
     ("E0002", "a key or table stands twice"),
     ("E0003", "the file is too large"),
@@ -49,12 +49,14 @@ static CODES: [(&str, &str); 49] = [
     ("E0602", "firing angles"),
     ("E0603", "firing away from top dead centre"),
     ("E0701", "a layout that cannot be"),
+    ("E0702", "main bearings that cannot be"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),
     ("W0505", "rods side by side in one plane"),
     ("W0506", "a rod side by side with none"),
     ("W0508", "a throw or crankshaft without use"),
+    ("W0702", "a throw outside the main bearings"),
     ("W0801", "a suspicious size"),
     ("W0802", "a suspicious share"),
 ];

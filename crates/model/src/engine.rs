@@ -96,6 +96,10 @@ pub struct Crankshaft {
     pub x: f64,
     /// Position of its axis [m].
     pub y: f64,
+    /// Planes of its main bearings [m], from the origin, rising; `None` if the file gives none:
+    /// [`Engine::main_planes`] has the usual ones then.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mains: Option<Vec<f64>>,
 }
 
 /// A throw: a crankpin (one pin of a split pair is a throw of its own).

@@ -107,6 +107,10 @@ impl File {
             self.entry_unless_zero("phase", crankshaft.phase, Dimension::Angle);
             self.entry_unless_zero("x", crankshaft.x, Dimension::Length);
             self.entry_unless_zero("y", crankshaft.y, Dimension::Length);
+            if let Some(mains) = &crankshaft.mains {
+                let list: Vec<String> = mains.iter().map(|&z| quantity(z, Dimension::Length)).collect();
+                self.entry("main_positions", &format!("[{}]", list.join(", ")));
+            }
         }
     }
 

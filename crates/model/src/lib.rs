@@ -42,6 +42,7 @@ mod engine;
 mod expanded;
 mod firing;
 mod layout;
+mod mains;
 mod nearest;
 pub mod option;
 mod quantity;

@@ -6,6 +6,7 @@ mod cylinder;
 mod firing;
 mod layers;
 mod linkage;
+mod mains;
 mod mount;
 mod places;
 mod rod;
@@ -88,6 +89,7 @@ impl<'a> Reader<'a> {
         let drafts = drafts?;
         self.check_counts(&drafts);
         self.check_places(&drafts, crankshafts.as_deref());
+        self.check_mains(&drafts, crankshafts.as_deref());
         self.check_linkages(&drafts);
         self.check_sizes(&drafts);
 
@@ -126,6 +128,9 @@ impl<'a> Reader<'a> {
             balance: None,
         };
         let origin = origin?;
+        for main in engine.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten() {
+            *main -= origin;
+        }
         for cylinder in &mut engine.cylinders {
             cylinder.z -= origin;
         }

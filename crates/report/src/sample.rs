@@ -48,6 +48,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
             phase: 0.0,
             x: 0.0,
             y: 0.0,
+            mains: None,
         }],
         throws: (0..count).map(throw).collect(),
         cylinders: (0..count).map(cylinder).collect(),

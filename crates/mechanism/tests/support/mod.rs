@@ -55,7 +55,7 @@ pub fn throw(angle: f64, z: f64) -> Throw {
 
 /// The first crankshaft.
 pub fn crankshaft() -> Crankshaft {
-    Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0 }
+    Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None }
 }
 
 /// An engine of these throws and cylinders at 300 rad/s.

@@ -62,7 +62,8 @@ impl<'a> Reader<'a> {
             Field::Bad => return None,
             _ => {
                 let name = "crankshaft".to_string();
-                return Some(vec![Crankshaft { name, ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0 }]);
+                let mains = self.main_positions(None)?;
+                return Some(vec![Crankshaft { name, ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains }]);
             }
         };
         let read: Vec<Option<Crankshaft>> =
@@ -88,7 +89,7 @@ impl<'a> Reader<'a> {
         read.into_iter().collect()
     }
 
-    fn crankshaft(&mut self, index: usize, section: &Section) -> Option<Crankshaft> {
+    fn crankshaft(&mut self, index: usize, section: &'a Section) -> Option<Crankshaft> {
         let name = section.text("name").or(format!("crankshaft {}", index + 1));
         let ratio = if index == 0 {
             section.ratio("ratio").or(Ratio::ONE)
@@ -96,7 +97,9 @@ impl<'a> Reader<'a> {
             self.required(section, "ratio", section.ratio("ratio"))
         };
         let [phase, x, y] = ["phase", "x", "y"].map(|key| section.number(key).or(0.0));
-        let crankshaft = Crankshaft { name: name?, ratio: ratio?, phase: phase?, x: x?, y: y? };
+        let mains = self.main_positions(Some(section));
+        let crankshaft =
+            Crankshaft { name: name?, ratio: ratio?, phase: phase?, x: x?, y: y?, mains: mains? };
         if index > 0 {
             return Some(crankshaft);
         }

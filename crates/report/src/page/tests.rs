@@ -164,6 +164,7 @@ fn fractional_orders_stand_where_they_belong() {
         phase: 0.3,
         x: 0.0,
         y: 0.2,
+        mains: None,
     });
     engine.throws[1].crankshaft = 1;
     let figures = check_with_sample_loads(&engine);

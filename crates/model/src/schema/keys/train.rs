@@ -9,7 +9,7 @@ use crate::quantity::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 pub(super) static CRANK: Table = Table {
     header: "[crank]",
     doc: "What holds for all throws. Without `unbalance` or masses the crank itself is balanced.",
-    keys: &[STROKE, RADIUS, THROW_UNBALANCE, PIN_MASS, WEB_MASS, WEB_RADIUS, WEB_DISTANCE],
+    keys: &[STROKE, RADIUS, THROW_UNBALANCE, PIN_MASS, WEB_MASS, WEB_RADIUS, WEB_DISTANCE, MAIN_POSITIONS],
 };
 
 const STROKE: Key = quantity("stroke", Length, Positive, "Twice the crank radius.", "\"95.5 mm\"");
@@ -44,6 +44,14 @@ const WEB_DISTANCE: Key = quantity(
     Positive,
     "Distance between the middle planes of the two webs; needed for weights on webs.",
     "\"44 mm\"",
+);
+const MAIN_POSITIONS: Key = key(
+    "main_positions",
+    Kind::Quantities(Length, Any),
+    Optional,
+    "Planes of the main bearings in the z of this file, rising; default midway between the throws and as far beyond the \
+     ends, throws with no room for a main between them counted as one.",
+    "[\"-90 mm\", \"0 mm\", \"90 mm\"]",
 );
 
 pub(super) static PISTON: Table = Table {
@@ -243,6 +251,7 @@ pub(super) static CRANKSHAFT: Table = Table {
         quantity("phase", Angle, Any, "Its angle when throw 1 points along +x; default 0.", "\"12 deg\""),
         quantity("x", Length, Any, "Place of its axis; default 0.", "\"300 mm\""),
         quantity("y", Length, Any, "Place of its axis; default 0.", "\"0 mm\""),
+        MAIN_POSITIONS,
     ],
 };
 
