@@ -5,7 +5,13 @@
 #![forbid(unsafe_code)]
 
 mod answer;
+mod crank_sweep;
 mod error;
+mod twin_arrangement;
 
 pub use answer::*;
+pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
+pub use twin_arrangement::{
+    ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,
+};
