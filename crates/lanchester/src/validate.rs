@@ -15,6 +15,7 @@
 
 mod case;
 mod files;
+mod fitting;
 mod quantity;
 mod render;
 mod source;

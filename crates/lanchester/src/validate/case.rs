@@ -1,6 +1,7 @@
 //! One engine of a table: its file's text with the table's changes, read and computed.
 
 use super::files::Source;
+use super::fitting::Fitting;
 use super::source::{Change, Edit, KinematicsName, NewValue};
 use lanchester_mechanism::{LoadRequest, Loads, PeakMode, loads};
 use lanchester_model::{Engine, read};
@@ -28,13 +29,13 @@ impl Bench {
         kinematics: KinematicsName,
         about: Option<&str>,
     ) -> Result<Rc<Run>, String> {
-        let text = engine_text(source, edits)?;
+        let (text, fitting) = engine_text(source, edits)?;
         let mut request = LoadRequest { kinematics: kinematics.kinematics(), ..LoadRequest::default() };
         if let Some(grid) = source.grid {
             request.peaks = PeakMode::Grid(grid);
             request.samples = grid;
         }
-        let id = format!("{text}\n{request:?} {about:?}");
+        let id = format!("{text}\n{fitting:?} {request:?} {about:?}");
         if let Some(run) = self.runs.get(&id) {
             return Ok(run.clone());
         }
@@ -43,6 +44,7 @@ impl Bench {
             let messages: Vec<_> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
             return Err(messages.join("; "));
         };
+        let engine = fitting.fitted(engine, &request)?;
         if let Some(about) = about {
             request.reference = reference_point(&engine, about)?;
         }
@@ -61,8 +63,9 @@ fn reference_point(engine: &Engine, about: &str) -> Result<[f64; 3], String> {
     }
 }
 
-/// Text of the engine file after all edits.
-fn engine_text(source: &Source, edits: &[Edit]) -> Result<String, String> {
+/// Text of the engine file after all edits, and what is fitted to the engine.
+fn engine_text(source: &Source, edits: &[Edit]) -> Result<(String, Fitting), String> {
+    let mut fitting = Fitting::default();
     let mut edits = edits.iter();
     let Some(Edit::Named(file)) = edits.next() else {
         return Err("the first edit must name an engine file".to_string());
@@ -76,13 +79,16 @@ fn engine_text(source: &Source, edits: &[Edit]) -> Result<String, String> {
             }
             Edit::Written(change) => change,
         };
-        apply(&mut lines, change)?;
+        apply(&mut lines, &mut fitting, change)?;
     }
-    Ok(lines.join("\n") + "\n")
+    Ok((lines.join("\n") + "\n", fitting))
 }
 
-fn apply(lines: &mut Vec<String>, change: &Change) -> Result<(), String> {
+fn apply(lines: &mut Vec<String>, fitting: &mut Fitting, change: &Change) -> Result<(), String> {
     for (place, value) in change {
+        if fitting.take(place, value)? {
+            continue;
+        }
         match (place.as_str(), value) {
             ("append", NewValue::Lines(more)) => lines.extend(more.iter().cloned()),
             (_, NewValue::Text(value)) => set(lines, place, &format!("\"{value}\""))?,
@@ -146,7 +152,7 @@ mod tests {
     fn changed(place: &str, value: NewValue) -> Result<String, String> {
         let text = "speed = '1 rpm'\n[rod] # long\nmass = '1 kg'\nlength = '2 m'\n[a]\nmass = '3 kg'";
         let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
-        apply(&mut lines, &Change::from([(place.to_string(), value)]))?;
+        apply(&mut lines, &mut Fitting::default(), &Change::from([(place.to_string(), value)]))?;
         Ok(lines.join("|"))
     }
 
