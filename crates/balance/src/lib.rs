@@ -8,6 +8,7 @@ mod answer;
 mod crank_sweep;
 mod error;
 mod twin_arrangement;
+pub mod workshop;
 
 pub use answer::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
