@@ -10,6 +10,28 @@ use crate::task::{BalanceTask, FreeWeight, Phase, Place, Seat};
 /// An engine without counterweights gets one on every web; on every throw where a web distance is missing. Weights in
 /// one plane of one crankshaft are one.
 pub fn default_task(engine: &Engine) -> BalanceTask {
+    let places = match (engine.counterweights.is_empty(), engine.throws.iter().all(|t| t.webs.is_some())) {
+        (false, _) => CrankWeightPlaces::File,
+        (true, true) => CrankWeightPlaces::Webs,
+        (true, false) => CrankWeightPlaces::Throws,
+    };
+    BalanceTask { weights: crank_weights(engine, places), ..BalanceTask::default() }
+}
+
+/// Where free weights are put on the crankshafts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CrankWeightPlaces {
+    /// In place of every counterweight of the engine, under its name.
+    File,
+    /// In the plane of every throw.
+    Throws,
+    /// On every web of the throws that have a web distance.
+    Webs,
+}
+
+/// One free weight at every such place; weights in one plane of one crankshaft are one. Empty where the engine has no
+/// such place.
+pub fn crank_weights(engine: &Engine, places: CrankWeightPlaces) -> Vec<FreeWeight> {
     let mut weights: Vec<FreeWeight> = Vec::new();
     let mut add = |name: &str, crankshaft: usize, z: f64| {
         let seat = Seat::Crankshaft(crankshaft);
@@ -24,23 +46,26 @@ pub fn default_task(engine: &Engine) -> BalanceTask {
         };
         weights.push(free_weight(name, seat, Place::At(z)));
     };
-    for weight in &engine.counterweights {
-        add(&weight.name, weight.crankshaft, weight.z);
-    }
-    if engine.counterweights.is_empty() {
-        let webs: Option<Vec<[f64; 2]>> = engine.throws.iter().map(|throw| throw.webs).collect();
-        for (index, throw) in engine.throws.iter().enumerate() {
-            match &webs {
-                Some(webs) => {
-                    for (side, z) in webs[index].into_iter().enumerate() {
-                        add(&format!("web {}", 2 * index + side + 1), throw.crankshaft, z);
-                    }
+    match places {
+        CrankWeightPlaces::File => {
+            engine.counterweights.iter().for_each(|w| add(&w.name, w.crankshaft, w.z));
+        }
+        CrankWeightPlaces::Throws => {
+            engine
+                .throws
+                .iter()
+                .enumerate()
+                .for_each(|(index, throw)| add(&format!("throw {}", index + 1), throw.crankshaft, throw.z));
+        }
+        CrankWeightPlaces::Webs => {
+            for (index, throw) in engine.throws.iter().enumerate() {
+                for (side, z) in throw.webs.into_iter().flatten().enumerate() {
+                    add(&format!("web {}", 2 * index + side + 1), throw.crankshaft, z);
                 }
-                None => add(&format!("throw {}", index + 1), throw.crankshaft, throw.z),
             }
         }
     }
-    BalanceTask { weights, ..BalanceTask::default() }
+    weights
 }
 
 /// A weight of any amount and direction.

@@ -54,7 +54,7 @@ mod template;
 
 pub use codes::diagnostic_codes;
 pub use criterion::{criterion, criterion_name, criterion_unit};
-pub use default_task::default_task;
+pub use default_task::{CrankWeightPlaces, crank_weights, default_task};
 pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use expanded::expanded;

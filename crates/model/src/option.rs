@@ -37,6 +37,21 @@ pub fn length(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Length, option)
 }
 
+/// An unbalance with its unit, such as "0.03 kg m" [kg m]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number of 0 or more with a unit of unbalance.
+pub fn unbalance(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    let amount = of_dimension(text, Dimension::Unbalance, option)?;
+    if amount < 0.0 {
+        return Err(BadQuantity {
+            message: format!("`{option}` must not be negative, got {}", text.trim()),
+            hint: "an amount has no sign: its direction is given apart".into(),
+        });
+    }
+    Ok(amount)
+}
+
 /// A limit such as "couple = 5 N m" or "force order 1=200 N"; `option` names what asks for it in the message.
 ///
 /// # Errors
