@@ -57,4 +57,16 @@ pub enum BalanceError {
         /// What was given.
         got: f64,
     },
+    /// A published method does not know such an engine.
+    #[error("{method} needs {needed}, got {got}\nhint: {hint}")]
+    Unsuited {
+        /// Which method.
+        method: &'static str,
+        /// What it needs.
+        needed: &'static str,
+        /// What the engine or the choice is.
+        got: String,
+        /// What to do.
+        hint: &'static str,
+    },
 }

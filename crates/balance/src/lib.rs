@@ -7,6 +7,7 @@
 mod answer;
 mod crank_sweep;
 mod error;
+pub mod published;
 mod twin_arrangement;
 pub mod workshop;
 

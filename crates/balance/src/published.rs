@@ -1,0 +1,29 @@
+//! Published balancing methods, as their sources mean them: each fits its own devices to an engine and says what they
+//! leave over.
+//!
+//! * [`MatrixMethod`]: matrix-based crankshaft balancing tool, Applied Sciences 2021, 11, 8997;
+//! * [`ThreeCylinderRule`], [`FourCylinderRule`], [`BalanceFactor`]: J. Singh, Mass balancing of 3-cylinder and
+//!   4-cylinder inline engines with balancer shafts using bond graph approach, ME thesis, Thapar University, 2017.
+//!
+//! Equations that the sources print wrongly are used corrected; what was printed stands beside them, under its own name.
+//! None of these methods seeks an optimum: they cancel one chosen resultant. All work with unbalances, so that one
+//! [`Resultant`] serves for every speed.
+
+mod half_rules;
+mod matrices;
+mod matrix_method;
+mod printed_v;
+mod remark;
+mod resultant;
+mod shaft_pair;
+
+pub use half_rules::{
+    BalanceFactor, BalancerPhase, FourCylinderBalance, FourCylinderRule, ThreeCylinderBalance,
+    ThreeCylinderRule,
+};
+pub use matrices::{Matrix, MethodMatrices};
+pub use matrix_method::{Alpha, Basis, Equilibrium, MatrixBalance, MatrixMethod};
+pub use printed_v::{AngleRule, PrintedV};
+pub use remark::Remark;
+pub use resultant::{EngineResidual, OrderResultant, Resultant};
+pub use shaft_pair::{ShaftOrder, ShaftPair};
