@@ -5,13 +5,25 @@
 //! axis along the throw; the frame of a crankshaft is the engine's at the crankshaft angle 0.
 
 mod balance_factor;
+mod bobweight;
 mod common_factor;
+mod crank_unbalance;
 mod error;
+mod external;
+mod plane;
 mod primary_ellipse;
+mod slug;
 mod throw_masses;
 
 pub use balance_factor::{FactorGiven, FactorRequest, ThrowFactor, balance_factors};
+pub use bobweight::{Bobweight, BobweightSheet, CylinderParts, PinParts, bobweights};
 pub use common_factor::{CommonFactor, FactorEffect, OnePlane, common_factor, pin_pair_effect};
+pub use crank_unbalance::{
+    BodyState, CrankBody, CrankUnbalance, QuasiStatic, UnbalanceKind, crank_unbalance,
+};
 pub use error::WorkshopError;
+pub use external::{ExternalBalance, external_balance};
+pub use plane::{Plane, PlaneUnbalance, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};
+pub use slug::{Slug, SlugPlan, slug_plan};
 pub use throw_masses::{FirstOrder, ThrowMasses, throw_masses};

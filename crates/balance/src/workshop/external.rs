@@ -1,0 +1,120 @@
+//! Internal to external balance: what flywheel and damper must carry for the counterweights inside.
+//!
+//! A rigid crank does not mind where its weights stand, as long as their sum and their moment along the shaft stay
+//! (see [`super::in_two_planes`]). The main bearings and the crank's bending do: weights outside carry their forces
+//! through the whole shaft.
+
+use super::crank_unbalance::crank_parts;
+use super::error::WorkshopError;
+use super::plane::{Plane, PlaneUnbalance, in_two_planes};
+use lanchester_model::Engine;
+use num_complex::Complex64;
+use serde::Serialize;
+
+/// Weights that flywheel and damper must carry.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExternalBalance {
+    /// Name of the crankshaft.
+    pub crankshaft: String,
+    /// Share of every counterweight inside that stays.
+    pub kept_share: f64,
+    /// Static unbalance of the crank with its bobweights, without weights outside [kg m].
+    pub static_unbalance: Complex64,
+    /// Couple unbalance about the origin [kg m^2].
+    pub couple_unbalance: Complex64,
+    /// The weights outside that bring both to 0.
+    pub weights: [PlaneUnbalance; 2],
+}
+
+/// What weights in the two planes bring crankshaft `crankshaft` (by index) into balance with its bobweights (one a
+/// throw of the engine [kg]), if the share `kept_share` of every counterweight of the file stays.
+///
+/// # Errors
+/// As [`super::crank_unbalance`], and for a share outside 0 to 1.
+pub fn external_balance(
+    engine: &Engine,
+    crankshaft: usize,
+    bobweights: &[f64],
+    planes: &[Plane; 2],
+    kept_share: f64,
+) -> Result<ExternalBalance, WorkshopError> {
+    if !(0.0..=1.0).contains(&kept_share) {
+        return Err(WorkshopError::Number {
+            quantity: "share that stays",
+            part: "the counterweights".into(),
+            needed: "from 0 to 1".into(),
+            got: kept_share,
+            hint: "a share is written 60% or 0.6",
+        });
+    }
+    let mut engine = engine.clone();
+    for weight in &mut engine.counterweights {
+        weight.unbalance *= kept_share;
+    }
+    let parts = crank_parts(&engine, crankshaft, bobweights)?;
+    let size: f64 = parts.iter().map(|p| p.unbalance.norm()).sum();
+    let mut weights = in_two_planes(&parts, planes)?;
+    for weight in &mut weights {
+        // Rounding is no weight.
+        weight.unbalance =
+            if weight.unbalance.norm() <= 1e-12 * size { Complex64::ZERO } else { -weight.unbalance };
+    }
+    Ok(ExternalBalance {
+        crankshaft: engine.crankshafts[crankshaft].name.clone(),
+        kept_share,
+        static_unbalance: parts.iter().map(|p| p.unbalance).sum(),
+        couple_unbalance: parts.iter().map(|p| p.z * p.unbalance).sum(),
+        weights,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::workshop::{FactorRequest, balance_factors, crank_unbalance};
+    use lanchester_model::{Counterweight, read, template};
+
+    fn planes() -> [Plane; 2] {
+        [Plane { name: "damper".into(), z: -0.26 }, Plane { name: "flywheel".into(), z: 0.31 }]
+    }
+
+    /// With the weights outside bolted on, the lightened crank is in balance; a single's by the lever by hand.
+    #[test]
+    fn the_crank_is_in_balance_with_its_weights_outside() {
+        for name in ["v8-crossplane", "in-line-3", "single"] {
+            let mut engine = read(template(name).unwrap().text).engine.unwrap();
+            let factors = balance_factors(&engine, &FactorRequest::default()).unwrap();
+            let bobs: Vec<f64> = factors.iter().map(|f| f.bobweight).collect();
+            let all = external_balance(&engine, 0, &bobs, &planes(), 1.0).unwrap();
+            assert!(all.weights.iter().all(|w| w.unbalance == Complex64::ZERO), "{name}");
+            let external = external_balance(&engine, 0, &bobs, &planes(), 0.7).unwrap();
+            if name == "single" {
+                let missing = 0.3 * factors[0].opposite;
+                assert!((external.weights[0].unbalance + missing * 0.31 / 0.57).norm() < 1e-15);
+            }
+            for weight in &mut engine.counterweights {
+                weight.unbalance *= 0.7;
+            }
+            for weight in &external.weights {
+                engine.counterweights.push(Counterweight {
+                    name: weight.name.clone(),
+                    crankshaft: 0,
+                    z: weight.z,
+                    unbalance: weight.unbalance.norm(),
+                    angle: weight.unbalance.arg(),
+                });
+            }
+            let inside = [Plane { name: "a".into(), z: -0.1 }, Plane { name: "b".into(), z: 0.1 }];
+            let left = crank_unbalance(&engine, 0, &bobs, &inside, None).unwrap();
+            assert!(left.planes.iter().all(|p| p.unbalance.norm() < 1e-15), "{name}");
+            assert!(external.weights[0].unbalance.norm() > 1e-4, "{name} has something to carry");
+        }
+    }
+
+    #[test]
+    fn a_share_beyond_all_is_refused() {
+        let engine = read(template("single").unwrap().text).engine.unwrap();
+        let error = external_balance(&engine, 0, &[0.5], &planes(), 1.4).unwrap_err().to_string();
+        assert!(error.contains("from 0 to 1, got 1.4"), "{error}");
+    }
+}
