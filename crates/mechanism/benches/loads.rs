@@ -41,7 +41,8 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
             }
         })
         .collect();
-    let crankshaft = Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None };
+    let crankshaft =
+        Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None };
     Engine {
         name: "bench".into(),
         note: None,

@@ -7,9 +7,12 @@
 //!
 //! What moves: [`motion`], [`exact_coefficients`], [`series_coefficients`]. Rigid parts, constant speed, no play.
 
+mod beam;
 mod diagnosis;
 mod drive;
+mod envelope;
 mod extremes;
+mod internal;
 mod lanes;
 mod linkage;
 mod loads;
@@ -19,6 +22,7 @@ mod peaks;
 mod point;
 mod request;
 mod result;
+mod rod_force;
 mod sampling;
 mod series;
 mod spectrum;
@@ -26,6 +30,8 @@ mod trace;
 mod train;
 mod wording;
 
+pub use beam::{Beam, BeamModel};
+pub use internal::*;
 pub use loads::loads;
 pub use motion::motion;
 pub use request::{Kinematics, LoadError, LoadRequest, PeakMode};
