@@ -1,15 +1,19 @@
 //! The workshop: balance factors, bobweights, the unbalance of a crank with its bobweights, weights outside and inside
-//! the crankcase.
+//! the crankcase; and the balancing of a real rotor, crank or engine from the measurements of a
+//! [`Sheet`](lanchester_model::workshop::Sheet).
 //!
 //! Unbalances are complex [kg m]: modulus = mass times radius, argument = direction. A throw's own frame has its real
-//! axis along the throw; the frame of a crankshaft is the engine's at the crankshaft angle 0.
+//! axis along the throw; the frame of a crankshaft is the engine's at the crankshaft angle 0; that of a rotor is the
+//! circle of degrees painted on it.
 
 mod balance_factor;
 mod bobweight;
 mod common_factor;
 mod crank_unbalance;
+mod displayed;
 mod error;
 mod external;
+mod grade;
 mod plane;
 mod primary_ellipse;
 mod slug;
@@ -21,9 +25,14 @@ pub use common_factor::{CommonFactor, FactorEffect, OnePlane, common_factor, pin
 pub use crank_unbalance::{
     BodyState, CrankBody, CrankUnbalance, QuasiStatic, UnbalanceKind, crank_unbalance,
 };
+pub use displayed::displayed;
 pub use error::WorkshopError;
 pub use external::{ExternalBalance, external_balance};
+pub use grade::{Grade, GradedBearing, GradedPlane, grade};
 pub use plane::{Plane, PlaneUnbalance, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};
 pub use slug::{Slug, SlugPlan, slug_plan};
 pub use throw_masses::{FirstOrder, ThrowMasses, throw_masses};
+
+/// Version of the structures of the workshop; raised when a field changes its meaning or goes.
+pub const WORKSHOP_VERSION: u32 = 1;

@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::workshop_arguments::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -82,10 +83,13 @@ pub enum Command {
     #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \
                             lanchester validate --format csv > verdicts.csv")]
     Validate(ValidateArguments),
-    /// Print the JSON Schema of the engine file, for completion in an editor.
+    /// Print the JSON Schema of the engine file or of the workshop sheet, for completion in an editor.
     #[command(after_help = "Examples:\n  lanchester schema > engine.schema.json\n  \
+                            lanchester schema --sheet > sheet.schema.json\n  \
                             lanchester schema --markdown > engine-file.md")]
     Schema(SchemaArguments),
+    /// Balance a real crank or engine from measurements, described by a workshop sheet.
+    Workshop(WorkshopArguments),
 }
 
 /// `check`
@@ -223,4 +227,7 @@ pub struct SchemaArguments {
     /// Print the reference page of the engine file instead.
     #[arg(long)]
     pub markdown: bool,
+    /// The workshop sheet instead of the engine file.
+    #[arg(long)]
+    pub sheet: bool,
 }

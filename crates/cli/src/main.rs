@@ -9,6 +9,7 @@ mod failure;
 mod files;
 mod provenance;
 mod request;
+mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};
 use clap::Parser;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
+        Command::Workshop(arguments) => commands::workshop::run(&arguments, colour),
     };
     match outcome {
         Ok(status) => ExitCode::from(status),

@@ -4,10 +4,10 @@
 ///
 /// A code keeps its meaning for good; one that is no longer used is not given to anything else.
 pub fn diagnostic_codes() -> &'static [(&'static str, &'static str)] {
-    &CODES
+    CODES
 }
 
-static CODES: [(&str, &str); 51] = [
+static CODES: &[(&str, &str)] = &[
     ("E0001", "the text is no TOML"),
     ("E0002", "a key or table stands twice"),
     ("E0003", "the file is too large"),
@@ -50,6 +50,11 @@ static CODES: [(&str, &str); 51] = [
     ("E0603", "firing away from top dead centre"),
     ("E0701", "a layout that cannot be"),
     ("E0702", "main bearings that cannot be"),
+    ("E1101", "two of one name"),
+    ("E1102", "supports in one place"),
+    ("E1103", "a drill whose point is longer than the hole may be deep"),
+    ("E1104", "a sensor read twice in one run"),
+    ("E1105", "a sensor read in two quantities"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

@@ -7,7 +7,7 @@ mod walk;
 
 use crate::diagnostic::{Mistake, Mistakes};
 use crate::ratio::Ratio;
-use crate::schema::{FILE, Key, Kind, Table};
+use crate::schema::{Key, Kind, Table};
 use std::cell::Cell;
 use std::ops::Range;
 use walk::Walk;
@@ -78,6 +78,7 @@ struct Entry {
 #[derive(Debug)]
 enum Value {
     Bad,
+    Flag(bool),
     Text(String),
     Word(&'static str),
     Whole(i64),
@@ -96,15 +97,14 @@ pub(crate) struct Document {
     pub(crate) whole: bool,
 }
 
-/// Parses the text. Mistakes of syntax, keys, kinds and units are added to `mistakes`.
-pub(crate) fn parse(text: &str, mistakes: &mut Mistakes) -> Document {
-    let empty = || Section { table: &FILE, span: 0..0, entries: Vec::new() };
+/// Parses the text as a file whose tables and keys `file` describes. Mistakes of syntax, keys, kinds and units are
+/// added to `mistakes`.
+pub(crate) fn parse(text: &str, file: &'static Table, mistakes: &mut Mistakes) -> Document {
+    let empty = || Section { table: file, span: 0..0, entries: Vec::new() };
     if text.len() > LONGEST_FILE {
-        let message = format!(
-            "the file has {} bytes, more than the {LONGEST_FILE} that an engine file may have",
-            text.len()
-        );
-        mistakes.push(Mistake::error("E0003", 0..0, message).hint("check that this is an engine file"));
+        let message =
+            format!("the file has {} bytes, more than the {LONGEST_FILE} that it may have", text.len());
+        mistakes.push(Mistake::error("E0003", 0..0, message).hint("check that this is the right file"));
         return Document { root: empty(), whole: false };
     }
     let arena = toml_spanner::Arena::new();
@@ -121,8 +121,8 @@ pub(crate) fn parse(text: &str, mistakes: &mut Mistakes) -> Document {
         .filter(|at| syntax::line_of(text, *at).trim_start().starts_with('['))
         .min()
         .unwrap_or(usize::MAX);
-    let mut walk = Walk { text, mistakes, foreign_from };
-    let root = walk.section(&FILE, document.table(), 0..0);
+    let mut walk = Walk { text, file, mistakes, foreign_from };
+    let root = walk.section(file, document.table(), 0..0);
     Document { root, whole }
 }
 
@@ -190,6 +190,10 @@ impl Section {
 
     pub(crate) fn word(&self, name: &str) -> Field<&'static str> {
         self.field(name, |value| if let Value::Word(word) = value { Some(*word) } else { None })
+    }
+
+    pub(crate) fn flag(&self, name: &str) -> Field<bool> {
+        self.field(name, |value| if let Value::Flag(flag) = value { Some(*flag) } else { None })
     }
 
     pub(crate) fn text(&self, name: &str) -> Field<String> {

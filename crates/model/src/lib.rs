@@ -51,6 +51,7 @@ mod read;
 mod schema;
 mod task;
 mod template;
+pub mod workshop;
 
 pub use codes::diagnostic_codes;
 pub use criterion::{criterion, criterion_name, criterion_unit};
@@ -60,6 +61,6 @@ pub use engine::*;
 pub use expanded::expanded;
 pub use ratio::Ratio;
 pub use read::{Reading, read};
-pub use schema::{json_schema, reference_markdown};
+pub use schema::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
 pub use task::*;
 pub use template::{Template, nearest_template, template, templates};

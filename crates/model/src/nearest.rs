@@ -1,7 +1,7 @@
 //! The known word that a misspelled one was meant to be.
 
 /// The candidate with the fewest edits from `word`, if that is few enough to be a slip.
-pub(crate) fn nearest(word: &str, candidates: impl Iterator<Item = &'static str>) -> Option<&'static str> {
+pub(crate) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     // Beyond this length no slip is near a key or unit, and the distance would be costly.
     if word.chars().count() > 40 {
         return None;

@@ -20,11 +20,13 @@ pub(crate) enum Dimension {
     Pressure,
     Torque,
     Density,
+    Velocity,
+    Acceleration,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub(crate) const ALL: [Dimension; 11] = [
+    pub(crate) const ALL: [Dimension; 13] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -36,6 +38,8 @@ impl Dimension {
         Dimension::Pressure,
         Dimension::Torque,
         Dimension::Density,
+        Dimension::Velocity,
+        Dimension::Acceleration,
     ];
 
     /// Name with its article, for messages.
@@ -52,6 +56,8 @@ impl Dimension {
             Dimension::Pressure => "a pressure",
             Dimension::Torque => "a torque",
             Dimension::Density => "a density",
+            Dimension::Velocity => "a velocity",
+            Dimension::Acceleration => "an acceleration",
         }
     }
 
@@ -89,7 +95,7 @@ const POUND: f64 = 0.453_592_37;
 const INCH: f64 = 0.0254;
 const STANDARD_GRAVITY: f64 = 9.806_65;
 
-static UNITS: [Unit; 43] = {
+static UNITS: [Unit; 48] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -135,6 +141,11 @@ static UNITS: [Unit; 43] = {
         unit(Density, "kg/m3", 0, 1.0),
         unit(Density, "g/cm3", 3, 1.0),
         unit(Density, "kg/dm3", 3, 1.0),
+        unit(Velocity, "mm/s", -3, 1.0),
+        unit(Velocity, "m/s", 0, 1.0),
+        unit(Velocity, "in/s", 0, INCH),
+        unit(Acceleration, "m/s2", 0, 1.0),
+        unit(Acceleration, "mm/s2", -3, 1.0),
     ]
 };
 
@@ -403,6 +414,8 @@ pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> 
         Dimension::Pressure => ("bar", "Pa"),
         Dimension::Torque => ("N m", "N m"),
         Dimension::Density => ("kg/m3", "kg/m3"),
+        Dimension::Velocity => ("mm/s", "m/s"),
+        Dimension::Acceleration => ("m/s2", "m/s2"),
     };
     let guess = guess + 0.0;
     neighbours(guess)

@@ -18,6 +18,7 @@ use crate::diagnostic::{Diagnostic, Mistake, Mistakes};
 use crate::document::{self, Field, Section, Span};
 use crate::engine::{Crankshaft, Engine, Rotation, SpeedRange, Strokes};
 use crate::quantity::{self, Dimension};
+use crate::schema::FILE;
 use cylinder::DraftCylinder;
 pub(crate) use firing::fired_after;
 use layers::Layers;
@@ -37,7 +38,7 @@ pub struct Reading {
 /// makes this panic.
 pub fn read(text: &str) -> Reading {
     let mut mistakes = Mistakes::default();
-    let document = document::parse(text, &mut mistakes);
+    let document = document::parse(text, &FILE, &mut mistakes);
     let mut reader = Reader { root: &document.root, whole: document.whole, mistakes: &mut mistakes };
     let engine = reader.engine();
     if !reader.mistakes.any_error() {
@@ -52,11 +53,11 @@ pub fn read(text: &str) -> Reading {
 const DEFAULTS: [&str; 5] = ["crank", "piston", "rod", "articulated_rod", "cylinders"];
 
 /// Reads the tree, collecting mistakes.
-struct Reader<'a> {
-    root: &'a Section,
+pub(crate) struct Reader<'a> {
+    pub(crate) root: &'a Section,
     /// Whether the syntax is whole; if not, nothing can be called missing.
-    whole: bool,
-    mistakes: &'a mut Mistakes,
+    pub(crate) whole: bool,
+    pub(crate) mistakes: &'a mut Mistakes,
 }
 
 impl<'a> Reader<'a> {
@@ -184,7 +185,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The value; a mistake if the key is not there.
-    fn required<T>(&mut self, section: &Section, key: &str, field: Field<T>) -> Option<T> {
+    pub(crate) fn required<T>(&mut self, section: &Section, key: &str, field: Field<T>) -> Option<T> {
         match field {
             Field::Given(spot) => Some(spot.value),
             Field::Bad => None,
@@ -201,7 +202,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Something that has to be there is not; no mistake if it may hide behind a mistake of syntax.
-    fn missing(&mut self, span: Span, message: String, hint: String) {
+    pub(crate) fn missing(&mut self, span: Span, message: String, hint: String) {
         if self.whole {
             self.mistakes.push(Mistake::error("E0202", span, message).hint(hint));
         } else {
@@ -229,7 +230,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Two keys that say the same thing.
-    fn two_sources(&mut self, section: &Section, keep: &str, other: &str, what: &str) {
+    pub(crate) fn two_sources(&mut self, section: &Section, keep: &str, other: &str, what: &str) {
         self.mistakes.push(
             Mistake::error(
                 "E0203",
@@ -243,14 +244,14 @@ impl<'a> Reader<'a> {
     }
 
     /// A key that means nothing beside what else the file says.
-    fn without_effect(&mut self, section: &Section, key: &str, why: &str, hint: &str) {
+    pub(crate) fn without_effect(&mut self, section: &Section, key: &str, why: &str, hint: &str) {
         self.mistakes.push(
             Mistake::error("E0204", section.key_span(key), format!("`{key}` has no effect: {why}"))
                 .hint(hint),
         );
     }
 
-    fn report_unused(&mut self) {
+    pub(crate) fn report_unused(&mut self) {
         for (path, span) in self.root.unused() {
             let table = path.split('.').next().unwrap_or("");
             if DEFAULTS.contains(&table) {
@@ -271,7 +272,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A table of the root, `None` if it is not there; the flag says that it is there but bad.
-    fn section(&self, name: &str) -> (Option<&'a Section>, bool) {
+    pub(crate) fn section(&self, name: &str) -> (Option<&'a Section>, bool) {
         match self.root.table(name) {
             Field::Given(spot) => (Some(spot.value), false),
             Field::Absent => (None, false),

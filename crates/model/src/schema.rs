@@ -5,9 +5,9 @@ mod json;
 mod keys;
 mod reference;
 
-pub use json::json_schema;
-pub(crate) use keys::FILE;
-pub use reference::reference_markdown;
+pub use json::{json_schema, sheet_schema};
+pub(crate) use keys::{FILE, key, quantity};
+pub use reference::{reference_markdown, sheet_reference_markdown};
 
 use crate::quantity::Dimension;
 
@@ -71,6 +71,8 @@ pub(crate) enum Need {
 /// What a key holds.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Kind {
+    /// `true` or `false`.
+    Flag,
     /// Text of at most so many characters.
     Text(usize),
     /// A whole number within bounds.
@@ -109,6 +111,7 @@ impl Kind {
     /// What is due, for messages: "a length with its unit", "a whole number".
     pub(crate) fn wanted(self) -> String {
         match self {
+            Kind::Flag => "true or false".into(),
             Kind::Text(_) => "a text".into(),
             Kind::Whole(..) => "a whole number".into(),
             Kind::WholeChoice(choices) => {
@@ -138,10 +141,11 @@ impl Kind {
 mod tests {
     use super::*;
     use crate::quantity;
+    use crate::workshop::SHEET;
 
     #[test]
     fn every_example_is_a_value_of_its_kind() {
-        for table in FILE.all() {
+        for table in FILE.all().into_iter().chain(SHEET.all()) {
             for key in table.keys {
                 let text = format!("{} = {}", key.name, key.example);
                 let arena = toml_spanner::Arena::new();
@@ -158,7 +162,7 @@ mod tests {
 
     #[test]
     fn keys_are_unique_and_documented() {
-        for table in FILE.all() {
+        for table in FILE.all().into_iter().chain(SHEET.all()) {
             for (place, key) in table.keys.iter().enumerate() {
                 assert!(table.keys[..place].iter().all(|other| other.name != key.name), "{}", key.name);
                 assert!(key.doc.ends_with('.') && !key.example.is_empty(), "{}", key.name);

@@ -1,19 +1,44 @@
 //! Every mistake that a file can make, as its author sees it.
 
+use lanchester_model::workshop::read_sheet;
 use lanchester_model::{Diagnostic, Severity, diagnostic_codes, read, render};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// Bad engine files.
 fn bad_files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad");
+    let paths = files("tests/bad");
+    assert!(paths.len() > 40, "bad files are missing");
+    paths
+}
+
+/// Bad workshop sheets.
+fn bad_sheets() -> Vec<PathBuf> {
+    let paths = files("tests/bad-sheets");
+    assert!(paths.len() > 8, "bad sheets are missing");
+    paths
+}
+
+/// What is said about each bad engine file and each bad sheet, with its text.
+fn complaints() -> impl Iterator<Item = (PathBuf, String, Vec<Diagnostic>)> {
+    let engines = bad_files().into_iter().map(|path| (path, false));
+    let sheets = bad_sheets().into_iter().map(|path| (path, true));
+    engines.chain(sheets).map(|(path, is_sheet)| {
+        let text = fs::read_to_string(&path).expect("cannot read the file");
+        let diagnostics = if is_sheet { read_sheet(&text).diagnostics } else { read(&text).diagnostics };
+        (path, text, diagnostics)
+    })
+}
+
+fn files(folder: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
         .expect("no folder of bad files")
         .map(|entry| entry.expect("no entry").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
         .collect();
     paths.sort();
-    assert!(paths.len() > 40, "bad files are missing");
     paths
 }
 
@@ -34,10 +59,24 @@ fn snap_bad_files() {
 }
 
 #[test]
-fn diagnostics_are_sorted_unique_and_in_the_house_style() {
-    for path in bad_files() {
+fn snap_bad_sheets() {
+    for path in bad_sheets() {
         let text = fs::read_to_string(&path).expect("cannot read the file");
-        let diagnostics = read(&text).diagnostics;
+        let reading = read_sheet(&text);
+        let has_error = reading.diagnostics.iter().any(|d| d.severity == Severity::Error);
+        assert_eq!(reading.sheet.is_none(), has_error);
+        let file_name = path.file_name().and_then(|name| name.to_str()).expect("a file has a name");
+        assert!(!reading.diagnostics.is_empty(), "nothing said about {file_name}");
+        let name = file_name.trim_end_matches(".toml");
+        insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false, snapshot_path => "bad-sheets" }, {
+            insta::assert_snapshot!(name, render(&reading.diagnostics, file_name, &text, false));
+        });
+    }
+}
+
+#[test]
+fn diagnostics_are_sorted_unique_and_in_the_house_style() {
+    for (path, text, diagnostics) in complaints() {
         let shown = path.display();
         for (place, diagnostic) in diagnostics.iter().enumerate() {
             let Diagnostic { span, message, .. } = diagnostic;
@@ -69,9 +108,8 @@ const LARGE: [&str; 3] = ["E0003", "E0004", "E0005"];
 #[test]
 fn every_code_is_listed_and_has_a_bad_file() {
     let mut seen = BTreeSet::new();
-    for path in bad_files() {
-        let text = fs::read_to_string(&path).expect("cannot read the file");
-        for diagnostic in read(&text).diagnostics {
+    for (_, _, diagnostics) in complaints() {
+        for diagnostic in diagnostics {
             let is_error = diagnostic.severity == Severity::Error;
             assert_eq!(diagnostic.code.starts_with('E'), is_error, "{}", diagnostic.code);
             seen.insert(diagnostic.code);

@@ -35,6 +35,7 @@ mod svg;
 mod table;
 mod terminal;
 mod view;
+pub mod workshop;
 
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;

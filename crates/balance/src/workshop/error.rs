@@ -31,4 +31,24 @@ pub enum WorkshopError {
         /// What to do.
         hint: &'static str,
     },
+    /// The sheet does not say something that is needed.
+    #[error("{needed} is needed for {purpose}\nhint: {hint}")]
+    Missing {
+        /// What is missing.
+        needed: String,
+        /// What for.
+        purpose: &'static str,
+        /// What to add.
+        hint: &'static str,
+    },
+}
+
+impl WorkshopError {
+    pub(crate) fn missing(
+        needed: impl Into<String>,
+        purpose: &'static str,
+        hint: &'static str,
+    ) -> WorkshopError {
+        WorkshopError::Missing { needed: needed.into(), purpose, hint }
+    }
 }

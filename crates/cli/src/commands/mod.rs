@@ -7,6 +7,7 @@ pub mod report;
 pub mod schema;
 pub mod show;
 pub mod validate;
+pub mod workshop;
 
 use crate::failure::{Failure, WRONG_INPUT};
 use crate::files::{Source, read_source};

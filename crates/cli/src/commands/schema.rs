@@ -1,12 +1,17 @@
-//! `lanchester schema`: the JSON Schema of the engine file.
+//! `lanchester schema`: the JSON Schema of the engine file or of the workshop sheet.
 
 use crate::arguments::SchemaArguments;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::print;
-use lanchester::model::{json_schema, reference_markdown};
+use lanchester::model::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
 
 pub fn run(arguments: &SchemaArguments) -> Result<u8, Failure> {
-    print(&if arguments.markdown { reference_markdown() } else { json(&json_schema())? })?;
+    print(&match (arguments.sheet, arguments.markdown) {
+        (false, false) => json(&json_schema())?,
+        (false, true) => reference_markdown(),
+        (true, false) => json(&sheet_schema())?,
+        (true, true) => sheet_reference_markdown(),
+    })?;
     Ok(DONE)
 }

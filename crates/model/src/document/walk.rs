@@ -5,7 +5,7 @@ use super::{Entry, Section, Span, Value};
 use crate::diagnostic::{Mistake, Mistakes};
 use crate::nearest::nearest;
 use crate::quantity::{self, Dimension};
-use crate::schema::{Bound, FILE, Key, Kind, Table};
+use crate::schema::{Bound, Key, Kind, Table};
 use std::cell::Cell;
 use toml_spanner::{ArrayStyle, Item, TableStyle, Value as Toml};
 
@@ -23,6 +23,8 @@ fn header_of<'a, 'de>(item: &'a Item<'de>) -> Option<&'a Item<'de>> {
 /// Walks the TOML tree along the schema.
 pub(super) struct Walk<'a> {
     pub(super) text: &'a str,
+    /// The root of the schema.
+    pub(super) file: &'static Table,
     pub(super) mistakes: &'a mut Mistakes,
     /// Values of the root from this place on stand below a header that cannot be read.
     pub(super) foreign_from: usize,
@@ -78,7 +80,8 @@ impl Walk<'_> {
             return None;
         }
         let near = nearest(name, table.keys.iter().map(|key| key.name));
-        let elsewhere: Vec<&str> = FILE
+        let elsewhere: Vec<&str> = self
+            .file
             .all()
             .into_iter()
             .filter(|other| !std::ptr::eq(*other, table) && other.key(name).is_some())
@@ -123,6 +126,7 @@ impl Walk<'_> {
 
     fn value(&mut self, key: &'static Key, item: &Item<'_>, key_span: &Span) -> Option<Value> {
         match (key.kind, item.value()) {
+            (Kind::Flag, Toml::Boolean(flag)) => Some(Value::Flag(*flag)),
             (Kind::Text(most), Toml::String(text)) => self.text(key, text, item, most),
             (Kind::Choice(words), Toml::String(text)) => self.word(key, text, item, words),
             (Kind::Whole(least, most), Toml::Integer(_)) => {

@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Unbalance, or mass times radius.
-    pub(super) fn weight_unbalance(&mut self, section: &'a Section) -> Option<f64> {
+    pub(crate) fn weight_unbalance(&mut self, section: &'a Section) -> Option<f64> {
         let [unbalance, mass, radius] = ["unbalance", "mass", "radius"].map(|key| section.number(key));
         if section.has("unbalance") {
             if let Some(other) = ["mass", "radius"].into_iter().find(|key| section.has(key)) {

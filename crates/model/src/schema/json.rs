@@ -2,16 +2,26 @@
 
 use super::{Bound, FILE, Key, Kind, Need, Table};
 use crate::quantity::Dimension;
+use crate::workshop::SHEET;
 use serde_json::{Map, Value, json};
 
 /// JSON Schema (draft 2020-12) of the engine file.
 ///
 /// It says what each key holds; what only the engine as a whole can tell, [`read`](crate::read) checks.
 pub fn json_schema() -> Value {
-    let Value::Object(mut root) = table_schema(&FILE) else { return Value::Null };
+    schema_of(&FILE, "Lanchester engine file")
+}
+
+/// JSON Schema (draft 2020-12) of the workshop sheet.
+pub fn sheet_schema() -> Value {
+    schema_of(&SHEET, "Lanchester workshop sheet")
+}
+
+fn schema_of(file: &Table, title: &str) -> Value {
+    let Value::Object(mut root) = table_schema(file) else { return Value::Null };
     let mut schema = Map::new();
     schema.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
-    schema.insert("title".into(), json!("Lanchester engine file"));
+    schema.insert("title".into(), json!(title));
     schema.append(&mut root);
     let definitions: Map<String, Value> = Dimension::ALL
         .iter()
@@ -38,6 +48,7 @@ fn table_schema(table: &Table) -> Value {
 fn key_schema(key: &Key) -> Value {
     let list = |items: Value| json!({ "type": "array", "items": items });
     let mut schema = match key.kind {
+        Kind::Flag => json!({ "type": "boolean" }),
         Kind::Text(most) => json!({ "type": "string", "minLength": 1, "maxLength": most }),
         Kind::Whole(least, most) => json!({ "type": "integer", "minimum": least, "maximum": most }),
         Kind::Wholes(least, most) => list(json!({ "type": "integer", "minimum": least, "maximum": most })),

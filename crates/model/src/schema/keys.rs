@@ -20,11 +20,17 @@ const MOST_WEIGHTS: usize = 256;
 const MOST_SHAFTS: usize = 64;
 const MOST_MOUNTS: usize = 64;
 
-const fn key(name: &'static str, kind: Kind, need: Need, doc: &'static str, example: &'static str) -> Key {
+pub(crate) const fn key(
+    name: &'static str,
+    kind: Kind,
+    need: Need,
+    doc: &'static str,
+    example: &'static str,
+) -> Key {
     Key { name, kind, need, doc, example, layouts: &[] }
 }
 
-const fn quantity(
+pub(crate) const fn quantity(
     name: &'static str,
     dimension: Dimension,
     bound: Bound,

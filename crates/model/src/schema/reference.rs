@@ -1,13 +1,33 @@
 //! The reference of the engine file for the book.
 
-use super::{Bound, FILE, Key, Kind, Need};
+use super::{Bound, FILE, Key, Kind, Need, Table};
 use crate::codes::diagnostic_codes;
 use crate::quantity::{Dimension, one_of};
+use crate::workshop::SHEET;
 
 /// Reference of the engine file as Markdown: every table, every key, every unit, every diagnostic.
 pub fn reference_markdown() -> String {
+    let mut out = tables(&FILE);
+    out += "## Units\n\n| quantity | units |\n|---|---|\n";
+    for dimension in Dimension::ALL {
+        let units: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.name)).collect();
+        out += &format!("| {} | {} |\n", dimension.name(), units.join(", "));
+    }
+    out += "\n## Diagnostics\n\n| code | says |\n|---|---|\n";
+    for (code, meaning) in diagnostic_codes() {
+        out += &format!("| {code} | {meaning} |\n");
+    }
+    out
+}
+
+/// Reference of the workshop sheet as Markdown: every table and every key.
+pub fn sheet_reference_markdown() -> String {
+    tables(&SHEET)
+}
+
+fn tables(file: &'static Table) -> String {
     let mut out = String::new();
-    for table in FILE.all() {
+    for table in file.all() {
         let title = if table.header.is_empty() { "The file".into() } else { format!("`{}`", table.header) };
         out += &format!("## {title}\n\n{}\n\n", table.doc);
         out += "| key | holds | meaning | example |\n|---|---|---|---|\n";
@@ -23,15 +43,6 @@ pub fn reference_markdown() -> String {
         }
         out += "\n";
     }
-    out += "## Units\n\n| quantity | units |\n|---|---|\n";
-    for dimension in Dimension::ALL {
-        let units: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.name)).collect();
-        out += &format!("| {} | {} |\n", dimension.name(), units.join(", "));
-    }
-    out += "\n## Diagnostics\n\n| code | says |\n|---|---|\n";
-    for (code, meaning) in diagnostic_codes() {
-        out += &format!("| {code} | {meaning} |\n");
-    }
     out
 }
 
@@ -42,6 +53,7 @@ fn holds(kind: Kind) -> String {
         Bound::Positive => format!("{}, positive", dimension.name()),
     };
     match kind {
+        Kind::Flag => "`true` or `false`".into(),
         Kind::Text(most) => format!("text of at most {most} characters"),
         Kind::Whole(least, most) => format!("whole number from {least} to {most}"),
         Kind::Wholes(least, most) => format!("list of whole numbers from {least} to {most}"),

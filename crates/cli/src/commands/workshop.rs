@@ -1,0 +1,37 @@
+//! `lanchester workshop`: balancing a real crank or engine from measurements.
+
+mod grade;
+
+use crate::failure::Failure;
+use crate::failure::WRONG_INPUT;
+use crate::files::Source;
+use crate::files::read_source;
+use crate::workshop_arguments::{WorkshopArguments, WorkshopCommand};
+use lanchester::balance::workshop::WorkshopError;
+use lanchester::model::render;
+use lanchester::model::workshop::{Sheet, read_sheet};
+use std::path::Path;
+
+pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {
+    match &arguments.command {
+        WorkshopCommand::Grade(arguments) => grade::run(arguments, colour),
+    }
+}
+
+/// Read a workshop sheet: mistakes and warnings go to standard error.
+fn open(path: &Path, colour: bool) -> Result<(Source, Sheet), Failure> {
+    let source = read_source(path)?;
+    let reading = read_sheet(&source.text);
+    if !reading.diagnostics.is_empty() {
+        eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
+    }
+    match reading.sheet {
+        Some(sheet) => Ok((source, sheet)),
+        None => Err(Failure::diagnosed()),
+    }
+}
+
+/// A sheet that cannot be answered as asked.
+fn refused(error: WorkshopError) -> Failure {
+    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
+}

@@ -1,0 +1,22 @@
+//! `lanchester workshop grade`: what a balance quality grade allows.
+
+use super::{open, refused};
+use crate::arguments::Format;
+use crate::commands::json;
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::files::print;
+use crate::workshop_arguments::GradeArguments;
+use lanchester::balance::workshop::grade;
+use lanchester::report::Table;
+use lanchester::report::workshop::{grade_tables, grade_text};
+
+pub fn run(arguments: &GradeArguments, colour: bool) -> Result<u8, Failure> {
+    let (_, sheet) = open(&arguments.sheet, colour)?;
+    let grade = grade(&sheet).map_err(refused)?;
+    print(&match arguments.format {
+        Format::Text => grade_text(&grade),
+        Format::Json => json(&grade)?,
+        Format::Csv => grade_tables(&grade).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(if grade.kept == Some(false) { NOT_AS_EXPECTED } else { DONE })
+}

@@ -1,0 +1,5 @@
+//! Tables and figures of the workshop.
+
+mod grade;
+
+pub use grade::{grade_tables, grade_text};

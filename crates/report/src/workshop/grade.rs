@@ -1,0 +1,105 @@
+//! What a balance quality grade allows, as tables.
+
+use crate::number;
+use crate::table::{Cell, Column, Table};
+use lanchester_balance::workshop::Grade;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Shares of the bearings and of the correction planes; empty ones are left out.
+pub fn grade_tables(grade: &Grade) -> Vec<Table> {
+    let row = |name: String, z: f64, permissible: f64, measured: Option<Complex64>, kept: Option<bool>| {
+        let mut row = vec![Cell::text(name), Cell::number(1e3 * z, 5), Cell::number(1e6 * permissible, 4)];
+        match measured {
+            Some(measured) => row.extend([
+                Cell::number(1e6 * measured.norm(), 4),
+                Cell::Number { value: number::phase_degrees(measured.arg()), decimals: 1 },
+                Cell::text(verdict(kept)),
+            ]),
+            None => row.extend([Cell::Empty, Cell::Empty, Cell::Empty]),
+        }
+        row
+    };
+    let table = |id, title: &str, note: &str, head: &str, rows: Vec<Vec<Cell>>| {
+        let columns = vec![
+            Column::words(head),
+            Column::numbers("z", "mm"),
+            Column::numbers("permissible", "g mm"),
+            Column::numbers("measured", "g mm"),
+            Column::numbers("at", "deg"),
+            Column::words("verdict"),
+        ];
+        let note = note.to_owned();
+        Table { id, title: title.to_owned(), note, remark: String::new(), columns, rows }
+    };
+    let bearings = grade.bearings.iter().enumerate().map(|(k, bearing)| {
+        let name = if k == 0 { "first" } else { "second" };
+        row(name.to_owned(), bearing.z, bearing.permissible, bearing.measured, bearing.kept)
+    });
+    let planes = grade
+        .planes
+        .iter()
+        .map(|plane| row(plane.name.clone(), plane.z, plane.permissible, plane.measured, plane.kept));
+    let tables = [
+        table(
+            "grade-bearings",
+            "Bearings",
+            "Each may carry what the whole permissible unbalance would put on it from the centre of mass.",
+            "bearing",
+            bearings.collect(),
+        ),
+        table(
+            "grade-planes",
+            "Correction planes",
+            "With no more than this left in every plane, at whatever angles, both bearings keep their shares.",
+            "plane",
+            planes.collect(),
+        ),
+    ];
+    tables.into_iter().filter(|table| !table.rows.is_empty()).collect()
+}
+
+/// The grade for a terminal.
+pub fn grade_text(grade: &Grade) -> String {
+    let rpm = grade.speed * 60.0 / TAU;
+    let mut out = format!(
+        "{}: G {} at {} rpm, {} kg\n\npermissible residual unbalance  {} g mm\npermissible eccentricity        {} um\n",
+        grade.name,
+        plain(1e3 * grade.grade, 4),
+        plain(rpm, 5),
+        plain(grade.mass, 5),
+        plain(1e6 * grade.permissible, 4),
+        plain(1e6 * grade.eccentricity, 4),
+    );
+    if let Some(resultant) = grade.resultant {
+        let at = number::plain(number::phase_degrees(resultant.arg()), 1);
+        out += &format!(
+            "resultant of what is measured   {} g mm at {at} deg\n",
+            plain(1e6 * resultant.norm(), 4)
+        );
+    }
+    for table in grade_tables(grade) {
+        out += "\n";
+        out += &table.text();
+    }
+    out += match grade.kept {
+        Some(true) => "\nthe grade is kept\n",
+        Some(false) => "\nthe grade is not kept\n",
+        None => "\nnothing is measured: add [[display]] for a verdict\n",
+    };
+    out
+}
+
+fn verdict(kept: Option<bool>) -> &'static str {
+    match kept {
+        Some(true) => "kept",
+        Some(false) => "exceeded",
+        None => "",
+    }
+}
+
+/// A number with about `significant` digits, without zeros at its end, in ASCII.
+pub(super) fn plain(value: f64, significant: i32) -> String {
+    let text = number::plain(value, number::decimals(value.abs(), significant));
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
