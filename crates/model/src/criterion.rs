@@ -172,7 +172,7 @@ fn mount(load: &str, text: &str, mounts: Option<&[Mount]>) -> Result<usize, Refu
     let (what, hint) = match mounts.iter().filter(|mount| mount.name == name).count() {
         0 => (
             "there is no mount",
-            format!("the mounts are {}", one_of(names.iter().map(String::as_str)).replace(" or ", " and ")),
+            format!("there is {}", one_of(names.iter().map(String::as_str)).replace(" or ", " and ")),
         ),
         _ => ("more than one mount has the name", "give every mount its own name".to_string()),
     };

@@ -1,6 +1,7 @@
 //! The text as a tree of typed values: TOML syntax, known keys, kinds, units. What the values mean together is for
 //! [`read`](crate::read).
 
+mod criteria;
 mod syntax;
 mod value;
 mod walk;
@@ -22,6 +23,14 @@ pub(crate) type Span = Range<usize>;
 pub(crate) struct Spot<T> {
     pub(crate) value: T,
     pub(crate) span: Span,
+}
+
+/// A criterion as it stands in the file, and the value beside it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Term {
+    pub(crate) name: Spot<String>,
+    /// A quantity as text (a bare number lacks its unit); `None` if nothing stands beside the criterion.
+    pub(crate) amount: Option<Spot<String>>,
 }
 
 /// What a key of a table says.
@@ -84,6 +93,9 @@ enum Value {
     Whole(i64),
     Number(f64),
     Ratio(Ratio),
+    Truth(bool),
+    Terms(Vec<Term>),
+    Stages(Vec<Spot<Vec<Term>>>),
     Wholes(Vec<Spot<i64>>),
     Numbers(Vec<Spot<f64>>),
     Table(Section),
@@ -186,6 +198,23 @@ impl Section {
 
     pub(crate) fn ratio(&self, name: &str) -> Field<Ratio> {
         self.field(name, |value| if let Value::Ratio(ratio) = value { Some(*ratio) } else { None })
+    }
+
+    pub(crate) fn truth(&self, name: &str) -> Field<bool> {
+        self.field(name, |value| if let Value::Truth(truth) = value { Some(*truth) } else { None })
+    }
+
+    /// Criteria and the value of each.
+    pub(crate) fn terms(&self, name: &str) -> Field<&[Term]> {
+        self.field(name, |value| if let Value::Terms(terms) = value { Some(terms.as_slice()) } else { None })
+    }
+
+    /// Criteria, or tables of them.
+    pub(crate) fn stages(&self, name: &str) -> Field<&[Spot<Vec<Term>>]> {
+        self.field(
+            name,
+            |value| if let Value::Stages(stages) = value { Some(stages.as_slice()) } else { None },
+        )
     }
 
     pub(crate) fn word(&self, name: &str) -> Field<&'static str> {

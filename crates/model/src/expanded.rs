@@ -1,5 +1,7 @@
 //! The general form of an engine as an engine file.
 
+mod balance;
+
 use crate::engine::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Strokes, Throw};
 use crate::firing::turn;
 use crate::quantity::{Dimension, exact_text, neighbours, text_that};
@@ -40,6 +42,7 @@ pub fn expanded(engine: &Engine) -> String {
         file.cylinder(index, cylinder, engine);
     }
     file.weights(engine);
+    file.balance(engine);
     file.text
 }
 

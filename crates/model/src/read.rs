@@ -1,6 +1,7 @@
 //! From the tree of values to the engine: defaults, short forms, and everything that only the whole can tell.
 
 mod arrangement;
+mod balance;
 mod crank;
 mod cylinder;
 mod firing;
@@ -83,6 +84,7 @@ impl<'a> Reader<'a> {
         let mounts = self.mounts();
         let count = drafts.as_ref().map(|drafts| drafts.throws.len());
         let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len));
+        let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
         if drafts.is_none() {
             self.check_order(firing);
@@ -144,6 +146,7 @@ impl<'a> Reader<'a> {
         for (cylinder, angle) in engine.cylinders.iter_mut().zip(firing_angles?) {
             cylinder.firing_angle = angle;
         }
+        engine.balance = self.balance_task(balance?, &engine, origin)?;
         Some(engine)
     }
 

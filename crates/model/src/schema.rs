@@ -91,6 +91,14 @@ pub(crate) enum Kind {
     QuantityOrPair(Dimension, Bound),
     /// `"50 %"` or a bare fraction.
     Share,
+    /// A bare number.
+    Number(Bound),
+    /// `true` or `false`.
+    Truth,
+    /// A list of criteria, or of tables of criteria and the value of each that counts as much as the others'.
+    Stages,
+    /// A table of criteria and the largest value of each.
+    Limits,
     /// A whole number or a fraction such as `"1/2"`, not 0.
     Ratio,
     /// A table.
@@ -130,6 +138,10 @@ impl Kind {
                 format!("{} with its unit, or a list of the lowest and the highest", dimension.with_article())
             }
             Kind::Share => "a share such as \"50 %\"".into(),
+            Kind::Number(_) => "a bare number".into(),
+            Kind::Truth => "true or false".into(),
+            Kind::Stages => "a list of criteria".into(),
+            Kind::Limits => "a table of criteria and their largest values".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),
             Kind::Tables(..) => "a list of tables".into(),

@@ -112,6 +112,9 @@ pub struct FreeInertia {
 }
 
 /// `U_second = factor * U_first`, or `factor * conj(U_first)` if mirrored (in the plane of x and z).
+///
+/// A leader follows nobody. In an engine that was read the follower's own direction is free, its least amount 0, its
+/// largest that which the leader's allows, and it is not optional: the leader's choices are its own.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Tie {
     /// Index of the leading weight.

@@ -12,7 +12,7 @@ use toml_spanner::{Item, Value as Toml};
 /// Texts up to this length are names, which stand in one line of a table or a picture.
 const LONGEST_NAME: usize = 200;
 /// Longest list of values.
-const LONGEST_LIST: usize = 256;
+pub(super) const LONGEST_LIST: usize = 256;
 /// Largest numerator and denominator of a speed ratio: periods stay short and orders few.
 const LARGEST_NUMERATOR: i64 = 64;
 const LARGEST_DENOMINATOR: i64 = 64;
@@ -62,6 +62,7 @@ impl Walk<'_> {
                 .label("unknown word")
                 .hint(match near {
                     Some(near) => format!("did you mean \"{near}\"? it is one of {all}"),
+                    None if words.len() == 1 => format!("write \"{all}\""),
                     None => format!("write one of {all}"),
                 }),
         );
@@ -170,6 +171,27 @@ impl Walk<'_> {
         let value = item.as_f64()?;
         if !value.is_finite() || value < 0.0 {
             let message = format!("`{}` needs a share of 0 or more, got {value}", key.name);
+            self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+            return None;
+        }
+        Some(Value::Number(value))
+    }
+
+    pub(super) fn bare_number(&mut self, key: &Key, item: &Item<'_>, bound: Bound) -> Option<Value> {
+        let span = item.span().range();
+        let value = item.as_f64()?;
+        let good = match bound {
+            Bound::Any => true,
+            Bound::NotNegative => value >= 0.0,
+            Bound::Positive => value > 0.0,
+        };
+        if !good || !value.is_finite() || value.abs() > LARGEST || (value != 0.0 && value.abs() < SMALLEST) {
+            let wanted = match bound {
+                Bound::Any => "a number",
+                Bound::NotNegative => "a number of 0 or more",
+                Bound::Positive => "a number above 0",
+            };
+            let message = format!("`{}` needs {wanted} within reason, got {value}", key.name);
             self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
             return None;
         }

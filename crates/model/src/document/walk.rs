@@ -155,6 +155,10 @@ impl Walk<'_> {
                 .quantity(key, item, Dimension::Share, Bound::NotNegative)
                 .map(|spot| Value::Number(spot.value)),
             (Kind::Share, Toml::Integer(_) | Toml::Float(_)) => self.bare_share(key, item),
+            (Kind::Number(bound), Toml::Integer(_) | Toml::Float(_)) => self.bare_number(key, item, bound),
+            (Kind::Truth, Toml::Boolean(truth)) => Some(Value::Truth(*truth)),
+            (Kind::Stages, Toml::Array(array)) => self.stages(key, array, item),
+            (Kind::Limits, Toml::Table(table)) => self.terms(key, table).map(Value::Terms),
             (Kind::Ratio, Toml::Integer(_) | Toml::Float(_) | Toml::String(_)) => self.ratio(key, item),
             (Kind::Table(table), Toml::Table(toml)) => {
                 let span = self.item_span(item, key_span);

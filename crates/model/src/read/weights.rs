@@ -196,7 +196,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn web_distance_missing(&mut self, span: Span, throw: usize) {
+    pub(super) fn web_distance_missing(&mut self, span: Span, throw: usize) {
         self.missing(
             span,
             format!("a weight on a web of throw {} needs the distance of its webs", throw + 1),

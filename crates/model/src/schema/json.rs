@@ -64,6 +64,16 @@ fn key_schema(key: &Key) -> Value {
             bounded(Dimension::Share, Bound::NotNegative),
             { "type": "number", "minimum": 0 },
         ] }),
+        Kind::Number(Bound::Any) => json!({ "type": "number" }),
+        Kind::Number(Bound::NotNegative) => json!({ "type": "number", "minimum": 0 }),
+        Kind::Number(Bound::Positive) => json!({ "type": "number", "exclusiveMinimum": 0 }),
+        Kind::Truth => json!({ "type": "boolean" }),
+        Kind::Stages => json!({
+            "type": "array",
+            "items": { "anyOf": [{ "type": "string" }, criteria_with_values()] },
+            "minItems": 1,
+        }),
+        Kind::Limits => criteria_with_values(),
         Kind::Ratio => json!({ "anyOf": [
             { "type": "integer", "not": { "const": 0 } },
             { "type": "string", "pattern": "^\\s*[+-]?0*[1-9][0-9]*\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },
@@ -82,6 +92,13 @@ fn key_schema(key: &Key) -> Value {
         }
     }
     schema
+}
+
+/// A table whose keys are criteria: each value is a quantity in a unit of its criterion.
+fn criteria_with_values() -> Value {
+    let values = [Dimension::Force, Dimension::Torque, Dimension::Mass, Dimension::Unbalance]
+        .map(|dimension| bounded(dimension, Bound::NotNegative));
+    json!({ "type": "object", "additionalProperties": { "anyOf": values }, "minProperties": 1 })
 }
 
 fn bounded(dimension: Dimension, bound: Bound) -> Value {

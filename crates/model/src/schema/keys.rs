@@ -1,5 +1,6 @@
 //! The keys of the engine file, table by table.
 
+mod balance;
 mod devices;
 mod layout;
 mod train;
@@ -8,6 +9,7 @@ use super::Bound::{Any, Positive};
 use super::Need::{Optional, Required};
 use super::{Bound, Key, Kind, Need, Table};
 use crate::quantity::Dimension::{self, Angle, Length, Speed};
+use balance::BALANCE;
 use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, MOUNT, SHAFT};
 use layout::LAYOUT;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
@@ -139,6 +141,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Balance shafts.",
             "[{ ratio = -1, weights = [] }]",
+        ),
+        key(
+            "balance",
+            Kind::Table(&BALANCE),
+            Optional,
+            "What may be done to balance the engine, and what is wanted.",
+            "{ minimise = [\"force\"] }",
         ),
         key("mount", Kind::Tables(&MOUNT, MOST_MOUNTS), Optional, "Engine mounts.", "[{ name = \"front\" }]"),
         key(

@@ -1,0 +1,160 @@
+//! The section `[balance]`.
+
+use super::{File, quantity, quoted, ratio};
+use crate::angle;
+use crate::criterion::{dimension, name_among};
+use crate::engine::Engine;
+use crate::quantity::{Dimension, text_that};
+use crate::task::{BalanceTask, Criterion, FreeWeight, Phase, Place, Seat};
+
+impl File {
+    pub(super) fn balance(&mut self, engine: &Engine) {
+        let Some(task) = &engine.balance else { return };
+        self.header("[balance]", "");
+        let named = |criterion: &Criterion| quoted(&name_among(criterion, &engine.mounts));
+        if !task.stages.is_empty() {
+            let stages: Vec<String> = task
+                .stages
+                .iter()
+                .map(|stage| match stage.terms.as_slice() {
+                    [(weight, criterion)] if *weight == 1.0 => named(criterion),
+                    terms => {
+                        let terms: Vec<String> = terms
+                            .iter()
+                            .map(|(weight, criterion)| {
+                                let text = text_that(1.0 / weight, dimension(criterion), |read| {
+                                    1.0 / read == *weight
+                                });
+                                format!("{} = \"{text}\"", named(criterion))
+                            })
+                            .collect();
+                        format!("{{ {} }}", terms.join(", "))
+                    }
+                })
+                .collect();
+            self.entry("minimise", &format!("[{}]", stages.join(", ")));
+        }
+        if !task.limits.is_empty() {
+            let limits: Vec<String> = task
+                .limits
+                .iter()
+                .map(|limit| {
+                    format!(
+                        "{} = {}",
+                        named(&limit.criterion),
+                        quantity(limit.most, dimension(&limit.criterion))
+                    )
+                })
+                .collect();
+            self.entry("limits", &format!("{{ {} }}", limits.join(", ")));
+        }
+        if let Some(most) = task.most_optional {
+            self.entry("most_optional", &most.to_string());
+        }
+        for (index, weight) in task.weights.iter().enumerate() {
+            if let Seat::Crankshaft(crankshaft) = weight.seat {
+                self.header("[[balance.counterweight]]", "");
+                if crankshaft > 0 {
+                    self.entry("crankshaft", &(crankshaft + 1).to_string());
+                }
+                for (key, value) in weight_entries(task, index, engine) {
+                    self.entry(key, &value);
+                }
+            }
+        }
+        for (index, shaft) in task.shafts.iter().enumerate() {
+            self.header("[[balance.shaft]]", "");
+            self.entry("name", &quoted(&shaft.name));
+            self.entry("ratio", &ratio(shaft.ratio));
+            self.entry("x", &place(shaft.x));
+            self.entry("y", &place(shaft.y));
+            if shaft.optional {
+                self.entry("optional", "true");
+            }
+            let own = task.weights.iter().enumerate().filter(|(_, weight)| weight.seat == Seat::Shaft(index));
+            let list: String = own
+                .map(|(index, _)| {
+                    let entries: Vec<String> = weight_entries(task, index, engine)
+                        .into_iter()
+                        .map(|(key, value)| format!("{key} = {value}"))
+                        .collect();
+                    format!("    {{ {} }},\n", entries.join(", "))
+                })
+                .collect();
+            self.entry("weights", &format!("[\n{list}]"));
+        }
+        for inertia in &task.inertias {
+            self.header("[[balance.inertia]]", "");
+            self.entry("name", &quoted(&inertia.name));
+            self.entry("ratio", &format!("{:?}", inertia.ratio));
+            self.entry("crank_inertia", &quantity(inertia.crank_inertia, Dimension::Inertia));
+            if let Some(most) = inertia.most {
+                self.entry("most", &quantity(most, Dimension::Inertia));
+            }
+            if inertia.optional {
+                self.entry("optional", "true");
+            }
+        }
+    }
+}
+
+/// Keys and values of a weight, but for its crankshaft.
+fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'static str, String)> {
+    let weight = &task.weights[index];
+    let mut entries = vec![("name", quoted(&weight.name)), ("z", place(weight.z))];
+    if let Some(tie) = task.ties.iter().find(|tie| tie.second == index) {
+        let (key, factor) = match (tie.mirrored, tie.factor) {
+            (true, factor) => ("mirrored_to", factor),
+            (false, factor) if factor < 0.0 => ("opposed_to", -factor),
+            (false, factor) => ("equal_to", factor),
+        };
+        entries.push((key, quoted(&task.weights[tie.first].name)));
+        if factor != 1.0 {
+            entries.push(("factor", format!("{factor:?}")));
+        }
+    } else {
+        let along = if matches!(weight.seat, Seat::Shaft(_)) { "phase" } else { "angle" };
+        match weight.phase {
+            Phase::Free => {}
+            Phase::Direction(phase) => entries.push((along, direction(phase, weight, engine))),
+            Phase::Line(phase) => entries.push(("line", direction(phase, weight, engine))),
+        }
+        let amount = |amount: f64| quantity(amount, Dimension::Unbalance);
+        match weight.most {
+            Some(most) if most == weight.least => entries.push(("unbalance", amount(most))),
+            most => {
+                if weight.least > 0.0 {
+                    entries.push(("least", amount(weight.least)));
+                }
+                entries.extend(most.map(|most| ("most", amount(most))));
+            }
+        }
+        if weight.optional {
+            entries.push(("optional", "true".to_string()));
+        }
+    }
+    entries.extend(weight.radius.map(|radius| ("radius", quantity(radius, Dimension::Length))));
+    entries
+}
+
+/// On a crankshaft angles count from its own zero.
+fn direction(phase: f64, weight: &FreeWeight, engine: &Engine) -> String {
+    let zero = match weight.seat {
+        Seat::Crankshaft(index) => engine.crankshafts.get(index).map_or(0.0, |crankshaft| crankshaft.phase),
+        Seat::Shaft(_) => 0.0,
+    };
+    if zero == 0.0 {
+        return quantity(phase, Dimension::Angle);
+    }
+    let text = text_that(phase - zero, Dimension::Angle, |angle| angle::direction(zero + angle) == phase);
+    format!("\"{text}\"")
+}
+
+fn place(place: Place) -> String {
+    match place {
+        Place::At(at) => quantity(at, Dimension::Length),
+        Place::Between(first, last) => {
+            format!("[{}, {}]", quantity(first, Dimension::Length), quantity(last, Dimension::Length))
+        }
+    }
+}

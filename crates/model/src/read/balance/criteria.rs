@@ -1,0 +1,125 @@
+//! What is wanted: criteria to minimise, criteria with a limit.
+
+use super::Reader;
+use crate::criterion;
+use crate::diagnostic::Mistake;
+use crate::document::{Field, Section, Span, Term};
+use crate::engine::Mount;
+use crate::quantity::{self, Refusal};
+use crate::task::{BalanceTask, Criterion, Limit, Stage};
+
+impl<'a> Reader<'a> {
+    pub(super) fn stages(&mut self, section: &'a Section, mounts: Option<&[Mount]>) -> Option<Vec<Stage>> {
+        let stages = match section.stages("minimise") {
+            Field::Given(stages) => stages.value,
+            Field::Absent => return Some(Vec::new()),
+            Field::Bad => return None,
+        };
+        let stages: Vec<Option<Stage>> = stages
+            .iter()
+            .map(|stage| {
+                let terms: Vec<Option<(f64, Criterion)>> =
+                    stage.value.iter().map(|term| self.weighted(term, mounts)).collect();
+                terms.into_iter().collect::<Option<_>>().map(|terms| Stage { terms })
+            })
+            .collect();
+        stages.into_iter().collect()
+    }
+
+    /// A criterion and one over the value that counts as much as those of the others.
+    fn weighted(&mut self, term: &Term, mounts: Option<&[Mount]>) -> Option<(f64, Criterion)> {
+        let (criterion, amount) = self.term(term, mounts)?;
+        let Some((amount, span)) = amount else { return Some((1.0, criterion)) };
+        let weight = 1.0 / amount;
+        if amount > 0.0 && weight.is_finite() {
+            return Some((weight, criterion));
+        }
+        let message = format!("the value of `{}` must be more than 0", term.name.value);
+        self.mistakes.push(
+            Mistake::error("E0108", span, message)
+                .label("out of range")
+                .hint("a criterion counts by its share of the value given here"),
+        );
+        None
+    }
+
+    pub(super) fn limits(&mut self, section: &'a Section, mounts: Option<&[Mount]>) -> Option<Vec<Limit>> {
+        let terms = match section.terms("limits") {
+            Field::Given(terms) => terms.value,
+            Field::Absent => return Some(Vec::new()),
+            Field::Bad => return None,
+        };
+        let limits: Vec<Option<Limit>> = terms
+            .iter()
+            .map(|term| {
+                let (criterion, amount) = self.term(term, mounts)?;
+                let (most, span) = amount?;
+                if most >= 0.0 {
+                    return Some(Limit { criterion, most });
+                }
+                let message = format!("the limit of `{}` must not be negative", term.name.value);
+                self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+                None
+            })
+            .collect();
+        limits.into_iter().collect()
+    }
+
+    /// The criterion and the value beside it.
+    fn term(&mut self, term: &Term, mounts: Option<&[Mount]>) -> Option<(Criterion, Option<(f64, Span)>)> {
+        let refuse = |reader: &mut Self, refusal: Refusal, span: &Span| {
+            let Refusal { code, message, label, hint } = refusal;
+            reader.mistakes.push(Mistake::error(code, span.clone(), message).label(label).hint(hint));
+        };
+        let criterion = match criterion::named(&term.name.value, mounts) {
+            Ok(criterion) => criterion,
+            Err(refusal) => {
+                refuse(self, refusal, &term.name.span);
+                return None;
+            }
+        };
+        let Some(amount) = &term.amount else { return Some((criterion, None)) };
+        let name: String = term.name.value.chars().take(60).collect();
+        match quantity::parse(&amount.value, criterion::dimension(&criterion), &name) {
+            Ok(value) => Some((criterion, Some((value, amount.span.clone())))),
+            Err(refusal) => {
+                refuse(self, refusal, &amount.span);
+                None
+            }
+        }
+    }
+
+    /// Where the mass of the free weights is asked for.
+    pub(super) fn mass_span(&self, section: &'a Section, mounts: Option<&[Mount]>) -> Option<Span> {
+        let limits = section.terms("limits").given().unwrap_or(&[]);
+        let stages = section.stages("minimise").given().unwrap_or(&[]);
+        let terms = stages.iter().flat_map(|stage| &stage.value).chain(limits);
+        terms
+            .filter(|term| criterion::named(&term.name.value, mounts) == Ok(Criterion::AddedMass))
+            .map(|term| term.name.span.clone())
+            .next()
+    }
+
+    pub(super) fn check_radii(&mut self, task: &BalanceTask, span: Span) {
+        let without: Vec<String> = task
+            .weights
+            .iter()
+            .filter(|weight| weight.radius.is_none())
+            .map(|weight| format!("\"{}\"", weight.name))
+            .collect();
+        if without.is_empty() {
+            return;
+        }
+        const SHOWN: usize = 4;
+        let more = match without.len().saturating_sub(SHOWN) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let names = without.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
+        self.missing(
+            span,
+            format!("\"added mass\" needs the radius of every free weight: {names}{more} have none"),
+            "add radius = \"60 mm\" to each, or take \"added unbalance\"".into(),
+        );
+    }
+}
