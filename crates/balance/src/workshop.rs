@@ -13,6 +13,7 @@ mod crank_unbalance;
 mod displayed;
 mod error;
 mod external;
+mod factor_answer;
 mod grade;
 mod plane;
 mod primary_ellipse;
@@ -28,6 +29,7 @@ pub use crank_unbalance::{
 pub use displayed::displayed;
 pub use error::WorkshopError;
 pub use external::{ExternalBalance, external_balance};
+pub use factor_answer::{FactorAnswer, factor_answer};
 pub use grade::{Grade, GradedBearing, GradedPlane, grade};
 pub use plane::{Plane, PlaneUnbalance, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};

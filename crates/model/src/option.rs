@@ -37,6 +37,45 @@ pub fn length(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Length, option)
 }
 
+/// A mass with its unit, such as "412 g" [kg]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of mass.
+pub fn mass(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Mass, option)
+}
+
+/// An angle with its unit, such as "180 deg" [rad]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of angle.
+pub fn angle(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Angle, option)
+}
+
+/// An inertia with its unit, such as "0.02 kg m2" [kg m^2]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of inertia.
+pub fn inertia(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Inertia, option)
+}
+
+/// A share such as "50%", "50 %" or "0.5"; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number, or a bare number beyond 2, which is meant in percent.
+pub fn share(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    match text.trim().parse::<f64>() {
+        Ok(bare) if bare.abs() <= 2.0 => Ok(bare),
+        Ok(bare) if bare.is_finite() => Err(BadQuantity {
+            message: format!("`{option}` needs a share, got the bare number {bare}"),
+            hint: format!("write {bare}% or {}", bare / 100.0),
+        }),
+        _ => of_dimension(text, Dimension::Share, option),
+    }
+}
+
 /// An unbalance with its unit, such as "0.03 kg m" [kg m]; `option` names what asks for it in the message.
 ///
 /// # Errors
@@ -140,6 +179,11 @@ mod tests {
     fn a_speed_and_what_is_none() {
         assert_eq!(speed("60 rpm", "--speed"), Ok(std::f64::consts::TAU));
         assert_eq!(length("-12 mm", "--about"), Ok(-0.012));
+        assert_eq!(mass("412 g", "--bobweight"), Ok(0.412));
+        assert_eq!(angle("180 deg", "--angle"), Ok(std::f64::consts::PI));
+        assert_eq!(inertia("2 kg m2", "--inertia"), Ok(2.0));
+        assert_eq!((share("50%", "--share"), share("0.5", "--share")), (Ok(0.5), Ok(0.5)));
+        assert!(share("50", "--share").unwrap_err().hint.starts_with("write 50%"));
         let refused = speed("60 mm", "--speed").unwrap_err();
         assert!(refused.message.contains("--speed") && refused.hint.contains("rpm"), "{refused:?}");
     }

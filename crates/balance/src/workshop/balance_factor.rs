@@ -98,6 +98,21 @@ pub struct ThrowFactor {
     pub least_peak_share: Option<f64>,
 }
 
+impl ThrowFactor {
+    /// The residual first-order force at another share of the reciprocating mass, the counterweight in the same
+    /// direction; `None` where nothing reciprocates or the counterweight stands beside the throw.
+    pub fn ellipse_at(&self, share: f64) -> Option<PrimaryEllipse> {
+        let angle = match self.counterweight.norm() > 0.0 {
+            true => self.counterweight.arg(),
+            false => PI,
+        };
+        let given = FactorGiven::ReciprocatingShare(share);
+        let request = FactorRequest { given, oil: self.oil, angle: Some(angle) };
+        let other = throw_factor(self.masses.clone(), &request).ok()?;
+        self.reciprocating_share.map(|_| other.ellipse)
+    }
+}
+
 /// Balance factors of every throw.
 ///
 /// # Errors

@@ -114,6 +114,13 @@ pub fn throw_masses(engine: &Engine) -> Result<Vec<ThrowMasses>, LoadError> {
         .collect()
 }
 
+/// Names of the counterweights that belong to no throw.
+pub(super) fn ownerless(engine: &Engine) -> Vec<String> {
+    let none =
+        |weight: &&lanchester_model::Counterweight| owner(engine, weight.crankshaft, weight.z).is_none();
+    engine.counterweights.iter().filter(none).map(|weight| weight.name.clone()).collect()
+}
+
 /// Planes closer than this [m] are one: a tenth of a micrometre.
 const SAME_PLANE: f64 = 1e-7;
 

@@ -1,5 +1,7 @@
 //! `lanchester workshop`: balancing a real crank or engine from measurements.
 
+mod factor;
+mod given_factor;
 mod grade;
 
 use crate::failure::Failure;
@@ -14,6 +16,7 @@ use std::path::Path;
 
 pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {
     match &arguments.command {
+        WorkshopCommand::Factor(arguments) => factor::run(arguments, colour),
         WorkshopCommand::Grade(arguments) => grade::run(arguments, colour),
     }
 }

@@ -1,0 +1,44 @@
+//! `lanchester workshop factor`: balance factors by every definition.
+
+use super::given_factor::{bad, given_factor};
+use super::refused;
+use crate::arguments::Format;
+use crate::commands::{json, open};
+use crate::failure::{DONE, Failure};
+use crate::files::{print, write_result};
+use crate::workshop_arguments::FactorArguments;
+use lanchester::balance::workshop::{FactorRequest, factor_answer};
+use lanchester::model::option;
+use lanchester::report::Table;
+use lanchester::report::workshop::{factor_tables, factor_text, primary_ellipse_figure};
+
+pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
+    let request = FactorRequest {
+        given: given_factor(&arguments.given)?,
+        oil: match &arguments.oil {
+            Some(text) => option::mass(text, "--oil").map_err(bad)?,
+            None => 0.0,
+        },
+        angle: match &arguments.angle {
+            Some(text) => Some(option::angle(text, "--angle").map_err(bad)?),
+            None => None,
+        },
+    };
+    let opened = open(&arguments.engine, colour)?;
+    let answer = factor_answer(&opened.engine, &request).map_err(refused)?;
+    if let Some(path) = &arguments.figure {
+        let Some(figure) = primary_ellipse_figure(&answer) else {
+            return Err(Failure::input(
+                "there is no primary ellipse to draw: nothing reciprocates, or the counterweights stand beside their throws",
+                "leave --figure out",
+            ));
+        };
+        write_result(path, &arguments.engine, &figure.svg())?;
+    }
+    print(&match arguments.format {
+        Format::Text => factor_text(&answer),
+        Format::Json => json(&answer)?,
+        Format::Csv => factor_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(DONE)
+}

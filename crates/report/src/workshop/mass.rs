@@ -1,0 +1,27 @@
+//! Cells for shares, grams and unbalances.
+
+use crate::number;
+use crate::table::Cell;
+use num_complex::Complex64;
+
+/// A share in percent to a tenth; what is missing is empty.
+pub(super) fn percent(share: Option<f64>) -> Cell {
+    share.map_or(Cell::Empty, |value| Cell::Number { value: 100.0 * value, decimals: 1 })
+}
+
+/// A mass [kg] in grams to a tenth, as the scales of a workshop show it.
+pub(super) fn grams(mass: f64) -> Cell {
+    Cell::Number { value: 1e3 * mass, decimals: 1 }
+}
+
+/// An unbalance [kg m] as g mm and degrees; no angle where there is none above `noise`.
+#[expect(dead_code)]
+pub(super) fn unbalance(value: Complex64, noise: f64) -> [Cell; 2] {
+    if value.norm() <= noise {
+        return [Cell::Number { value: 0.0, decimals: 0 }, Cell::Empty];
+    }
+    [
+        Cell::Number { value: 1e6 * value.norm(), decimals: number::decimals(1e6 * value.norm(), 4) },
+        Cell::Number { value: number::phase_degrees(value.arg()), decimals: 1 },
+    ]
+}
