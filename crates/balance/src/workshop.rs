@@ -6,23 +6,34 @@
 //! axis along the throw; the frame of a crankshaft is the engine's at the crankshaft angle 0; that of a rotor is the
 //! circle of degrees painted on it.
 
+mod allowed;
 mod balance_factor;
 mod bobweight;
 mod common_factor;
+mod correction;
 mod crank_unbalance;
 mod displayed;
 mod error;
 mod external;
 mod factor_answer;
 mod grade;
+mod history;
+mod influence;
+mod least_squares;
+mod phasor;
 mod plane;
 mod primary_ellipse;
+mod remark;
+mod run_log;
 mod slug;
 mod throw_masses;
 
 pub use balance_factor::{FactorGiven, FactorRequest, ThrowFactor, balance_factors};
 pub use bobweight::{Bobweight, BobweightSheet, CylinderParts, PinParts, bobweights};
 pub use common_factor::{CommonFactor, FactorEffect, OnePlane, common_factor, pin_pair_effect};
+pub use correction::{
+    Correction, Influence, NextStep, Placement, PlaneCorrection, RunFindings, SensorPrediction, correction,
+};
 pub use crank_unbalance::{
     BodyState, CrankBody, CrankUnbalance, QuasiStatic, UnbalanceKind, crank_unbalance,
 };
@@ -31,8 +42,11 @@ pub use error::WorkshopError;
 pub use external::{ExternalBalance, external_balance};
 pub use factor_answer::{FactorAnswer, factor_answer};
 pub use grade::{Grade, GradedBearing, GradedPlane, grade};
+pub use history::SAME_SPEED;
 pub use plane::{Plane, PlaneUnbalance, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};
+pub use remark::{CONTRADICTION, LEAST_CHANGE, LEAST_TURN, Remark, RemarkKind};
+pub use run_log::{RunEntry, SensorEntry, ShownVibration};
 pub use slug::{Slug, SlugPlan, slug_plan};
 pub use throw_masses::{FirstOrder, ThrowMasses, throw_masses};
 
