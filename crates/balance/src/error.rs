@@ -45,6 +45,14 @@ pub enum BalanceError {
         /// Name of the weight or shaft.
         device: String,
     },
+    /// Two inertias at once: only the sum of what they do counts.
+    #[error(
+        "one counter-rotating inertia can be used at a time, and `{second}` is a second one\nhint: leave one out, or make them optional"
+    )]
+    OneInertia {
+        /// Name of the second.
+        second: String,
+    },
     /// A number of the task is not possible.
     #[error("{quantity} of `{device}` must be {needed}, got {got}")]
     Number {

@@ -1,0 +1,160 @@
+//! Whether a task can be answered at all.
+
+use crate::error::BalanceError;
+use crate::operator::ratio_of;
+use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Phase, Place, Seat};
+
+/// Places closer than this are the same [m].
+const SAME_PLACE: f64 = 1e-9;
+
+/// Phases closer than this are the same line [rad].
+const SAME_LINE: f64 = 1e-9;
+
+/// Refuses numbers that are not possible and weights that cannot be told apart.
+pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
+    for shaft in &task.shafts {
+        place("x", &shaft.name, shaft.x)?;
+        place("y", &shaft.name, shaft.y)?;
+    }
+    for one in &task.weights {
+        weight(engine, task, one)?;
+    }
+    for inertia in &task.inertias {
+        positive("ratio", &inertia.name, inertia.ratio)?;
+        positive("inertia of the crank train", &inertia.name, inertia.crank_inertia)?;
+        if let Some(most) = inertia.most {
+            positive("largest inertia", &inertia.name, most)?;
+        }
+    }
+    if let Some(second) = task.inertias.get(1).filter(|_| task.inertias.iter().all(|i| !i.optional)) {
+        return Err(BalanceError::OneInertia { second: second.name.clone() });
+    }
+    for tie in &task.ties {
+        let second = task.weights.get(tie.second).filter(|_| tie.first < task.weights.len() && tie.first != tie.second);
+        let Some(second) = second else {
+            let got = tie.second as f64;
+            return Err(number("tie", "ties", "between two of the weights", got));
+        };
+        if !tie.factor.is_finite() {
+            return Err(number("factor of the tie", &second.name, "finite", tie.factor));
+        }
+    }
+    for stage in &task.stages {
+        for (weight, criterion) in &stage.terms {
+            if !(weight.is_finite() && *weight > 0.0) {
+                return Err(number("weight in a stage", &format!("{criterion:?}"), "positive", *weight));
+            }
+        }
+    }
+    for limit in &task.limits {
+        if !(limit.most >= 0.0 && limit.most.is_finite()) {
+            return Err(number("limit", &format!("{:?}", limit.criterion), "0 or more", limit.most));
+        }
+    }
+    alike(engine, task)?;
+    let mass = task.stages.iter().flat_map(|s| s.terms.iter().map(|t| t.1)).chain(task.limits.iter().map(|l| l.criterion));
+    if mass.into_iter().any(|c| c == Criterion::AddedMass)
+        && let Some(weight) = task.weights.iter().find(|w| w.radius.is_none())
+    {
+        return Err(BalanceError::NoRadius { weight: weight.name.clone() });
+    }
+    Ok(())
+}
+
+fn number(quantity: &'static str, device: &str, needed: &'static str, got: f64) -> BalanceError {
+    BalanceError::Number { quantity, device: device.to_string(), needed, got }
+}
+
+fn positive(quantity: &'static str, device: &str, got: f64) -> Result<(), BalanceError> {
+    if got > 0.0 && got.is_finite() { Ok(()) } else { Err(number(quantity, device, "positive", got)) }
+}
+
+fn place(quantity: &'static str, device: &str, place: Place) -> Result<(), BalanceError> {
+    match place {
+        Place::At(value) if !value.is_finite() => Err(number(quantity, device, "finite", value)),
+        Place::Between(low, high) if !(low.is_finite() && high.is_finite() && low < high) => {
+            Err(number(quantity, device, "a stretch whose end lies beyond its start", high - low))
+        }
+        Place::At(_) | Place::Between(..) => Ok(()),
+    }
+}
+
+fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError> {
+    let name = &weight.name;
+    let (count, seat) = match weight.seat {
+        Seat::Crankshaft(index) => (engine.crankshafts.len(), index),
+        Seat::Shaft(index) => (task.shafts.len(), index),
+    };
+    if seat >= count {
+        return Err(number("seat", name, "one of the crankshafts or shafts", seat as f64));
+    }
+    place("z", name, weight.z)?;
+    if !(weight.least >= 0.0 && weight.least.is_finite()) {
+        return Err(number("least amount", name, "0 or more", weight.least));
+    }
+    if let Some(most) = weight.most
+        && !(most >= weight.least && most.is_finite())
+    {
+        return Err(number("largest amount", name, "finite and no less than the least amount", most));
+    }
+    match weight.phase {
+        Phase::Line(angle) | Phase::Direction(angle) if !angle.is_finite() => {
+            return Err(number("phase", name, "finite", angle));
+        }
+        Phase::Free | Phase::Line(_) | Phase::Direction(_) => {}
+    }
+    weight.radius.map_or(Ok(()), |radius| positive("radius", name, radius))?;
+    let on_free_shaft = match weight.seat {
+        Seat::Shaft(index) => {
+            let shaft = &task.shafts[index];
+            shaft.optional || [shaft.x, shaft.y].iter().any(|p| matches!(p, Place::Between(..)))
+        }
+        Seat::Crankshaft(_) => false,
+    };
+    let chosen = weight.optional || matches!(weight.z, Place::Between(..)) || on_free_shaft;
+    if chosen && weight.most.is_none() {
+        return Err(BalanceError::Unbounded { device: name.clone() });
+    }
+    Ok(())
+}
+
+/// Refuses two weights in one plane of one axis at one speed that are not tied and have a direction in common.
+fn alike(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
+    let axis = |weight: &FreeWeight| match weight.seat {
+        Seat::Crankshaft(index) => {
+            let crankshaft = &engine.crankshafts[index];
+            Some([crankshaft.x, crankshaft.y])
+        }
+        Seat::Shaft(index) => match (task.shafts[index].x, task.shafts[index].y) {
+            (Place::At(x), Place::At(y)) => Some([x, y]),
+            _ => None,
+        },
+    };
+    let same_line = |a: Phase, b: Phase| match (a, b) {
+        (Phase::Line(a) | Phase::Direction(a), Phase::Line(b) | Phase::Direction(b)) => {
+            (a - b).sin().abs() < SAME_LINE
+        }
+        _ => true,
+    };
+    for (j, second) in task.weights.iter().enumerate() {
+        for (i, first) in task.weights[..j].iter().enumerate() {
+            let (Place::At(z1), Place::At(z2)) = (first.z, second.z) else { continue };
+            let same_axis = first.seat == second.seat
+                || matches!((axis(first), axis(second)), (Some(a), Some(b))
+                    if (a[0] - b[0]).abs() < SAME_PLACE && (a[1] - b[1]).abs() < SAME_PLACE);
+            let same_speed = ratio_of(engine, task, first.seat) == ratio_of(engine, task, second.seat);
+            let tied = task.ties.iter().any(|t| (t.first, t.second) == (i, j) || (t.first, t.second) == (j, i));
+            let chosen = first.optional || second.optional || first.least > 0.0 || second.least > 0.0;
+            if same_axis
+                && same_speed
+                && (z1 - z2).abs() < SAME_PLACE
+                && !tied
+                && !chosen
+                && same_line(first.phase, second.phase)
+            {
+                return Err(BalanceError::Alike { first: first.name.clone(), second: second.name.clone() });
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,385 @@
+//! A load over the cycle as a vector that is a trigonometric polynomial of the angle and affine in the variables:
+//!
+//! ```text
+//! g(phi; x) = SUM over keys k of  (c_k + C_k x) cos(k phi) + (s_k + S_k x) sin(k phi)      phi = theta / revolutions
+//! ```
+//! Its largest amount over the continuous angle is found from a grid that resolves it, every candidate refined by
+//! Newton's method on the exact derivative of `|g|^2`.
+
+use super::dense::{Matrix, dot};
+use std::f64::consts::TAU;
+
+/// Most components of a curve.
+pub(crate) const WIDTH: usize = 3;
+
+/// A vector of a curve; components beyond its own are 0.
+pub(crate) type Vector = [f64; WIDTH];
+
+pub(crate) fn length(v: &Vector) -> f64 {
+    square(v).sqrt()
+}
+
+fn square(v: &Vector) -> f64 {
+    inner(v, v)
+}
+
+pub(crate) fn inner(a: &Vector, b: &Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Equally spaced angles of one period.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Grid {
+    /// Revolutions of crankshaft 1 in a period.
+    pub revolutions: u32,
+    cos: Vec<f64>,
+    sin: Vec<f64>,
+}
+
+impl Grid {
+    /// `count` angles of a period of so many revolutions.
+    pub fn new(revolutions: u32, count: usize) -> Grid {
+        let turn = |j: usize| (TAU * j as f64 / count as f64).sin_cos();
+        Grid {
+            revolutions,
+            cos: (0..count).map(|j| turn(j).1).collect(),
+            sin: (0..count).map(|j| turn(j).0).collect(),
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        self.cos.len()
+    }
+
+    fn step(&self) -> f64 {
+        TAU / self.len() as f64
+    }
+
+    /// Adds a harmonic to values on the grid.
+    fn add(&self, harmonic: &Harmonic, values: &mut [Vector]) {
+        let count = self.len();
+        let stride = harmonic.key as usize % count;
+        let mut place = 0;
+        for value in values {
+            let (cos, sin) = (self.cos[place], self.sin[place]);
+            for m in 0..WIDTH {
+                value[m] += harmonic.cos[m] * cos + harmonic.sin[m] * sin;
+            }
+            place += stride;
+            if place >= count {
+                place -= count;
+            }
+        }
+    }
+}
+
+/// One harmonic of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Harmonic {
+    /// Order times revolutions.
+    pub key: u32,
+    pub cos: Vector,
+    pub sin: Vector,
+}
+
+/// A curve, its constant part also on the grid.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Curve {
+    /// Components.
+    pub dimension: usize,
+    base: Vec<Harmonic>,
+    /// Places in `base` of the harmonics that depend on the variables.
+    touched: Vec<usize>,
+    /// For each touched harmonic the rows of `C_k`, then those of `S_k`.
+    pub columns: Matrix,
+    on_grid: Vec<Vector>,
+}
+
+/// A curve at one choice of the variables.
+pub(crate) struct Fixed<'a> {
+    curve: &'a Curve,
+    harmonics: Vec<Harmonic>,
+}
+
+/// A local maximum of the amount of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Summit {
+    /// Angle `phi`.
+    pub angle: f64,
+    /// Amount.
+    pub amount: f64,
+}
+
+/// Value and derivatives by `phi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Jet {
+    pub value: Vector,
+    pub slope: Vector,
+    pub bend: Vector,
+}
+
+impl Jet {
+    /// Half the first and second derivative of the square of the amount.
+    fn square_slope(&self) -> (f64, f64) {
+        let first = inner(&self.value, &self.slope);
+        (first, square(&self.slope) + inner(&self.value, &self.bend))
+    }
+}
+
+impl Curve {
+    /// A curve of `base` harmonics (keys rising, each once) of which those at `touched` depend on the variables.
+    pub fn new(
+        dimension: usize,
+        base: Vec<Harmonic>,
+        touched: Vec<usize>,
+        columns: Matrix,
+        grid: &Grid,
+    ) -> Curve {
+        assert_eq!(columns.rows, touched.len() * 2 * dimension, "invariant: a row for each coefficient");
+        let mut on_grid = vec![[0.0; WIDTH]; grid.len()];
+        for harmonic in &base {
+            grid.add(harmonic, &mut on_grid);
+        }
+        Curve { dimension, base, touched, columns, on_grid }
+    }
+
+    /// The same curve with `x = origin + directions z` put in.
+    pub fn restricted(&self, origin: &[f64], directions: &Matrix, grid: &Grid) -> Curve {
+        let mut curve = self.clone();
+        let shift = self.columns.times(origin);
+        for (place, harmonic) in self.changes(&shift) {
+            grid.add(&harmonic, &mut curve.on_grid);
+            for m in 0..WIDTH {
+                curve.base[place].cos[m] += harmonic.cos[m];
+                curve.base[place].sin[m] += harmonic.sin[m];
+            }
+        }
+        curve.columns = self.columns.product(directions);
+        curve
+    }
+
+    /// The harmonics that coefficients of the touched ones add, with their places.
+    fn changes<'a>(&'a self, coefficients: &'a [f64]) -> impl Iterator<Item = (usize, Harmonic)> + 'a {
+        let d = self.dimension;
+        self.touched.iter().enumerate().map(move |(k, &place)| {
+            let mut harmonic =
+                Harmonic { key: self.base[place].key, cos: [0.0; WIDTH], sin: [0.0; WIDTH] };
+            harmonic.cos[..d].copy_from_slice(&coefficients[2 * k * d..(2 * k + 1) * d]);
+            harmonic.sin[..d].copy_from_slice(&coefficients[(2 * k + 1) * d..(2 * k + 2) * d]);
+            (place, harmonic)
+        })
+    }
+
+    /// The curve at `x`.
+    pub fn at(&self, x: &[f64]) -> Fixed<'_> {
+        let mut harmonics = self.base.clone();
+        let shift = self.columns.times(x);
+        for (place, change) in self.changes(&shift) {
+            for m in 0..WIDTH {
+                harmonics[place].cos[m] += change.cos[m];
+                harmonics[place].sin[m] += change.sin[m];
+            }
+        }
+        Fixed { curve: self, harmonics }
+    }
+
+    /// `g(phi; 0)`.
+    pub fn constant(&self, angle: f64) -> Vector {
+        jet(&self.base, angle).value
+    }
+
+    /// `G(phi)` as `dimension` rows, and its derivative by `phi`.
+    pub fn directions(&self, angle: f64) -> (Matrix, Matrix) {
+        let (d, n) = (self.dimension, self.columns.columns);
+        let (mut value, mut slope) = (Matrix::zeros(d, n), Matrix::zeros(d, n));
+        for (k, &place) in self.touched.iter().enumerate() {
+            let key = f64::from(self.base[place].key);
+            let (sin, cos) = (key * angle).sin_cos();
+            for m in 0..d {
+                for (row, of_value, of_slope) in
+                    [(2 * k * d + m, cos, -key * sin), ((2 * k + 1) * d + m, sin, key * cos)]
+                {
+                    super::dense::add_scaled(value.row_mut(m), of_value, self.columns.row(row));
+                    super::dense::add_scaled(slope.row_mut(m), of_slope, self.columns.row(row));
+                }
+            }
+        }
+        (value, slope)
+    }
+
+    /// Coefficients of the touched harmonics at `x = 0`, in the order of the rows of [`Curve::columns`].
+    pub fn touched_coefficients(&self) -> Vec<f64> {
+        let d = self.dimension;
+        self.touched.iter().flat_map(|&p| [self.base[p].cos, self.base[p].sin]).flat_map(move |v| v[..d].to_vec()).collect()
+    }
+
+    /// Sum of the amounts of the harmonics that no variable touches.
+    pub fn untouched(&self) -> f64 {
+        let outside = self.base.iter().enumerate().filter(|(place, _)| !self.touched.contains(place));
+        outside.map(|(_, h)| length(&h.cos) + length(&h.sin)).sum()
+    }
+}
+
+impl Fixed<'_> {
+    pub fn jet(&self, angle: f64) -> Jet {
+        jet(&self.harmonics, angle)
+    }
+
+    /// All local maxima of the amount that reach `floor`, the largest first; at least the largest of all.
+    ///
+    /// Where the amount is the same over a stretch (to rounding) the grid's own angles stand for it.
+    pub fn summits(&self, grid: &Grid, floor: f64) -> Vec<Summit> {
+        let mut values = self.curve.on_grid.clone();
+        for &place in &self.curve.touched {
+            let (now, base) = (&self.harmonics[place], &self.curve.base[place]);
+            let mut change = *now;
+            for m in 0..WIDTH {
+                change.cos[m] -= base.cos[m];
+                change.sin[m] -= base.sin[m];
+            }
+            grid.add(&change, &mut values);
+        }
+        let squares: Vec<f64> = values.iter().map(square).collect();
+        let count = squares.len();
+        let highest = squares.iter().copied().fold(0.0, f64::max);
+        let threshold = (floor.max(0.0).powi(2)).min(highest);
+        let mut summits = Vec::new();
+        for j in 0..count {
+            let (before, here, after) = (squares[(j + count - 1) % count], squares[j], squares[(j + 1) % count]);
+            // A parabola rises by an eighth of the second difference between grid angles; half of it is ample where
+            // the grid resolves the curve.
+            let reach = 0.5 * (2.0 * here - before - after).abs();
+            if here < before || here <= after || here + reach < threshold {
+                continue;
+            }
+            let angle = self.climb(grid.step() * j as f64, grid.step());
+            let amount = length(&self.jet(angle).value).max(here.sqrt());
+            summits.push(Summit { angle: angle.rem_euclid(TAU), amount });
+        }
+        if summits.is_empty() {
+            let place = (0..count).find(|&j| squares[j] == highest).unwrap_or(0);
+            summits.push(Summit { angle: grid.step() * place as f64, amount: highest.sqrt() });
+        }
+        summits.sort_by(|a, b| b.amount.total_cmp(&a.amount).then(a.angle.total_cmp(&b.angle)));
+        summits
+    }
+
+    /// The angle within `reach` of `angle` where the amount is largest: Newton on the derivative, kept in a bracket.
+    pub fn climb(&self, angle: f64, reach: f64) -> f64 {
+        let slope = |at: f64| self.jet(at).square_slope();
+        let (first, second) = slope(angle);
+        if first == 0.0 {
+            return angle;
+        }
+        let (mut low, mut high) = if first > 0.0 { (angle, angle + reach) } else { (angle - reach, angle) };
+        let far = slope(if first > 0.0 { high } else { low }).0;
+        if (far > 0.0) == (first > 0.0) {
+            return angle;
+        }
+        let (mut at, mut first, mut second) = (angle, first, second);
+        for _ in 0..60 {
+            let step = if second < 0.0 { -first / second } else { f64::NAN };
+            let trial = at + step;
+            let next = if trial > low && trial < high { trial } else { 0.5 * (low + high) };
+            let moved = (next - at).abs();
+            at = next;
+            (first, second) = slope(at);
+            if first == 0.0 || moved <= 1e-15 * (1.0 + at.abs()) {
+                break;
+            }
+            if first > 0.0 {
+                low = at;
+            } else {
+                high = at;
+            }
+        }
+        at
+    }
+}
+
+fn jet(harmonics: &[Harmonic], angle: f64) -> Jet {
+    let mut jet = Jet { value: [0.0; WIDTH], slope: [0.0; WIDTH], bend: [0.0; WIDTH] };
+    for harmonic in harmonics {
+        let key = f64::from(harmonic.key);
+        let (sin, cos) = (key * angle).sin_cos();
+        for m in 0..WIDTH {
+            let value = harmonic.cos[m] * cos + harmonic.sin[m] * sin;
+            jet.value[m] += value;
+            jet.slope[m] += key * (harmonic.sin[m] * cos - harmonic.cos[m] * sin);
+            jet.bend[m] -= key * key * value;
+        }
+    }
+    jet
+}
+
+/// Something affine in the variables whose amount is judged: a curve, or a vector that does not depend on the angle.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Member {
+    Curve(Curve),
+    /// `base + columns x`, as many rows as the vector has components.
+    Vector { base: Vector, columns: Matrix },
+}
+
+impl Member {
+    pub fn dimension(&self) -> usize {
+        match self {
+            Member::Curve(curve) => curve.dimension,
+            Member::Vector { columns, .. } => columns.rows,
+        }
+    }
+
+    pub fn restricted(&self, origin: &[f64], directions: &Matrix, grid: &Grid) -> Member {
+        match self {
+            Member::Curve(curve) => Member::Curve(curve.restricted(origin, directions, grid)),
+            Member::Vector { columns, .. } => {
+                Member::Vector { base: self.value(0.0, origin), columns: columns.product(directions) }
+            }
+        }
+    }
+
+    /// All its coefficients: rows that depend on the variables.
+    pub fn columns(&self) -> &Matrix {
+        match self {
+            Member::Curve(curve) => &curve.columns,
+            Member::Vector { columns, .. } => columns,
+        }
+    }
+
+    /// Value at an angle.
+    pub fn value(&self, angle: f64, x: &[f64]) -> Vector {
+        match self {
+            Member::Curve(curve) => curve.at(x).jet(angle).value,
+            Member::Vector { base, columns } => {
+                let mut value = *base;
+                for m in 0..columns.rows {
+                    value[m] += dot(columns.row(m), x);
+                }
+                value
+            }
+        }
+    }
+
+    /// Value at an angle where all variables are 0.
+    pub fn constant(&self, angle: f64) -> Vector {
+        match self {
+            Member::Curve(curve) => curve.constant(angle),
+            Member::Vector { base, .. } => *base,
+        }
+    }
+
+    /// How the value depends on the variables at an angle: rows, one a component.
+    pub fn directions(&self, angle: f64) -> Matrix {
+        match self {
+            Member::Curve(curve) => curve.directions(angle).0,
+            Member::Vector { columns, .. } => columns.clone(),
+        }
+    }
+
+    /// Local maxima that reach `floor`, at least the largest.
+    pub fn summits(&self, grid: &Grid, x: &[f64], floor: f64) -> Vec<Summit> {
+        match self {
+            Member::Curve(curve) => curve.at(x).summits(grid, floor),
+            Member::Vector { .. } => vec![Summit { angle: 0.0, amount: length(&self.value(0.0, x)) }],
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! What is judged, as groups of a convex programme.
+//!
+//! A load is a list of vectors, each with up to three components that are trigonometric polynomials of the crank angle
+//! and affine in the variables; its peak is the largest amount of any of them at any angle. [`vectors`] is the one place
+//! that knows the loads.
+
+use crate::convex::curve::{Grid, Member, WIDTH};
+use crate::convex::dense::Matrix;
+use crate::convex::programme::Group;
+use crate::error::BalanceError;
+use crate::mounts::shares;
+use crate::operator::{Channel, Operator};
+use crate::wave::{Wave, curve};
+use lanchester_model::{BalanceTask, Criterion, Engine, Load};
+
+/// A criterion in terms of the groups of a programme: `scale * SUM of share * level`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Judged {
+    pub criterion: Criterion,
+    /// Groups with their shares.
+    pub groups: Vec<(usize, f64)>,
+    /// What a level of 1 is in the criterion's unit.
+    pub scale: f64,
+    /// The criterion where all variables are 0.
+    pub unbalanced: f64,
+}
+
+impl Judged {
+    /// The criterion at the levels of the groups, in its own unit.
+    pub fn value(&self, level: impl Fn(usize) -> f64) -> f64 {
+        self.scale * self.groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
+    }
+}
+
+/// The vectors whose largest amount is the peak of `load`, and whether it is a force (else a moment).
+pub(crate) fn vectors(
+    engine: &Engine,
+    operator: &Operator,
+    load: Load,
+) -> Result<(Vec<Vec<Wave>>, bool), BalanceError> {
+    let channels = |list: &[Channel]| vec![list.iter().map(|&c| operator.channel(c).clone()).collect()];
+    Ok(match load {
+        Load::Force => (channels(&[Channel::ForceX, Channel::ForceY]), true),
+        Load::ForceX => (channels(&[Channel::ForceX]), true),
+        Load::ForceY => (channels(&[Channel::ForceY]), true),
+        Load::Couple => (channels(&[Channel::CoupleX, Channel::CoupleY]), false),
+        Load::CoupleX => (channels(&[Channel::CoupleX]), false),
+        Load::CoupleY => (channels(&[Channel::CoupleY]), false),
+        Load::RollMoment => (channels(&[Channel::RollMoment]), false),
+        Load::MountForce(index) => {
+            let mut all = mount_forces(engine, operator)?;
+            if index >= all.len() {
+                return Err(missing("force at a mount", "a mount of that number", "count the [[mount]] entries"));
+            }
+            (vec![all.swap_remove(index)], true)
+        }
+        Load::LargestMountForce => (mount_forces(engine, operator)?, true),
+        Load::BendingMoment => {
+            return Err(missing(
+                "bending moment",
+                "loads along the crankshaft, which are not judged yet",
+                "limit the counterweights instead",
+            ));
+        }
+    })
+}
+
+fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> BalanceError {
+    BalanceError::Missing { criterion: criterion.to_string(), needed, hint }
+}
+
+fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
+    if engine.mounts.is_empty() {
+        return Err(missing("mount force", "the places of the mounts", "add [[mount]] entries to the engine file"));
+    }
+    let one = |share: &[[f64; 5]; 3]| {
+        let rows = share.iter().map(|row| Wave::sum(row.iter().copied().zip(&operator.channels)));
+        rows.collect::<Vec<_>>()
+    };
+    Ok(shares(&engine.mounts).iter().map(one).collect())
+}
+
+/// Adds the groups of `criterion` to `groups` and says how to read them.
+///
+/// `amounts` are the groups of the weights' corners (see [`amounts`]).
+pub(crate) fn judge(
+    engine: &Engine,
+    task: &BalanceTask,
+    operator: &Operator,
+    criterion: Criterion,
+    amounts: &[Vec<usize>],
+    groups: &mut Vec<Group>,
+) -> Result<Judged, BalanceError> {
+    match criterion {
+        Criterion::Peak(load) => {
+            let (vectors, force) = vectors(engine, operator, load)?;
+            Ok(peak(operator, criterion, &vectors, force, groups))
+        }
+        Criterion::Order(load, order) => {
+            let key = order * f64::from(operator.grid.revolutions);
+            if !(order.is_finite() && order >= 0.0) {
+                return Err(BalanceError::Number {
+                    quantity: "order",
+                    device: "criterion".into(),
+                    needed: "0 or more",
+                    got: order,
+                });
+            }
+            // An order between those that the engine has is not there.
+            let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;
+            let key = if whole { key.round() as u32 } else { u32::MAX };
+            let (vectors, force) = vectors(engine, operator, load)?;
+            let only: Vec<Vec<Wave>> =
+                vectors.iter().map(|v| v.iter().map(|w| w.only(key)).collect()).collect();
+            Ok(peak(operator, criterion, &only, force, groups))
+        }
+        Criterion::AddedUnbalance => Ok(sum(criterion, operator, amounts, |_| Ok(1.0))?),
+        Criterion::AddedMass => Ok(sum(criterion, operator, amounts, |weight| {
+            let weight = &task.weights[weight];
+            let radius = weight.radius.ok_or_else(|| BalanceError::NoRadius { weight: weight.name.clone() })?;
+            Ok(1.0 / radius)
+        })?),
+    }
+}
+
+/// A group of curves, scaled by its largest amount without the devices.
+fn peak(
+    operator: &Operator,
+    criterion: Criterion,
+    vectors: &[Vec<Wave>],
+    force: bool,
+    groups: &mut Vec<Group>,
+) -> Judged {
+    let natural = if force { operator.natural_force } else { operator.natural_moment };
+    let curves = |scale: f64| {
+        vectors.iter().map(move |v| Member::Curve(curve(v, scale, operator.variables, &operator.grid)))
+    };
+    let nothing = vec![0.0; operator.variables];
+    let largest = |members: &[Member]| {
+        members.iter().map(|m| m.summits(&operator.grid, &nothing, 0.0)[0].amount).fold(0.0, f64::max)
+    };
+    let members: Vec<Member> = curves(natural).collect();
+    let unbalanced = largest(&members) * natural;
+    let scale = if unbalanced > 1e-4 * natural { unbalanced } else { natural };
+    let members = if scale == natural { members } else { curves(scale).collect() };
+    groups.push(Group { members });
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+}
+
+/// A sum over the amounts of all weights, each times its factor.
+fn sum(
+    criterion: Criterion,
+    operator: &Operator,
+    amounts: &[Vec<usize>],
+    factor: impl Fn(usize) -> Result<f64, BalanceError>,
+) -> Result<Judged, BalanceError> {
+    let mut shares = Vec::new();
+    for (weight, groups) in amounts.iter().enumerate() {
+        let share = factor(weight)? * operator.weights[weight].unit;
+        shares.extend(groups.iter().map(|&group| (group, share)));
+    }
+    let scale = shares.iter().map(|s| s.1).fold(0.0, f64::max);
+    let scale = if scale > 0.0 { scale } else { 1.0 };
+    shares.iter_mut().for_each(|s| s.1 /= scale);
+    Ok(Judged { criterion, groups: shares, scale, unbalanced: 0.0 })
+}
+
+/// One group for the amount of each corner of each weight, in units of the weight.
+pub(crate) fn amounts(operator: &Operator, groups: &mut Vec<Group>) -> Vec<Vec<usize>> {
+    let mut result = Vec::new();
+    for weight in &operator.weights {
+        let mut of_weight = Vec::new();
+        for corner in &weight.corners {
+            // On a line of phase the amount is that of one number.
+            let rows = corner.terms.len();
+            let mut columns = Matrix::zeros(rows, operator.variables);
+            for (k, (variable, value)) in corner.terms.iter().enumerate() {
+                if rows == 1 {
+                    columns[(0, *variable)] = value.norm() / weight.unit;
+                } else {
+                    columns[(0, *variable)] = value.re / weight.unit;
+                    columns[(1, *variable)] = value.im / weight.unit;
+                }
+                debug_assert!(k < 2, "invariant: a corner has one variable or two");
+            }
+            groups.push(Group { members: vec![Member::Vector { base: [0.0; WIDTH], columns }] });
+            of_weight.push(groups.len() - 1);
+        }
+        result.push(of_weight);
+    }
+    result
+}
+
+/// Level of a group whether or not the programme judges it.
+pub(crate) fn level(group: &Group, grid: &Grid, x: &[f64]) -> f64 {
+    group.members.iter().map(|m| m.summits(grid, x, 0.0)[0].amount).fold(0.0, f64::max)
+}

@@ -1,0 +1,79 @@
+//! An engine without what a task takes over, and with what was found.
+
+use crate::answer::Answer;
+use lanchester_model::{BalanceShaft, BalanceTask, Counterweight, Criterion, Engine, Seat, ShaftWeight};
+
+/// The engine without the counterweights and shafts that have the names of free weights and shafts.
+pub(crate) fn bare(engine: &Engine, task: &BalanceTask) -> Engine {
+    let mut bare = engine.clone();
+    bare.counterweights.retain(|old| !replaces(task, &old.name));
+    bare.shafts.retain(|old| task.shafts.iter().all(|shaft| shaft.name != old.name));
+    bare
+}
+
+/// Whether a free weight on a crankshaft has this name.
+fn replaces(task: &BalanceTask, name: &str) -> bool {
+    task.weights.iter().any(|w| matches!(w.seat, Seat::Crankshaft(_)) && w.name == name)
+}
+
+/// Mass [kg] or unbalance [kg m] of what the task takes over from the engine.
+///
+/// Masses are those of old weights on crankshafts at the radius of the new one; old shafts count with the radius of
+/// the first weight on the new shaft.
+pub(crate) fn taken_over(engine: &Engine, task: &BalanceTask, criterion: Criterion) -> f64 {
+    let per_amount = |radius: Option<f64>| match criterion {
+        Criterion::AddedMass => radius.map_or(0.0, |r| 1.0 / r),
+        _ => 1.0,
+    };
+    let mut sum = 0.0;
+    for old in &engine.counterweights {
+        let new = task.weights.iter().find(|w| matches!(w.seat, Seat::Crankshaft(_)) && w.name == old.name);
+        sum += new.map_or(0.0, |new| old.unbalance * per_amount(new.radius));
+    }
+    for old in &engine.shafts {
+        let Some(index) = task.shafts.iter().position(|s| s.name == old.name) else { continue };
+        let first = task.weights.iter().find(|w| w.seat == Seat::Shaft(index));
+        let amount: f64 = old.weights.iter().map(|w| w.unbalance).sum();
+        sum += amount * per_amount(first.and_then(|w| w.radius));
+    }
+    sum
+}
+
+/// The engine with the weights and shafts of `answer` in place of those with the same names.
+///
+/// Weights that are not used are left out, and shafts without weights. An engine for which there is no answer comes
+/// back as it was.
+pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
+    if answer.weights.is_empty() {
+        return engine.clone();
+    }
+    let task = &answer.task;
+    let mut fitted = bare(engine, task);
+    let mut shafts: Vec<BalanceShaft> = task
+        .shafts
+        .iter()
+        .zip(&answer.shafts)
+        .map(|(free, found)| BalanceShaft {
+            name: free.name.clone(),
+            ratio: free.ratio,
+            x: found.x,
+            y: found.y,
+            weights: Vec::new(),
+        })
+        .collect();
+    for (free, found) in task.weights.iter().zip(&answer.weights).filter(|(_, found)| found.used) {
+        let (unbalance, phase) = found.unbalance.to_polar();
+        match free.seat {
+            Seat::Crankshaft(crankshaft) => fitted.counterweights.push(Counterweight {
+                name: found.name.clone(),
+                crankshaft,
+                z: found.z,
+                unbalance,
+                angle: phase - engine.crankshafts[crankshaft].phase,
+            }),
+            Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight { z: found.z, unbalance, phase }),
+        }
+    }
+    fitted.shafts.extend(shafts.into_iter().filter(|shaft| !shaft.weights.is_empty()));
+    fitted
+}

@@ -1,0 +1,287 @@
+//! The best that exists for an engine with given free devices, with its proof.
+
+use crate::answer::*;
+use crate::check::check;
+use crate::convex::Failure;
+use crate::convex::curve::length;
+use crate::error::BalanceError;
+use crate::fitted::{bare, taken_over};
+use crate::infeasible::obstacle;
+use crate::operator::{Operator, inertia_of, middle};
+use crate::problem::{Problem, Rule};
+use crate::stages::{Reached, StageProof, run};
+use lanchester_mechanism::Kinematics;
+use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
+
+/// Finds the best unbalances for `task`, from the exact motion of the engine.
+///
+/// All loads grow with the square of the speed, so the highest speed of the engine decides. What the task takes over
+/// (counterweights and shafts with the names of its weights and shafts) is left out of the engine first.
+///
+/// # Errors
+/// [`BalanceError`] where the task has no meaning for this engine. Limits that nobody can reach are an
+/// [`Outcome::Infeasible`].
+///
+/// # Source
+/// Book, "Balancing", eqs. (12.1) to (12.9).
+pub fn optimise(engine: &Engine, task: &BalanceTask) -> Result<Answer, BalanceError> {
+    optimise_with(engine, task, Kinematics::Exact)
+}
+
+/// As [`optimise`], with the motion of the pistons that published cases were computed with.
+///
+/// # Errors
+/// As [`optimise`].
+pub fn optimise_with(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+) -> Result<Answer, BalanceError> {
+    check(engine, task)?;
+    let places = middle(engine, task);
+    let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
+    let problem = Problem::new(engine, task, operator)?;
+    let mut solves = 0;
+    let mut answer = Answer {
+        version: ANSWER_VERSION,
+        engine: engine.name.clone(),
+        speed: engine.speed.highest,
+        task: task.clone(),
+        outcome: Outcome::Optimal,
+        method: Method::Convex { solves },
+        weights: Vec::new(),
+        shafts: Vec::new(),
+        inertias: Vec::new(),
+        stages: Vec::new(),
+        limits: Vec::new(),
+        effects: Vec::new(),
+    };
+    let nothing = vec![0.0; problem.operator.variables];
+    let x = match run(&problem, &mut solves) {
+        Ok(reached) => {
+            answer.stages = found_stages(&problem, &reached);
+            answer.outcome = outcome(&answer.stages, &reached.stages);
+            answer.weights = found_weights(&problem, task, &reached.x);
+            answer.shafts = found_shafts(task, &answer.weights, &places);
+            answer.inertias = found_inertias(&problem, task, &reached.x);
+            answer.limits = found_limits(&problem, task, &reached, &answer);
+            reached.x
+        }
+        Err(failure) => {
+            answer.outcome = refused(&problem, task, failure, &mut solves);
+            nothing.clone()
+        }
+    };
+    answer.method = Method::Convex { solves };
+    answer.effects = effects(engine, task, kinematics, &problem, &x)?;
+    Ok(answer)
+}
+
+/// Optimal where every gap is closed.
+fn outcome(stages: &[FoundStage], proofs: &[StageProof]) -> Outcome {
+    let open = stages.iter().zip(proofs).enumerate().find(|(_, (stage, proof))| stage.gap > proof.target);
+    match open {
+        None => Outcome::Optimal,
+        Some((index, (stage, _))) => Outcome::Stopped {
+            reason: format!(
+                "rounding leaves a gap of {:.3e} of the value of stage {}",
+                stage.gap / stage.value.max(f64::MIN_POSITIVE),
+                index + 1
+            ),
+        },
+    }
+}
+
+/// What stands in the way of the limits.
+fn refused(problem: &Problem, task: &BalanceTask, failure: Failure, solves: &mut usize) -> Outcome {
+    if task.limits.is_empty() || failure == Failure::NoPoint && problem.programme.rows.is_empty() {
+        return Outcome::Stopped { reason: "the cone programme could not be solved".to_string() };
+    }
+    let obstacle = obstacle(problem, solves);
+    if obstacle.relaxation <= 1.0 + 1e-9 {
+        return Outcome::Stopped {
+            reason: "the limits can only just be held together, too closely for a proof".to_string(),
+        };
+    }
+    let mut parts = Vec::new();
+    for (limit, closest) in task.limits.iter().zip(&obstacle.closest) {
+        let (name, unit) = (limit.criterion.name(), limit.criterion.unit());
+        let verdict = if *closest > limit.most { "cannot be reached even alone" } else { "can be reached alone" };
+        parts.push(format!(
+            "{name} at most {:.6} {unit} {verdict} (closest {closest:.6} {unit})",
+            limit.most
+        ));
+    }
+    let mut reason = parts.join("; ");
+    if obstacle.relaxation.is_finite() {
+        reason += &format!("; all limits must be relaxed by a factor of {:.6} together", obstacle.relaxation);
+    }
+    Outcome::Infeasible { relaxation: obstacle.relaxation, closest: obstacle.closest, reason }
+}
+
+fn found_stages(problem: &Problem, reached: &Reached) -> Vec<FoundStage> {
+    let mut stages = Vec::new();
+    for (terms, proof) in problem.stages.iter().zip(&reached.stages) {
+        let values: Vec<(Criterion, f64)> =
+            terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, &reached.x))).collect();
+        let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
+        // Both are exact to rounding; the bound may end above the value by that much.
+        let lower_bound = proof.bound.min(value);
+        stages.push(FoundStage {
+            value,
+            lower_bound,
+            gap: value - lower_bound,
+            terms: values,
+            active: active(problem, terms, proof),
+        });
+    }
+    stages
+}
+
+/// Angles that hold a stage up.
+fn active(problem: &Problem, terms: &[(f64, crate::criterion::Judged)], proof: &StageProof) -> Vec<Active> {
+    let revolutions = f64::from(problem.programme.grid.revolutions);
+    let mut active = Vec::new();
+    for one in &proof.solution.support {
+        if !problem.is_load(one.group) {
+            continue;
+        }
+        let mut named = terms.iter().map(|t| &t.1).chain(&problem.limits);
+        let Some(judged) = named.find(|j| j.groups.iter().any(|g| g.0 == one.group)) else { continue };
+        let multiplier = length(&one.y) * proof.scale / judged.scale;
+        if multiplier > 0.0 {
+            active.push(Active { criterion: judged.criterion, theta: one.angle * revolutions, multiplier });
+        }
+    }
+    active.sort_by(|a, b| a.theta.total_cmp(&b.theta));
+    active
+}
+
+fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<FoundWeight> {
+    let mut found = Vec::new();
+    for (index, weight) in task.weights.iter().enumerate() {
+        let columns = &problem.operator.weights[index];
+        let mut unbalance = problem.operator.unbalance(index, x);
+        // Rounding is no weight.
+        if unbalance.norm() <= 1e-12 * columns.unit {
+            unbalance = num_complex::Complex64::ZERO;
+        }
+        found.push(FoundWeight {
+            name: weight.name.clone(),
+            unbalance,
+            z: columns.corners[0].z,
+            mass: weight.radius.map(|radius| unbalance.norm() / radius),
+            used: unbalance.norm() > 0.0,
+        });
+    }
+    found
+}
+
+fn found_shafts(
+    task: &BalanceTask,
+    weights: &[FoundWeight],
+    places: &[Vec<(num_complex::Complex64, f64)>],
+) -> Vec<FoundShaft> {
+    let mut found = Vec::new();
+    for (index, shaft) in task.shafts.iter().enumerate() {
+        let own: Vec<usize> =
+            (0..task.weights.len()).filter(|&w| task.weights[w].seat == Seat::Shaft(index)).collect();
+        let place = |place: lanchester_model::Place| match place {
+            lanchester_model::Place::At(value) => value,
+            lanchester_model::Place::Between(low, high) => 0.5 * (low + high),
+        };
+        let (x, y) = own.first().map_or((place(shaft.x), place(shaft.y)), |&w| {
+            let axis = places[w][0].0;
+            (axis.re, axis.im)
+        });
+        found.push(FoundShaft { name: shaft.name.clone(), x, y, used: own.iter().any(|&w| weights[w].used) });
+    }
+    found
+}
+
+fn found_inertias(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<FoundInertia> {
+    let mut found = Vec::new();
+    for (index, inertia) in task.inertias.iter().enumerate() {
+        let share = match problem.operator.inertia {
+            Some((variable, _)) if index == 0 => x[variable].max(0.0),
+            _ => 0.0,
+        };
+        found.push(FoundInertia {
+            name: inertia.name.clone(),
+            inertia: inertia_of(inertia, share),
+            roll_share: 1.0 - share,
+        });
+    }
+    found
+}
+
+fn found_limits(problem: &Problem, task: &BalanceTask, reached: &Reached, answer: &Answer) -> Vec<FoundLimit> {
+    let mut found = Vec::new();
+    for (row, &(rule, unit)) in problem.rules.iter().enumerate() {
+        // The first stage that it holds up; a price is the stage's unit over the limit's.
+        let price = reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
+        let limit = match rule {
+            Rule::Limit(index) => {
+                let judged = &problem.limits[index];
+                FoundLimit {
+                    what: judged.criterion.name(),
+                    criterion: Some(judged.criterion),
+                    most: task.limits[index].most,
+                    value: problem.value(judged, &reached.x),
+                    price: Some(price),
+                }
+            }
+            Rule::MostAmount(index) => FoundLimit {
+                what: format!("largest amount of `{}`", task.weights[index].name),
+                criterion: None,
+                most: task.weights[index].most.unwrap_or(f64::INFINITY),
+                value: answer.weights[index].unbalance.norm(),
+                price: Some(price),
+            },
+            Rule::MostInertia => {
+                let inertia = &task.inertias[0];
+                let Some(most) = inertia.most else { continue };
+                let k = inertia.ratio;
+                // ds/dJ at the largest inertia.
+                let slope = k * (k + 1.0) * inertia.crank_inertia / (inertia.crank_inertia + k * k * most).powi(2);
+                FoundLimit {
+                    what: format!("largest inertia of `{}`", inertia.name),
+                    criterion: None,
+                    most,
+                    value: answer.inertias[0].inertia,
+                    price: Some(price * slope),
+                }
+            }
+            Rule::Plain => continue,
+        };
+        found.push(limit);
+    }
+    found
+}
+
+/// Criteria without the free devices, as the file stands, and with the answer.
+fn effects(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    problem: &Problem,
+    x: &[f64],
+) -> Result<Vec<Effect>, BalanceError> {
+    let nothing = BalanceTask { stages: crate::problem::stages(task), limits: task.limits.clone(), ..Default::default() };
+    let operator = Operator::new(engine, &nothing, kinematics, &[])?;
+    let standing = Problem::new(engine, &nothing, operator)?;
+    let mut effects = Vec::new();
+    for judged in &problem.effects {
+        let before = match judged.criterion {
+            Criterion::AddedMass | Criterion::AddedUnbalance => taken_over(engine, task, judged.criterion),
+            _ => standing.effects.iter().find(|e| e.criterion == judged.criterion).map_or(0.0, |e| e.unbalanced),
+        };
+        effects.push(Effect {
+            criterion: judged.criterion,
+            without: judged.unbalanced,
+            before,
+            after: problem.value(judged, x),
+        });
+    }
+    Ok(effects)
+}

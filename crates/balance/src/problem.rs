@@ -1,0 +1,158 @@
+//! A balancing task as a convex programme.
+
+use crate::convex::curve::Member;
+use crate::convex::programme::{Group, Programme, Row};
+use crate::criterion::{Judged, amounts, judge, level};
+use crate::error::BalanceError;
+use crate::operator::Operator;
+use lanchester_model::{BalanceTask, Criterion, Engine, Load, Stage};
+use std::rc::Rc;
+
+/// What a row of the programme stands for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Rule {
+    /// Limit of the task, by index.
+    Limit(usize),
+    /// Largest amount of a weight, by index.
+    MostAmount(usize),
+    /// Largest inertia.
+    MostInertia,
+    /// A variable that is not negative, or another condition without a price.
+    Plain,
+}
+
+/// A task with its engine: the programme, and how to read it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Problem {
+    pub operator: Operator,
+    /// Rows hold, nothing is minimised.
+    pub programme: Programme,
+    /// What each row stands for, and what a level of 1 of its limit is in SI units.
+    pub rules: Vec<(Rule, f64)>,
+    /// The stages' terms.
+    pub stages: Vec<Vec<(f64, Judged)>>,
+    /// The task's limits.
+    pub limits: Vec<Judged>,
+    /// Groups of the amounts of every weight's corners.
+    pub amounts: Vec<Vec<usize>>,
+    /// Radius of every weight, where all have one.
+    pub radii: Option<Vec<f64>>,
+    /// Force, couple, roll moment and whatever the task names.
+    pub effects: Vec<Judged>,
+}
+
+/// The stages of a task: what it says, or force and then couple.
+pub(crate) fn stages(task: &BalanceTask) -> Vec<Stage> {
+    if !task.stages.is_empty() {
+        return task.stages.clone();
+    }
+    [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
+}
+
+impl Problem {
+    pub fn new(engine: &Engine, task: &BalanceTask, operator: Operator) -> Result<Problem, BalanceError> {
+        let mut groups: Vec<Group> = Vec::new();
+        let amounts = amounts(&operator, &mut groups);
+        let mut known: Vec<Judged> = Vec::new();
+        let mut find = |criterion: Criterion, groups: &mut Vec<Group>| -> Result<Judged, BalanceError> {
+            if let Some(found) = known.iter().find(|j| j.criterion == criterion) {
+                return Ok(found.clone());
+            }
+            let judged = judge(engine, task, &operator, criterion, &amounts, groups)?;
+            known.push(judged.clone());
+            Ok(judged)
+        };
+        for load in [Load::Force, Load::Couple, Load::RollMoment] {
+            find(Criterion::Peak(load), &mut groups)?;
+        }
+        let stages = stages(task)
+            .iter()
+            .map(|stage| stage.terms.iter().map(|&(w, c)| Ok((w, find(c, &mut groups)?))).collect())
+            .collect::<Result<Vec<Vec<_>>, BalanceError>>()?;
+        let limits = task
+            .limits
+            .iter()
+            .map(|limit| find(limit.criterion, &mut groups))
+            .collect::<Result<Vec<_>, BalanceError>>()?;
+        let effects = known;
+        let mut problem = Problem {
+            programme: Programme {
+                variables: operator.variables,
+                grid: Rc::clone(&operator.grid),
+                cost: vec![0.0; groups.len()],
+                linear: vec![0.0; operator.variables],
+                offset: 0.0,
+                rows: Vec::new(),
+                groups,
+            },
+            rules: Vec::new(),
+            operator,
+            stages,
+            limits,
+            amounts,
+            radii: task.weights.iter().map(|w| w.radius).collect(),
+            effects,
+        };
+        problem.add_rows(task);
+        Ok(problem)
+    }
+
+    fn add_rows(&mut self, task: &BalanceTask) {
+        let nothing = vec![0.0; self.operator.variables];
+        for (index, (limit, judged)) in task.limits.iter().zip(&self.limits).enumerate() {
+            let row = Row {
+                shares: judged.groups.clone(),
+                directions: nothing.clone(),
+                most: limit.most / judged.scale,
+            };
+            self.programme.rows.push(row);
+            self.rules.push((Rule::Limit(index), judged.scale));
+        }
+        for (index, weight) in task.weights.iter().enumerate() {
+            let Some(most) = weight.most else { continue };
+            let unit = self.operator.weights[index].unit;
+            let row = Row {
+                shares: self.amounts[index].iter().map(|&g| (g, 1.0)).collect(),
+                directions: nothing.clone(),
+                most: most / unit,
+            };
+            self.programme.rows.push(row);
+            self.rules.push((Rule::MostAmount(index), unit));
+        }
+        for &variable in &self.operator.positive {
+            let mut directions = nothing.clone();
+            directions[variable] = -1.0;
+            self.programme.rows.push(Row { shares: Vec::new(), directions, most: 0.0 });
+            self.rules.push((Rule::Plain, 1.0));
+        }
+        if let Some((variable, most)) = self.operator.inertia {
+            let mut directions = nothing.clone();
+            directions[variable] = 1.0;
+            self.programme.rows.push(Row { shares: Vec::new(), directions, most });
+            self.rules.push((Rule::MostInertia, 1.0));
+        }
+    }
+
+    /// True value of a criterion at `x`, in its own unit.
+    pub fn value(&self, judged: &Judged, x: &[f64]) -> f64 {
+        judged.value(|group| level(&self.programme.groups[group], &self.programme.grid, x))
+    }
+
+    /// Costs of the groups for a stage, what a cost of 1 is in the stage's unit, and the stage without the devices.
+    pub fn cost(&self, terms: &[(f64, Judged)]) -> (Vec<f64>, f64, f64) {
+        let scale = terms.iter().map(|(w, j)| w * j.scale).fold(0.0, f64::max);
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        let mut cost = vec![0.0; self.programme.groups.len()];
+        for (weight, judged) in terms {
+            for &(group, share) in &judged.groups {
+                cost[group] += weight * judged.scale * share / scale;
+            }
+        }
+        (cost, scale, terms.iter().map(|(w, j)| w * j.unbalanced).sum())
+    }
+
+    /// Whether a group is a load over the cycle (else the amount of a weight).
+    pub fn is_load(&self, group: usize) -> bool {
+        self.programme.groups[group].members.iter().any(|m| matches!(m, Member::Curve(_)))
+    }
+}

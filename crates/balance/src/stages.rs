@@ -1,0 +1,320 @@
+//! Stage after stage, each without giving up any before it, and the lightest of what is left equal.
+//!
+//! Every optimum `x'` of a stage shares what the multipliers of one optimum `x` fix (complementarity):
+//!
+//! ```text
+//! A_k (x' - x) = (t'_g - t_g) u_k    at every angle with a multiplier: the peak keeps its direction and its level
+//! u_k A'_k (x' - x) = 0              and stays a peak
+//! SUM c (t' - t) + p (x' - x) = 0    and every row with a price stays tight
+//! ```
+//! The next stage moves in the null space of these equations alone. What they leave open (other angles) is kept by a
+//! row, a ten-thousand-millionth wider than the value reached.
+
+use crate::convex::curve::{Member, length};
+use crate::convex::dense::{Matrix, RowFactors};
+use crate::convex::programme::{Programme, Row, Solution};
+use crate::convex::{Failure, HOLDS, solve};
+use crate::criterion::Judged;
+use crate::problem::Problem;
+
+/// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
+pub(crate) const GAP: f64 = 1e-9;
+
+/// Share of the unbalanced load below which an optimum counts as vanishing.
+const FLOOR: f64 = 1e-6;
+
+/// How far a later stage may pass the value of an earlier one, relative to it.
+const KEEPS: f64 = 1e-10;
+
+/// Directions that move a criterion by less than this share are not seen by it.
+const UNSEEN: f64 = 1e-11;
+
+/// Multipliers below this share of the group's weight fix nothing.
+const NOISE: f64 = 1e-6;
+
+/// Levels below this share of the unbalanced load vanish.
+const VANISHES: f64 = 1e-10;
+
+/// One stage's proof.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StageProof {
+    /// Lower bound, in the unit of the stage.
+    pub bound: f64,
+    /// What a level of 1 is in the unit of the stage.
+    pub scale: f64,
+    /// Largest gap that was aimed at, in the unit of the stage.
+    pub target: f64,
+    /// Solution in the coordinates of the stage.
+    pub solution: Solution,
+    /// Price of every row of the problem: SI unit of the stage over the level of the row.
+    pub prices: Vec<f64>,
+}
+
+/// Where the stages led.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Reached {
+    pub x: Vec<f64>,
+    pub stages: Vec<StageProof>,
+}
+
+/// All stages and the lightest answer. `Err`: the first stage has no solution.
+pub(crate) fn run(problem: &Problem, solves: &mut usize) -> Result<Reached, Failure> {
+    let mut walk = Walk::new(problem);
+    for terms in &problem.stages {
+        walk.stage(terms, solves)?;
+    }
+    walk.lighten(solves);
+    Ok(Reached { x: walk.x, stages: walk.proofs })
+}
+
+/// The value and the bound of the first stage alone: what branch and bound compares nodes by.
+pub(crate) fn first(problem: &Problem, solves: &mut usize) -> Result<Reached, Failure> {
+    let mut walk = Walk::new(problem);
+    walk.stage(&problem.stages[0], solves)?;
+    Ok(Reached { x: walk.x, stages: walk.proofs })
+}
+
+/// A point and the directions that are still open.
+struct Walk<'a> {
+    problem: &'a Problem,
+    /// The problem's programme with rows that keep what earlier stages reached.
+    programme: Programme,
+    x: Vec<f64>,
+    /// Orthonormal columns.
+    open: Matrix,
+    proofs: Vec<StageProof>,
+}
+
+impl<'a> Walk<'a> {
+    fn new(problem: &'a Problem) -> Walk<'a> {
+        let (_, open) = RowFactors::of(&problem.operator.equalities, 1e-12).bases();
+        Walk {
+            problem,
+            programme: problem.programme.clone(),
+            x: vec![0.0; problem.operator.variables],
+            open,
+            proofs: Vec::new(),
+        }
+    }
+
+    fn stage(&mut self, terms: &[(f64, Judged)], solves: &mut usize) -> Result<(), Failure> {
+        let (cost, scale, unbalanced) = self.problem.cost(terms);
+        let floor = FLOOR * unbalanced / scale;
+        self.programme.cost.clone_from(&cost);
+        let (solution, prices) = self.minimise(floor, solves)?;
+        let largest = solution.value.max(floor);
+        self.proofs.push(StageProof {
+            bound: solution.bound * scale,
+            scale,
+            target: 10.0 * GAP * largest * scale,
+            prices: prices.iter().map(|p| p * scale).collect(),
+            solution,
+        });
+        Ok(())
+    }
+
+    /// Minimises the present costs in the open directions, moves there and closes what the optimum fixes.
+    fn minimise(&mut self, floor: f64, solves: &mut usize) -> Result<(Solution, Vec<f64>), Failure> {
+        let (local, kept) = self.local()?;
+        let (range, _) = RowFactors::of(&local.seen(), UNSEEN).bases();
+        let small = local.restricted(&vec![0.0; local.variables], &range);
+        let solution = match vanishing(&small, solves) {
+            Some(solution) => solution,
+            None => solve(&small, GAP, floor, solves)?,
+        };
+        let step = range.times(&solution.x);
+        let fixed = face(&local, &solution);
+        let mut prices = vec![0.0; self.problem.programme.rows.len()];
+        for (place, price) in kept.iter().zip(&solution.prices) {
+            if let Some(to) = prices.get_mut(*place) {
+                *to = *price;
+            }
+        }
+        self.advance(&step);
+        self.close(&fixed);
+        let value = solution.value;
+        let row = Row {
+            shares: self.programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect(),
+            directions: vec![0.0; self.programme.variables],
+            most: value + KEEPS * value.abs().max(floor) + f64::EPSILON,
+        };
+        self.programme.rows.push(row);
+        self.programme.cost.iter_mut().for_each(|c| *c = 0.0);
+        Ok((solution, prices))
+    }
+
+    fn advance(&mut self, step: &[f64]) {
+        let change = self.open.times(step);
+        for (x, change) in self.x.iter_mut().zip(&change) {
+            *x += change;
+        }
+    }
+
+    fn close(&mut self, free: &Matrix) {
+        self.open = self.open.product(free);
+    }
+
+    /// The programme in the open directions, without rows that these do not touch, and the places of those kept.
+    fn local(&self) -> Result<(Programme, Vec<usize>), Failure> {
+        let mut local = self.programme.restricted(&self.x, &self.open);
+        let touched: Vec<bool> = local.groups.iter().map(|g| g.members.iter().any(|m| moves(m.columns()))).collect();
+        let mut kept = Vec::new();
+        let mut rows = Vec::new();
+        let zero = vec![0.0; local.variables];
+        for (place, row) in local.rows.iter().enumerate() {
+            let moved = row.shares.iter().any(|s| touched[s.0])
+                || row.directions.iter().any(|h| h.abs() > UNSEEN);
+            if moved {
+                kept.push(place);
+                rows.push(row.clone());
+                continue;
+            }
+            let level = |group: usize| crate::criterion::level(&local.groups[group], &local.grid, &zero);
+            let sum: f64 = row.shares.iter().map(|&(g, share)| share * level(g)).sum();
+            if sum - row.most > 10.0 * HOLDS * row.most.abs().max(1.0) {
+                return Err(Failure::Infeasible);
+            }
+        }
+        local.rows = rows;
+        Ok((local, kept))
+    }
+
+    /// Among equals the lightest: the sums that every load sees stay exactly as they are.
+    fn lighten(&mut self, solves: &mut usize) {
+        if self.problem.operator.weights.is_empty() {
+            return;
+        }
+        let mut seen = Matrix::zeros(0, self.open.columns);
+        let Ok((local, _)) = self.local() else { return };
+        let stages = self.problem.stages.iter().flatten().map(|t| &t.1);
+        for judged in stages.chain(&self.problem.limits) {
+            for &(group, _) in judged.groups.iter().filter(|g| self.problem.is_load(g.0)) {
+                for columns in local.groups[group].members.iter().map(Member::columns) {
+                    (0..columns.rows).for_each(|i| seen.push(columns.row(i)));
+                }
+            }
+        }
+        let (_, free) = RowFactors::of(&seen, UNSEEN).bases();
+        if free.columns == 0 {
+            return;
+        }
+        let open = std::mem::take(&mut self.open);
+        self.open = open.product(&free);
+        let factors: Vec<f64> = self.lightness();
+        for (groups, factor) in self.problem.amounts.iter().zip(factors) {
+            groups.iter().for_each(|&group| self.programme.cost[group] = factor);
+        }
+        // The answer is as good without it: a failure here leaves an arbitrary split.
+        let _ = self.minimise(0.0, solves);
+    }
+
+    /// Cost of a unit of each weight.
+    fn lightness(&self) -> Vec<f64> {
+        let units = self.problem.operator.weights.iter().map(|w| w.unit);
+        let costs: Vec<f64> = match &self.problem.radii {
+            Some(radii) => units.zip(radii).map(|(unit, radius)| unit / radius).collect(),
+            None => units.collect(),
+        };
+        let largest = costs.iter().copied().fold(0.0, f64::max);
+        costs.iter().map(|c| c / largest).collect()
+    }
+}
+
+fn moves(columns: &Matrix) -> bool {
+    (0..columns.rows).any(|i| columns.row(i).iter().any(|c| c.abs() > UNSEEN))
+}
+
+/// A basis of the directions in which every optimum lies.
+fn face(programme: &Programme, solution: &Solution) -> Matrix {
+    let (n, groups) = (programme.variables, programme.groups.len());
+    let mut rows = Matrix::zeros(0, n + groups);
+    let mut line = vec![0.0; n + groups];
+    let mut fix = |directions: &[f64], levels: &[(usize, f64)]| {
+        line.fill(0.0);
+        line[..n].copy_from_slice(directions);
+        levels.iter().for_each(|&(group, factor)| line[n + group] += factor);
+        rows.push(&line);
+    };
+    for one in &solution.support {
+        let weight = programme.weight(one.group, &solution.prices);
+        let size = length(&one.y);
+        let member = &programme.groups[one.group].members[one.member];
+        if size <= NOISE * weight || weight <= NOISE || solution.levels[one.group] <= VANISHES {
+            continue;
+        }
+        let directions = member.directions(one.angle);
+        for m in 0..directions.rows {
+            fix(directions.row(m), &[(one.group, -one.y[m] / size)]);
+        }
+        if let Member::Curve(curve) = member {
+            let (_, slope) = curve.directions(one.angle);
+            let mut along = vec![0.0; n];
+            slope.add_transposed(&one.y.map(|y| y / size), 1.0, &mut along);
+            fix(&along, &[]);
+        }
+    }
+    for group in 0..groups {
+        if programme.weight(group, &solution.prices) > NOISE && solution.levels[group] <= VANISHES {
+            for columns in programme.groups[group].members.iter().map(Member::columns) {
+                (0..columns.rows).for_each(|i| fix(columns.row(i), &[]));
+            }
+            fix(&vec![0.0; n], &[(group, 1.0)]);
+        }
+    }
+    let costs: Vec<(usize, f64)> =
+        programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect();
+    fix(&programme.linear, &costs);
+    for (row, price) in programme.rows.iter().zip(&solution.prices) {
+        if *price > NOISE {
+            fix(&row.directions, &row.shares);
+        }
+    }
+    let (_, free) = RowFactors::of(&rows, 1e-8).bases();
+    let moves = Matrix::from_rows(free.columns, (0..n).map(|j| free.row(j)));
+    let (range, _) = RowFactors::of(&moves.transposed(), 1e-8).bases();
+    range
+}
+
+/// Whether the costs can be made to vanish, and where.
+fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
+    let mut columns = Matrix::zeros(0, programme.variables);
+    let mut right = Vec::new();
+    if programme.linear.iter().any(|p| *p != 0.0) {
+        return None;
+    }
+    for (group, _) in programme.cost.iter().enumerate().filter(|c| *c.1 > 0.0) {
+        for member in &programme.groups[group].members {
+            let Member::Curve(curve) = member else { return None };
+            if curve.untouched() > 1e-14 {
+                return None;
+            }
+            right.extend(curve.touched_coefficients().iter().map(|c| -c));
+            (0..curve.columns.rows).for_each(|i| columns.push(curve.columns.row(i)));
+        }
+    }
+    let factors = RowFactors::of(&columns, UNSEEN);
+    let mut x = crate::convex::dense::least_squares(&columns, &right, UNSEEN);
+    let solved = |x: &[f64]| {
+        columns.times(x).iter().zip(&right).all(|(a, b)| (a - b).abs() <= 1e-14 * programme.variables as f64)
+    };
+    if !solved(&x) {
+        return None;
+    }
+    let levels = programme.levels(&x);
+    if programme.violation(&x, &levels) > HOLDS {
+        // Somewhere else in the directions that keep the costs at nothing, if anywhere.
+        let (_, free) = factors.bases();
+        let inside = programme.restricted(&x, &free);
+        let step = crate::infeasible::closest_inside(&inside, solves)?;
+        x = x.iter().zip(free.times(&step)).map(|(x, s)| x + s).collect();
+    }
+    let levels = programme.levels(&x);
+    (programme.violation(&x, &levels) <= HOLDS).then(|| Solution {
+        value: programme.value(&x, &levels),
+        bound: programme.offset,
+        levels,
+        x,
+        support: Vec::new(),
+        prices: vec![0.0; programme.rows.len()],
+    })
+}
