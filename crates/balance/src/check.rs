@@ -30,7 +30,10 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
         return Err(BalanceError::OneInertia { second: second.name.clone() });
     }
     for tie in &task.ties {
-        let second = task.weights.get(tie.second).filter(|_| tie.first < task.weights.len() && tie.first != tie.second);
+        let second = task
+            .weights
+            .get(tie.second)
+            .filter(|_| tie.first < task.weights.len() && tie.first != tie.second);
         let Some(second) = second else {
             let got = tie.second as f64;
             return Err(number("tie", "ties", "between two of the weights", got));
@@ -52,7 +55,11 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
         }
     }
     alike(engine, task)?;
-    let mass = task.stages.iter().flat_map(|s| s.terms.iter().map(|t| t.1)).chain(task.limits.iter().map(|l| l.criterion));
+    let mass = task
+        .stages
+        .iter()
+        .flat_map(|s| s.terms.iter().map(|t| t.1))
+        .chain(task.limits.iter().map(|l| l.criterion));
     if mass.into_iter().any(|c| c == Criterion::AddedMass)
         && let Some(weight) = task.weights.iter().find(|w| w.radius.is_none())
     {
@@ -143,7 +150,8 @@ fn alike(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
                 || matches!((axis(first), axis(second)), (Some(a), Some(b))
                     if (a[0] - b[0]).abs() < SAME_PLACE && (a[1] - b[1]).abs() < SAME_PLACE);
             let same_speed = ratio_of(engine, task, first.seat) == ratio_of(engine, task, second.seat);
-            let tied = task.ties.iter().any(|t| (t.first, t.second) == (i, j) || (t.first, t.second) == (j, i));
+            let tied =
+                task.ties.iter().any(|t| (t.first, t.second) == (i, j) || (t.first, t.second) == (j, i));
             let chosen = first.optional || second.optional || first.least > 0.0 || second.least > 0.0;
             if same_axis
                 && same_speed

@@ -50,7 +50,11 @@ pub(crate) fn vectors(
         Load::MountForce(index) => {
             let mut all = mount_forces(engine, operator)?;
             if index >= all.len() {
-                return Err(missing("force at a mount", "a mount of that number", "count the [[mount]] entries"));
+                return Err(missing(
+                    "force at a mount",
+                    "a mount of that number",
+                    "count the [[mount]] entries",
+                ));
             }
             (vec![all.swap_remove(index)], true)
         }
@@ -71,7 +75,11 @@ fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> Balance
 
 fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
     if engine.mounts.is_empty() {
-        return Err(missing("mount force", "the places of the mounts", "add [[mount]] entries to the engine file"));
+        return Err(missing(
+            "mount force",
+            "the places of the mounts",
+            "add [[mount]] entries to the engine file",
+        ));
     }
     let one = |share: &[[f64; 5]; 3]| {
         let rows = share.iter().map(|row| Wave::sum(row.iter().copied().zip(&operator.channels)));
@@ -117,7 +125,8 @@ pub(crate) fn judge(
         Criterion::AddedUnbalance => Ok(sum(criterion, operator, amounts, |_| Ok(1.0))?),
         Criterion::AddedMass => Ok(sum(criterion, operator, amounts, |weight| {
             let weight = &task.weights[weight];
-            let radius = weight.radius.ok_or_else(|| BalanceError::NoRadius { weight: weight.name.clone() })?;
+            let radius =
+                weight.radius.ok_or_else(|| BalanceError::NoRadius { weight: weight.name.clone() })?;
             Ok(1.0 / radius)
         })?),
     }

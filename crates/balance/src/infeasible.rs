@@ -10,37 +10,28 @@ use crate::stages::GAP;
 pub(crate) struct Obstacle {
     /// Common factor by which the limits must be relaxed.
     pub relaxation: f64,
-    /// A point where the relaxed limits hold.
-    pub x: Vec<f64>,
     /// Smallest value of each limited criterion alone, in its own unit.
     pub closest: Vec<f64>,
 }
 
 /// Finds the smallest common relaxation of the limits and the closest value of each.
 pub(crate) fn obstacle(problem: &Problem, solves: &mut usize) -> Obstacle {
-    let (_, open) =
-        crate::convex::dense::RowFactors::of(&problem.operator.equalities, 1e-12).bases();
+    let (_, open) = crate::convex::dense::RowFactors::of(&problem.operator.equalities, 1e-12).bases();
     let zero = vec![0.0; problem.operator.variables];
     let is_limit = |r: usize| matches!(problem.rules.get(r), Some((Rule::Limit(_), _)));
     let local = problem.programme.restricted(&zero, &open);
     let relaxed = relax(&local, &is_limit);
-    let found = reduced(&relaxed, solves);
-    let (relaxation, x) = match found {
-        Some(solution) => {
-            let (x, s) = solution.x.split_at(local.variables);
-            (s[0], open.times(x))
-        }
-        None => (f64::INFINITY, zero.clone()),
-    };
+    let relaxation = reduced(&relaxed, solves).map_or(f64::INFINITY, |s| s.x[local.variables]);
     let mut closest = Vec::new();
     for judged in &problem.limits {
         let mut alone = local.clone();
-        alone.rows = local.rows.iter().enumerate().filter(|(r, _)| !is_limit(*r)).map(|r| r.1.clone()).collect();
+        alone.rows =
+            local.rows.iter().enumerate().filter(|(r, _)| !is_limit(*r)).map(|r| r.1.clone()).collect();
         judged.groups.iter().for_each(|&(group, share)| alone.cost[group] += share);
         let least = reduced(&alone, solves);
         closest.push(least.map_or(judged.unbalanced, |s| s.value.max(0.0) * judged.scale));
     }
-    Obstacle { relaxation, x, closest }
+    Obstacle { relaxation, closest }
 }
 
 /// A point that holds the rows of a programme with room to spare, if there is one.

@@ -5,15 +5,30 @@
 #![forbid(unsafe_code)]
 
 mod answer;
+mod check;
+mod convex;
 mod crank_sweep;
+mod criterion;
 mod error;
+mod fitted;
+mod infeasible;
+mod mounts;
+mod operator;
+mod optimum;
+mod problem;
 pub mod published;
+mod stages;
 mod twin_arrangement;
+mod wave;
+mod wording;
 pub mod workshop;
 
 pub use answer::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
+pub use fitted::fitted;
+pub use optimum::{optimise, optimise_with};
 pub use twin_arrangement::{
     ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,
 };
+pub use wording::Wording;

@@ -122,7 +122,8 @@ impl Operator {
             operator.add_inertia(inertia, &torque);
         }
         operator.equalities = operator.ties(task);
-        let highest = operator.channels.iter().flat_map(|c| c.base.keys().chain(c.parts.iter().map(|p| &p.1)));
+        let highest =
+            operator.channels.iter().flat_map(|c| c.base.keys().chain(c.parts.iter().map(|p| &p.1)));
         let highest = highest.copied().max().unwrap_or(0) as usize;
         let count = (ANGLES * revolutions as usize).max(8 * highest);
         operator.grid = Rc::new(Grid::new(revolutions, count));
@@ -168,7 +169,8 @@ impl Operator {
             Phase::Free => vec![Complex64::ONE, Complex64::I],
             Phase::Line(angle) | Phase::Direction(angle) => vec![Complex64::cis(angle)],
         };
-        let key = (u64::from(ratio.numerator().unsigned_abs()) * u64::from(revolutions / ratio.denominator())) as u32;
+        let key = (u64::from(ratio.numerator().unsigned_abs()) * u64::from(revolutions / ratio.denominator()))
+            as u32;
         let sense = if ratio.numerator() > 0 { 1.0 } else { -1.0 };
         let mut corners = Vec::new();
         for &(axis, z) in places {
@@ -301,9 +303,8 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
         let mechanism = Mechanism::new(engine, &request)?;
         let orders = mechanism.orders();
         let revolutions = (mechanism.period() / std::f64::consts::TAU).round() as u32;
-        let amounts = |o: &OrderLoads| {
-            [o.force_peak(), o.couple_peak(), o.roll_moment.norm(), o.shaft_torque.norm()]
-        };
+        let amounts =
+            |o: &OrderLoads| [o.force_peak(), o.couple_peak(), o.roll_moment.norm(), o.shaft_torque.norm()];
         let largest = |from: f64| {
             let far = orders.iter().filter(|o| o.order > from).map(amounts);
             far.fold([0.0f64; 4], |a, b| std::array::from_fn(|m| a[m].max(b[m])))

@@ -10,6 +10,7 @@ use crate::infeasible::obstacle;
 use crate::operator::{Operator, inertia_of, middle};
 use crate::problem::{Problem, Rule};
 use crate::stages::{Reached, StageProof, run};
+use crate::wording::Wording;
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
 
@@ -106,11 +107,10 @@ fn refused(problem: &Problem, task: &BalanceTask, failure: Failure, solves: &mut
     let mut parts = Vec::new();
     for (limit, closest) in task.limits.iter().zip(&obstacle.closest) {
         let (name, unit) = (limit.criterion.name(), limit.criterion.unit());
-        let verdict = if *closest > limit.most { "cannot be reached even alone" } else { "can be reached alone" };
-        parts.push(format!(
-            "{name} at most {:.6} {unit} {verdict} (closest {closest:.6} {unit})",
-            limit.most
-        ));
+        let verdict =
+            if *closest > limit.most { "cannot be reached even alone" } else { "can be reached alone" };
+        parts
+            .push(format!("{name} at most {:.6} {unit} {verdict} (closest {closest:.6} {unit})", limit.most));
     }
     let mut reason = parts.join("; ");
     if obstacle.relaxation.is_finite() {
@@ -215,11 +215,17 @@ fn found_inertias(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<Found
     found
 }
 
-fn found_limits(problem: &Problem, task: &BalanceTask, reached: &Reached, answer: &Answer) -> Vec<FoundLimit> {
+fn found_limits(
+    problem: &Problem,
+    task: &BalanceTask,
+    reached: &Reached,
+    answer: &Answer,
+) -> Vec<FoundLimit> {
     let mut found = Vec::new();
     for (row, &(rule, unit)) in problem.rules.iter().enumerate() {
         // The first stage that it holds up; a price is the stage's unit over the limit's.
-        let price = reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
+        let price =
+            reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
         let limit = match rule {
             Rule::Limit(index) => {
                 let judged = &problem.limits[index];
@@ -243,7 +249,8 @@ fn found_limits(problem: &Problem, task: &BalanceTask, reached: &Reached, answer
                 let Some(most) = inertia.most else { continue };
                 let k = inertia.ratio;
                 // ds/dJ at the largest inertia.
-                let slope = k * (k + 1.0) * inertia.crank_inertia / (inertia.crank_inertia + k * k * most).powi(2);
+                let slope =
+                    k * (k + 1.0) * inertia.crank_inertia / (inertia.crank_inertia + k * k * most).powi(2);
                 FoundLimit {
                     what: format!("largest inertia of `{}`", inertia.name),
                     criterion: None,
@@ -267,14 +274,22 @@ fn effects(
     problem: &Problem,
     x: &[f64],
 ) -> Result<Vec<Effect>, BalanceError> {
-    let nothing = BalanceTask { stages: crate::problem::stages(task), limits: task.limits.clone(), ..Default::default() };
+    let nothing = BalanceTask {
+        stages: crate::problem::stages(task),
+        limits: task.limits.clone(),
+        ..Default::default()
+    };
     let operator = Operator::new(engine, &nothing, kinematics, &[])?;
     let standing = Problem::new(engine, &nothing, operator)?;
     let mut effects = Vec::new();
     for judged in &problem.effects {
         let before = match judged.criterion {
             Criterion::AddedMass | Criterion::AddedUnbalance => taken_over(engine, task, judged.criterion),
-            _ => standing.effects.iter().find(|e| e.criterion == judged.criterion).map_or(0.0, |e| e.unbalanced),
+            _ => standing
+                .effects
+                .iter()
+                .find(|e| e.criterion == judged.criterion)
+                .map_or(0.0, |e| e.unbalanced),
         };
         effects.push(Effect {
             criterion: judged.criterion,

@@ -16,12 +16,16 @@ use crate::convex::programme::{Programme, Row, Solution};
 use crate::convex::{Failure, HOLDS, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
+use crate::wording::Wording;
 
 /// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
 pub(crate) const GAP: f64 = 1e-9;
 
 /// Share of the unbalanced load below which an optimum counts as vanishing.
 const FLOOR: f64 = 1e-6;
+
+/// Share of all moving masses' loads below which a load is rounding.
+const ROUNDING: f64 = 1e-13;
 
 /// How far a later stage may pass the value of an earlier one, relative to it.
 const KEEPS: f64 = 1e-10;
@@ -67,13 +71,6 @@ pub(crate) fn run(problem: &Problem, solves: &mut usize) -> Result<Reached, Fail
     Ok(Reached { x: walk.x, stages: walk.proofs })
 }
 
-/// The value and the bound of the first stage alone: what branch and bound compares nodes by.
-pub(crate) fn first(problem: &Problem, solves: &mut usize) -> Result<Reached, Failure> {
-    let mut walk = Walk::new(problem);
-    walk.stage(&problem.stages[0], solves)?;
-    Ok(Reached { x: walk.x, stages: walk.proofs })
-}
-
 /// A point and the directions that are still open.
 struct Walk<'a> {
     problem: &'a Problem,
@@ -99,14 +96,22 @@ impl<'a> Walk<'a> {
 
     fn stage(&mut self, terms: &[(f64, Judged)], solves: &mut usize) -> Result<(), Failure> {
         let (cost, scale, unbalanced) = self.problem.cost(terms);
+        // Loads that are rounding of what the single masses do count as nothing.
+        let operator = &self.problem.operator;
+        let natural = |(weight, judged): &(f64, Judged)| match judged.criterion.unit() {
+            "N" => weight * operator.natural_force,
+            "N m" => weight * operator.natural_moment,
+            _ => 0.0,
+        };
         let floor = FLOOR * unbalanced / scale;
+        let rounding = ROUNDING * terms.iter().map(natural).sum::<f64>() / scale;
         self.programme.cost.clone_from(&cost);
         let (solution, prices) = self.minimise(floor, solves)?;
         let largest = solution.value.max(floor);
         self.proofs.push(StageProof {
             bound: solution.bound * scale,
             scale,
-            target: 10.0 * GAP * largest * scale,
+            target: (10.0 * GAP * largest).max(rounding) * scale,
             prices: prices.iter().map(|p| p * scale).collect(),
             solution,
         });
@@ -157,13 +162,14 @@ impl<'a> Walk<'a> {
     /// The programme in the open directions, without rows that these do not touch, and the places of those kept.
     fn local(&self) -> Result<(Programme, Vec<usize>), Failure> {
         let mut local = self.programme.restricted(&self.x, &self.open);
-        let touched: Vec<bool> = local.groups.iter().map(|g| g.members.iter().any(|m| moves(m.columns()))).collect();
+        let touched: Vec<bool> =
+            local.groups.iter().map(|g| g.members.iter().any(|m| moves(m.columns()))).collect();
         let mut kept = Vec::new();
         let mut rows = Vec::new();
         let zero = vec![0.0; local.variables];
         for (place, row) in local.rows.iter().enumerate() {
-            let moved = row.shares.iter().any(|s| touched[s.0])
-                || row.directions.iter().any(|h| h.abs() > UNSEEN);
+            let moved =
+                row.shares.iter().any(|s| touched[s.0]) || row.directions.iter().any(|h| h.abs() > UNSEEN);
             if moved {
                 kept.push(place);
                 rows.push(row.clone());
@@ -261,8 +267,7 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
             fix(&vec![0.0; n], &[(group, 1.0)]);
         }
     }
-    let costs: Vec<(usize, f64)> =
-        programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect();
+    let costs: Vec<(usize, f64)> = programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect();
     fix(&programme.linear, &costs);
     for (row, price) in programme.rows.iter().zip(&solution.prices) {
         if *price > NOISE {

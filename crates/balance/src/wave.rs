@@ -82,7 +82,9 @@ pub(crate) fn curve(waves: &[Wave], scale: f64, variables: usize, grid: &Grid) -
     let base: Vec<Harmonic> = base.into_values().collect();
     let touched = keys
         .iter()
-        .map(|key| base.binary_search_by_key(key, |h| h.key).expect("invariant: touched keys are in the base"))
+        .map(|key| {
+            base.binary_search_by_key(key, |h| h.key).expect("invariant: touched keys are in the base")
+        })
         .collect();
     Curve::new(d, base, touched, columns, grid)
 }

@@ -33,10 +33,8 @@ pub(crate) fn certify(
 ) -> Option<Certificate> {
     let mut support: Vec<Support> = support.iter().filter(|s| length(&s.y) > 0.0).cloned().collect();
     let mut prices: Vec<f64> = prices.iter().map(|p| p.max(0.0)).collect();
-    let directions: Vec<Matrix> = support
-        .iter()
-        .map(|s| programme.groups[s.group].members[s.member].directions(s.angle))
-        .collect();
+    let directions: Vec<Matrix> =
+        support.iter().map(|s| programme.groups[s.group].members[s.member].directions(s.angle)).collect();
     for _ in 0..3 {
         project(programme, &directions, &mut support, &mut prices);
     }
@@ -76,10 +74,12 @@ pub(crate) fn stationarity(
 /// The smallest relative change of the multipliers that makes them stationary and gives every group its weight.
 fn project(programme: &Programme, directions: &[Matrix], support: &mut [Support], prices: &mut [f64]) {
     let n = programme.variables;
-    let groups: Vec<usize> = (0..programme.groups.len()).filter(|&g| support.iter().any(|s| s.group == g)).collect();
+    let groups: Vec<usize> =
+        (0..programme.groups.len()).filter(|&g| support.iter().any(|s| s.group == g)).collect();
     let unknowns: usize = directions.iter().map(|d| d.rows).sum::<usize>() + prices.len();
     let mut matrix = Matrix::zeros(n + groups.len(), unknowns);
-    let mut right: Vec<f64> = stationarity(programme, directions, support, prices).iter().map(|r| -r).collect();
+    let mut right: Vec<f64> =
+        stationarity(programme, directions, support, prices).iter().map(|r| -r).collect();
     let mut at = 0;
     for (one, directions) in support.iter().zip(directions) {
         let size = length(&one.y);

@@ -87,10 +87,8 @@ pub(crate) fn solve(programme: &Programme, touches: &[Touch]) -> Option<ConePoin
     let mut solver = DefaultSolver::new(&quadratic, &cost, &matrix, &right, &cones, settings).ok()?;
     solver.solve();
     let solution = &solver.solution;
-    let infeasible = matches!(
-        solution.status,
-        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible
-    );
+    let infeasible =
+        matches!(solution.status, SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible);
     if solution.x.iter().chain(&solution.z).any(|v| !v.is_finite()) {
         return None;
     }

@@ -12,6 +12,9 @@ use std::f64::consts::TAU;
 /// Most components of a curve.
 pub(crate) const WIDTH: usize = 3;
 
+/// A slope below this share of the amount, per radian, is none.
+const FLAT: f64 = 1e-14;
+
 /// A vector of a curve; components beyond its own are 0.
 pub(crate) type Vector = [f64; WIDTH];
 
@@ -162,8 +165,7 @@ impl Curve {
     fn changes<'a>(&'a self, coefficients: &'a [f64]) -> impl Iterator<Item = (usize, Harmonic)> + 'a {
         let d = self.dimension;
         self.touched.iter().enumerate().map(move |(k, &place)| {
-            let mut harmonic =
-                Harmonic { key: self.base[place].key, cos: [0.0; WIDTH], sin: [0.0; WIDTH] };
+            let mut harmonic = Harmonic { key: self.base[place].key, cos: [0.0; WIDTH], sin: [0.0; WIDTH] };
             harmonic.cos[..d].copy_from_slice(&coefficients[2 * k * d..(2 * k + 1) * d]);
             harmonic.sin[..d].copy_from_slice(&coefficients[(2 * k + 1) * d..(2 * k + 2) * d]);
             (place, harmonic)
@@ -210,7 +212,11 @@ impl Curve {
     /// Coefficients of the touched harmonics at `x = 0`, in the order of the rows of [`Curve::columns`].
     pub fn touched_coefficients(&self) -> Vec<f64> {
         let d = self.dimension;
-        self.touched.iter().flat_map(|&p| [self.base[p].cos, self.base[p].sin]).flat_map(move |v| v[..d].to_vec()).collect()
+        self.touched
+            .iter()
+            .flat_map(|&p| [self.base[p].cos, self.base[p].sin])
+            .flat_map(move |v| v[..d].to_vec())
+            .collect()
     }
 
     /// Sum of the amounts of the harmonics that no variable touches.
@@ -245,7 +251,8 @@ impl Fixed<'_> {
         let threshold = (floor.max(0.0).powi(2)).min(highest);
         let mut summits = Vec::new();
         for j in 0..count {
-            let (before, here, after) = (squares[(j + count - 1) % count], squares[j], squares[(j + 1) % count]);
+            let (before, here, after) =
+                (squares[(j + count - 1) % count], squares[j], squares[(j + 1) % count]);
             // A parabola rises by an eighth of the second difference between grid angles; half of it is ample where
             // the grid resolves the curve.
             let reach = 0.5 * (2.0 * here - before - after).abs();
@@ -264,18 +271,28 @@ impl Fixed<'_> {
         summits
     }
 
-    /// The angle within `reach` of `angle` where the amount is largest: Newton on the derivative, kept in a bracket.
-    pub fn climb(&self, angle: f64, reach: f64) -> f64 {
+    /// The top of the hill that `angle` stands on: uphill in steps of `step` until the slope turns, then Newton's method
+    /// on the derivative, kept in the bracket. Where it is flat to rounding the angle stays.
+    pub fn climb(&self, angle: f64, step: f64) -> f64 {
         let slope = |at: f64| self.jet(at).square_slope();
         let (first, second) = slope(angle);
-        if first == 0.0 {
+        let size = square(&self.jet(angle).value);
+        if first.abs() <= FLAT * size {
             return angle;
         }
-        let (mut low, mut high) = if first > 0.0 { (angle, angle + reach) } else { (angle - reach, angle) };
-        let far = slope(if first > 0.0 { high } else { low }).0;
-        if (far > 0.0) == (first > 0.0) {
-            return angle;
+        let onward = if first > 0.0 { step } else { -step };
+        let (mut near, mut far) = (angle, angle + onward);
+        let mut left = (TAU / step) as usize;
+        while (slope(far).0 > 0.0) == (first > 0.0) {
+            (near, far) = (far, far + onward);
+            left -= 1;
+            if left == 0 {
+                return angle;
+            }
         }
+        let (mut low, mut high) = if onward > 0.0 { (near, far) } else { (far, near) };
+        let (first, second) = if near == angle { (first, second) } else { slope(near) };
+        let angle = near;
         let (mut at, mut first, mut second) = (angle, first, second);
         for _ in 0..60 {
             let step = if second < 0.0 { -first / second } else { f64::NAN };
@@ -317,7 +334,10 @@ fn jet(harmonics: &[Harmonic], angle: f64) -> Jet {
 pub(crate) enum Member {
     Curve(Curve),
     /// `base + columns x`, as many rows as the vector has components.
-    Vector { base: Vector, columns: Matrix },
+    Vector {
+        base: Vector,
+        columns: Matrix,
+    },
 }
 
 impl Member {

@@ -15,14 +15,6 @@ impl Matrix {
         Matrix { rows, columns, data: vec![0.0; rows * columns] }
     }
 
-    pub fn identity(size: usize) -> Matrix {
-        let mut matrix = Matrix::zeros(size, size);
-        for i in 0..size {
-            matrix[(i, i)] = 1.0;
-        }
-        matrix
-    }
-
     /// The matrix with these rows, all of length `columns`.
     pub fn from_rows<'a>(columns: usize, rows: impl IntoIterator<Item = &'a [f64]>) -> Matrix {
         let mut matrix = Matrix::zeros(0, columns);
@@ -132,10 +124,9 @@ impl RowFactors {
         let mut longest = 0.0;
         for k in 0..size.min(matrix.rows) {
             let rest = |column: &Vec<f64>| norm(&column[k..]);
-            let (best, length) =
-                (k..columns.len()).map(|j| (j, rest(&columns[j]))).fold((k, -1.0), |best, one| {
-                    if one.1 > best.1 { one } else { best }
-                });
+            let (best, length) = (k..columns.len())
+                .map(|j| (j, rest(&columns[j])))
+                .fold((k, -1.0), |best, one| if one.1 > best.1 { one } else { best });
             if k == 0 {
                 longest = length;
             }

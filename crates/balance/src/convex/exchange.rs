@@ -87,7 +87,9 @@ fn consider(
     match best {
         None if feasible => {
             let (bound, support, prices) = certificate
-                .map_or((floor, Vec::new(), vec![0.0; programme.rows.len()]), |c| (c.bound, c.support, c.prices));
+                .map_or((floor, Vec::new(), vec![0.0; programme.rows.len()]), |c| {
+                    (c.bound, c.support, c.prices)
+                });
             *best = Some(Solution { x: x.to_vec(), levels, value, bound: bound.max(floor), support, prices });
         }
         None => {}
@@ -114,9 +116,7 @@ fn first_touches(programme: &Programme) -> Vec<Touch> {
                 Member::Vector { .. } => 1,
             };
             // A vector along one line has equal amounts half a turn apart in many engines: an odd start avoids doubles.
-            touches.extend(
-                (0..count).map(|j| Touch { group, member, angle: TAU * j as f64 / count as f64 }),
-            );
+            touches.extend((0..count).map(|j| Touch { group, member, angle: TAU * j as f64 / count as f64 }));
         }
     }
     add_summits(programme, &vec![0.0; programme.variables], &mut touches);
@@ -136,9 +136,9 @@ fn add_summits(programme: &Programme, x: &[f64], touches: &mut Vec<Touch>) -> bo
             }
             for summit in one.summits(&programme.grid, x, level).into_iter().take(24) {
                 let angle = summit.angle;
-                let new = touches.iter().all(|t| {
-                    t.group != group || t.member != member || apart(t.angle, angle) > 1e-9
-                });
+                let new = touches
+                    .iter()
+                    .all(|t| t.group != group || t.member != member || apart(t.angle, angle) > 1e-9);
                 if new && summit.amount > level * (1.0 + 1e-13) {
                     touches.push(Touch { group, member, angle });
                 }

@@ -12,8 +12,8 @@
 //! residuals, that costs steps and no accuracy.
 
 use super::cone::ConePoint;
-use super::curve::{Curve, Member, Vector, WIDTH, inner, length};
-use super::dense::{Matrix, add_scaled, dot, eliminate, norm};
+use super::curve::{Member, Vector, WIDTH, inner, length};
+use super::dense::{Matrix, add_scaled, eliminate, norm};
 use super::exchange::apart;
 use super::programme::{Programme, Support};
 
@@ -26,6 +26,9 @@ pub(crate) struct Polished {
 
 /// Multipliers below this share of their group's weight are taken for noise of the interior-point method.
 const NOISE: f64 = 1e-5;
+
+/// A peak with less curvature than this share of its amount does not say where it would move to.
+const STEADY: f64 = 1e-7;
 
 /// Vectors below this amount are taken to vanish.
 const VANISHES: f64 = 1e-6;
@@ -132,12 +135,12 @@ impl<'a> State<'a> {
 
     /// Moves every angle to its peak; peaks that meet become one.
     fn follow_peaks(&mut self) {
-        let reach = 3.0 * std::f64::consts::TAU / self.programme.grid.len() as f64;
+        let step = std::f64::consts::TAU / self.programme.grid.len() as f64;
         let mut kept: Vec<Peak> = Vec::new();
         for peak in std::mem::take(&mut self.peaks) {
             let mut peak = peak;
             if let Member::Curve(curve) = self.member(&peak) {
-                peak.angle = climb(curve, &self.x, peak.angle, reach);
+                peak.angle = curve.at(&self.x).climb(peak.angle, step).rem_euclid(std::f64::consts::TAU);
             }
             let twin = kept.iter_mut().find(|k| {
                 k.group == peak.group && k.member == peak.member && apart(k.angle, peak.angle) < 1e-7
@@ -170,7 +173,7 @@ impl<'a> State<'a> {
                 let mut q = vec![0.0; n];
                 slope.add_transposed(&unit, 1.0, &mut q);
                 directions.add_transposed(&jet.slope.map(|s| s / amount), 1.0, &mut q);
-                (curvature > 1e-5 * amount).then(|| q.iter().map(|q| q / curvature.sqrt()).collect())
+                (curvature > STEADY * amount).then(|| q.iter().map(|q| q / curvature.sqrt()).collect())
             }
             Member::Vector { .. } => None,
         };
@@ -313,8 +316,8 @@ impl<'a> State<'a> {
 
     /// Drops what pushes the wrong way and, once the steps are small, adds what is passed; whether anything changed.
     fn revise(&mut self, settled: bool) -> bool {
-        let worst_peak =
-            (0..self.peaks.len()).min_by(|&a, &b| self.peaks[a].multiplier.total_cmp(&self.peaks[b].multiplier));
+        let worst_peak = (0..self.peaks.len())
+            .min_by(|&a, &b| self.peaks[a].multiplier.total_cmp(&self.peaks[b].multiplier));
         if let Some(k) = worst_peak
             && self.peaks[k].multiplier < -1e-12
         {
@@ -332,7 +335,11 @@ impl<'a> State<'a> {
             self.levels[group] = 1e-6;
             // It leaves 0 along the way that its multiplier pulls.
             let member = &self.programme.groups[group].members[0];
-            let direction = super::dense::least_squares(member.columns(), &y.map(|v| 1e-6 * v / size)[..member.dimension()], 1e-12);
+            let direction = super::dense::least_squares(
+                member.columns(),
+                &y.map(|v| 1e-6 * v / size)[..member.dimension()],
+                1e-12,
+            );
             add_scaled(&mut self.x, 1.0, &direction);
             self.peaks.push(Peak { group, member: 0, angle: 0.0, multiplier: size });
             return true;
@@ -408,14 +415,4 @@ impl<'a> State<'a> {
         }
         Polished { x: self.x, support, prices }
     }
-}
-
-/// The peak near `angle`; a curve that is flat there keeps its angle.
-fn climb(curve: &Curve, x: &[f64], angle: f64, reach: f64) -> f64 {
-    let fixed = curve.at(x);
-    let jet = fixed.jet(angle);
-    let square = dot(&jet.value, &jet.value);
-    let bend = inner(&jet.slope, &jet.slope) + inner(&jet.value, &jet.bend);
-    // Where it is nearly flat an angle would wander without an end.
-    if bend.abs() < 1e-5 * square { angle } else { fixed.climb(angle, reach).rem_euclid(std::f64::consts::TAU) }
 }

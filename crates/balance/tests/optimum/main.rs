@@ -1,0 +1,3 @@
+//! The convex optimum against closed forms, golden section, random changes and its own conditions.
+mod closed_forms;
+mod support;
