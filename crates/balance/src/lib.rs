@@ -20,7 +20,6 @@ pub mod published;
 mod stages;
 mod twin_arrangement;
 mod wave;
-mod wording;
 pub mod workshop;
 
 pub use answer::*;
@@ -31,4 +30,3 @@ pub use optimum::{optimise, optimise_with};
 pub use twin_arrangement::{
     ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,
 };
-pub use wording::Wording;

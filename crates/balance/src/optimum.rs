@@ -10,9 +10,8 @@ use crate::infeasible::obstacle;
 use crate::operator::{Operator, inertia_of, middle};
 use crate::problem::{Problem, Rule};
 use crate::stages::{Reached, StageProof, run};
-use crate::wording::Wording;
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
+use lanchester_model::{BalanceTask, Criterion, Engine, Seat, criterion_name, criterion_unit};
 
 /// Finds the best unbalances for `task`, from the exact motion of the engine.
 ///
@@ -65,11 +64,11 @@ pub fn optimise_with(
             answer.weights = found_weights(&problem, task, &reached.x);
             answer.shafts = found_shafts(task, &answer.weights, &places);
             answer.inertias = found_inertias(&problem, task, &reached.x);
-            answer.limits = found_limits(&problem, task, &reached, &answer);
+            answer.limits = found_limits(engine, &problem, task, &reached, &answer);
             reached.x
         }
         Err(failure) => {
-            answer.outcome = refused(&problem, task, failure, &mut solves);
+            answer.outcome = refused(engine, &problem, task, failure, &mut solves);
             nothing.clone()
         }
     };
@@ -94,7 +93,13 @@ fn outcome(stages: &[FoundStage], proofs: &[StageProof]) -> Outcome {
 }
 
 /// What stands in the way of the limits.
-fn refused(problem: &Problem, task: &BalanceTask, failure: Failure, solves: &mut usize) -> Outcome {
+fn refused(
+    engine: &Engine,
+    problem: &Problem,
+    task: &BalanceTask,
+    failure: Failure,
+    solves: &mut usize,
+) -> Outcome {
     if task.limits.is_empty() || failure == Failure::NoPoint && problem.programme.rows.is_empty() {
         return Outcome::Stopped { reason: "the cone programme could not be solved".to_string() };
     }
@@ -106,7 +111,7 @@ fn refused(problem: &Problem, task: &BalanceTask, failure: Failure, solves: &mut
     }
     let mut parts = Vec::new();
     for (limit, closest) in task.limits.iter().zip(&obstacle.closest) {
-        let (name, unit) = (limit.criterion.name(), limit.criterion.unit());
+        let (name, unit) = (criterion_name(&limit.criterion, engine), criterion_unit(&limit.criterion));
         let verdict =
             if *closest > limit.most { "cannot be reached even alone" } else { "can be reached alone" };
         parts
@@ -230,7 +235,7 @@ fn found_limits(
             Rule::Limit(index) => {
                 let judged = &problem.limits[index];
                 FoundLimit {
-                    what: judged.criterion.name(),
+                    what: criterion_name(&judged.criterion, engine),
                     criterion: Some(judged.criterion),
                     most: task.limits[index].most,
                     value: problem.value(judged, &reached.x),

@@ -16,7 +16,7 @@ use crate::convex::programme::{Programme, Row, Solution};
 use crate::convex::{Failure, HOLDS, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
-use crate::wording::Wording;
+use lanchester_model::criterion_unit;
 
 /// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
 pub(crate) const GAP: f64 = 1e-9;
@@ -98,7 +98,7 @@ impl<'a> Walk<'a> {
         let (cost, scale, unbalanced) = self.problem.cost(terms);
         // Loads that are rounding of what the single masses do count as nothing.
         let operator = &self.problem.operator;
-        let natural = |(weight, judged): &(f64, Judged)| match judged.criterion.unit() {
+        let natural = |(weight, judged): &(f64, Judged)| match criterion_unit(&judged.criterion) {
             "N" => weight * operator.natural_force,
             "N m" => weight * operator.natural_moment,
             _ => 0.0,
