@@ -221,6 +221,7 @@ fn found_inertias(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<Found
 }
 
 fn found_limits(
+    engine: &Engine,
     problem: &Problem,
     task: &BalanceTask,
     reached: &Reached,
