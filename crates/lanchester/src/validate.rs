@@ -16,6 +16,7 @@
 mod case;
 mod files;
 mod fitting;
+mod method;
 mod quantity;
 mod render;
 mod source;

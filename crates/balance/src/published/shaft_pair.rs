@@ -4,7 +4,6 @@ use super::matrices::Matrix;
 use super::matrix_method::Basis;
 use super::resultant::{OrderResultant, Resultant, Scale};
 use lanchester_model::{BalanceShaft, Engine, Ratio, ShaftWeight};
-use num_complex::Complex64;
 use serde::Serialize;
 
 /// A pair of shafts of one order, one with the crank and one against it, at the height of the crank axis.

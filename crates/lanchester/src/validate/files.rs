@@ -86,6 +86,7 @@ pub(super) const FILES: &[(&str, &str)] = embedded![
     "balancing-tool-paper/v4-90.toml",
     "balancing-tool-paper/table-2.json",
     "balancing-tool-paper/table-5.json",
+    "balancing-tool-paper/text.json",
 ];
 
 /// A source: its `source.json`, tables and engine files.

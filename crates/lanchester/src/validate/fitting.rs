@@ -1,25 +1,31 @@
-//! Changes of an engine that no line of its file can say: the arrangements of the twin-cylinder thesis.
+//! Changes of an engine that no line of its file can say: the arrangements of the twin-cylinder thesis, and the other
+//! published methods ([`MethodFit`]).
 //!
 //! | place in a change | value |
 //! |---|---|
 //! | `arrangement` | number of the thesis's arrangement, "1" to "9" |
 //! | `arrangement.crank`, `arrangement.first order`, `arrangement.second order` | an amount of it, "0.04116 kg m", in place of the found one |
 
+use super::method::MethodFit;
 use super::source::NewValue;
 use lanchester_balance::{ArrangementOptions, GivenAmounts, SweepOptions, TwinArrangement, arranged};
 use lanchester_mechanism::{LoadRequest, PeakMode};
 use lanchester_model::Engine;
 
 /// What is fitted to an engine after it was read.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Fitting {
     arrangement: Option<TwinArrangement>,
     given: GivenAmounts,
+    method: MethodFit,
 }
 
 impl Fitting {
     /// Takes a change that is its own; `false`: it is one of the file.
     pub fn take(&mut self, place: &str, value: &NewValue) -> Result<bool, String> {
+        if self.method.take(place, value)? {
+            return Ok(true);
+        }
         let slot = match place {
             "arrangement" => None,
             "arrangement.crank" => Some(&mut self.given.crank),
@@ -46,11 +52,14 @@ impl Fitting {
     pub fn fitted(&self, engine: Engine, request: &LoadRequest) -> Result<Engine, String> {
         let Some(arrangement) = self.arrangement else {
             return if self.given == GivenAmounts::default() {
-                Ok(engine)
+                self.method.fitted(engine)
             } else {
                 Err("amounts of an arrangement need an arrangement".to_string())
             };
         };
+        if self.method != MethodFit::default() {
+            return Err("an engine takes an arrangement or a method, not both".to_string());
+        }
         let mut sweep = SweepOptions::default();
         if let PeakMode::Grid(angles) = request.peaks {
             sweep.angles = angles;

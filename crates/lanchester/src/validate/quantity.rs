@@ -9,14 +9,15 @@
 //! | `F order n`, `M order n` | largest resultant of one order; with `forward` or `backward` before it, that part alone |
 //! | `Fx order n` | amplitude along x |
 //! | `U ... order n`, `UM ... order n` | force and couple over `(n ω)²`: unbalance, and unbalance times lever |
-//! | `M angle order n` | first crank angle where the couple of one order is largest |
+//! | `M angle order n`, `M last angle order n` | first and last crank angle in half a turn where the couple of one order is largest |
 //! | `any F order n`, `any F above order n` | Yes if it is more than a millionth of one cylinder's first order |
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
-//! engine, see [`EngineDatum`]; `a plus b` adds them.
+//! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`].
 
 use super::case::Run;
-use lanchester_mechanism::{Extremes, LoadSet, OrderLoads, Part};
+use super::method::DeviceKey;
+use lanchester_mechanism::{Extremes, LoadSet, Part};
 use lanchester_model::Engine;
 use num_complex::Complex64;
 
@@ -47,6 +48,8 @@ pub(super) enum Key {
     Loads(LoadKey, Selection),
     /// Largest piston acceleration [m/s²].
     PistonAcceleration,
+    /// Of a device of the engine.
+    Device(DeviceKey),
 }
 
 /// A datum of the engine as it was read.
@@ -82,7 +85,7 @@ pub(super) enum LoadKey {
     LargestNegative,
     AngleOfLargestNegative,
     Order { vector: Vector, sense: Sense, unbalance: bool, order: u32 },
-    CoupleAngle { order: u32 },
+    CoupleAngle { order: u32, last: bool },
     Any { vector: Vector, order: u32, above: bool },
 }
 
@@ -164,6 +167,9 @@ impl Key {
         if let Some(data) = text.split(" plus ").map(datum).collect() {
             return Ok(Key::Engine(data));
         }
+        if let Some(device) = DeviceKey::parse(text) {
+            return Ok(Key::Device(device));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -184,6 +190,7 @@ impl Key {
                 Ok(Value::Number(amounts.fold(0.0, f64::max)))
             }
             Key::Loads(key, selection) => key.of(run, selection),
+            Key::Device(device) => device.of(&run.engine).map(Value::Number),
         }
     }
 
@@ -295,7 +302,8 @@ impl LoadKey {
         };
         let words: Vec<&str> = words.split(' ').collect();
         Some(match words[..] {
-            ["M", "angle"] => LoadKey::CoupleAngle { order },
+            ["M", "angle"] => LoadKey::CoupleAngle { order, last: false },
+            ["M", "last", "angle"] => LoadKey::CoupleAngle { order, last: true },
             ["any", v] => LoadKey::Any { vector: vector(v)?, order, above: false },
             ["any", v, "above"] => LoadKey::Any { vector: vector(v)?, order, above: true },
             [v, ref sense @ ..] => {
@@ -325,24 +333,21 @@ impl LoadKey {
             LoadKey::LargestNegative => -run.loads.total.peaks.force_x.min.value,
             LoadKey::AngleOfLargestNegative => run.loads.total.peaks.force_x.min.theta.to_degrees(),
             LoadKey::Order { vector, sense, unbalance, order } => {
-                let amplitude = amplitude(&halves(&sets, *vector, *order), *vector, *sense);
+                let amplitude = amplitude(&halves(&sets, *vector, f64::from(*order)), *vector, *sense);
                 if *unbalance { amplitude / (f64::from(*order) * run.loads.speed).powi(2) } else { amplitude }
             }
-            LoadKey::CoupleAngle { order } => {
-                let (forward, backward) = halves(&sets, Vector::Couple, *order);
+            LoadKey::CoupleAngle { order, last } => {
+                let (forward, backward) = halves(&sets, Vector::Couple, f64::from(*order));
                 let step = std::f64::consts::PI / f64::from(*order);
-                ((backward.arg() - forward.arg()) / (2.0 * f64::from(*order))).rem_euclid(step).to_degrees()
+                let first = ((backward.arg() - forward.arg()) / (2.0 * f64::from(*order))).rem_euclid(step);
+                (if *last { first + (f64::from(*order) - 1.0) * step } else { first }).to_degrees()
             }
             LoadKey::Any { vector, order, above } => {
-                let counts = |o: &OrderLoads| {
-                    if *above { o.order > f64::from(*order) } else { o.order == f64::from(*order) }
-                };
-                let peak = |o: &OrderLoads| match vector {
-                    Vector::Couple => o.couple_peak(),
-                    Vector::Force | Vector::ForceX => o.force_peak(),
-                };
-                let largest =
-                    sets.iter().flat_map(|s| &s.orders).filter(|o| counts(o)).map(peak).fold(0.0, f64::max);
+                let bound = f64::from(*order);
+                let counts = |n: &f64| if *above { *n > bound } else { *n == bound };
+                let orders = run.loads.total.orders.iter().map(|o| o.order).filter(counts);
+                let peaks = orders.map(|n| amplitude(&halves(&sets, *vector, n), *vector, Sense::Both));
+                let largest = peaks.fold(0.0, f64::max);
                 return Ok(Value::Word(if largest > negligible(run, *vector)? { "Yes" } else { "No" }));
             }
         }))
@@ -363,8 +368,8 @@ fn force_x(sets: &[&LoadSet]) -> Vec<f64> {
 }
 
 /// Forward and backward part of one order, summed over sets.
-fn halves(sets: &[&LoadSet], vector: Vector, order: u32) -> (Complex64, Complex64) {
-    let of_order = sets.iter().flat_map(|s| &s.orders).filter(|o| o.order == f64::from(order));
+fn halves(sets: &[&LoadSet], vector: Vector, order: f64) -> (Complex64, Complex64) {
+    let of_order = sets.iter().flat_map(|s| &s.orders).filter(|o| o.order == order);
     of_order.fold(Default::default(), |(forward, backward), o| match vector {
         Vector::Couple => (forward + o.couple_forward, backward + o.couple_backward),
         Vector::Force | Vector::ForceX => (forward + o.force_forward, backward + o.force_backward),
