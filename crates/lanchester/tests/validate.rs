@@ -60,6 +60,6 @@ fn the_page_of_the_book_is_fresh() {
     let committed = std::fs::read_to_string(page).unwrap();
     assert!(
         committed == validate::markdown(&validate(None)),
-        "docs/src/validation.md is stale: write it with `lanchester validate --format markdown`"
+        "docs/src/validation.md is stale: write it with `lanchester validate --markdown`"
     );
 }
