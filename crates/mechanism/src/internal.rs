@@ -220,28 +220,24 @@ pub fn internal_moments(engine: &Engine, request: &InternalRequest) -> Result<In
 }
 
 /// The case asked for, then what it is to be compared with: without counterweights where the engine has some, and both
-/// once more with all of the reciprocating forces. Only the first has more than a few angles in its traces.
+/// once more with all of the reciprocating forces; the traces of these two have one angle only.
 ///
 /// # Errors
 /// As [`internal_moments`].
 pub fn internal_cases(engine: &Engine, request: &InternalRequest) -> Result<Vec<InternalMoments>, LoadError> {
-    let bare = InternalRequest { counterweights: false, samples: request.samples.min(1), ..request.clone() };
-    let mut cases = vec![internal_moments(engine, request)?];
-    let has_weights = request.counterweights && engine.counterweights.iter().any(|w| w.unbalance > 0.0);
-    if has_weights {
-        cases.push(internal_moments(engine, &bare)?);
+    let mut requests = vec![request.clone()];
+    if request.counterweights && engine.counterweights.iter().any(|w| w.unbalance > 0.0) {
+        requests.push(InternalRequest { counterweights: false, ..request.clone() });
     }
     if request.reciprocating_share < 1.0 {
-        let whole = InternalRequest { reciprocating_share: 1.0, ..bare };
-        cases.push(internal_moments(
-            engine,
-            &InternalRequest { counterweights: request.counterweights, ..whole.clone() },
-        )?);
-        if has_weights {
-            cases.push(internal_moments(engine, &whole)?);
-        }
+        let whole = |r: &InternalRequest| InternalRequest {
+            reciprocating_share: 1.0,
+            samples: r.samples.min(1),
+            ..r.clone()
+        };
+        requests.extend(requests.iter().map(whole).collect::<Vec<_>>());
     }
-    Ok(cases)
+    requests.iter().map(|request| internal_moments(engine, request)).collect()
 }
 
 impl ShaftLoads {

@@ -218,7 +218,7 @@ proptest! {
     fn prop_cases_add_up(engine in any_engine(ALL_SHAPES), share in 0.0..1.0f64) {
         let [bare, weighted, whole, part] =
             [(0.0, false), (0.0, true), (1.0, false), (share, true)].map(|(s, c)| moments(&engine, s, c));
-        let scale = [&bare, &weighted, &whole, &part].map(|r| scale(r)).into_iter().fold(0.0, f64::max);
+        let scale = [&bare, &weighted, &whole, &part].map(scale).into_iter().fold(0.0, f64::max);
         for (k, shaft) in part.crankshafts.iter().enumerate() {
             for model in BeamModel::ALL {
                 // A case without weights has no stations at their planes: mains are there in all.

@@ -6,8 +6,9 @@ use crate::engine::{Engine, Throw};
 /// between them.
 const CLOSEST: f64 = 1.25;
 
-/// Planes closer than this [m] are one.
-const SAME_PLANE: f64 = 1e-9;
+/// Where the file gives webs: facing webs of two throws closer than this share of the web distance are one web, or
+/// leave no room for a main bearing, which is about as long as a pin.
+const NARROWEST: f64 = 0.5;
 
 impl Engine {
     /// Planes of the main bearings of crankshaft `crankshaft` [m], rising, at least two; empty for a crankshaft without
@@ -15,8 +16,8 @@ impl Engine {
     ///
     /// Those that the file gives, or else the usual ones: one midway between neighbouring throws, and one at each end,
     /// as far beyond the last throw as the next main is before it. Throws with no room for a main between them (pins
-    /// of a split pair, of a boxer with one web between two pins) count as one: their webs meet or, where the file
-    /// gives no webs, they are closer than 1.25 crank radii. The mains beside a lone throw stand one web distance
+    /// of a split pair, of a boxer with one web between two pins) count as one: their facing webs are closer than half a
+    /// web distance or, where the file gives no webs, the throws are closer than 1.25 crank radii. The mains beside a lone throw stand one web distance
     /// from it, or 1.25 crank radii where the file gives no webs.
     pub fn main_planes(&self, crankshaft: usize) -> Vec<f64> {
         if let Some(mains) = self.crankshafts.get(crankshaft).and_then(|c| c.mains.as_ref()) {
@@ -47,7 +48,9 @@ fn reach(throw: &Throw) -> f64 {
 /// Whether a main bearing may stand between two neighbouring throws.
 fn has_room(front: &Throw, rear: &Throw) -> bool {
     match (front.webs, rear.webs) {
-        (Some([_, end]), Some([start, _])) => start > end + SAME_PLANE,
+        (Some([start, end]), Some([next, next_end])) => {
+            next - end >= NARROWEST * (end - start).max(next_end - next)
+        }
         _ => rear.z - front.z > CLOSEST * front.radius.max(rear.radius),
     }
 }
@@ -112,8 +115,9 @@ mod tests {
         };
         assert_eq!(boxer("40", ""), [-110.0, 0.0, 110.0]);
         assert_eq!(boxer("55", ""), [-110.0, -55.0, 0.0, 55.0, 110.0]);
-        // Webs 28 mm apart leave room at 40 mm; webs as far apart as the pins are one web between them.
-        assert_eq!(boxer("40", "web_distance = \"28 mm\""), [-95.0, -55.0, 0.0, 55.0, 95.0]);
+        // Webs 26 mm apart leave room at 40 mm; webs as far apart as the pins are one web between them.
+        assert_eq!(boxer("40", "web_distance = \"26 mm\""), [-95.0, -55.0, 0.0, 55.0, 95.0]);
+        assert_eq!(boxer("40", "web_distance = \"28 mm\""), [-110.0, 0.0, 110.0]);
         assert_eq!(boxer("40", "web_distance = \"40 mm\""), [-110.0, 0.0, 110.0]);
     }
 }

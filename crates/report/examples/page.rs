@@ -4,8 +4,8 @@
 //! cargo run -p lanchester-report --example page -- engine.toml report.html [figures/]
 //! ```
 
-use lanchester_mechanism::{LoadRequest, loads};
-use lanchester_report::{Provenance, ReportInput, figures, report};
+use lanchester_mechanism::{InternalRequest, LoadRequest, internal_cases, loads};
+use lanchester_report::{Provenance, ReportInput, figures, internal_figures, report};
 use std::error::Error;
 use std::{env, fs, path::Path};
 
@@ -23,6 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let warnings: Vec<String> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
     let request = LoadRequest::default();
     let loads = loads(&engine, &request)?;
+    let internal = internal_cases(&engine, &InternalRequest::default())?;
     let provenance = Provenance {
         program: concat!("lanchester ", env!("CARGO_PKG_VERSION")).to_owned(),
         input: Path::new(input).file_name().unwrap_or_default().to_string_lossy().into_owned(),
@@ -33,12 +34,17 @@ fn main() -> Result<(), Box<dyn Error>> {
             ("angles per revolution".to_owned(), request.samples.to_string()),
         ],
     };
-    let page =
-        report(&ReportInput { engine: &engine, loads: &loads, provenance: &provenance, warnings: &warnings });
+    let page = report(&ReportInput {
+        engine: &engine,
+        loads: &loads,
+        internal: &internal,
+        provenance: &provenance,
+        warnings: &warnings,
+    });
     fs::write(output, page)?;
     if let Some(folder) = arguments.get(2) {
         fs::create_dir_all(folder)?;
-        for figure in figures(&engine, &loads) {
+        for figure in figures(&engine, &loads).into_iter().chain(internal_figures(&engine, &internal)) {
             fs::write(Path::new(folder).join(format!("{}.svg", figure.id)), figure.svg())?;
         }
     }

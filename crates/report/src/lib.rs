@@ -6,6 +6,7 @@
 
 mod axis;
 mod component;
+mod crank_strip;
 mod csv;
 mod drawing;
 mod engine_tables;
@@ -15,6 +16,9 @@ mod frame_sketch;
 mod front_view;
 mod gallery;
 mod hodograph;
+mod internal_figure;
+mod internal_noise;
+mod internal_tables;
 mod load_tables;
 mod magnitude;
 mod mechanism_sketch;
@@ -45,6 +49,8 @@ pub use findings_table::findings_table;
 pub use frame_sketch::frame_sketch;
 pub use front_view::front_view;
 pub use hodograph::{couple_hodograph, force_hodograph};
+pub use internal_figure::internal_figures;
+pub use internal_tables::{internal_csv, internal_table, internal_text, mains_table};
 pub use load_tables::{
     articulation_table, couple_orders_table, cylinders_table, force_orders_table, motion_table, parts_table,
     peaks_table, rod_inertia_table, roll_orders_table,

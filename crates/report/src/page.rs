@@ -4,6 +4,8 @@ use crate::engine_tables;
 use crate::figure::{Figure, STYLE};
 use crate::findings_table::findings_table;
 use crate::gallery::Gallery;
+use crate::internal_figure::internal_figures;
+use crate::internal_tables::{internal_table, mains_table};
 use crate::load_tables;
 use crate::number;
 use crate::over_angle;
@@ -11,7 +13,7 @@ use crate::speed_table::speed_table;
 use crate::svg::escape;
 use crate::table::{Table, push_rich};
 use askama::Template;
-use lanchester_mechanism::Loads;
+use lanchester_mechanism::{InternalMoments, Loads};
 use lanchester_model::{Engine, Rotation};
 use std::f64::consts::TAU;
 
@@ -35,6 +37,8 @@ pub struct ReportInput<'a> {
     pub engine: &'a Engine,
     /// Its loads.
     pub loads: &'a Loads,
+    /// Shear and bending of its crankshafts, the case that is drawn first; may be empty.
+    pub internal: &'a [InternalMoments],
     /// What made the report.
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
@@ -64,6 +68,8 @@ struct Page<'a> {
     hodographs: String,
     stars: String,
     stories: String,
+    bending_curves: String,
+    bending_tables: String,
     motion_curves: String,
     motion_tables: String,
     engine_tables: String,
@@ -72,7 +78,7 @@ struct Page<'a> {
 
 /// The report as one self-contained HTML page.
 pub fn report(input: &ReportInput<'_>) -> String {
-    let ReportInput { engine, loads, provenance, warnings } = *input;
+    let ReportInput { engine, loads, internal, provenance, warnings } = *input;
     let gallery = Gallery::of(engine, loads);
     let mut motion_tables = vec![load_tables::motion_table(loads)];
     motion_tables.extend(load_tables::articulation_table(loads));
@@ -113,6 +119,8 @@ pub fn report(input: &ReportInput<'_>) -> String {
         hodographs: figures_html(&gallery.hodographs),
         stars: figures_html(&gallery.stars),
         stories: figures_html(&gallery.stories),
+        bending_curves: figures_html(&internal_figures(engine, internal)),
+        bending_tables: bending_tables(engine, internal),
         motion_curves: figures_html(gallery.motion.as_slice()),
         motion_tables: tables_html(&motion_tables),
         engine_tables: tables_html(&engine_tables),
@@ -124,6 +132,16 @@ pub fn report(input: &ReportInput<'_>) -> String {
 /// Every figure of the report, for files of their own.
 pub fn figures(engine: &Engine, loads: &Loads) -> Vec<Figure> {
     Gallery::of(engine, loads).into_figures()
+}
+
+/// Tables on bending; empty where nothing bends.
+fn bending_tables(engine: &Engine, internal: &[InternalMoments]) -> String {
+    match internal.first() {
+        Some(case) if !case.crankshafts.is_empty() => {
+            tables_html(&[internal_table(engine, internal), mains_table(engine, internal)])
+        }
+        _ => String::new(),
+    }
 }
 
 /// The text with its units kept beside their numbers.

@@ -96,7 +96,7 @@ impl AnglePlot<'_> {
 }
 
 /// Horizontal grid, zero line and tick labels.
-fn value_axis(svg: &mut Svg, axis: &Axis, top: f64, bottom: f64) {
+pub(crate) fn value_axis(svg: &mut Svg, axis: &Axis, top: f64, bottom: f64) {
     let right = svg.width - RIGHT;
     for &tick in &axis.ticks {
         let y = axis.place(tick, bottom, top);
