@@ -70,7 +70,8 @@ pub enum Command {
         after_help = "Examples:\n  lanchester loads twin.toml\n  lanchester loads twin.toml --speed '6000 rpm' \
                             --orders 12\n  lanchester loads twin.toml --about '0 mm, 0 mm, 120 mm'\n  \
                             lanchester loads twin.toml --series power:4:5 --grid 360\n  \
-                            lanchester loads twin.toml --format csv --table trace > trace.csv"
+                            lanchester loads twin.toml --format csv --table trace > trace.csv\n  \
+                            lanchester loads v8.toml --bending-share '50 %' --format csv --table internal"
     )]
     Loads(LoadsArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
@@ -154,6 +155,10 @@ pub struct RequestArguments {
     /// true extremes over the continuous angle.
     #[arg(long, value_name = "ANGLES")]
     pub grid: Option<u32>,
+    /// Share of the reciprocating forces that counts in shear and bending of the crankshaft, `0 %` to `100 %`; all of
+    /// them are tabulated beside it.
+    #[arg(long, value_name = "SHARE", default_value = "0 %", allow_hyphen_values = true)]
+    pub bending_share: String,
 }
 
 /// `loads`
@@ -182,6 +187,8 @@ pub enum LoadsTable {
     Trace,
     /// Position, velocity, acceleration of every piston and the angle of its rod over one period.
     Motion,
+    /// Largest shear force and bending moment at every plane along the crankshaft, and main-bearing loads.
+    Internal,
 }
 
 /// `report`

@@ -2,7 +2,7 @@
 
 use crate::arguments::RequestArguments;
 use crate::failure::Failure;
-use lanchester::mechanism::{Kinematics, LoadRequest, PeakMode};
+use lanchester::mechanism::{InternalRequest, Kinematics, LoadRequest, PeakMode};
 use lanchester::model::option::{self, BadQuantity};
 
 /// The request behind the options that `loads` and `report` share.
@@ -19,6 +19,18 @@ pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure
         request.peaks = PeakMode::Grid(grid as usize);
     }
     Ok(request)
+}
+
+/// The request for shear and bending of the crankshafts behind the same options, with so many angles a revolution.
+pub fn internal_request(arguments: &RequestArguments, samples: usize) -> Result<InternalRequest, Failure> {
+    let request = load_request(arguments)?;
+    Ok(InternalRequest {
+        speed: request.speed,
+        kinematics: request.kinematics,
+        reciprocating_share: option::share(&arguments.bending_share, "--bending-share").map_err(refused)?,
+        samples,
+        ..InternalRequest::default()
+    })
 }
 
 fn refused(bad: BadQuantity) -> Failure {

@@ -4,9 +4,22 @@ use crate::arguments::{Format, LoadsArguments, LoadsTable};
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
-use crate::request::load_request;
-use lanchester::mechanism::loads;
-use lanchester::report::{loads_text, motion_csv, orders_csv, trace_csv};
+use crate::request::{internal_request, load_request};
+use lanchester::mechanism::{InternalMoments, Loads, internal_cases, loads};
+use lanchester::report::{internal_csv, internal_text, loads_text, motion_csv, orders_csv, trace_csv};
+use serde::Serialize;
+
+/// Angles a revolution of the shear forces and bending moments in JSON, at every plane of every crankshaft in both models.
+const ANGLES: usize = 72;
+
+/// Loads with what they do inside the crankshafts.
+#[derive(Serialize)]
+struct LoadsWithInternal<'a> {
+    #[serde(flatten)]
+    loads: &'a Loads,
+    /// The case asked for, then those to compare it with.
+    internal: &'a [InternalMoments],
+}
 
 pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
@@ -18,9 +31,12 @@ pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
     let loads = loads(&opened.engine, &request).map_err(refused)?;
+    let internal = internal_request(&arguments.request, ANGLES)?;
+    let internal = internal_cases(&opened.engine, &internal).map_err(refused)?;
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => loads_text(&loads),
-        (Format::Json, _) => json(&loads)?,
+        (Format::Text, _) => loads_text(&loads) + &internal_text(&opened.engine, &internal),
+        (Format::Json, _) => json(&LoadsWithInternal { loads: &loads, internal: &internal })?,
+        (Format::Csv, Some(LoadsTable::Internal)) => internal_csv(&opened.engine, &internal),
         (Format::Csv, Some(LoadsTable::Trace)) => trace_csv(&loads),
         (Format::Csv, Some(LoadsTable::Motion)) => motion_csv(&loads),
         (Format::Csv, _) => orders_csv(&loads),

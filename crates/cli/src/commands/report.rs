@@ -5,20 +5,27 @@ use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::provenance::provenance;
-use crate::request::load_request;
-use lanchester::mechanism::loads;
+use crate::request::{internal_request, load_request};
+use lanchester::mechanism::{internal_cases, loads};
 use lanchester::model::Diagnostic;
-use lanchester::report::{ReportInput, figures, report};
+use lanchester::report::{ReportInput, figures, internal_figures, report};
 use std::path::{Path, PathBuf};
 
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
     let loads = loads(&opened.engine, &request).map_err(refused)?;
+    let internal = internal_request(&arguments.request, request.samples)?;
+    let internal = internal_cases(&opened.engine, &internal).map_err(refused)?;
     let warnings: Vec<String> = opened.warnings.iter().map(in_words).collect();
     let provenance = provenance(&opened.source, &loads, &request);
-    let input =
-        ReportInput { engine: &opened.engine, loads: &loads, provenance: &provenance, warnings: &warnings };
+    let input = ReportInput {
+        engine: &opened.engine,
+        loads: &loads,
+        internal: &internal,
+        provenance: &provenance,
+        warnings: &warnings,
+    };
     let page = report(&input);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.file));
     if output == Path::new("-") {
@@ -56,8 +63,10 @@ fn write_figures(
     engine_file: &Path,
     input: &ReportInput<'_>,
 ) -> Result<Vec<PathBuf>, Failure> {
+    let internal = internal_figures(input.engine, input.internal);
     figures(input.engine, input.loads)
         .iter()
+        .chain(&internal)
         .map(|figure| {
             let path = folder.join(format!("{}.svg", figure.id));
             write_result(&path, engine_file, &figure.svg())?;
