@@ -13,11 +13,14 @@ mod common_factor;
 mod correction;
 mod crank_unbalance;
 mod displayed;
+mod drilling;
 mod error;
 mod external;
 mod factor_answer;
 mod grade;
 mod history;
+mod hole;
+mod hole_search;
 mod influence;
 mod least_squares;
 mod phasor;
@@ -38,11 +41,13 @@ pub use crank_unbalance::{
     BodyState, CrankBody, CrankUnbalance, QuasiStatic, UnbalanceKind, crank_unbalance,
 };
 pub use displayed::displayed;
+pub use drilling::{DrilledPlane, Drilling, drilling};
 pub use error::WorkshopError;
 pub use external::{ExternalBalance, external_balance};
 pub use factor_answer::{FactorAnswer, factor_answer};
 pub use grade::{Grade, GradedBearing, GradedPlane, grade};
 pub use history::SAME_SPEED;
+pub use hole::Hole;
 pub use plane::{Plane, PlaneUnbalance, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};
 pub use remark::{CONTRADICTION, LEAST_CHANGE, LEAST_TURN, Remark, RemarkKind};

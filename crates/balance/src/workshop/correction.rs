@@ -383,7 +383,10 @@ fn from_displays(sheet: &Sheet) -> Result<Correction, WorkshopError> {
 }
 
 /// The grade, where the sheet gives all that it needs.
-fn graded(sheet: &Sheet, unbalances: Option<Vec<PlaneUnbalance>>) -> Result<Option<Grade>, WorkshopError> {
+pub(crate) fn graded(
+    sheet: &Sheet,
+    unbalances: Option<Vec<PlaneUnbalance>>,
+) -> Result<Option<Grade>, WorkshopError> {
     let rotor = &sheet.rotor;
     match unbalances {
         Some(unbalances) if rotor.mass.is_some() && rotor.speed.is_some() && rotor.grade.is_some() => {
