@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 mod answer;
+mod arrangement;
 mod check;
 mod convex;
 mod crank_sweep;
@@ -23,6 +24,7 @@ mod wave;
 pub mod workshop;
 
 pub use answer::*;
+pub use arrangement::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
