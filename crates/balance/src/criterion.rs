@@ -4,6 +4,7 @@
 //! and affine in the variables; its peak is the largest amount of any of them at any angle. [`vectors`] is the one place
 //! that knows the loads.
 
+use crate::bending;
 use crate::convex::curve::{Grid, Member, WIDTH};
 use crate::convex::dense::Matrix;
 use crate::convex::programme::Group;
@@ -59,17 +60,11 @@ pub(crate) fn vectors(
             (vec![all.swap_remove(index)], true)
         }
         Load::LargestMountForce => (mount_forces(engine, operator)?, true),
-        Load::BendingMoment => {
-            return Err(missing(
-                "bending moment",
-                "loads along the crankshaft, which are not judged yet",
-                "limit the counterweights instead",
-            ));
-        }
+        Load::BendingMoment => unreachable!("invariant: the bending moment is judged by itself"),
     })
 }
 
-fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> BalanceError {
+pub(crate) fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> BalanceError {
     BalanceError::Missing { criterion: criterion.to_string(), needed, hint }
 }
 
@@ -100,6 +95,9 @@ pub(crate) fn judge(
     groups: &mut Vec<Group>,
 ) -> Result<Judged, BalanceError> {
     match criterion {
+        Criterion::Peak(Load::BendingMoment) => {
+            bending::judge(engine, task, operator, criterion, true, groups)
+        }
         Criterion::Peak(load) => {
             let (vectors, force) = vectors(engine, operator, load)?;
             Ok(peak(operator, criterion, &vectors, force, groups))
@@ -113,6 +111,9 @@ pub(crate) fn judge(
                     needed: "0 or more",
                     got: order,
                 });
+            }
+            if load == Load::BendingMoment {
+                return bending::judge(engine, task, operator, criterion, order == 1.0, groups);
             }
             // An order between those that the engine has is not there.
             let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;

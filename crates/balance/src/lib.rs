@@ -6,6 +6,7 @@
 
 mod answer;
 mod arrangement;
+mod bending;
 mod check;
 mod convex;
 mod crank_sweep;

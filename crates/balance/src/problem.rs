@@ -1,6 +1,5 @@
 //! A balancing task as a convex programme.
 
-use crate::convex::curve::Member;
 use crate::convex::programme::{Group, Programme, Row};
 use crate::criterion::{Judged, amounts, judge, level};
 use crate::error::BalanceError;
@@ -151,8 +150,8 @@ impl Problem {
         (cost, scale, terms.iter().map(|(w, j)| w * j.unbalanced).sum())
     }
 
-    /// Whether a group is a load over the cycle (else the amount of a weight).
+    /// Whether a group is a load (else the amount of a weight).
     pub fn is_load(&self, group: usize) -> bool {
-        self.programme.groups[group].members.iter().any(|m| matches!(m, Member::Curve(_)))
+        !self.amounts.iter().flatten().any(|&amount| amount == group)
     }
 }

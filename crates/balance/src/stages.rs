@@ -289,12 +289,13 @@ fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
     }
     for (group, _) in programme.cost.iter().enumerate().filter(|c| *c.1 > 0.0) {
         for member in &programme.groups[group].members {
-            let Member::Curve(curve) = member else { return None };
-            if curve.untouched() > 1e-14 {
-                return None;
+            let seen = member.columns();
+            match member {
+                Member::Curve(curve) if curve.untouched() > 1e-14 => return None,
+                Member::Curve(curve) => right.extend(curve.touched_coefficients().iter().map(|c| -c)),
+                Member::Vector { base, .. } => right.extend(base[..seen.rows].iter().map(|c| -c)),
             }
-            right.extend(curve.touched_coefficients().iter().map(|c| -c));
-            (0..curve.columns.rows).for_each(|i| columns.push(curve.columns.row(i)));
+            (0..seen.rows).for_each(|i| columns.push(seen.row(i)));
         }
     }
     let factors = RowFactors::of(&columns, UNSEEN);

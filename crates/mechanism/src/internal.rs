@@ -240,6 +240,27 @@ pub fn internal_cases(engine: &Engine, request: &InternalRequest) -> Result<Vec<
     requests.iter().map(|request| internal_moments(engine, request)).collect()
 }
 
+/// Everything that turns with crankshaft `index` (from 0), with crankshaft 1 at `speed` [rad/s]: the plane [m] of each of
+/// its throws, rods' big ends and counterweights, and its force `U W^2 e^{i angle}` at `theta = 0` [N].
+pub fn turning_loads(engine: &Engine, index: usize, speed: f64) -> Vec<(f64, Complex64)> {
+    let Some(crankshaft) = engine.crankshafts.get(index) else { return Vec::new() };
+    let square = (crankshaft.ratio.value() * speed).powi(2);
+    let force = |unbalance: f64, angle: f64| {
+        Complex64::from_polar(1.0, crankshaft.phase + angle) * (unbalance * square)
+    };
+    let throws = engine.throws.iter().filter(|t| t.crankshaft == index);
+    let weights = engine.counterweights.iter().filter(|w| w.crankshaft == index);
+    let rods = engine.cylinders.iter().filter_map(|cylinder| {
+        let throw = engine.throws.get(cylinder.throw).filter(|t| t.crankshaft == index)?;
+        Some((cylinder.z, force(cylinder.rod.big_end_mass * throw.radius, throw.angle)))
+    });
+    throws
+        .map(|t| (t.z, force(t.unbalance, t.angle)))
+        .chain(rods)
+        .chain(weights.map(|w| (w.z, force(w.unbalance, w.angle))))
+        .collect()
+}
+
 impl ShaftLoads {
     fn of(
         engine: &Engine,
@@ -248,31 +269,24 @@ impl ShaftLoads {
         index: usize,
         mains: &[f64],
     ) -> Result<ShaftLoads, LoadError> {
-        let crankshaft = &engine.crankshafts[index];
-        let ratio = crankshaft.ratio.value();
-        let mut turning: Vec<(f64, f64, f64)> = Vec::new();
-        for throw in engine.throws.iter().filter(|t| t.crankshaft == index) {
-            turning.push((throw.z, throw.unbalance, throw.angle));
-        }
-        for cylinder in &engine.cylinders {
-            let throw = &engine.throws[cylinder.throw];
-            if throw.crankshaft == index {
-                turning.push((cylinder.z, cylinder.rod.big_end_mass * throw.radius, throw.angle));
+        let ratio = engine.crankshafts[index].ratio.value();
+        let bare;
+        let turned = match request.counterweights {
+            true => engine,
+            false => {
+                bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+                &bare
             }
-        }
-        if request.counterweights {
-            let weights = engine.counterweights.iter().filter(|w| w.crankshaft == index);
-            turning.extend(weights.map(|w| (w.z, w.unbalance, w.angle)));
-        }
+        };
+        let turning = turning_loads(turned, index, mechanism.speed);
         let mut planes: Vec<f64> = turning.iter().map(|t| t.0).chain(mains.iter().copied()).collect();
         planes.sort_by(f64::total_cmp);
         planes.dedup_by(|later, kept| *later - *kept < SAME_PLANE);
         let mut loads =
             ShaftLoads { ratio, turning: vec![Complex64::ZERO; planes.len()], planes, rods: Vec::new() };
-        let square = (ratio * mechanism.speed).powi(2);
-        for (z, unbalance, angle) in turning {
+        for (z, force) in turning {
             let plane = loads.plane(z);
-            loads.turning[plane] += Complex64::from_polar(unbalance * square, crankshaft.phase + angle);
+            loads.turning[plane] += force;
         }
         if request.reciprocating_share > 0.0 {
             for (number, cylinder) in engine.cylinders.iter().enumerate() {

@@ -1,3 +1,4 @@
 //! The convex optimum against closed forms, golden section, random changes and its own conditions.
+mod bending;
 mod closed_forms;
 mod support;

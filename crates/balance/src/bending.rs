@@ -1,0 +1,101 @@
+//! The bending moment along crankshaft 1 as a group of a convex programme.
+//!
+//! What is judged is the crankshaft as a free beam under all that turns with it ([`BeamModel::FreeBeam`]): throws, rods'
+//! big ends, counterweights fixed and free. Turning with the shaft, its bending moment does not change over the cycle, and
+//! it is straight between planes, so that its largest amount is that at one of finitely many planes:
+//!
+//! ```text
+//! |M(z_s)| = | i SUM over loads of g(z_s, z_k) w^2 U_k |        g: influence of a load at z_k ([`Beam::moment_influence`])
+//! ```
+
+use crate::convex::curve::{Member, WIDTH, length};
+use crate::convex::dense::Matrix;
+use crate::convex::programme::Group;
+use crate::criterion::{Judged, missing};
+use crate::error::BalanceError;
+use crate::fitted::bare;
+use crate::operator::Operator;
+use lanchester_mechanism::{Beam, BeamModel, turning_loads};
+use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat};
+use num_complex::Complex64;
+
+/// Planes closer than this are one [m].
+const SAME_PLACE: f64 = 1e-9;
+
+/// Scaled moments up to this are rounding.
+const NOTHING: f64 = 1e-14;
+
+/// Adds the group of the bending moments at all planes of crankshaft 1, and says how to read it. Of its orders only the
+/// first is there: for any other `present` is false, and nothing is judged.
+pub(crate) fn judge(
+    engine: &Engine,
+    task: &BalanceTask,
+    operator: &Operator,
+    criterion: Criterion,
+    present: bool,
+    groups: &mut Vec<Group>,
+) -> Result<Judged, BalanceError> {
+    let bare = bare(engine, task);
+    let mains = bare.main_planes(0);
+    let Some(beam) = Beam::new(&mains, BeamModel::FreeBeam) else {
+        return Err(missing("bending moment", "a throw on crankshaft 1", "judge something else"));
+    };
+    let loads = turning_loads(&bare, 0, operator.speed);
+    let mut weights = Vec::new();
+    for (index, weight) in task.weights.iter().enumerate() {
+        match (weight.seat, weight.z) {
+            (Seat::Crankshaft(0), Place::At(z)) => weights.push((index, z)),
+            // Influence is not straight in the weight's own plane: two weights at the ends are not one between them.
+            (Seat::Crankshaft(0), Place::Between(..)) => {
+                return Err(missing(
+                    "bending moment",
+                    "the plane of every free weight on crankshaft 1",
+                    "give its z as one place",
+                ));
+            }
+            _ => {}
+        }
+    }
+    let mut planes: Vec<f64> =
+        loads.iter().map(|l| l.0).chain(weights.iter().map(|w| w.1)).chain(mains.iter().copied()).collect();
+    planes.sort_by(f64::total_cmp);
+    planes.dedup_by(|later, kept| *later - *kept < SAME_PLACE);
+
+    let natural = operator.natural_moment;
+    let member = |plane: f64, scale: f64| {
+        let moment =
+            |z: f64, force: Complex64| Complex64::I * beam.moment_influence(plane, z) * force / scale;
+        let constant: Complex64 = loads.iter().map(|&(z, force)| moment(z, force)).sum();
+        let mut base = [0.0; WIDTH];
+        (base[0], base[1]) = (constant.re, constant.im);
+        let mut columns = Matrix::zeros(2, operator.variables);
+        for &(weight, z) in &weights {
+            for (variable, unbalance) in operator.weights[weight].corners.iter().flat_map(|c| &c.terms) {
+                let part = moment(z, operator.speed * operator.speed * unbalance);
+                columns[(0, *variable)] += part.re;
+                columns[(1, *variable)] += part.im;
+            }
+        }
+        Member::Vector { base, columns }
+    };
+    let nothing = vec![0.0; operator.variables];
+    let amount = |scale: f64| move |m: &Member| scale * length(&m.value(0.0, &nothing));
+    let members: Vec<Member> = planes.iter().map(|&plane| member(plane, natural)).collect();
+    let unbalanced = members.iter().map(amount(natural)).fold(0.0, f64::max);
+    let scale = if unbalanced > 1e-4 * natural { unbalanced } else { natural };
+    let mut members: Vec<Member> = planes.iter().map(|&plane| member(plane, scale)).collect();
+    // Free ends bend under nothing: they only cost time.
+    members.retain(|member| present && bends(member));
+    if members.is_empty() {
+        members.push(Member::Vector { base: [0.0; WIDTH], columns: Matrix::zeros(2, operator.variables) });
+    }
+    let unbalanced = if present { unbalanced } else { 0.0 };
+    groups.push(Group { members });
+    Ok(Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced })
+}
+
+fn bends(member: &Member) -> bool {
+    let columns = member.columns();
+    let seen = |row: usize| columns.row(row).iter().any(|c| c.abs() > NOTHING);
+    (0..columns.rows).any(seen) || length(&member.constant(0.0)) > NOTHING
+}
