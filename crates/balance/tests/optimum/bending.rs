@@ -9,7 +9,7 @@ use num_complex::Complex64;
 /// Largest bending moment along crankshaft 1 as a free beam under all that turns, by the mechanism's own walk along it.
 fn bending(engine: &Engine) -> f64 {
     let request = InternalRequest { samples: 1, ..InternalRequest::default() };
-    internal_moments(engine, &request).unwrap().crankshafts[0].free_beam.peak_moment.value
+    internal_moments(engine, &request).expect("a valid engine").crankshafts[0].free_beam.peak_moment.value
 }
 
 /// A stripped in-line engine whose throws have webs this far apart, with a free weight on every one of `webs` (from 1).
