@@ -77,13 +77,17 @@ fn panel(
         None => "as built".to_owned(),
     };
     let mut names = vec![(own.clone(), 0)];
-    names.extend(
-        shares.iter().enumerate().map(|(k, (s, _))| (format!("{} %", number::trimmed(100.0 * s, 3)), k + 1)),
-    );
+    // The one in question is drawn once.
+    let others: Vec<(usize, &(f64, PrimaryEllipse))> = shares
+        .iter()
+        .enumerate()
+        .filter(|(_, (share, _))| throw.reciprocating_share.is_none_or(|own| (own - share).abs() > 1e-6))
+        .collect();
+    names.extend(others.iter().map(|(k, (s, _))| (format!("{} %", number::trimmed(100.0 * s, 3)), k + 1)));
     let legend = Legend::of(&names, 8.0, WIDTH);
     let reach = shares.iter().fold(throw.ellipse.major, |m, (_, e)| m.max(e.major)) * square;
     let scale = Scale::of(reach, "N");
-    let rings = Axis::of(0.0, reach / scale.divisor, 3);
+    let rings = Axis::of(0.0, reach / scale.divisor, 4);
     let outer = RADIUS / rings.high;
     let centre = (WIDTH / 2.0, 52.0 + legend.height + RADIUS + 22.0);
     let view = View::new(answer.rotation, centre, outer / scale.divisor * square);
@@ -93,10 +97,11 @@ fn panel(
     let heading = format!("{plural} {}", number::list(numbers));
     svg.text("strong", (8.0, 40.0 + legend.height), Anchor::Start, &heading);
     grid(&mut svg, &view, &rings, outer, &scale, throw.masses.axis);
-    for (k, (_, ellipse)) in shares.iter().enumerate() {
+    for (k, (_, ellipse)) in others {
         svg.path(&format!("s{}", k + 1), &path(&view, ellipse));
     }
     svg.path("s0", &path(&view, &throw.ellipse));
+    ring_labels(&mut svg, &view, &rings, outer);
     axes(&mut svg, &view, &throw.ellipse);
     let description = format!(
         "{heading}: at {own} the half axes are {} and {} {}, the longer one at {} degrees; {}.",
@@ -125,6 +130,15 @@ fn grid(svg: &mut Svg, view: &View, rings: &Axis, outer: f64, scale: &Scale, axi
     }
     let unit = View { scale: reach + 10.0, ..*view };
     svg.line("axis-line", unit.at(-Complex64::cis(axis)), unit.at(Complex64::cis(axis)));
+    svg.text("muted small halo", (x + 8.0, y - reach - 8.0), Anchor::Start, &format!("F_x [{}]", scale.unit));
+    let (right, anchor) = match view.side > 0.0 {
+        true => (reach + 8.0, Anchor::Start),
+        false => (-reach - 8.0, Anchor::End),
+    };
+    svg.text("muted small", (x + right, y + 4.0), anchor, "F_y");
+}
+
+fn ring_labels(svg: &mut Svg, view: &View, rings: &Axis, outer: f64) {
     // Away from the axes of most ellipses.
     let direction = Complex64::cis(-1.9);
     for &ring in rings.ticks.iter().filter(|r| **r > 0.0) {
@@ -136,12 +150,6 @@ fn grid(svg: &mut Svg, view: &View, rings: &Axis, outer: f64, scale: &Scale, axi
             &number::fixed(ring, rings.decimals),
         );
     }
-    svg.text("muted small halo", (x + 8.0, y - reach - 8.0), Anchor::Start, &format!("F_x [{}]", scale.unit));
-    let (right, anchor) = match view.side > 0.0 {
-        true => (reach + 8.0, Anchor::Start),
-        false => (-reach - 8.0, Anchor::End),
-    };
-    svg.text("muted small", (x + right, y + 4.0), anchor, "F_y");
 }
 
 /// Both axes of the ellipse, the tilt of the longer one, and where and which way it runs.
