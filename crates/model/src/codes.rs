@@ -60,6 +60,7 @@ static CODES: &[(&str, &str)] = &[
     ("E1103", "a drill whose point is longer than the hole may be deep"),
     ("E1104", "a sensor read twice in one run"),
     ("E1105", "a sensor read in two quantities"),
+    ("E1106", "two pins on one throw"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

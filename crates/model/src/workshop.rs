@@ -3,14 +3,18 @@
 //! A sheet is a TOML file of its own, read like an engine file: every quantity with its unit, all mistakes at once.
 //! [`read_sheet`] gives the [`Sheet`]; each `workshop` command uses the tables that it needs.
 
+mod bobweight;
 mod display;
 mod keys;
 mod rotor;
 mod run;
 mod sheet;
+mod slug;
 
+pub use bobweight::{BobweightSheet, CylinderParts, PinParts};
 pub(crate) use keys::SHEET;
 pub use sheet::*;
+pub use slug::{External, SlugRoom};
 
 use crate::diagnostic::{Diagnostic, Mistake, Mistakes};
 use crate::document::{self, Section, Spot};
@@ -54,7 +58,11 @@ impl<'a> Reader<'a> {
         let sensors = self.sensors();
         let runs = self.runs(planes.as_deref(), sensors.as_deref());
         let displays = self.displays(planes.as_deref());
-        if version.is_bad() || note.is_bad() {
+        let engine = root.text("engine");
+        let bobweight = self.bobweight_sheet();
+        let externals = self.externals();
+        let slug = self.slug_room();
+        if version.is_bad() || note.is_bad() || engine.is_bad() {
             return None;
         }
         Some(Sheet {
@@ -65,6 +73,10 @@ impl<'a> Reader<'a> {
             sensors: sensors?,
             runs: runs?,
             displays: displays?,
+            engine: engine.given(),
+            bobweight: bobweight?,
+            externals: externals?,
+            slug: slug?,
         })
     }
 

@@ -1,9 +1,14 @@
 //! The keys of the workshop sheet, table by table.
 
-use crate::quantity::Dimension::{Acceleration, Angle, Density, Length, Mass, Speed, Unbalance, Velocity};
+mod crank;
+
+use crate::quantity::Dimension::{
+    Acceleration, Angle, Density, Inertia, Length, Mass, Speed, Unbalance, Velocity,
+};
 use crate::schema::Bound::{Any, NotNegative, Positive};
 use crate::schema::Need::{Optional, Required};
 use crate::schema::{Key, Kind, Table, key, quantity};
+use crank::{BOBWEIGHT, EXTERNAL, MOST_PINS, PARTS, PIN, SLUG};
 
 /// Counts above which a sheet is refused, so that nothing explodes.
 const MOST_PLANES: usize = 16;
@@ -57,6 +62,36 @@ pub(crate) static SHEET: Table = Table {
             "Unbalances that a balancing machine shows; they add up.",
             "[{ plane = \"front\", unbalance = \"35 g mm\", angle = \"120 deg\" }]",
         ),
+        key(
+            "engine",
+            Kind::Text(1000),
+            Optional,
+            "Engine file that the sheet belongs to, from the sheet's own folder.",
+            "\"v8.toml\"",
+        ),
+        key(
+            "bobweight",
+            Kind::Table(&BOBWEIGHT),
+            Optional,
+            "What bobweights are made up for.",
+            "{ reciprocating_share = \"50 %\" }",
+        ),
+        key(
+            "parts",
+            Kind::Table(&PARTS),
+            Optional,
+            "Weighed parts of every cylinder.",
+            "{ piston = \"560 g\" }",
+        ),
+        key("pin", Kind::Tables(&PIN, MOST_PINS), Optional, "The crankpins one by one.", "[{ throw = 1 }]"),
+        key(
+            "external",
+            Kind::Tables(&EXTERNAL, MOST_PLANES),
+            Optional,
+            "Weights outside the crankcase that are to come off.",
+            "[{ name = \"damper\" }]",
+        ),
+        key("slug", Kind::Table(&SLUG), Optional, "Heavy-metal slugs.", "{ diameter = \"25.4 mm\" }"),
     ],
 };
 
@@ -67,6 +102,14 @@ static ROTOR: Table = Table {
     keys: &[
         quantity("mass", Mass, Positive, "Mass of the rotor.", "\"12 kg\""),
         quantity("centre", Length, Any, "Its centre of mass along the shaft.", "\"180 mm\""),
+        quantity(
+            "transverse_inertia",
+            Inertia,
+            Positive,
+            "Moment of inertia about an axis across the shaft through its centre of mass.",
+            "\"0.35 kg m2\"",
+        ),
+        quantity("polar_inertia", Inertia, Positive, "Moment of inertia about the shaft.", "\"0.08 kg m2\""),
         key(
             "supports",
             Kind::Quantities(Length, Any),

@@ -22,13 +22,16 @@ impl<'a> Reader<'a> {
         let (section, broken) = self.section("rotor");
         let Some(section) = section else { return (!broken).then(Rotor::default) };
         let [mass, centre, speed] = ["mass", "centre", "speed"].map(|key| section.number(key));
+        let [transverse_inertia, polar_inertia] =
+            ["transverse_inertia", "polar_inertia"].map(|key| section.number(key));
         let supports = self.supports(section);
         let grade = self.grade(section);
         let [marks, rotation] = ["marks", "rotation"].map(|key| section.word(key));
         let phase = section.word("phase");
         let keyphasor = section.number("keyphasor").or(0.0);
-        let bad = [&mass, &centre, &speed].iter().any(|field| field.is_bad())
-            || [&marks, &rotation, &phase].iter().any(|field| field.is_bad());
+        let bad =
+            [&mass, &centre, &speed, &transverse_inertia, &polar_inertia].iter().any(|field| field.is_bad())
+                || [&marks, &rotation, &phase].iter().any(|field| field.is_bad());
         let sense = |field: Field<&'static str>| {
             field
                 .given()
@@ -38,6 +41,8 @@ impl<'a> Reader<'a> {
         (!bad).then(|| Rotor {
             mass: mass.given(),
             centre: centre.given(),
+            transverse_inertia: transverse_inertia.given(),
+            polar_inertia: polar_inertia.given(),
             supports,
             speed: speed.given(),
             grade,

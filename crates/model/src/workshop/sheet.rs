@@ -6,6 +6,7 @@
 //! weights, corrections and displays on that of the rotor. The rotor turns in the sense `rotation`, seen from the
 //! same end. At the pulse of the keyphasor the rotor's zero stands at the keyphasor.
 
+use super::{BobweightSheet, External, SlugRoom};
 use serde::Serialize;
 
 /// A workshop sheet. Tables that it leaves out are `None` or empty.
@@ -25,6 +26,14 @@ pub struct Sheet {
     pub runs: Vec<Run>,
     /// What a balancing machine shows.
     pub displays: Vec<Display>,
+    /// Engine file, from the sheet's own folder.
+    pub engine: Option<String>,
+    /// Bobweights and the parts that they stand for.
+    pub bobweight: Option<BobweightSheet>,
+    /// Weights outside the crankcase that are to come off.
+    pub externals: Vec<External>,
+    /// Slugs that may be set into the counterweights.
+    pub slug: Option<SlugRoom>,
 }
 
 /// The rotor and how it is looked at.
@@ -34,6 +43,10 @@ pub struct Rotor {
     pub mass: Option<f64>,
     /// Its centre of mass along the shaft, z [m].
     pub centre: Option<f64>,
+    /// Inertia about an axis across the shaft through the centre of mass [kg m^2].
+    pub transverse_inertia: Option<f64>,
+    /// Inertia about the shaft [kg m^2].
+    pub polar_inertia: Option<f64>,
     /// Its two bearings or supports along the shaft, z [m], rising.
     pub supports: Option<[f64; 2]>,
     /// Highest service speed [rad/s].
