@@ -9,6 +9,7 @@
 mod allowed;
 mod balance_factor;
 mod bobweight;
+mod bobweight_answer;
 mod common_factor;
 mod correction;
 mod crank_unbalance;
@@ -22,6 +23,7 @@ mod history;
 mod hole;
 mod hole_search;
 mod influence;
+mod internal;
 mod least_squares;
 mod phasor;
 mod plane;
@@ -32,7 +34,10 @@ mod slug;
 mod throw_masses;
 
 pub use balance_factor::{FactorGiven, FactorRequest, ThrowFactor, balance_factors};
-pub use bobweight::{Bobweight, BobweightSheet, CylinderParts, PinParts, bobweights};
+pub use bobweight::{Bobweight, bobweights};
+pub use bobweight_answer::{
+    BobweightAnswer, BobweightComparison, ComparedBalance, FactorChoice, bobweight_answer, weighed,
+};
 pub use common_factor::{CommonFactor, FactorEffect, OnePlane, common_factor, pin_pair_effect};
 pub use correction::{
     Correction, Influence, NextStep, Placement, PlaneCorrection, RunFindings, SensorPrediction, correction,
@@ -48,6 +53,7 @@ pub use factor_answer::{FactorAnswer, factor_answer};
 pub use grade::{Grade, GradedBearing, GradedPlane, grade};
 pub use history::SAME_SPEED;
 pub use hole::Hole;
+pub use internal::{InternalBalance, InternalPlane, internal_balance};
 pub use plane::{Plane, PlaneUnbalance, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};
 pub use remark::{CONTRADICTION, LEAST_CHANGE, LEAST_TURN, Remark, RemarkKind};

@@ -11,77 +11,8 @@
 //! The sums run over the rods on the pin. Which `f` is right is not a matter of taste: see [`super::FactorEffect`].
 
 use super::error::WorkshopError;
+use lanchester_model::workshop::{BobweightSheet, CylinderParts, PinParts};
 use serde::Serialize;
-
-/// The weighed parts of one cylinder [kg].
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct CylinderParts {
-    /// Big end of the rod.
-    pub big_end: f64,
-    /// Both shells of the big-end bearing, if they were not weighed with the big end.
-    pub bearing: f64,
-    /// Small end of the rod.
-    pub small_end: f64,
-    /// Piston alone.
-    pub piston: f64,
-    /// Piston pin.
-    pub piston_pin: f64,
-    /// All rings of the piston.
-    pub rings: f64,
-    /// All locks or clips of the piston pin.
-    pub locks: f64,
-}
-
-impl CylinderParts {
-    /// Rotating mass [kg].
-    pub fn rotating(&self) -> f64 {
-        self.big_end + self.bearing
-    }
-
-    /// Reciprocating mass [kg].
-    pub fn reciprocating(&self) -> f64 {
-        self.small_end + self.piston + self.piston_pin + self.rings + self.locks
-    }
-
-    /// Names and masses in the order of the sheet.
-    pub fn list(&self) -> [(&'static str, f64); 7] {
-        [
-            ("big end", self.big_end),
-            ("bearing", self.bearing),
-            ("small end", self.small_end),
-            ("piston", self.piston),
-            ("piston pin", self.piston_pin),
-            ("rings", self.rings),
-            ("locks", self.locks),
-        ]
-    }
-}
-
-/// One crankpin of a sheet.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PinParts {
-    /// What it is called.
-    pub name: String,
-    /// Number of its throw in the engine file, from 1, where the sheet names one.
-    pub throw: Option<usize>,
-    /// Oil that turns with the pin [kg].
-    pub oil: f64,
-    /// The parts of every rod on it.
-    pub cylinders: Vec<CylinderParts>,
-}
-
-/// A bobweight sheet.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BobweightSheet {
-    /// What it is called.
-    pub name: String,
-    /// Share of the rotating masses that is balanced.
-    pub rotating_share: f64,
-    /// Share of the reciprocating masses that is balanced.
-    pub reciprocating_share: f64,
-    /// Its pins.
-    pub pins: Vec<PinParts>,
-}
 
 /// The bobweight of one pin.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -102,14 +33,15 @@ pub struct Bobweight {
     pub mass: f64,
 }
 
-/// The bobweight of every pin.
+/// The bobweight of every pin, with the share `reciprocating_share` of the reciprocating masses (the sheet's own, or
+/// the one that it was left open for).
 ///
 /// # Errors
 /// [`WorkshopError`] for a mass or share that is not finite or is negative, a pin without rods, or a bobweight of 0.
-pub fn bobweights(sheet: &BobweightSheet) -> Result<Vec<Bobweight>, WorkshopError> {
+pub fn bobweights(sheet: &BobweightSheet, reciprocating_share: f64) -> Result<Vec<Bobweight>, WorkshopError> {
     share("share of the rotating masses", sheet.rotating_share)?;
-    share("share of the reciprocating masses", sheet.reciprocating_share)?;
-    sheet.pins.iter().map(|pin| bobweight(sheet, pin)).collect()
+    share("share of the reciprocating masses", reciprocating_share)?;
+    sheet.pins.iter().map(|pin| bobweight([sheet.rotating_share, reciprocating_share], pin)).collect()
 }
 
 fn share(quantity: &'static str, got: f64) -> Result<(), WorkshopError> {
@@ -125,7 +57,7 @@ fn share(quantity: &'static str, got: f64) -> Result<(), WorkshopError> {
     })
 }
 
-fn bobweight(sheet: &BobweightSheet, pin: &PinParts) -> Result<Bobweight, WorkshopError> {
+fn bobweight(shares: [f64; 2], pin: &PinParts) -> Result<Bobweight, WorkshopError> {
     let oil = [("oil", pin.oil)];
     let masses = pin.cylinders.iter().flat_map(CylinderParts::list).chain(oil);
     for (what, got) in masses {
@@ -141,7 +73,7 @@ fn bobweight(sheet: &BobweightSheet, pin: &PinParts) -> Result<Bobweight, Worksh
     }
     let rotating: f64 = pin.cylinders.iter().map(CylinderParts::rotating).sum();
     let reciprocating: f64 = pin.cylinders.iter().map(CylinderParts::reciprocating).sum();
-    let mass = sheet.rotating_share * (rotating + pin.oil) + sheet.reciprocating_share * reciprocating;
+    let mass = shares[0] * (rotating + pin.oil) + shares[1] * reciprocating;
     if mass <= 0.0 {
         return Err(WorkshopError::Impossible {
             what: format!(
@@ -171,9 +103,10 @@ mod tests {
     fn sheet(parts: CylinderParts, rods: usize, oil: f64) -> BobweightSheet {
         let pin = PinParts { name: "pin 1".into(), throw: None, oil, cylinders: vec![parts; rods] };
         BobweightSheet {
-            name: "sheet".into(),
             rotating_share: 1.0,
-            reciprocating_share: 0.5,
+            reciprocating_share: None,
+            bank_angle: None,
+            split_angle: 0.0,
             pins: vec![pin],
         }
     }
@@ -192,7 +125,7 @@ mod tests {
     /// half of two of them 994.2 g; together 2012.2 g.
     #[test]
     fn v8_pin_by_hand() {
-        let bob = bobweights(&sheet(PARTS, 2, 0.004)).unwrap().remove(0);
+        let bob = bobweights(&sheet(PARTS, 2, 0.004), 0.5).unwrap().remove(0);
         assert!((bob.rotating - 1.014).abs() < 1e-15);
         assert!((bob.reciprocating - 1.9884).abs() < 1e-15);
         assert!((bob.mass - 2.0122).abs() < 1e-15, "{}", bob.mass);
@@ -200,10 +133,9 @@ mod tests {
 
     #[test]
     fn what_cannot_be_is_refused() {
-        let refused = |sheet: &BobweightSheet| bobweights(sheet).unwrap_err().to_string();
-        let mut bad = sheet(PARTS, 1, 0.0);
-        bad.reciprocating_share = 50.0;
-        assert!(refused(&bad).contains("from 0 to 2, got 50"));
+        let refused = |sheet: &BobweightSheet| bobweights(sheet, 0.5).unwrap_err().to_string();
+        let percent = bobweights(&sheet(PARTS, 1, 0.0), 50.0).unwrap_err().to_string();
+        assert!(percent.contains("from 0 to 2, got 50"));
         let bad = sheet(CylinderParts { rings: -0.001, ..PARTS }, 1, 0.0);
         assert!(refused(&bad).starts_with("mass [kg] of rings of pin 1 must be finite and not negative"));
         assert!(refused(&sheet(PARTS, 0, 0.0)).contains("got 0 rods"));
@@ -219,10 +151,8 @@ mod tests {
                 piston: piston / 2.0, piston_pin: PARTS.piston_pin / 2.0, rings: PARTS.rings / 2.0,
                 locks: PARTS.locks / 2.0,
             };
-            let (mut one, mut two) = (sheet(parts, 1, 0.002), sheet(half, 2, 0.002));
-            one.reciprocating_share = f;
-            two.reciprocating_share = f;
-            let (one, two) = (bobweights(&one).unwrap(), bobweights(&two).unwrap());
+            let (one, two) = (sheet(parts, 1, 0.002), sheet(half, 2, 0.002));
+            let (one, two) = (bobweights(&one, f).unwrap(), bobweights(&two, f).unwrap());
             prop_assert!((one[0].mass - two[0].mass).abs() < 1e-14);
         }
     }

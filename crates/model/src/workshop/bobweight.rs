@@ -204,7 +204,8 @@ impl<'a> Reader<'a> {
             match fields.into_iter().find(|field| !matches!(field, Field::Absent)) {
                 Some(field) => field.given(),
                 None if needed => {
-                    let hint = format!("add {key} = \"460 g\" to [parts], with what the scales show");
+                    let example = layers.first().map_or_else(String::new, |layer| layer.example(key));
+                    let hint = format!("weigh it and add it to [parts]: {example}");
                     self.missing(place.clone(), format!("`{key}` of a cylinder is missing"), hint);
                     None
                 }

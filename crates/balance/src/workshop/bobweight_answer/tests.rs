@@ -1,0 +1,75 @@
+use super::*;
+use lanchester_model::workshop::read_sheet;
+use lanchester_model::{read, template};
+
+const PARTS: &str = "[parts]\nbig_end = \"410 g\"\nbearing = \"45 g\"\nsmall_end = \"180 g\"\npiston = \"430 g\"\n\
+                     piston_pin = \"140 g\"\nrings = \"46 g\"\nlocks = \"4 g\"\n";
+
+fn sheet(head: &str) -> Sheet {
+    let reading = read_sheet(&format!("name = \"sheet\"\n{head}\n{PARTS}"));
+    reading.sheet.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+}
+
+fn gallery(name: &str) -> Engine {
+    read(template(name).unwrap().text).engine.unwrap()
+}
+
+/// V8: 2 (410 + 45) + 4 = 914 g, and half of 2 * 800 g: 1714 g on each of four pins; the share is derived, and the
+/// crank in balance with it has no first order left, as little as the optimum.
+#[test]
+fn crossplane_v8() {
+    let sheet = sheet("engine = \"v8.toml\"\n[bobweight]\npins = 4\nrods = 2\noil = \"4 g\"");
+    let answer = bobweight_answer(&sheet, Some(&gallery("v8-crossplane"))).unwrap();
+    assert_eq!(answer.bobweights.len(), 4);
+    assert!(answer.bobweights.iter().all(|b| (b.mass - 1.714).abs() < 1e-12));
+    assert!(!answer.share_given && (answer.reciprocating_share - 0.5).abs() < 1e-12);
+    assert_eq!(answer.judged_by, Some("first-order couple of the engine"));
+    let ways = &answer.comparison.as_ref().unwrap().ways;
+    let (ours, best) = (&ways[1], &ways[ways.len() - 1]);
+    assert!((ours.couple - best.couple).abs() < 1e-6 * ways[0].couple.max(1.0), "{ways:?}");
+    // The file's own weights were made for other parts.
+    assert!(ways[0].couple > 10.0 * best.couple.max(1.0));
+}
+
+/// Odd-firing 90-degree V6 with 36.6 %: 13.4 % of the forward couple is left that 50 % takes.
+#[test]
+fn odd_firing_v6_with_the_share_of_the_even_firing_one() {
+    let sheet =
+        sheet("engine = \"v6.toml\"\n[bobweight]\npins = 3\nrods = 2\nreciprocating_share = \"36.6 %\"");
+    let answer = bobweight_answer(&sheet, Some(&gallery("v6-90-odd"))).unwrap();
+    let [own, best] = answer.choices.as_slice() else { panic!("{:?}", answer.choices) };
+    assert!((own.forward - 0.134).abs() < 1e-6 && own.backward < 1e-9, "{own:?}");
+    assert!((best.share - 0.5).abs() < 1e-12 && best.forward == 0.0);
+    let ways = &answer.comparison.as_ref().unwrap().ways;
+    assert_eq!(ways.len(), 4);
+    assert!(ways[1].couple > 1.1 * ways[2].couple, "{ways:?}");
+    assert!(ways[3].couple <= ways[2].couple * (1.0 + 1e-9), "the optimum is never worse: {ways:?}");
+}
+
+/// Without an engine the bank angle and the split tell the share; without both it is 50 %.
+#[test]
+fn share_of_a_layout_without_an_engine() {
+    let even = sheet("[bobweight]\nrods = 2\nbank_angle = \"90 deg\"\nsplit_angle = \"-30 deg\"");
+    let answer = bobweight_answer(&even, None).unwrap();
+    assert!((answer.reciprocating_share - 0.5).abs() < 1e-12 && answer.comparison.is_none());
+    let planes: Vec<f64> = answer.choices[1..].iter().map(|c| c.share).collect();
+    assert!((planes[0] - 0.366_025_4).abs() < 1e-6 && (planes[1] - 0.633_974_6).abs() < 1e-6, "{planes:?}");
+    assert!(answer.choices[1].why.ends_with("along y"));
+    assert!(bobweight_answer(&sheet(""), None).unwrap().choices.is_empty());
+}
+
+#[test]
+fn a_sheet_that_does_not_fit_the_engine() {
+    let v8 = gallery("v8-crossplane");
+    let said = |head: &str| bobweight_answer(&sheet(head), Some(&v8)).unwrap_err().to_string();
+    assert!(
+        said("engine = \"v8\"\n[bobweight]\nrods = 2\npins = 3")
+            .contains("throw 4 of the engine needs a pin")
+    );
+    assert!(
+        said("engine = \"v8\"\n[bobweight]\nrods = 1\npins = 4").contains("with 2 rods in the engine, got 1")
+    );
+    assert!(said("engine = \"v8\"\n[bobweight]\nrods = 2\npins = 5").contains("the engine has 4"));
+    let empty = read_sheet("name = \"x\"").sheet.unwrap();
+    assert!(bobweight_answer(&empty, None).unwrap_err().to_string().contains("[parts]"));
+}
