@@ -74,6 +74,16 @@ pub enum Command {
                             lanchester loads v8.toml --bending-share '50 %' --format csv --table internal"
     )]
     Loads(LoadsArguments),
+    /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
+    #[command(
+        after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \
+                            lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
+                            lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
+                            lanchester balance twin.toml --cancel 'force order 1, couple order 1'\n  \
+                            lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n\n\
+                            Exit status 1: a limit cannot be reached, or the search stopped early."
+    )]
+    Balance(BalanceArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \
@@ -209,6 +219,78 @@ pub struct ReportArguments {
     /// Form of what is said on standard output about the files written.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// `balance`
+#[derive(Debug, Args)]
+pub struct BalanceArguments {
+    /// Engine file; `-` reads standard input. Its section [balance] says what may be done; without one every
+    /// counterweight of the file is free, and where it has none, a weight on every web or throw.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// What to make small: a criterion such as `force`, `couple`, `roll moment`, `mount force`, `force order 2`, or a sum
+    /// that counts shares of given values, `force = 200 N, couple = 10 N m`. May be given several times: the first
+    /// first, each next one without giving up any before it. Default: `force`, then `couple`.
+    #[arg(long, alias = "minimize", value_name = "CRITERION")]
+    pub minimise: Vec<String>,
+    /// What must hold: `couple = 40 N m`. May be given several times; replaces limits on the same in the file.
+    #[arg(long, value_name = "LIMIT")]
+    pub limit: Vec<String>,
+    /// Which weights on the crankshaft are free; default: those of [balance].
+    #[arg(long, value_enum)]
+    pub counterweights: Option<CrankWeights>,
+    /// Largest unbalance of every free weight on the crankshaft.
+    #[arg(long, value_name = "UNBALANCE")]
+    pub most: Option<String>,
+    /// One more free balance shaft: `RATIO @ x, y @ z` or `RATIO @ x, y @ z1, z2`; a ratio below 0 turns against the
+    /// crank. May be given several times.
+    #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
+    pub shaft: Vec<String>,
+    /// Instead of the smallest peak: the lightest weights that make these vanish, or the proof that none do:
+    /// `force order 1, couple order 1`.
+    #[arg(long, value_name = "ORDERS", conflicts_with_all = ["minimise", "limit"])]
+    pub cancel: Option<String>,
+    /// Write the found weights into the engine file; comments and order stay.
+    #[arg(long, conflicts_with = "dry_run")]
+    pub write: bool,
+    /// Show what --write would change.
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Write the figures as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Table written with `--format csv`; default: weights.
+    #[arg(long, value_enum, requires = "format")]
+    pub table: Option<BalanceTable>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Free weights on the crankshaft.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CrankWeights {
+    /// None: only shafts.
+    None,
+    /// Those that the file has now.
+    File,
+    /// One in the plane of every throw.
+    Throws,
+    /// One on every web.
+    Webs,
+}
+
+/// Tables of `balance --format csv`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BalanceTable {
+    /// The free weights.
+    Weights,
+    /// Criteria without them, as the file stands, with them.
+    Effects,
+    /// What was reached and the bound that proves it.
+    Stages,
+    /// Limits and their prices.
+    Limits,
 }
 
 /// `validate`

@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod balance_request;
 mod commands;
 mod failure;
 mod files;
@@ -28,6 +29,7 @@ fn main() -> ExitCode {
         Command::Show(arguments) => commands::show::run(&arguments, colour),
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Loads(arguments) => commands::loads::run(&arguments, colour),
+        Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

@@ -5,6 +5,9 @@
 #![forbid(unsafe_code)]
 
 mod axis;
+mod balance_plot;
+mod balance_tables;
+mod balance_text;
 mod component;
 mod crank_strip;
 mod csv;
@@ -41,6 +44,11 @@ mod terminal;
 mod view;
 pub mod workshop;
 
+pub use balance_plot::{optimum_plots, sweep_plot};
+pub use balance_tables::{
+    effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
+};
+pub use balance_text::{balance_text, headline};
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};

@@ -42,6 +42,11 @@ pub struct AnglePlot<'a> {
 impl AnglePlot<'_> {
     /// Draws the plot.
     pub fn panel(&self) -> Panel {
+        self.panel_with_marks(&[])
+    }
+
+    /// Draws the plot with dots at these crank angles [rad] and values.
+    pub fn panel_with_marks(&self, marks: &[(f64, f64)]) -> Panel {
         let finite = self.series.iter().flat_map(|s| s.values.iter().copied()).filter(|v| v.is_finite());
         let (low, high) = finite.fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
         let scale = Scale::of(high.max(-low), self.unit);
@@ -67,6 +72,10 @@ impl AnglePlot<'_> {
                 (angles.place(degrees, LEFT, right), axis.place(value / scale.divisor, bottom, top))
             });
             svg.path(&format!("s{}", series.style.min(5)), &path);
+        }
+        for &(theta, value) in marks {
+            let x = angles.place(theta.to_degrees(), LEFT, right);
+            svg.circle("pin", (x, axis.place(value / scale.divisor, bottom, top)), 4.0);
         }
         let names: Vec<&str> = self.series.iter().map(|s| s.name.as_str()).collect();
         let description = format!(

@@ -40,7 +40,7 @@ pub fn loads_text(loads: &Loads) -> String {
 }
 
 /// A paragraph broken at spaces, the first line behind `bullet`, the others indented below it.
-fn push_wrapped(out: &mut String, bullet: &str, text: &str) {
+pub(crate) fn push_wrapped(out: &mut String, bullet: &str, text: &str) {
     let indent = bullet.chars().count();
     let mut column = 0;
     for word in text.split_whitespace() {

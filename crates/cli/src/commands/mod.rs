@@ -1,5 +1,6 @@
 //! One file a command; each returns its exit status.
 
+pub mod balance;
 pub mod check;
 pub mod loads;
 pub mod new;

@@ -1,0 +1,239 @@
+//! The answer of a balancing question as tables.
+
+use crate::number;
+use crate::table::{Cell, Column, Table, column_cells};
+use lanchester_balance::{Answer, Effect, FoundWeight};
+use lanchester_model::{Criterion, Engine, Seat, criterion_name, criterion_unit};
+
+/// Every free weight: where it stands, how much it is, in which direction.
+pub fn found_weights_table(answer: &Answer) -> Table {
+    let weights = &answer.weights;
+    let seat = |k: usize| match answer.task.weights[k].seat {
+        Seat::Crankshaft(_) => "crankshaft".to_owned(),
+        Seat::Shaft(shaft) => {
+            let shaft = &answer.task.shafts[shaft];
+            format!("{} ({}\u{202f}×)", shaft.name, shaft.ratio.to_string().replace('-', "\u{2212}"))
+        }
+    };
+    let direction = |w: &FoundWeight| match w.used && w.unbalance.norm() > 0.0 {
+        true => Cell::Number { value: number::phase_degrees(w.unbalance.arg()), decimals: 2 },
+        false => Cell::Empty,
+    };
+    let mut columns = vec![
+        (Column::words("weight"), weights.iter().map(|w| Cell::text(&w.name)).collect()),
+        (Column::words("on"), (0..weights.len()).map(|k| Cell::text(seat(k))).collect()),
+        (Column::numbers("z", "mm"), column_cells(weights.iter().map(|w| 1e3 * w.z), 5, 1e-9)),
+        (
+            Column::numbers("unbalance", "g mm"),
+            column_cells(weights.iter().map(|w| 1e6 * w.unbalance.norm()), 6, 1e-6),
+        ),
+        (Column::numbers("direction", "deg"), weights.iter().map(direction).collect()),
+    ];
+    if weights.iter().any(|w| w.mass.is_some()) {
+        let mass =
+            |w: &FoundWeight| w.mass.map_or(Cell::Empty, |mass| Cell::Number { value: 1e3 * mass, decimals: 1 });
+        columns.push((Column::numbers("mass", "g"), weights.iter().map(mass).collect()));
+    }
+    let unused: Vec<&str> = weights.iter().filter(|w| !w.used).map(|w| w.name.as_str()).collect();
+    let mut table = Table::of_columns(
+        "found-weights",
+        "The weights",
+        "Directions at θ = 0 in the engine's frame, from +x towards +y.",
+        columns,
+    );
+    if !unused.is_empty() {
+        table.remark = format!("Left out, because it is better without: {}.", unused.join(", "));
+    }
+    table
+}
+
+/// Where the free shafts stand; `None` without any.
+pub fn found_shafts_table(answer: &Answer) -> Option<Table> {
+    if answer.shafts.is_empty() {
+        return None;
+    }
+    let ratio = |k: usize| Cell::text(answer.task.shafts[k].ratio.to_string().replace('-', "\u{2212}"));
+    Some(Table::of_columns(
+        "found-shafts",
+        "The shafts",
+        "Speed over that of the crank, negative against it.",
+        vec![
+            (Column::words("shaft"), answer.shafts.iter().map(|s| Cell::text(&s.name)).collect()),
+            (Column::numbers("speed ratio", ""), (0..answer.shafts.len()).map(ratio).collect()),
+            (Column::numbers("x", "mm"), column_cells(answer.shafts.iter().map(|s| 1e3 * s.x), 4, 1e-9)),
+            (Column::numbers("y", "mm"), column_cells(answer.shafts.iter().map(|s| 1e3 * s.y), 4, 1e-9)),
+            (
+                Column::words("used"),
+                answer.shafts.iter().map(|s| Cell::text(if s.used { "yes" } else { "no" })).collect(),
+            ),
+        ],
+    ))
+}
+
+/// The free inertias; `None` without any.
+pub fn found_inertias_table(answer: &Answer) -> Option<Table> {
+    if answer.inertias.is_empty() {
+        return None;
+    }
+    let inertias = &answer.inertias;
+    Some(Table::of_columns(
+        "found-inertias",
+        "Counter-rotating inertias",
+        "What each leaves of the crank train's roll moment.",
+        vec![
+            (Column::words("inertia"), inertias.iter().map(|i| Cell::text(&i.name)).collect()),
+            (Column::numbers("inertia", "kg cm²"), column_cells(inertias.iter().map(|i| 1e4 * i.inertia), 5, 0.0)),
+            (
+                Column::numbers("roll moment left", "%"),
+                inertias.iter().map(|i| Cell::Number { value: 100.0 * i.roll_share, decimals: 1 }).collect(),
+            ),
+        ],
+    ))
+}
+
+/// Every criterion without the free weights, as the file stands, and with the answer.
+pub fn effects_table(engine: &Engine, answer: &Answer) -> Table {
+    let effects = &answer.effects;
+    // The three numbers of a row share its decimals; what is rounding noise beside the row is nothing.
+    let cells = |of: fn(&Effect) -> f64| -> Vec<Cell> {
+        effects
+            .iter()
+            .map(|e| {
+                let largest = e.without.abs().max(e.before.abs()).max(e.after.abs());
+                let value = of(e) * factor(&e.criterion);
+                let value = if of(e).abs() <= 1e-9 * largest { 0.0 } else { value };
+                Cell::Number { value, decimals: number::decimals(largest * factor(&e.criterion), 5) }
+            })
+            .collect()
+    };
+    let change = |e: &Effect| match e.before.abs() > 0.0 {
+        true => Cell::Number { value: 100.0 * (e.after / e.before - 1.0), decimals: 1 },
+        false => Cell::Empty,
+    };
+    Table::of_columns(
+        "effects",
+        "What it does",
+        "Peaks over the continuous cycle.",
+        vec![
+            (
+                Column::words("criterion"),
+                effects.iter().map(|e| Cell::text(criterion_name(&e.criterion, engine))).collect(),
+            ),
+            (Column::words("unit"), effects.iter().map(|e| Cell::text(shown_unit(&e.criterion))).collect()),
+            (Column::numbers("without", ""), cells(|e| e.without)),
+            (Column::numbers("file", ""), cells(|e| e.before)),
+            (Column::numbers("optimum", ""), cells(|e| e.after)),
+            (Column::numbers("change", "%"), effects.iter().map(change).collect()),
+        ],
+    )
+}
+
+/// What each limit is, what was reached, and what it costs; `None` without any.
+pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
+    if answer.limits.is_empty() {
+        return None;
+    }
+    let stage_unit = answer
+        .stages
+        .first()
+        .and_then(|s| s.terms.first())
+        .map_or("", |(criterion, _)| criterion_unit(criterion));
+    let unit = |l: &lanchester_balance::FoundLimit| l.criterion.map_or("kg m", |c| criterion_unit(&c));
+    let price = |l: &lanchester_balance::FoundLimit| match l.price {
+        Some(price) if price.abs() > 0.0 => Cell::text(format!(
+            "{} {stage_unit} per {}",
+            number::short(price, 4),
+            unit(l)
+        )),
+        Some(_) => Cell::text("nothing"),
+        None => Cell::text("a choice, not a price"),
+    };
+    let name = |l: &lanchester_balance::FoundLimit| match l.criterion {
+        Some(criterion) => criterion_name(&criterion, engine),
+        None => l.what.clone(),
+    };
+    let limits = &answer.limits;
+    Some(Table::of_columns(
+        "limits",
+        "What the limits cost",
+        "The price tells how much the first stage that the limit holds up would fall if the limit were wider.",
+        vec![
+            (Column::words("limit"), limits.iter().map(|l| Cell::text(name(l))).collect()),
+            (Column::words("unit"), limits.iter().map(|l| Cell::text(unit(l))).collect()),
+            (Column::numbers("at most", ""), limits.iter().map(|l| Cell::number(l.most, 5)).collect()),
+            (Column::numbers("reached", ""), limits.iter().map(|l| Cell::number(l.value, 5)).collect()),
+            (Column::words("price"), limits.iter().map(price).collect()),
+        ],
+    ))
+}
+
+/// Every stage with its bound, and the crank angles that hold it up.
+pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
+    let stages = &answer.stages;
+    let terms = |k: usize| {
+        let words: Vec<String> = stages[k]
+            .terms
+            .iter()
+            .zip(&answer_weights(answer, k))
+            .map(|((criterion, _), weight)| match *weight {
+                1.0 => criterion_name(criterion, engine),
+                weight => format!("{} × {}", number::trimmed(weight, 4), criterion_name(criterion, engine)),
+            })
+            .collect();
+        words.join(" + ")
+    };
+    let angles = |k: usize| {
+        let mut degrees: Vec<f64> = stages[k]
+            .active
+            .iter()
+            .filter(|a| a.multiplier > 0.0)
+            .map(|a| a.theta.to_degrees().rem_euclid(720.0))
+            .collect();
+        degrees.sort_by(f64::total_cmp);
+        degrees.dedup_by(|a, b| (*a - *b).abs() < 0.05);
+        let shown: Vec<String> = degrees.iter().take(8).map(|d| format!("{}°", number::trimmed(*d, 4))).collect();
+        let more = if degrees.len() > 8 { ", …" } else { "" };
+        format!("{}{more}", shown.join(", "))
+    };
+    let unit = |k: usize| match stages[k].terms.as_slice() {
+        [(criterion, _)] => criterion_unit(criterion),
+        _ => "",
+    };
+    let rows = 0..stages.len();
+    Table::of_columns(
+        "stages",
+        "The proof",
+        "No choice of these devices goes below the bound; the angles are where the load stands at its peak and cannot give way.",
+        vec![
+            (Column::words("minimised"), rows.clone().map(|k| Cell::text(terms(k))).collect()),
+            (Column::words("unit"), rows.clone().map(|k| Cell::text(unit(k))).collect()),
+            (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
+            (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
+            (Column::words("gap"), stages.iter().map(|s| Cell::text(format!("{:.1e}", s.gap.max(0.0)))).collect()),
+            (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
+        ],
+    )
+}
+
+/// Weights of the terms of stage `k`; where the task leaves its stages to the default, each has one term of weight 1.
+fn answer_weights(answer: &Answer, k: usize) -> Vec<f64> {
+    match answer.task.stages.get(k) {
+        Some(stage) => stage.terms.iter().map(|(weight, _)| *weight).collect(),
+        None => vec![1.0; answer.stages[k].terms.len()],
+    }
+}
+
+/// Small SI units are shown in those of the trade.
+fn factor(criterion: &Criterion) -> f64 {
+    match criterion {
+        Criterion::AddedUnbalance => 1e6,
+        _ => 1.0,
+    }
+}
+
+fn shown_unit(criterion: &Criterion) -> &'static str {
+    match criterion {
+        Criterion::AddedUnbalance => "g mm",
+        _ => criterion_unit(criterion),
+    }
+}

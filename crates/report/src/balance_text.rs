@@ -1,0 +1,85 @@
+//! The answer of a balancing question as plain text.
+
+use crate::balance_tables::{
+    effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
+};
+use crate::number;
+use crate::terminal::push_wrapped;
+use lanchester_balance::{Answer, Method, Outcome};
+use lanchester_model::{Engine, criterion_name, criterion_unit};
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+/// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
+/// of the engine with the answer fitted.
+pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
+    let mut out = String::with_capacity(4096);
+    let rpm = number::terminal(answer.speed * 60.0 / TAU, 0);
+    let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
+    let _ = writeln!(out, "{}\n", method_words(&answer.method));
+    push_wrapped(&mut out, "", &headline(engine, answer));
+    let mut tables = Vec::new();
+    if !answer.weights.is_empty() {
+        tables.push(found_weights_table(answer));
+    }
+    tables.extend(found_shafts_table(answer));
+    tables.extend(found_inertias_table(answer));
+    if !answer.effects.is_empty() {
+        tables.push(effects_table(engine, answer));
+    }
+    if !answer.stages.is_empty() {
+        tables.push(stages_table(engine, answer));
+    }
+    tables.extend(limits_table(engine, answer));
+    for table in tables {
+        out.push('\n');
+        out.push_str(&table.text());
+    }
+    if !left.is_empty() {
+        out.push_str("\nWhat is left\n");
+        push_wrapped(&mut out, "  ", left);
+    }
+    out
+}
+
+/// The answer in a sentence or two.
+pub fn headline(engine: &Engine, answer: &Answer) -> String {
+    let reached = || {
+        let terms = answer.stages.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
+            let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
+            // What is rounding noise beside the file's own is nothing.
+            let value = if before.is_some_and(|b| value.abs() <= 1e-9 * b.abs()) { 0.0 } else { *value };
+            let unit = criterion_unit(criterion);
+            let name = criterion_name(criterion, engine);
+            match before {
+                Some(before) => format!(
+                    "{name} {} {unit} ({} {unit} as the file stands)",
+                    number::short(value, 5),
+                    number::short(before, 5)
+                ),
+                None => format!("{name} {} {unit}", number::short(value, 5)),
+            }
+        });
+        terms.collect::<Vec<_>>().join(", then ")
+    };
+    match &answer.outcome {
+        Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
+        Outcome::Infeasible { relaxation, reason, .. } => {
+            let percent = number::short(100.0 * (relaxation - 1.0), 3);
+            format!("The limits cannot hold together: {reason}. They could if every one were {percent} % wider.")
+        }
+        Outcome::Stopped { reason } => {
+            format!("The search stopped early ({reason}); the best so far: {}.", reached())
+        }
+    }
+}
+
+fn method_words(method: &Method) -> String {
+    match method {
+        Method::Convex { solves: 1 } => "Solved as one convex programme.".to_owned(),
+        Method::Convex { solves } => format!("Solved as a convex programme, its angles refined {solves} times."),
+        Method::BranchAndBound { nodes, solves } => {
+            format!("Choices searched by branch and bound: {nodes} boxes, {solves} convex programmes.")
+        }
+    }
+}
