@@ -94,21 +94,24 @@ pub fn found_inertias_table(answer: &Answer) -> Option<Table> {
 /// Every criterion without the free weights, as the file stands, and with the answer.
 pub fn effects_table(engine: &Engine, answer: &Answer) -> Table {
     let effects = &answer.effects;
-    // The three numbers of a row share its decimals; what is rounding noise beside the row is nothing.
-    let cells = |of: fn(&Effect) -> f64| -> Vec<Cell> {
-        effects
-            .iter()
-            .map(|e| {
-                let largest = e.without.abs().max(e.before.abs()).max(e.after.abs());
-                let value = of(e) * factor(&e.criterion);
-                let value = if of(e).abs() <= 1e-9 * largest { 0.0 } else { value };
-                Cell::Number { value, decimals: number::decimals(largest * factor(&e.criterion), 5) }
-            })
-            .collect()
+    // The three numbers of a row share its decimals; what is rounding noise beside the row, or beside the largest of
+    // its unit, is nothing.
+    let cleaned = |e: &Effect, value: f64| {
+        let alike = effects.iter().filter(|o| criterion_unit(&o.criterion) == criterion_unit(&e.criterion));
+        let largest = alike.fold(0.0f64, |m, o| m.max(o.without).max(o.before).max(o.after));
+        if value.abs() <= 1e-9 * largest.max(1e-3) { 0.0 } else { value }
     };
-    let change = |e: &Effect| match e.before.abs() > 0.0 {
-        true => Cell::Number { value: 100.0 * (e.after / e.before - 1.0), decimals: 1 },
-        false => Cell::Empty,
+    let cells = |of: fn(&Effect) -> f64| -> Vec<Cell> {
+        let cell = |e: &Effect| {
+            let largest = e.without.abs().max(e.before.abs()).max(e.after.abs()) * factor(&e.criterion);
+            let value = cleaned(e, of(e)) * factor(&e.criterion);
+            Cell::Number { value, decimals: number::decimals(largest, 5) }
+        };
+        effects.iter().map(cell).collect()
+    };
+    let change = |e: &Effect| match (cleaned(e, e.before), cleaned(e, e.after)) {
+        (0.0, _) => Cell::Empty,
+        (before, after) => Cell::Number { value: 100.0 * (after / before - 1.0), decimals: 1 },
     };
     Table::of_columns(
         "effects",

@@ -48,7 +48,8 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
         let terms = answer.stages.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
             let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
             // What is rounding noise beside the file's own is nothing.
-            let value = if before.is_some_and(|b| value.abs() <= 1e-9 * b.abs()) { 0.0 } else { *value };
+            let noise = 1e-9 * before.map_or(0.0, f64::abs).max(1e-3);
+            let value = if value.abs() <= noise { 0.0 } else { *value };
             let unit = criterion_unit(criterion);
             let name = criterion_name(criterion, engine);
             match before {
