@@ -74,13 +74,12 @@ pub enum Command {
                             lanchester loads v8.toml --bending-share '50 %' --format csv --table internal"
     )]
     Loads(LoadsArguments),
-    /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
+    /// Find the best counterweights and balance shafts, prove that nothing better exists.
     #[command(
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \
                             lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
                             lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
-                            lanchester balance twin.toml --cancel 'force order 1, couple order 1'\n  \
-                            lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n\n\
+                            lanchester balance twin.toml --figures figures\n\n\
                             Exit status 1: a limit cannot be reached, or the search stopped early."
     )]
     Balance(BalanceArguments),
@@ -246,16 +245,6 @@ pub struct BalanceArguments {
     /// crank. May be given several times.
     #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
     pub shaft: Vec<String>,
-    /// Instead of the smallest peak: the lightest weights that make these vanish, or the proof that none do:
-    /// `force order 1, couple order 1`.
-    #[arg(long, value_name = "ORDERS", conflicts_with_all = ["minimise", "limit"])]
-    pub cancel: Option<String>,
-    /// Write the found weights into the engine file; comments and order stay.
-    #[arg(long, conflicts_with = "dry_run")]
-    pub write: bool,
-    /// Show what --write would change.
-    #[arg(long)]
-    pub dry_run: bool,
     /// Write the figures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

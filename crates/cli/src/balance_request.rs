@@ -88,12 +88,14 @@ fn replace_crank_weights(
 
 /// `RATIO @ x, y @ z1, z2`
 fn add_shaft(task: &mut BalanceTask, text: &str) -> Result<(), Failure> {
-    let wrong = |what: String| Failure::input(what, "write it like --shaft \"-1 @ 0 mm, 100 mm @ -40 mm, 40 mm\"");
+    let wrong =
+        |what: String| Failure::input(what, "write it like --shaft \"-1 @ 0 mm, 100 mm @ -40 mm, 40 mm\"");
     let parts: Vec<&str> = text.split('@').map(str::trim).collect();
     let [ratio, axis, planes] = parts[..] else {
         return Err(wrong(format!("--shaft needs ratio @ x, y @ planes, got `{text}`")));
     };
-    let ratio = ratio_of(ratio).ok_or_else(|| wrong(format!("--shaft needs a ratio such as -1 or 1/2, got `{ratio}`")))?;
+    let ratio = ratio_of(ratio)
+        .ok_or_else(|| wrong(format!("--shaft needs a ratio such as -1 or 1/2, got `{ratio}`")))?;
     let length = |text: &str| option::length(text.trim(), "--shaft").map_err(refused);
     let axis: Vec<f64> = axis.split(',').map(length).collect::<Result<_, _>>()?;
     let [x, y] = axis[..] else {
@@ -101,7 +103,8 @@ fn add_shaft(task: &mut BalanceTask, text: &str) -> Result<(), Failure> {
     };
     let planes: Vec<f64> = planes.split(',').map(length).collect::<Result<_, _>>()?;
     let taken = |name: &str| task.shafts.iter().any(|s| s.name == name);
-    let name = (1..).map(|n| format!("shaft {n}")).find(|name| !taken(name)).expect("invariant: numbers do not end");
+    let name =
+        (1..).map(|n| format!("shaft {n}")).find(|name| !taken(name)).expect("invariant: numbers do not end");
     let seat = Seat::Shaft(task.shafts.len());
     for (k, z) in planes.iter().enumerate() {
         task.weights.push(FreeWeight {

@@ -2,7 +2,8 @@
 
 use lanchester::balance::{Outcome, optimise};
 use lanchester::model::{
-    BalanceTask, Criterion, FreeShaft, FreeWeight, Limit, Load, Phase, Place, Ratio, Seat, Stage, read, template,
+    BalanceTask, Criterion, FreeShaft, FreeWeight, Limit, Load, Phase, Place, Ratio, Seat, Stage, read,
+    template,
 };
 use serde_json::Value;
 
@@ -30,7 +31,13 @@ fn task(case: &Value) -> BalanceTask {
             _ => {
                 let (x, y) = (Place::At(x), Place::At(y));
                 let ratio = Ratio::whole(ratio).expect("not 0");
-                task.shafts.push(FreeShaft { name: format!("added shaft {k}"), ratio, x, y, optional: false });
+                task.shafts.push(FreeShaft {
+                    name: format!("added shaft {k}"),
+                    ratio,
+                    x,
+                    y,
+                    optional: false,
+                });
                 Seat::Shaft(task.shafts.len() - 1)
             }
         };
@@ -68,7 +75,8 @@ fn ext_ecos_optima_of_the_gallery() {
         let answer = optimise(&engine, &task(case)).unwrap_or_else(|error| panic!("{said}: {error}"));
         if case["found"].is_null() {
             if !matches!(answer.outcome, Outcome::Infeasible { .. }) {
-                wrong.push(format!("{said}: the other solver finds it infeasible, ours {:?}", answer.outcome));
+                wrong
+                    .push(format!("{said}: the other solver finds it infeasible, ours {:?}", answer.outcome));
             }
             continue;
         }

@@ -31,9 +31,10 @@ pub fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &L
     (!panels.is_empty()).then(|| Figure {
         id: "optimum".to_owned(),
         title: "The optimum over the cycle".to_owned(),
-        caption: "Amount of the load as the file stands and with the answer. Dots: the crank angles that hold the \
+        caption:
+            "Amount of the load as the file stands and with the answer. Dots: the crank angles that hold the \
                   optimum up; lowering the load at one of them raises it at another."
-            .to_owned(),
+                .to_owned(),
         columns: panels.len().min(2),
         panels,
     })
@@ -112,10 +113,7 @@ pub fn sweep_plot(sweep: &CrankSweep, optimum: Option<(f64, f64)>) -> Figure {
     let mut svg = Svg::new(WIDTH, HEIGHT);
     let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
     let place = |(unbalance, value): (f64, f64)| {
-        (
-            amounts.place(unbalance * x_scale.0, LEFT, right),
-            values.place(value / scale.divisor, bottom, TOP),
-        )
+        (amounts.place(unbalance * x_scale.0, LEFT, right), values.place(value / scale.divisor, bottom, TOP))
     };
     svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{quantity} [{}]", scale.unit));
     for &tick in &values.ticks {

@@ -30,8 +30,9 @@ pub fn found_weights_table(answer: &Answer) -> Table {
         (Column::numbers("direction", "deg"), weights.iter().map(direction).collect()),
     ];
     if weights.iter().any(|w| w.mass.is_some()) {
-        let mass =
-            |w: &FoundWeight| w.mass.map_or(Cell::Empty, |mass| Cell::Number { value: 1e3 * mass, decimals: 1 });
+        let mass = |w: &FoundWeight| {
+            w.mass.map_or(Cell::Empty, |mass| Cell::Number { value: 1e3 * mass, decimals: 1 })
+        };
         columns.push((Column::numbers("mass", "g"), weights.iter().map(mass).collect()));
     }
     let unused: Vec<&str> = weights.iter().filter(|w| !w.used).map(|w| w.name.as_str()).collect();
@@ -82,7 +83,10 @@ pub fn found_inertias_table(answer: &Answer) -> Option<Table> {
         "What each leaves of the crank train's roll moment.",
         vec![
             (Column::words("inertia"), inertias.iter().map(|i| Cell::text(&i.name)).collect()),
-            (Column::numbers("inertia", "kg cm²"), column_cells(inertias.iter().map(|i| 1e4 * i.inertia), 5, 0.0)),
+            (
+                Column::numbers("inertia", "kg cm²"),
+                column_cells(inertias.iter().map(|i| 1e4 * i.inertia), 5, 0.0),
+            ),
             (
                 Column::numbers("roll moment left", "%"),
                 inertias.iter().map(|i| Cell::Number { value: 100.0 * i.roll_share, decimals: 1 }).collect(),
@@ -143,11 +147,9 @@ pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
         .map_or("", |(criterion, _)| criterion_unit(criterion));
     let unit = |l: &lanchester_balance::FoundLimit| l.criterion.map_or("kg m", |c| criterion_unit(&c));
     let price = |l: &lanchester_balance::FoundLimit| match l.price {
-        Some(price) if price.abs() > 0.0 => Cell::text(format!(
-            "{} {stage_unit} per {}",
-            number::short(price, 4),
-            unit(l)
-        )),
+        Some(price) if price.abs() > 0.0 => {
+            Cell::text(format!("{} {stage_unit} per {}", number::short(price, 4), unit(l)))
+        }
         Some(_) => Cell::text("nothing"),
         None => Cell::text("a choice, not a price"),
     };
@@ -194,7 +196,8 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
             .collect();
         degrees.sort_by(f64::total_cmp);
         degrees.dedup_by(|a, b| (*a - *b).abs() < 0.05);
-        let shown: Vec<String> = degrees.iter().take(8).map(|d| format!("{}°", number::trimmed(*d, 4))).collect();
+        let shown: Vec<String> =
+            degrees.iter().take(8).map(|d| format!("{}°", number::trimmed(*d, 4))).collect();
         let more = if degrees.len() > 8 { ", …" } else { "" };
         format!("{}{more}", shown.join(", "))
     };
@@ -212,7 +215,10 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
             (Column::words("unit"), rows.clone().map(|k| Cell::text(unit(k))).collect()),
             (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
             (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
-            (Column::words("gap"), stages.iter().map(|s| Cell::text(format!("{:.1e}", s.gap.max(0.0)))).collect()),
+            (
+                Column::words("gap"),
+                stages.iter().map(|s| Cell::text(format!("{:.1e}", s.gap.max(0.0)))).collect(),
+            ),
             (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
         ],
     )

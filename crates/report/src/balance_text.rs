@@ -67,7 +67,9 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
         Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
         Outcome::Infeasible { relaxation, reason, .. } => {
             let percent = number::short(100.0 * (relaxation - 1.0), 3);
-            format!("The limits cannot hold together: {reason}. They could if every one were {percent} % wider.")
+            format!(
+                "The limits cannot hold together: {reason}. They could if every one were {percent} % wider."
+            )
         }
         Outcome::Stopped { reason } => {
             format!("The search stopped early ({reason}); the best so far: {}.", reached())
@@ -78,7 +80,9 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
 fn method_words(method: &Method) -> String {
     match method {
         Method::Convex { solves: 1 } => "Solved as one convex programme.".to_owned(),
-        Method::Convex { solves } => format!("Solved as a convex programme, its angles refined {solves} times."),
+        Method::Convex { solves } => {
+            format!("Solved as a convex programme, its angles refined {solves} times.")
+        }
         Method::BranchAndBound { nodes, solves } => {
             format!("Choices searched by branch and bound: {nodes} boxes, {solves} convex programmes.")
         }

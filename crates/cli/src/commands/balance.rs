@@ -4,11 +4,13 @@ use crate::arguments::{BalanceArguments, BalanceTable, Format};
 use crate::balance_request::balance_task;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED, WRONG_INPUT};
-use crate::files::print;
+use crate::files::{print, write_result};
 use lanchester::balance::{Answer, BalanceError, Outcome, fitted, optimise};
-use lanchester::mechanism::{LoadRequest, loads};
+use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::Engine;
-use lanchester::report::{balance_text, effects_table, found_weights_table, limits_table, stages_table};
+use lanchester::report::{
+    balance_text, effects_table, found_weights_table, limits_table, optimum_plots, stages_table,
+};
 
 pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
@@ -21,19 +23,31 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     let engine = &opened.engine;
     let task = balance_task(engine, arguments)?;
     let answer = optimise(engine, &task).map_err(refused)?;
+    let found = matches!(answer.outcome, Outcome::Optimal | Outcome::Stopped { .. });
     let after = fitted(engine, &answer);
+    let loads_after = loads_of(&after)?;
+    if let Some(folder) = &arguments.figures
+        && found
+    {
+        let before = loads_of(engine)?;
+        for figure in optimum_plots(engine, &answer, &before, &loads_after) {
+            write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
+        }
+    }
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => balance_text(engine, &answer, &left(&after)?),
+        (Format::Text, _) => balance_text(engine, &answer, &loads_after.diagnosis.summary),
         (Format::Json, _) => json(&answer)?,
         (Format::Csv, table) => csv(engine, &answer, table.unwrap_or(BalanceTable::Weights)),
     })?;
-    Ok(if answer.outcome == Outcome::Optimal { DONE } else { NOT_AS_EXPECTED })
+    Ok(status(&answer))
 }
 
-/// What still shakes the engine.
-fn left(engine: &Engine) -> Result<String, Failure> {
-    let loads = loads(engine, &LoadRequest::default()).map_err(super::refused)?;
-    Ok(loads.diagnosis.summary)
+fn status(answer: &Answer) -> u8 {
+    if answer.outcome == Outcome::Optimal { DONE } else { NOT_AS_EXPECTED }
+}
+
+fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
+    loads(engine, &LoadRequest::default()).map_err(super::refused)
 }
 
 fn csv(engine: &Engine, answer: &Answer, table: BalanceTable) -> String {
