@@ -44,7 +44,7 @@ mod terminal;
 mod view;
 pub mod workshop;
 
-pub use balance_plot::{optimum_plots, sweep_plot};
+pub use balance_plot::optimum_plots;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };

@@ -30,7 +30,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         && found
     {
         let before = loads_of(engine)?;
-        for figure in optimum_plots(engine, &answer, &before, &loads_after) {
+        if let Some(figure) = optimum_plots(engine, &answer, &before, &loads_after) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
