@@ -26,12 +26,51 @@ pub enum WorkshopCommand {
                             lanchester workshop factor single.toml --least-peak --figure ellipse.svg"
     )]
     Factor(FactorArguments),
+    /// Where to add or remove how much: from vibration with trial weights, or from a balancing machine's display.
+    #[command(
+        after_help = "Examples:\n  lanchester workshop correct rotor.toml\n  lanchester workshop correct rotor.toml --figure vibration.svg\n  \
+                            lanchester workshop correct rotor.toml --format csv > corrections.csv\n\n\
+                            Exit status 1 where a vibration limit or the balance grade of the sheet does not hold yet."
+    )]
+    Correct(CorrectArguments),
+    /// Which holes to drill for the correction, how deep, and what they leave.
+    #[command(
+        after_help = "Examples:\n  lanchester workshop drill crank.toml\n  lanchester workshop drill crank.toml --format json\n\n\
+                            Exit status 1 where the balance grade is not kept with these holes; without a grade, where they \
+                            cannot take away what is wanted."
+    )]
+    Drill(DrillArguments),
     /// Permissible residual unbalance of a balance quality grade, allotted to bearings and correction planes.
     #[command(
         after_help = "Examples:\n  lanchester workshop grade rotor.toml\n  lanchester workshop grade rotor.toml --format json\n\n\
                             Exit status 1 where the measured unbalance is more than the grade allows."
     )]
     Grade(GradeArguments),
+}
+
+/// `workshop correct`
+#[derive(Debug, Args)]
+pub struct CorrectArguments {
+    /// Workshop sheet; `-` reads standard input.
+    #[arg(value_name = "SHEET")]
+    pub sheet: PathBuf,
+    /// Draw the vibration vectors and the corrections into this SVG file.
+    #[arg(long, value_name = "SVG")]
+    pub figure: Option<PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `workshop drill`
+#[derive(Debug, Args)]
+pub struct DrillArguments {
+    /// Workshop sheet; `-` reads standard input.
+    #[arg(value_name = "SHEET")]
+    pub sheet: PathBuf,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
 }
 
 /// `workshop grade`

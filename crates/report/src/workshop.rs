@@ -1,10 +1,16 @@
 //! Tables and figures of the workshop.
 
+mod correction;
+mod drilling;
 mod factor;
 mod grade;
 mod mass;
 mod primary_ellipse;
+mod vibration_plot;
 
+pub use correction::{correction_tables, correction_text};
+pub use drilling::{drilling_tables, drilling_text};
 pub use factor::{factor_tables, factor_text};
 pub use grade::{grade_tables, grade_text};
 pub use primary_ellipse::primary_ellipse_figure;
+pub use vibration_plot::vibration_figure;

@@ -1,12 +1,12 @@
 //! `lanchester workshop`: balancing a real crank or engine from measurements.
 
+mod correct;
+mod drill;
 mod factor;
 mod given_factor;
 mod grade;
 
-use crate::failure::Failure;
-use crate::failure::WRONG_INPUT;
-use crate::files::Source;
+use crate::failure::{Failure, WRONG_INPUT};
 use crate::files::read_source;
 use crate::workshop_arguments::{WorkshopArguments, WorkshopCommand};
 use lanchester::balance::workshop::WorkshopError;
@@ -17,19 +17,21 @@ use std::path::Path;
 pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {
     match &arguments.command {
         WorkshopCommand::Factor(arguments) => factor::run(arguments, colour),
+        WorkshopCommand::Correct(arguments) => correct::run(arguments, colour),
+        WorkshopCommand::Drill(arguments) => drill::run(arguments, colour),
         WorkshopCommand::Grade(arguments) => grade::run(arguments, colour),
     }
 }
 
 /// Read a workshop sheet: mistakes and warnings go to standard error.
-fn open(path: &Path, colour: bool) -> Result<(Source, Sheet), Failure> {
+fn open(path: &Path, colour: bool) -> Result<Sheet, Failure> {
     let source = read_source(path)?;
     let reading = read_sheet(&source.text);
     if !reading.diagnostics.is_empty() {
         eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
     }
     match reading.sheet {
-        Some(sheet) => Ok((source, sheet)),
+        Some(sheet) => Ok(sheet),
         None => Err(Failure::diagnosed()),
     }
 }

@@ -11,7 +11,7 @@ use lanchester::report::Table;
 use lanchester::report::workshop::{grade_tables, grade_text};
 
 pub fn run(arguments: &GradeArguments, colour: bool) -> Result<u8, Failure> {
-    let (_, sheet) = open(&arguments.sheet, colour)?;
+    let sheet = open(&arguments.sheet, colour)?;
     let grade = grade(&sheet).map_err(refused)?;
     print(&match arguments.format {
         Format::Text => grade_text(&grade),

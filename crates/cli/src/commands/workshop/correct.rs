@@ -1,0 +1,31 @@
+//! `lanchester workshop correct`: where to add or remove how much.
+
+use super::{open, refused};
+use crate::arguments::Format;
+use crate::commands::json;
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::files::{print, write_result};
+use crate::workshop_arguments::CorrectArguments;
+use lanchester::balance::workshop::correction;
+use lanchester::report::Table;
+use lanchester::report::workshop::{correction_tables, correction_text, vibration_figure};
+
+pub fn run(arguments: &CorrectArguments, colour: bool) -> Result<u8, Failure> {
+    let sheet = open(&arguments.sheet, colour)?;
+    let correction = correction(&sheet).map_err(refused)?;
+    if let Some(path) = &arguments.figure {
+        let Some(figure) = vibration_figure(&sheet, &correction) else {
+            return Err(Failure::input(
+                "there is nothing to draw: no runs, and [rotor] does not say in which sense its marks count",
+                "add marks = \"clockwise\" or \"anticlockwise\" to [rotor], or leave --figure out",
+            ));
+        };
+        write_result(path, &arguments.sheet, &figure.svg())?;
+    }
+    print(&match arguments.format {
+        Format::Text => correction_text(&correction),
+        Format::Json => json(&correction)?,
+        Format::Csv => correction_tables(&correction).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(if correction.holds == Some(false) { NOT_AS_EXPECTED } else { DONE })
+}

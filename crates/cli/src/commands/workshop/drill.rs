@@ -1,0 +1,22 @@
+//! `lanchester workshop drill`: which holes to drill, and what they leave.
+
+use super::{open, refused};
+use crate::arguments::Format;
+use crate::commands::json;
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::files::print;
+use crate::workshop_arguments::DrillArguments;
+use lanchester::balance::workshop::drilling;
+use lanchester::report::Table;
+use lanchester::report::workshop::{drilling_tables, drilling_text};
+
+pub fn run(arguments: &DrillArguments, colour: bool) -> Result<u8, Failure> {
+    let sheet = open(&arguments.sheet, colour)?;
+    let drilling = drilling(&sheet).map_err(refused)?;
+    print(&match arguments.format {
+        Format::Text => drilling_text(&drilling),
+        Format::Json => json(&drilling)?,
+        Format::Csv => drilling_tables(&drilling).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(if drilling.holds { DONE } else { NOT_AS_EXPECTED })
+}
