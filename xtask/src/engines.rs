@@ -1,6 +1,6 @@
 //! Every shipped engine through the commands that a user would give.
 
-use crate::command::quiet;
+use crate::command::{output, quiet};
 use crate::workspace::{root, scratch};
 use anyhow::{Context, Result, ensure};
 use std::path::{Path, PathBuf};
@@ -45,7 +45,52 @@ pub fn run(program: &Path) -> Result<String> {
         }
         std::fs::remove_file(&report)?;
     }
-    Ok(format!("{} examples, {} templates", examples.len(), templates.len()))
+    let sheets = sheets(program, &folder)?;
+    Ok(format!("{} examples, {} templates, {sheets} workshop sheets", examples.len(), templates.len()))
+}
+
+/// What every sheet of `examples/workshop/` is asked, and the exit status that it must have.
+const SHEETS: [(&str, &str, i32); 6] = [
+    ("two-plane-crank", "correct", 0),
+    ("two-plane-crank", "drill", 0),
+    ("two-plane-crank", "grade", 0),
+    ("machine-display", "correct", 1),
+    ("machine-display", "drill", 0),
+    ("machine-display", "grade", 1),
+];
+
+/// Every workshop sheet through the commands that a user would give; how many there are.
+fn sheets(program: &Path, folder: &Path) -> Result<usize> {
+    let examples = root().join("examples/workshop");
+    let mut count = 0;
+    for entry in std::fs::read_dir(&examples).context("cannot read examples/workshop/")? {
+        let path = entry?.path();
+        let name = path.file_stem().and_then(|name| name.to_str()).unwrap_or_default();
+        ensure!(SHEETS.iter().any(|(sheet, ..)| *sheet == name), "no command for {}", path.display());
+        count += 1;
+    }
+    for (name, command, status) in SHEETS {
+        let figure = folder.join("vibration.svg");
+        let mut run = Command::new(program);
+        run.args(["workshop", command]).arg(examples.join(format!("{name}.toml")));
+        if command == "correct" {
+            run.arg("--figure").arg(&figure);
+        }
+        let finished = output(&mut run)?;
+        let said = format!("{}{}", finished.stdout, finished.stderr);
+        ensure!(
+            finished.status == status,
+            "`workshop {command}` of {name} ends with {}:\n{said}",
+            finished.status
+        );
+        ensure!(finished.stderr.is_empty() && !finished.stdout.is_empty(), "{name}: {said}");
+        if command == "correct" {
+            let drawn = std::fs::read_to_string(&figure).context("no figure was written")?;
+            ensure!(drawn.starts_with("<svg"), "the figure of {name} is no SVG");
+            std::fs::remove_file(&figure)?;
+        }
+    }
+    Ok(count)
 }
 
 /// Names of the templates.

@@ -65,7 +65,9 @@ pub struct GradedPlane {
 
 const PURPOSE: &str = "a balance quality grade";
 
-/// What the grade of the sheet allows, and whether the displayed unbalance keeps it.
+/// What the grade of the sheet allows, and whether the measured unbalance keeps it: the displayed one, or that which the
+/// runs show in the planes with trial weights. Runs that do not tell it yet leave it unmeasured; [`correction`](super::correction)
+/// says why.
 ///
 /// ```text
 /// e_per = G/omega        U_per = m G/omega          U_per [g mm] = 9549 G [mm/s] m [kg] / n [rpm]
@@ -81,6 +83,10 @@ const PURPOSE: &str = "a balance quality grade";
 /// # Source
 /// U_per: `[Iso21940]` part 11. Allotment: derived here; book, "Balancing a rotor from measurements".
 pub fn grade(sheet: &Sheet) -> Result<Grade, WorkshopError> {
+    if !sheet.runs.is_empty() {
+        let from_runs = super::correction(sheet).ok().and_then(|found| found.grade_now);
+        return from_runs.map_or_else(|| of_unbalances(sheet, None), Ok);
+    }
     let measured = displayed(&sheet.displays);
     of_unbalances(sheet, (!measured.is_empty()).then_some(measured.as_slice()))
 }

@@ -1,7 +1,7 @@
 //! What to do about the unbalance of a rotor, as tables.
 
 use super::grade::{grade_tables, plain};
-use super::mass::{grams, unbalance};
+use super::mass::{grams, on_rotor};
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::{
@@ -31,14 +31,18 @@ pub fn correction_text(correction: &Correction) -> String {
         out += &table.text();
     }
     if let Some(condition) = correction.runs.as_ref().and_then(|runs| runs.condition) {
-        out += &format!("\ncondition of the influence coefficients: {}\n", plain(condition, 3));
+        out += &format!(
+            "\ncondition of the influence coefficients: {} (1 is best; so many times may the relative error of a reading grow)\n",
+            plain(condition, 3)
+        );
     }
-    for (grade, when) in
-        [(&correction.grade_now, "as it is now"), (&correction.grade_after, "corrected as told")]
-    {
-        let Some(grade) = grade else { continue };
-        let verdict = if grade.kept == Some(true) { "kept" } else { "not kept" };
-        out += &format!("\nG {}, {when}: {verdict}\n", plain(1e3 * grade.grade, 4));
+    if let Some(grade) = &correction.grade_now {
+        let kept = |kept: Option<bool>| if kept == Some(true) { "kept" } else { "not kept" };
+        out += &format!("\nG {}: {} now", plain(1e3 * grade.grade, 4), kept(grade.kept));
+        if let Some(after) = &correction.grade_after {
+            out += &format!(", {} when corrected as told", kept(after.kept));
+        }
+        out += "\n";
         for table in grade_tables(grade) {
             out += "\n";
             out += &table.text();
@@ -64,13 +68,13 @@ fn next_words(correction: &Correction) -> String {
             planes.first().map_or("", String::as_str),
             if planes.len() > 1 { "then the same in each of the other planes" } else { "then read on" }
         ),
-        (NextStep::Correct, Some(false)) => {
-            "next: a limit does not hold yet: make the corrections, run again, and add the run to the sheet"
-                .to_owned()
-        }
-        (NextStep::Correct, _) => {
-            "next: make the corrections, run again, and add the run to the sheet; no limit is stated"
-                .to_owned()
+        (NextStep::Correct, holds) => {
+            let why = if holds == Some(false) { "a limit does not hold yet" } else { "no limit is stated" };
+            let again = match correction.runs {
+                Some(_) => "run again, and add the run to the sheet",
+                None => "and measure again",
+            };
+            format!("next: {why}: make the corrections, {again}")
         }
     }
 }
@@ -80,7 +84,7 @@ fn planes_table(planes: &[PlaneCorrection]) -> Table {
     for plane in planes {
         let action = if plane.action == Action::Add { "add" } else { "remove" };
         let noise = 1e-9 * plane.unbalance.norm();
-        let left = unbalance(plane.left, noise);
+        let left = on_rotor(plane.left, noise);
         if plane.placements.is_empty() {
             let mut row = vec![Cell::text(plane.plane.clone()), Cell::text("nothing")];
             row.extend([Cell::Empty, Cell::Empty, Cell::Empty]);

@@ -1,7 +1,7 @@
 //! Holes to drill, as tables.
 
 use super::grade::{grade_tables, plain};
-use super::mass::unbalance;
+use super::mass::on_rotor;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::Drilling;
 
@@ -83,8 +83,8 @@ fn left_table(drilling: &Drilling) -> Table {
     let rows = drilling.planes.iter().map(|plane| {
         let noise = 1e-9 * plane.wanted.norm();
         let mut row = vec![Cell::text(plane.plane.clone())];
-        row.extend(unbalance(plane.wanted, 0.0));
-        row.extend(unbalance(plane.left, noise));
+        row.extend(on_rotor(plane.wanted, 0.0));
+        row.extend(on_rotor(plane.left, noise));
         row.push(Cell::number(1e6 * plane.tolerance, 3));
         row.push(Cell::text(if plane.kept { "within" } else { "more" }));
         row

@@ -1,5 +1,6 @@
 //! What a balance quality grade allows, as tables.
 
+use super::mass::on_rotor;
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::Grade;
@@ -11,11 +12,10 @@ pub fn grade_tables(grade: &Grade) -> Vec<Table> {
     let row = |name: String, z: f64, permissible: f64, measured: Option<Complex64>, kept: Option<bool>| {
         let mut row = vec![Cell::text(name), Cell::number(1e3 * z, 5), Cell::number(1e6 * permissible, 4)];
         match measured {
-            Some(measured) => row.extend([
-                Cell::number(1e6 * measured.norm(), 4),
-                Cell::Number { value: number::phase_degrees(measured.arg()), decimals: 1 },
-                Cell::text(verdict(kept)),
-            ]),
+            Some(measured) => {
+                row.extend(on_rotor(measured, 1e-9 * permissible));
+                row.push(Cell::text(verdict(kept)));
+            }
             None => row.extend([Cell::Empty, Cell::Empty, Cell::Empty]),
         }
         row
@@ -72,7 +72,7 @@ pub fn grade_text(grade: &Grade) -> String {
         plain(1e6 * grade.eccentricity, 4),
     );
     if let Some(resultant) = grade.resultant {
-        let at = number::plain(number::phase_degrees(resultant.arg()), 1);
+        let at = number::plain(resultant.arg().to_degrees().rem_euclid(360.0), 1);
         out += &format!(
             "resultant of what is measured   {} g mm at {at} deg\n",
             plain(1e6 * resultant.norm(), 4)
@@ -85,7 +85,9 @@ pub fn grade_text(grade: &Grade) -> String {
     out += match grade.kept {
         Some(true) => "\nthe grade is kept\n",
         Some(false) => "\nthe grade is not kept\n",
-        None => "\nnothing is measured: add [[display]] for a verdict\n",
+        None => {
+            "\nnothing is measured yet: add [[display]], or [[run]] with trial weights in planes whose z is given, for a verdict\n"
+        }
     };
     out
 }

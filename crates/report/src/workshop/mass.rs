@@ -15,6 +15,7 @@ pub(super) fn grams(mass: f64) -> Cell {
 }
 
 /// An unbalance [kg m] as g mm and degrees; no angle where there is none above `noise`.
+#[expect(dead_code)]
 pub(super) fn unbalance(value: Complex64, noise: f64) -> [Cell; 2] {
     if value.norm() <= noise {
         return [Cell::Number { value: 0.0, decimals: 0 }, Cell::Empty];
@@ -22,5 +23,17 @@ pub(super) fn unbalance(value: Complex64, noise: f64) -> [Cell; 2] {
     [
         Cell::Number { value: 1e6 * value.norm(), decimals: number::decimals(1e6 * value.norm(), 4) },
         Cell::Number { value: number::phase_degrees(value.arg()), decimals: 1 },
+    ]
+}
+
+/// An unbalance [kg m] as g mm and the angle on the rotor, 0 to 360 degrees; no angle where there is none above `noise`.
+pub(super) fn on_rotor(value: Complex64, noise: f64) -> [Cell; 2] {
+    if value.norm() <= noise {
+        return [Cell::Number { value: 0.0, decimals: 0 }, Cell::Empty];
+    }
+    let degrees = value.arg().to_degrees().rem_euclid(360.0);
+    [
+        Cell::Number { value: 1e6 * value.norm(), decimals: number::decimals(1e6 * value.norm(), 4) },
+        Cell::Number { value: degrees, decimals: 1 },
     ]
 }

@@ -5,13 +5,14 @@ use super::grade::plain;
 use crate::axis::Axis;
 use crate::figure::{Figure, Panel};
 use crate::number;
-use crate::svg::{Anchor, Path, Svg, text_width};
+use crate::svg::{Anchor, Path, Svg, text_width, wrap};
 use lanchester_balance::workshop::{Correction, PlaneCorrection, RunFindings, SAME_SPEED, SensorPrediction};
 use lanchester_model::workshop::{Action, Allowed, Plane, Sense, Sheet};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const WIDTH: f64 = 300.0;
+const HEIGHT: f64 = 338.0;
 const RADIUS: f64 = 104.0;
 const CENTRE: (f64, f64) = (WIDTH / 2.0, 172.0);
 
@@ -83,7 +84,8 @@ impl Dial {
     /// A label beyond the tip of a vector, moved out until it covers no other.
     fn label(&self, svg: &mut Svg, placed: &mut Vec<(f64, f64)>, vector: Complex64, text: &str) {
         let direction = if vector.norm() > 0.0 { vector / vector.norm() } else { Complex64::from(1.0) };
-        let mut distance = vector.norm() * self.scale + 11.0;
+        // Clear of the ring at the centre.
+        let mut distance = (vector.norm() * self.scale + 11.0).max(17.0);
         let half = 0.5 * text_width(text, 12.0);
         let mut at = self.at(direction * (distance / self.scale));
         for _ in 0..8 {
@@ -121,7 +123,7 @@ fn sensor_panel(runs: &RunFindings, sensor: &SensorPrediction) -> Panel {
     let axis = Axis::of(0.0, largest, 4);
     let dial = Dial { scale: RADIUS / axis.high, zero: 0.0, sense: 1.0 };
 
-    let mut svg = Svg::new(WIDTH, 320.0);
+    let mut svg = Svg::new(WIDTH, HEIGHT);
     svg.name("strong", (WIDTH / 2.0, 16.0), Anchor::Middle, &sensor.sensor);
     let rpm = number::fixed(sensor.speed * 60.0 / TAU, 0);
     svg.text("muted small", (WIDTH / 2.0, 33.0), Anchor::Middle, &format!("{rpm} rpm, {unit}"));
@@ -148,15 +150,40 @@ fn sensor_panel(runs: &RunFindings, sensor: &SensorPrediction) -> Panel {
             dial.label(&mut svg, &mut placed, after, "after");
         }
     }
+    let ray = free_ray(measured.iter().map(|(_, vector)| *vector).chain(after));
     for tick in axis.ticks.iter().filter(|tick| **tick > 0.0) {
-        // Between the rays, where vectors seldom end.
-        let at = dial.rim(-FRAC_PI_2 / 4.0, tick * dial.scale);
+        let at = dial.rim(ray, tick * dial.scale);
         svg.text("muted small halo", at, Anchor::Middle, &number::fixed(*tick, axis.decimals));
     }
     let now = format!("{} {unit}", plain(factor * sensor.now.amplitude, 3));
     let then = after.map_or(String::new(), |after| format!(", after {} {unit}", plain(after.norm(), 3)));
-    svg.text("strong", (WIDTH / 2.0, 312.0), Anchor::Middle, &format!("now {now}{then}"));
+    foot(&mut svg, &format!("now {now}{then}"));
     Panel::new(svg, format!("Sensor {} at {rpm} rpm: now {now}{then}.", sensor.sensor))
+}
+
+/// What a drawing says, in at most two lines below it.
+fn foot(svg: &mut Svg, text: &str) {
+    for (index, line) in wrap(text, 13.5, WIDTH).iter().take(2).enumerate() {
+        svg.text("strong", (WIDTH / 2.0, 315.0 + 16.0 * index as f64), Anchor::Middle, line);
+    }
+}
+
+/// The direction between the quarters that is farthest from every vector, for the labels of the circles.
+fn free_ray(vectors: impl Iterator<Item = Complex64>) -> f64 {
+    let directions: Vec<f64> = vectors.filter(|vector| vector.norm() > 0.0).map(Complex64::arg).collect();
+    let room = |ray: f64| {
+        directions
+            .iter()
+            .map(|direction| {
+                let turn = (ray - direction).rem_euclid(TAU);
+                turn.min(TAU - turn)
+            })
+            .fold(PI, f64::min)
+    };
+    (0..8)
+        .map(|k| (f64::from(k) + 0.5) * PI / 4.0)
+        .max_by(|a, b| room(*a).total_cmp(&room(*b)))
+        .unwrap_or(0.0)
 }
 
 fn plane_panel(plane: &Plane, correction: &PlaneCorrection, marks: Sense, rotation: Option<Sense>) -> Panel {
@@ -164,7 +191,7 @@ fn plane_panel(plane: &Plane, correction: &PlaneCorrection, marks: Sense, rotati
     let disc = 0.86 * RADIUS;
     let sense = if marks == Sense::Anticlockwise { 1.0 } else { -1.0 };
     let dial = Dial { scale: 0.8 * disc / largest.max(f64::MIN_POSITIVE), zero: FRAC_PI_2, sense };
-    let mut svg = Svg::new(WIDTH, 320.0);
+    let mut svg = Svg::new(WIDTH, HEIGHT);
     svg.name("strong", (WIDTH / 2.0, 16.0), Anchor::Middle, &plane.name);
     svg.text("muted small", (WIDTH / 2.0, 33.0), Anchor::Middle, "rotor");
     dial.degrees(&mut svg);
@@ -206,6 +233,6 @@ fn plane_panel(plane: &Plane, correction: &PlaneCorrection, marks: Sense, rotati
     svg.circle("dot", CENTRE, 2.5);
     let told =
         if words.is_empty() { "nothing to do".to_owned() } else { format!("{verb} {}", words.join(", ")) };
-    svg.text("strong", (WIDTH / 2.0, 312.0), Anchor::Middle, &told);
+    foot(&mut svg, &told);
     Panel::new(svg, format!("Plane {}: {told}.", plane.name))
 }
