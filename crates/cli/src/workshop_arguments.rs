@@ -16,8 +16,9 @@ pub struct WorkshopArguments {
     pub command: WorkshopCommand,
 }
 
-/// The commands of the workshop.
+/// The commands of the workshop. One is made in the life of the program: its size does not matter.
 #[derive(Debug, Subcommand)]
+#[allow(clippy::large_enum_variant)]
 pub enum WorkshopCommand {
     /// Balance factor of every throw by every definition, and the first-order force that it leaves.
     #[command(

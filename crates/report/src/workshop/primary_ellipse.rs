@@ -16,10 +16,13 @@ const RADIUS: f64 = 150.0;
 /// Shares of the reciprocating mass that are drawn beside the one in question.
 const SHARES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
+/// A throw, the square of its speed [rad²/s²], and its ellipse for each share.
+type Drawn<'a> = (&'a ThrowFactor, f64, Vec<(f64, PrimaryEllipse)>);
+
 /// First-order force of each throw for several balance factors; throws that look alike are drawn once. `None` where
 /// nothing reciprocates.
 pub fn primary_ellipse_figure(answer: &FactorAnswer) -> Option<Figure> {
-    let drawn: Vec<(&ThrowFactor, f64, Vec<(f64, PrimaryEllipse)>)> = answer
+    let drawn: Vec<Drawn<'_>> = answer
         .throws
         .iter()
         .enumerate()
