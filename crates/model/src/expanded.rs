@@ -264,12 +264,12 @@ fn quantity(value: f64, dimension: Dimension) -> String {
     format!("\"{}\"", exact_text(value, dimension))
 }
 
-fn ratio(ratio: Ratio) -> String {
+pub(crate) fn ratio(ratio: Ratio) -> String {
     if ratio.denominator() == 1 { ratio.to_string() } else { format!("\"{ratio}\"") }
 }
 
 /// A TOML basic string.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {

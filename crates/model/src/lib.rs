@@ -52,6 +52,7 @@ mod schema;
 mod task;
 mod template;
 pub mod workshop;
+mod write_back;
 
 pub use codes::diagnostic_codes;
 pub use criterion::{criterion, criterion_name, criterion_unit};
@@ -64,3 +65,4 @@ pub use read::{Reading, read};
 pub use schema::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
 pub use task::*;
 pub use template::{Template, nearest_template, template, templates};
+pub use write_back::{WriteBackError, difference, write_back};

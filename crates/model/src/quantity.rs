@@ -3,6 +3,10 @@
 //! A power of ten is applied to the decimal text before it becomes a binary number, so `"144 mm"` and `"0.144 m"`
 //! are the same number, and writing back in millimetres or grams loses nothing.
 
+mod rewrite;
+
+pub(crate) use rewrite::rewritten;
+
 use crate::nearest::nearest;
 use std::f64::consts::PI;
 

@@ -38,6 +38,11 @@ pub struct Reading {
 /// All mistakes are found at once. Nothing in the file is ignored: every key has an effect or a diagnostic. No text
 /// makes this panic.
 pub fn read(text: &str) -> Reading {
+    read_with_origin(text).0
+}
+
+/// As [`read`], with the z of the reference plane in the file [m], if there is an engine.
+pub(crate) fn read_with_origin(text: &str) -> (Reading, Option<f64>) {
     let mut mistakes = Mistakes::default();
     let document = document::parse(text, &FILE, &mut mistakes);
     let mut reader = Reader { root: &document.root, whole: document.whole, mistakes: &mut mistakes };
@@ -46,8 +51,8 @@ pub fn read(text: &str) -> Reading {
         reader.report_unused();
     }
     debug_assert!(engine.is_some() || mistakes.any_error(), "a file without an engine has an error");
-    let engine = engine.filter(|_| !mistakes.any_error());
-    Reading { engine, diagnostics: mistakes.into_diagnostics(text) }
+    let (engine, origin) = engine.filter(|_| !mistakes.any_error()).unzip();
+    (Reading { engine, diagnostics: mistakes.into_diagnostics(text) }, origin)
 }
 
 /// Tables whose keys hold for many parts: a key of them that no part needs is a doubt, not a mistake.
@@ -62,7 +67,8 @@ pub(crate) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    fn engine(&mut self) -> Option<Engine> {
+    /// The engine, and the z of its reference plane in the file.
+    fn engine(&mut self) -> Option<(Engine, f64)> {
         let root = self.root;
         // A file of version 1 is the only one there is: the kind of the key has checked it.
         let version = root.whole("version");
@@ -147,7 +153,7 @@ impl<'a> Reader<'a> {
             cylinder.firing_angle = angle;
         }
         engine.balance = self.balance_task(balance?, &engine, origin)?;
-        Some(engine)
+        Some((engine, origin))
     }
 
     fn speed(&mut self) -> Option<SpeedRange> {

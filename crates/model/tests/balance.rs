@@ -4,6 +4,7 @@ use lanchester_model::{
     BalanceTask, Criterion, Engine, Load, Phase, Place, Ratio, Seat, Severity, default_task, expanded,
     json_schema, read, render, templates,
 };
+use proptest::prelude::*;
 use std::f64::consts::PI;
 
 fn template(name: &str) -> &'static str {
@@ -231,5 +232,96 @@ fn the_schema_knows_the_section() {
         serde_json::json!({ "inertia": [{ "ratio": 0, "crank_inertia": "0.2 kg m2" }] }),
     ] {
         assert!(!schema.is_valid(&file(bad.clone())), "{bad}");
+    }
+}
+
+/// Every key of the section once, on an engine with mounts and two crankshafts.
+const EVERYTHING: &str = r#"
+[[mount]]
+name = "front"
+x = "0 mm"
+y = "0 mm"
+z = "-88 mm"
+[balance]
+minimise = ["force", { couple = "10 N m", "mount force front order 1/2" = "40 N" }, "mount force"]
+limits = { "roll moment" = "5 N m", "added mass" = "2 kg" }
+most_optional = 2
+[[balance.counterweight]]
+name = "front"
+throw = 4
+angle = "181 deg"
+least = "0.01 kg m"
+most = "0.1 kg m"
+radius = "60 mm"
+[[balance.counterweight]]
+z = ["-50 mm", "40 mm"]
+crankshaft = 2
+line = "17 deg"
+most = "0.1 lb in"
+optional = true
+radius = "6 cm"
+[[balance.counterweight]]
+z = "55 mm"
+crankshaft = 2
+mirrored_to = "front"
+factor = -0.75
+radius = "6 cm"
+[[balance.shaft]]
+name = "lower"
+ratio = "-1/2"
+x = ["180 mm", "190 mm"]
+y = "1000 mm"
+optional = true
+[[balance.shaft.weights]]
+z = "0 mm"
+phase = "10 deg"
+unbalance = "100 g mm"
+radius = "10 mm"
+[[balance.shaft.weights]]
+z = "20 mm"
+opposed_to = "lower 1"
+radius = "10 mm"
+[[balance.inertia]]
+ratio = 2.5
+crank_inertia = "0.2 kg m2"
+most = "0.1 kg m2"
+"#;
+
+#[test]
+fn everything_at_once() {
+    let task = task("opposed-piston-3", EVERYTHING);
+    assert_eq!((task.weights.len(), task.ties.len(), task.limits.len()), (5, 2, 2));
+}
+
+proptest! {
+    #[test]
+    fn prop_mutated_sections_are_survived(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>(), 0..6, "[ -~é]{0,8}"), 1..4),
+    ) {
+        let mut lines: Vec<String> = EVERYTHING.lines().map(str::to_string).collect();
+        for (one, other, kind, rubbish) in edits {
+            let (one, other) = (one.index(lines.len()), other.index(lines.len()));
+            match kind {
+                0 => lines.swap(one, other),
+                1 => drop(lines.remove(one)),
+                2 => lines.insert(one, lines[other].clone()),
+                3 => lines[one] = rubbish,
+                _ => {
+                    let value = lines[other].split_once('=').map_or(String::new(), |(_, value)| value.to_string());
+                    if let Some((key, _)) = lines[one].clone().split_once('=') {
+                        lines[one] = format!("{key}={value}");
+                    }
+                }
+            }
+        }
+        let text = format!("{}{}", template("opposed-piston-3"), lines.join("\n"));
+        let reading = read(&text);
+        let has_error = reading.diagnostics.iter().any(|d| d.severity == Severity::Error);
+        prop_assert_eq!(reading.engine.is_none(), has_error);
+        render(&reading.diagnostics, "e.toml", &text, true);
+        if let Some(engine) = reading.engine {
+            let printed = expanded(&engine);
+            prop_assert_eq!(read(&printed).engine, Some(engine), "{}", printed);
+        }
     }
 }

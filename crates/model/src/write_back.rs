@@ -1,0 +1,130 @@
+//! Weights and shafts that were found, written into the text of the engine file.
+//!
+//! The text is changed in pieces at the places that the parser gives; what is not changed stays byte for byte
+//! (decision 12 says why no editing library does it).
+
+mod amount;
+mod counterweights;
+mod difference;
+mod entry;
+mod shafts;
+mod splice;
+
+use crate::diagnostic::Diagnostic;
+use crate::engine::Engine;
+use crate::quantity::{Dimension, parse};
+use crate::read::{read, read_with_origin};
+use amount::{Units, same_amount};
+use counterweights::CounterweightWriter;
+pub use difference::difference;
+use entry::{Entry, List};
+use shafts::ShaftWriter;
+use splice::Splices;
+
+/// Why nothing was written.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum WriteBackError {
+    /// The file itself cannot be read.
+    #[error("the engine file has mistakes")]
+    File(Vec<Diagnostic>),
+    /// The file would not be an engine file any more: too many weights, or one that no file may hold.
+    #[error("the weights cannot stand in an engine file")]
+    Weights {
+        /// What the file would be.
+        text: String,
+        /// Its mistakes.
+        diagnostics: Vec<Diagnostic>,
+    },
+}
+
+/// The text of an engine file with the counterweights and shafts of `fitted`, which else is the engine of the file.
+///
+/// An entry of the same name is changed in place: only values that differ, in the unit and the spelling that they have;
+/// its comments, the order of its keys and their spacing stay. A weight or shaft that the file does not have comes behind
+/// the last of its kind, or at the end; one that `fitted` does not have goes, its comments stay. The short form
+/// `[counterweights]` gives way to `[[counterweight]]` in its place if any weight that it makes is changed. What is not
+/// changed stays byte for byte.
+///
+/// Reading the new text gives the weights of `fitted`, in the order of the file: amounts and places to 1e-11 of their
+/// size, directions to 1e-11 rad and up to whole turns (of a weight of 0: any), so that every load is the same to 1e-9 of the
+/// unbalanced one.
+///
+/// # Errors
+/// [`WriteBackError`] if the text is no engine file, or would be none with these weights.
+pub fn write_back(text: &str, fitted: &Engine) -> Result<String, WriteBackError> {
+    let (reading, origin) = read_with_origin(text);
+    let (Some(engine), Some(origin)) = (reading.engine, origin) else {
+        return Err(WriteBackError::File(reading.diagnostics));
+    };
+    let arena = toml_spanner::Arena::new();
+    let document = toml_spanner::parse_recoverable(text, &arena);
+    let root = document.table();
+    let mut splices = Splices::new(text);
+    let units = Units::new(root.as_item());
+    // A file that was read has lists of tables here, or nothing.
+    if let (Some(weights), Some(shafts)) = (List::of(root.get("counterweight")), List::of(root.get("shaft")))
+    {
+        let writer = CounterweightWriter { engine: &engine, origin, units: &units };
+        writer.write(root, &weights, &fitted.counterweights, &mut splices);
+        let writer = ShaftWriter { engine: &engine, origin, units: &units };
+        writer.write(&shafts, &fitted.shafts, &mut splices);
+    }
+    let text = splices.apply();
+    let reading = read(&text);
+    match reading.engine {
+        Some(_) => Ok(text),
+        None => Err(WriteBackError::Weights { text, diagnostics: reading.diagnostics }),
+    }
+}
+
+/// For each part that is there the one that it becomes, by its name; of several of one name first those that are the
+/// same already.
+fn matches<T>(
+    there: &[T],
+    wanted: &[T],
+    same_name: impl Fn(&T, &T) -> bool,
+    same: impl Fn(&T, &T) -> bool,
+) -> Vec<Option<usize>> {
+    let mut found: Vec<Option<usize>> = vec![None; there.len()];
+    let mut is_taken = vec![false; wanted.len()];
+    for must_be_same in [true, false] {
+        for (part, found) in there.iter().zip(&mut found) {
+            if found.is_some() {
+                continue;
+            }
+            let is_match = |target: &usize| {
+                let other = &wanted[*target];
+                !is_taken[*target] && same_name(part, other) && (!must_be_same || same(part, other))
+            };
+            *found = (0..wanted.len()).find(is_match);
+            if let Some(target) = *found {
+                is_taken[target] = true;
+            }
+        }
+    }
+    found
+}
+
+/// Sets the unbalance of a weight; mass and radius stay mass and radius if they can.
+fn set_unbalance(entry: Entry<'_>, unbalance: f64, units: &Units<'_>, splices: &mut Splices<'_>) {
+    let fits = |read: f64| same_amount(read, unbalance);
+    let radius = entry.text("radius").and_then(|text| parse(text, Dimension::Length, "").ok());
+    match radius {
+        Some(radius) if radius > 0.0 => {
+            let fits = |mass: f64| same_amount(mass * radius, unbalance);
+            let value = units.value(entry, "mass", unbalance / radius, Dimension::Mass, fits, splices);
+            entry.set("mass", &value, &[], splices);
+        }
+        Some(_) => {
+            // At the radius 0 no mass has any unbalance.
+            let value = units.new_value("unbalance", unbalance, Dimension::Unbalance, fits);
+            entry.exchange("mass", "unbalance", &value, splices);
+            entry.unset("radius", splices);
+        }
+        None => {
+            let value = units.value(entry, "unbalance", unbalance, Dimension::Unbalance, fits, splices);
+            entry.set("unbalance", &value, &[], splices);
+        }
+    }
+}

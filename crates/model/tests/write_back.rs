@@ -1,0 +1,511 @@
+//! Weights that were found, written back into the text of the engine file.
+
+use lanchester_model::{
+    BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight, WriteBackError, difference, expanded, read,
+    render, templates, write_back,
+};
+use proptest::prelude::*;
+use std::f64::consts::{PI, TAU};
+
+fn engine(text: &str) -> Engine {
+    let reading = read(text);
+    reading
+        .engine
+        .unwrap_or_else(|| panic!("{}\n{text}", render(&reading.diagnostics, "e.toml", text, false)))
+}
+
+fn template(name: &str) -> &'static str {
+    templates().iter().find(|template| template.name == name).unwrap_or_else(|| panic!("no {name}")).text
+}
+
+fn near(a: f64, b: f64, absolute: f64) -> bool {
+    (a - b).abs() <= (1e-11 * b.abs()).max(absolute)
+}
+
+fn same_direction(a: f64, b: f64, amount: f64) -> bool {
+    amount == 0.0 || ((a - b + PI).rem_euclid(TAU) - PI).abs() < 2e-11
+}
+
+fn same_weight(a: &Counterweight, b: &Counterweight) -> bool {
+    a.name == b.name
+        && a.crankshaft == b.crankshaft
+        && near(a.z, b.z, 2e-13)
+        && near(a.unbalance, b.unbalance, 0.0)
+        && same_direction(a.angle, b.angle, b.unbalance)
+}
+
+fn same_shaft(a: &BalanceShaft, b: &BalanceShaft) -> bool {
+    let same_weight = |(a, b): (&ShaftWeight, &ShaftWeight)| {
+        near(a.z, b.z, 2e-13)
+            && near(a.unbalance, b.unbalance, 0.0)
+            && same_direction(a.phase, b.phase, b.unbalance)
+    };
+    (&a.name, a.ratio) == (&b.name, b.ratio)
+        && near(a.x, b.x, 2e-13)
+        && near(a.y, b.y, 2e-13)
+        && a.weights.len() == b.weights.len()
+        && a.weights.iter().zip(&b.weights).all(same_weight)
+}
+
+/// Whether every part of one list has its like in the other.
+fn same_parts<T>(a: &[T], b: &[T], same: impl Fn(&T, &T) -> bool) -> bool {
+    let mut left: Vec<&T> = b.iter().collect();
+    a.len() == b.len()
+        && a.iter().all(|part| match left.iter().position(|other| same(part, other)) {
+            Some(place) => {
+                left.remove(place);
+                true
+            }
+            None => false,
+        })
+}
+
+/// The new text reads as the fitted engine, comments are all there, and the rest of the file is what it was.
+fn check(text: &str, fitted: &Engine) -> Result<String, String> {
+    let new = write_back(text, fitted).map_err(|error| format!("{error}: {error:?}"))?;
+    let read = engine(&new);
+    let shown = || difference(text, &new, "e.toml");
+    if !same_parts(&read.counterweights, &fitted.counterweights, same_weight) {
+        return Err(format!("{}\n{:#?}\n{:#?}", shown(), read.counterweights, fitted.counterweights));
+    }
+    if !same_parts(&read.shafts, &fitted.shafts, same_shaft) {
+        return Err(format!("{}\n{:#?}\n{:#?}", shown(), read.shafts, fitted.shafts));
+    }
+    let rest =
+        |engine: Engine| Engine { counterweights: Vec::new(), shafts: Vec::new(), balance: None, ..engine };
+    if rest(read) != rest(engine(text)) {
+        return Err(format!("the rest of the engine changed: {}", shown()));
+    }
+    if comments(text) != comments(&new) {
+        return Err(format!("comments: {}", shown()));
+    }
+    if other_lines(text) != other_lines(&new) {
+        return Err(format!("other lines: {}", shown()));
+    }
+    let lone = |text: &str| text.matches('\n').count() - text.matches("\r\n").count();
+    if text.contains("\r\n") && lone(&new) > lone(text) {
+        return Err(format!("line ends: {new:?}"));
+    }
+    // Writing once more changes nothing.
+    match write_back(&new, &engine(&new)) {
+        Ok(again) if again == new => Ok(new),
+        other => Err(format!("not at rest: {other:?}")),
+    }
+}
+
+/// What stands behind a `#` that no text holds: the texts here hold none.
+fn comments(text: &str) -> Vec<&str> {
+    let mut found: Vec<&str> =
+        text.lines().filter_map(|line| line.split_once('#')).map(|(_, comment)| comment.trim()).collect();
+    found.sort_unstable();
+    found
+}
+
+/// Lines outside the tables of weights and shafts, without empty ones and comments.
+fn other_lines(text: &str) -> Vec<&str> {
+    let mut is_ours = false;
+    let mut lines = Vec::new();
+    for line in text.lines() {
+        let bare = line.trim_start_matches('\u{feff}').trim_start();
+        if bare.starts_with('[') && !bare.starts_with("[ {") {
+            is_ours = ["[counterweights]", "[[counterweight]]", "[[shaft"]
+                .iter()
+                .any(|ours| bare.starts_with(ours));
+        }
+        // Without headers of their own; the exact texts of these are in the tests.
+        let is_value = ["counterweight", "shaft", "{ web"].iter().any(|ours| bare.starts_with(ours));
+        if !is_ours && !is_value && !bare.is_empty() && !bare.starts_with('#') {
+            lines.push(line.trim_end());
+        }
+    }
+    lines
+}
+
+/// The text in other clothes: the same engine.
+fn dressed(text: &str, dress: usize) -> String {
+    match dress {
+        0 => text.to_string(),
+        1 => text.replace('\n', "\r\n"),
+        2 => text.trim_end().to_string(),
+        3 => format!("\u{feff}{text}"),
+        4 => text
+            .lines()
+            .enumerate()
+            .map(|(number, line)| format!("# above {number}\n{line}  # behind {number}\n"))
+            .collect(),
+        5 => expanded(&engine(text)),
+        6 => format!("{}# the end", expanded(&engine(text)).replace('\n', "\r\n")),
+        _ => format!("{text}\n[balance]\nminimise = [\"force\"]  # last\n"),
+    }
+}
+const DRESSES: usize = 8;
+
+#[test]
+fn the_comparison_sees_small_differences() {
+    let weight = Counterweight { name: "n".into(), crankshaft: 0, z: 0.1, unbalance: 0.02, angle: 1.0 };
+    for other in [
+        Counterweight { z: 0.1 + 1e-11, ..weight.clone() },
+        Counterweight { unbalance: 0.02 * (1.0 + 1e-10), ..weight.clone() },
+        Counterweight { angle: 1.0 + 1e-10, ..weight.clone() },
+        Counterweight { name: "m".into(), ..weight.clone() },
+    ] {
+        assert!(!same_weight(&weight, &other), "{other:?}");
+    }
+    assert!(same_weight(&weight, &Counterweight { angle: 1.0 - TAU, ..weight.clone() }));
+    assert_ne!(comments("a # b"), comments("a"));
+    assert_ne!(other_lines("[rod]\na = 1"), other_lines("[rod]\na = 2"));
+}
+
+#[test]
+fn what_is_not_changed_is_not_touched() {
+    for template in templates() {
+        for dress in 0..DRESSES {
+            let text = dressed(template.text, dress);
+            assert_eq!(write_back(&text, &engine(&text)).as_ref(), Ok(&text), "{} {dress}", template.name);
+        }
+    }
+}
+
+#[test]
+fn every_template_takes_other_weights_and_shafts() {
+    for template in templates() {
+        for dress in 0..DRESSES {
+            let text = dressed(template.text, dress);
+            let mut fitted = engine(&text);
+            for (k, weight) in fitted.counterweights.iter_mut().enumerate() {
+                weight.unbalance *= 1.1 + 0.01 * k as f64;
+                weight.angle += 0.3;
+            }
+            for weight in fitted.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights) {
+                weight.unbalance *= PI;
+                weight.phase -= 0.1;
+            }
+            fitted.counterweights.push(Counterweight {
+                name: "flywheel".into(),
+                crankshaft: fitted.crankshafts.len() - 1,
+                z: 0.123,
+                unbalance: 1.0 / 3000.0,
+                angle: -1.0,
+            });
+            let weights = vec![
+                ShaftWeight { z: -0.05, unbalance: 0.0123456789012, phase: 2.0 },
+                ShaftWeight { z: 0.05, unbalance: 0.01, phase: 0.0 },
+            ];
+            let ratio = Ratio::new(-1, 2).expect("no 0");
+            fitted.shafts.push(BalanceShaft { name: "new".into(), ratio, x: 0.1, y: -0.2, weights });
+            if let Err(problem) = check(&text, &fitted) {
+                panic!("{} in dress {dress}: {problem}", template.name);
+            }
+            // And none at all.
+            (fitted.counterweights, fitted.shafts) = (Vec::new(), Vec::new());
+            if let Err(problem) = check(&text, &fitted) {
+                panic!("{} in dress {dress}, bare: {problem}", template.name);
+            }
+        }
+    }
+}
+
+const HEAD: &str = r#"name = "Twin"
+speed = "3000 rpm"
+crank = { stroke = "60 mm", web_distance = "30 mm" }
+piston.mass = "0.3 kg"
+rod = { length = "110 mm", mass = "0.3 kg" }
+layout = { type = "in-line", cylinders = 2, spacing = "80 mm", crank_angles = ["0 deg", "180 deg"] }
+"#;
+
+/// The file with its weights changed, behind the head.
+fn rewritten(tail: &str, change: impl Fn(&mut Engine)) -> String {
+    let text = format!("{HEAD}{tail}");
+    let mut fitted = engine(&text);
+    change(&mut fitted);
+    match check(&text, &fitted) {
+        Ok(new) => new.strip_prefix(HEAD).unwrap_or_else(|| panic!("{new}")).to_string(),
+        Err(problem) => panic!("{problem}"),
+    }
+}
+
+#[test]
+fn values_keep_their_unit_spelling_quotes_and_comments() {
+    let tail = "
+[[counterweight]]   # the first
+  name   = 'front'  # its name
+  web = 1
+  unbalance=\"500 g mm\"# was measured
+  angle = '170.0deg'
+
+# between
+[[counterweight]]
+z = \"1.5 in\"
+mass = \"0.4 kg\" # from the drawing
+radius = \"50 mm\"
+";
+    let new = rewritten(tail, |engine| {
+        engine.counterweights[0].unbalance = 0.00075;
+        engine.counterweights[0].angle += 5_f64.to_radians();
+        engine.counterweights[1].unbalance = 0.03;
+        engine.counterweights[1].z = 0.0508;
+        engine.counterweights[1].angle = PI;
+    });
+    let wanted = tail
+        .replace("500 g mm", "750 g mm")
+        .replace("170.0deg", "175deg")
+        .replace("0.4 kg", "0.6 kg")
+        .replace("1.5 in", "2 in")
+        .replace("# from the drawing\n", "# from the drawing\nangle = \"180deg\"\n");
+    assert_eq!(new, wanted);
+}
+
+#[test]
+fn the_short_form_gives_way_to_what_it_made() {
+    let tail = "
+[counterweights]  # half of it
+rotating_share = \"100 %\"
+# and of the pistons
+reciprocating_share = \"50 %\"  # by custom
+
+[[mount]]
+x = \"0 mm\"
+y = \"0 mm\"
+z = \"0 mm\"
+";
+    let new = rewritten(tail, |engine| {
+        engine.counterweights[0].unbalance = 0.025;
+        engine.counterweights[1].unbalance = 0.02;
+        engine.counterweights[1].angle = 0.5_f64.to_radians();
+    });
+    let wanted = "
+# half of it
+# and of the pistons
+# by custom
+[[counterweight]]
+throw = 1
+unbalance = \"0.025 kg m\"
+
+[[counterweight]]
+throw = 2
+unbalance = \"0.02 kg m\"
+angle = \"180.5 deg\"
+
+[[mount]]
+x = \"0 mm\"
+y = \"0 mm\"
+z = \"0 mm\"
+";
+    assert_eq!(new, wanted);
+    // In one line, and in dotted keys.
+    for short in [
+        "counterweights = { rotating_share = \"100 %\" }  # short\n",
+        "counterweights.rotating_share = \"100 %\"  # short\ncounterweights.at = \"webs\"\n",
+    ] {
+        let new =
+            rewritten(&format!("{short}[[mount]]\nx = \"0 mm\"\ny = \"0 mm\"\nz = \"0 mm\"\n"), |engine| {
+                engine.counterweights[0].unbalance *= 2.0;
+            });
+        assert!(new.starts_with("# short\n[[mount]]") && !new.contains("share"), "{new}");
+    }
+}
+
+#[test]
+fn the_short_form_stays_if_nothing_that_it_makes_changes() {
+    let tail = "[counterweights]\nrotating_share = \"100 %\"\n[[counterweight]]\nz = \"60 mm\"\nunbalance = \"1 g cm\"\n";
+    let new = rewritten(tail, |engine| engine.counterweights[2].unbalance = 5e-5);
+    assert_eq!(new, tail.replace("1 g cm", "5 g cm"));
+}
+
+#[test]
+fn unnamed_entries_keep_the_names_that_they_had() {
+    let one = |z: &str| format!("[[counterweight]]\nz = \"{z}\"\nunbalance = \"1 g cm\"\n\n");
+    let tail = format!(
+        "[[shaft]]\nratio = 1\nweights = []\n[[shaft]] # second\nratio = -1\nweights = []\n{}{}",
+        one("1 mm"),
+        one("2 mm")
+    );
+    let new = rewritten(&tail, |engine| {
+        engine.counterweights.remove(0);
+        engine.shafts.remove(0);
+    });
+    assert_eq!(
+        new,
+        "[[shaft]] # second\nratio = -1\nname = \"shaft 2\"\nweights = []\n\n\
+         [[counterweight]]\nz = \"2 mm\"\nname = \"weight 2\"\nunbalance = \"1 g cm\"\n\n"
+    );
+}
+
+#[test]
+fn lists_in_brackets_stay_lists_in_brackets() {
+    let weight = |name: &str, web: usize| Counterweight {
+        name: name.into(),
+        crankshaft: 0,
+        z: 0.04 * if web < 3 { -1.0 } else { 1.0 } + 0.015 * if web % 2 == 1 { -1.0 } else { 1.0 },
+        unbalance: 0.002,
+        angle: if web < 3 { PI } else { 0.0 },
+    };
+    let tail = "counterweight = [
+    { web = 1, unbalance = \"1 g cm\" }, # one
+    { web = 2, unbalance = \"1 g cm\", angle = \"10 deg\" } # two
+] # all
+shaft = [{ ratio = 2, y = \"1 cm\", weights = [{ z = \"0 mm\", mass = \"1 g\", radius = \"0 mm\" }] }]
+";
+    let new = rewritten(tail, |engine| {
+        engine.counterweights[0].angle += 0.5_f64.to_radians();
+        engine.counterweights.push(weight("web 3", 3));
+        engine.shafts[0].weights[0].unbalance = 0.01;
+        engine.shafts[0].weights.push(ShaftWeight { z: 0.01, unbalance: 0.02, phase: PI });
+        engine.shafts.push(BalanceShaft {
+            name: "other".into(),
+            ratio: Ratio::whole(-2).expect("no 0"),
+            x: 0.0,
+            y: -0.01,
+            weights: vec![ShaftWeight { z: 0.01, unbalance: 0.02, phase: PI }; 2],
+        });
+    });
+    let wanted = "counterweight = [
+    { web = 1, unbalance = \"1 g cm\", angle = \"180.5 deg\" }, # one
+    { web = 2, unbalance = \"1 g cm\", angle = \"10 deg\" }, # two
+    { web = 3, unbalance = \"200 g cm\" },
+] # all
+shaft = [{ ratio = 2, y = \"1 cm\", weights = [{ z = \"0 mm\", unbalance = \"1000 g cm\" }, { z = \"10 mm\", unbalance = \"2000 g cm\", phase = \"180 deg\" }] }, { name = \"other\", ratio = -2, x = \"0 mm\", y = \"-1 cm\", weights = [{ z = \"10 mm\", unbalance = \"2000 g cm\", phase = \"180 deg\" }, { z = \"10 mm\", unbalance = \"2000 g cm\", phase = \"180 deg\" }] }]
+";
+    assert_eq!(new, wanted);
+    let new = rewritten(tail, |engine| {
+        engine.counterweights.pop();
+        engine.shafts[0].weights.clear();
+    });
+    assert!(new.contains("# one\n    # two\n] # all") && new.contains("weights = [] }]"), "{new}");
+    let new = rewritten(tail, |engine| drop(engine.counterweights.remove(0)));
+    assert!(new.contains("[\n    # one\n    { web = 2"), "{new}");
+}
+
+#[test]
+fn weights_of_shafts_with_headers_of_their_own() {
+    let tail = "[[shaft]]
+name = \"a\"
+ratio = -1
+  [[shaft.weights]] # first
+  z = \"0 mm\"
+  unbalance = \"1 oz in\"
+  [[shaft.weights]]
+  z = \"1 in\"
+  unbalance = \"1 oz in\" # of the second
+# parted
+[[mount]]
+x = \"0 mm\"
+y = \"0 mm\"
+z = \"0 mm\"
+[[shaft]]
+name = \"b\"
+ratio = 1
+weights = [
+    # none yet
+]";
+    let ounce_inch = 0.453_592_37 / 16.0 * 0.0254;
+    let new = rewritten(tail, |engine| {
+        engine.shafts[0].weights[1].unbalance = 2.0 * ounce_inch;
+        engine.shafts[0].weights.push(ShaftWeight { z: 0.0254, unbalance: 3.0 * ounce_inch, phase: 0.0 });
+        engine.shafts[1].weights.push(ShaftWeight { z: 0.0, unbalance: ounce_inch, phase: 0.0 });
+    });
+    assert!(
+        new.contains("unbalance = \"2 oz in\" # of the second\n\n[[shaft.weights]]\nz = \"25.4 mm\""),
+        "{new}"
+    );
+    assert!(new.contains("unbalance = \"3 oz in\""), "{new}");
+    let new = rewritten(tail, |engine| engine.shafts[0].weights.truncate(1));
+    assert!(new.contains("  # of the second\n# parted"), "{new}");
+    let new = rewritten(tail, |engine| drop(engine.shafts.remove(0)));
+    assert!(
+        new.starts_with("# first\n# of the second\n# parted\n[[mount]]")
+            || new.contains("# of the second\n# parted\n[[mount]]"),
+        "{new}"
+    );
+}
+
+#[test]
+fn a_weight_moves_to_another_plane_or_crankshaft() {
+    let tail = "[[counterweight]]\nweb = 1 # on a web\nunbalance = \"1 g cm\"\n";
+    let new = rewritten(tail, |engine| {
+        engine.counterweights[0].z = 0.1;
+        engine.counterweights[0].angle = 10_f64.to_radians();
+    });
+    assert_eq!(
+        new,
+        "[[counterweight]]\nz = \"100 mm\" # on a web\nname = \"web 1\"\nunbalance = \"1 g cm\"\nangle = \"10 deg\"\n"
+    );
+    let text = template("opposed-piston-3");
+    let mut fitted = engine(text);
+    fitted.counterweights.push(Counterweight {
+        name: "over there".into(),
+        crankshaft: 1,
+        z: 0.3,
+        unbalance: 0.01,
+        angle: 1.0,
+    });
+    let new = check(text, &fitted).unwrap_or_else(|problem| panic!("{problem}"));
+    let mut fitted = engine(&new);
+    fitted.counterweights.last_mut().expect("it is there").crankshaft = 0;
+    let back = check(&new, &fitted).unwrap_or_else(|problem| panic!("{problem}"));
+    assert!(
+        new.contains("crankshaft = 2\nz = \"300 mm\"") && back.contains("crankshaft = 1\nz = \"300 mm\"")
+    );
+}
+
+#[test]
+fn what_cannot_be_written_is_refused() {
+    assert!(matches!(write_back("name = 3", &engine(template("twin-360"))), Err(WriteBackError::File(_))));
+    let text = template("twin-360");
+    let mut fitted = engine(text);
+    let weight = Counterweight { name: "n".into(), crankshaft: 0, z: 0.0, unbalance: -1.0, angle: 0.0 };
+    fitted.counterweights = vec![weight.clone()];
+    assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
+    fitted.counterweights = vec![Counterweight { unbalance: f64::NAN, ..weight.clone() }];
+    assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
+    fitted.counterweights = vec![Counterweight { unbalance: 1.0, ..weight }; 300];
+    assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
+}
+
+fn weight() -> impl Strategy<Value = (f64, f64, f64)> {
+    (-0.3_f64..0.3, prop_oneof![Just(0.0), 1e-9_f64..0.1], -10.0_f64..10.0)
+}
+
+proptest! {
+    #[test]
+    fn prop_any_weights_are_written(
+        template in 0..templates().len(),
+        dress in 0..DRESSES,
+        new in prop::collection::vec((weight(), any::<bool>()), 0..4),
+        shafts in prop::collection::vec((prop::collection::vec(weight(), 0..3), -0.2_f64..0.2), 0..3),
+        fate in prop::collection::vec((0..5, weight()), 0..40),
+    ) {
+        let text = dressed(templates()[template].text, dress);
+        let mut fitted = engine(&text);
+        let mut fates = fate.into_iter();
+        fitted.counterweights.retain_mut(|weight| {
+            let Some((fate, (z, unbalance, angle))) = fates.next() else { return true };
+            match fate {
+                0 => return false,
+                1 => (weight.unbalance, weight.angle) = (unbalance, angle),
+                2 => weight.z = z,
+                3 => weight.unbalance = unbalance,
+                _ => {}
+            }
+            true
+        });
+        for ((z, unbalance, angle), on_web) in new {
+            let web = fitted.throws[0].webs.filter(|_| on_web);
+            let (z, name) = web.map_or((z, format!("at {z}")), |webs| (webs[1], "cheek".to_string()));
+            fitted.counterweights.push(Counterweight { name, crankshaft: 0, z, unbalance, angle });
+        }
+        for (k, (weights, x)) in shafts.into_iter().enumerate() {
+            let weights: Vec<ShaftWeight> =
+                weights.into_iter().map(|(z, unbalance, phase)| ShaftWeight { z, unbalance, phase }).collect();
+            match fitted.shafts.get_mut(k) {
+                Some(shaft) => (shaft.weights, shaft.x) = (weights, x),
+                None => {
+                    let ratio = Ratio::whole(-2).expect("no 0");
+                    fitted.shafts.push(BalanceShaft { name: format!("new {k}"), ratio, x, y: 0.1, weights });
+                }
+            }
+        }
+        let done = check(&text, &fitted);
+        prop_assert!(done.is_ok(), "{}", done.unwrap_err());
+    }
+}
