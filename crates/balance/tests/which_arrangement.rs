@@ -236,3 +236,18 @@ fn questions_without_a_meaning_are_refused() {
     let single = ArrangementRequest { spacings: vec![0.05], ..request(&[]) };
     assert!(matches!(arrangements(&engine("single"), &single), Err(BalanceError::Missing { .. })));
 }
+
+#[test]
+fn every_engine_of_the_gallery_has_an_answer() {
+    for template in templates() {
+        let engine = read(template.text).engine.expect("the gallery has no mistakes");
+        let found = arrangements(&engine, &ArrangementRequest::default()).expect("the default has a meaning");
+        let at = &found.spacings[0];
+        assert!(!at.front.is_empty() && at.arrangements[0].residual == at.baseline, "{}", template.name);
+        for a in at.arrangements.iter().filter(|a| a.possible) {
+            assert!(a.residual <= at.baseline * (1.0 + 1e-9), "{}: {}", template.name, a.name);
+            let clear = a.clearance.as_ref().is_none_or(|c| c.distance >= 0.003 - 1e-9);
+            assert!(clear && a.drive.is_some() != a.shafts.is_empty(), "{}: {}", template.name, a.name);
+        }
+    }
+}

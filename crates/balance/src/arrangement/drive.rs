@@ -18,8 +18,8 @@ use num_complex::Complex64;
 /// Fewest teeth of a gear: below, the standard 20 deg tooth is undercut.
 const FEWEST_TEETH: f64 = 17.0;
 
-/// Share of the axis distance that the end gears of an idler train fill where nothing else sets them.
-const END_GEARS: f64 = 0.6;
+/// Shares of the axis distance that the end gears of an idler train fill where nothing else sets them.
+const END_GEARS: [f64; 3] = [0.6, 0.75, 0.45];
 
 /// Idlers: radius over that of one on the line between the two axes.
 const IDLER_SIZES: [f64; 4] = [1.0, 1.2, 1.5, 2.0];
@@ -200,19 +200,22 @@ impl Axes<'_> {
         Axes::link(train, false, &[first, second]);
     }
 
-    /// Two gears with an idler between: among gears that the driver has already and a new one, idlers on the line
-    /// and beside it, what leaves most room.
+    /// Two gears with an idler between: of gears that the driver has already and new ones the first that clears, with
+    /// the idler on the line or beside it that leaves most room.
     fn idle(&self, train: &mut DriveTrain, driver: usize, node: usize) {
         let (from, to) = (self.place(driver), self.place(node));
         let distance = (to - from).norm();
         let (own, other) = (self.speed(driver).abs(), self.speed(node).abs());
-        let fresh = END_GEARS * distance * other / (own + other);
+        let fresh = END_GEARS.map(|share| share * distance * other / (own + other));
         let seat = Axes::seat(driver);
         let here = train.gears.iter().filter(|g| g.seat == seat).map(|g| 0.5 * g.pitch_diameter);
         let mut radii: Vec<f64> = here.collect();
-        radii.push(fresh);
+        radii.extend(fresh);
         let mut best: Option<(f64, DriveTrain)> = None;
         for radius in radii {
+            if best.as_ref().is_some_and(|b| b.0 >= self.parts.clearance) {
+                break;
+            }
             let end = radius * own / other;
             let straight = 0.5 * (distance - radius - end);
             if straight <= 0.0 {

@@ -270,6 +270,20 @@ impl<'a> Search<'a> {
         task
     }
 
+    /// The best weights. Where a later stage is too flat to be solved, what comes before it stands.
+    fn solved(&self, mut task: BalanceTask) -> Result<Answer, BalanceError> {
+        let mut answer = optimise(self.engine, &task)?;
+        while matches!(answer.outcome, Outcome::Stopped { .. })
+            && answer.weights.is_empty()
+            && !task.weights.is_empty()
+            && task.stages.len() > 1
+        {
+            task.stages.pop();
+            answer = optimise(self.engine, &task)?;
+        }
+        Ok(answer)
+    }
+
     /// One arrangement: weights, places, drive, price.
     fn arrange(
         &self,
@@ -283,12 +297,12 @@ impl<'a> Search<'a> {
             // Before the places are known these limits have no meaning.
             task_now.limits.retain(|l| !self.sees_place(&l.criterion));
         }
-        let mut answer = optimise(self.engine, &task_now)?;
+        let mut answer = self.solved(task_now)?;
         let mut sized = self.sized(candidate, &answer);
         let mut placed = self.placed(candidate, &sized, ground);
         if place_matters && let Some(Ok(placement)) = &placed {
             let places = placement.places.clone();
-            answer = optimise(self.engine, &self.task(candidate, &places, aim))?;
+            answer = self.solved(self.task(candidate, &places, aim))?;
             let again = self.sized(candidate, &answer);
             // Lighter weights fit where heavier ones did; heavier ones need a place of their own.
             if again.iter().zip(&sized).any(|(new, old)| new.sweep > old.sweep) {
