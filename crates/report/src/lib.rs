@@ -4,6 +4,7 @@
 //! figure is a string that works in a page and as a file of its own, light and dark.
 #![forbid(unsafe_code)]
 
+mod arrangement;
 mod axis;
 mod balance_plot;
 mod balance_tables;
@@ -44,6 +45,9 @@ mod terminal;
 mod view;
 pub mod workshop;
 
+pub use arrangement::{
+    arrangement_figure, arrangement_tables, arrangements_text, drive_sketches, drive_table, front_table,
+};
 pub use balance_plot::optimum_plots;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,

@@ -164,7 +164,7 @@ impl<'a> Ground<'a> {
         for group in &mut groups {
             group.roll = if step > 0.0 { (group.roll / step).round() * step } else { 0.0 };
         }
-        groups.sort_by(|a, b| a.roll.total_cmp(&b.roll).then(a.apart.total_cmp(&b.apart)));
+        groups.sort_by(by_roll);
         groups.truncate(KEPT);
         // In words only for those that are kept.
         for group in &mut groups {
@@ -206,7 +206,7 @@ impl<'a> Ground<'a> {
                     continue;
                 }
                 let size: f64 = drive.gears.iter().map(|g| g.pitch_diameter * g.pitch_diameter).sum();
-                if best.as_ref().is_none_or(|b| tree.meshes < b.0 || size < b.1) {
+                if best.as_ref().is_none_or(|b| tree.meshes < b.0 || size < b.1 * (1.0 - 1e-6)) {
                     roll = own_roll;
                     let narrowest = if gap.distance < clearance.distance { gap } else { clearance.clone() };
                     let places = places.clone();
@@ -271,8 +271,14 @@ fn combined(
     if sets.is_empty() {
         return Err(widest.unwrap_or_else(nowhere));
     }
-    sets.sort_by(|a, b| a.roll.total_cmp(&b.roll).then(a.apart.total_cmp(&b.apart)));
+    sets.sort_by(by_roll);
     Ok(sets)
+}
+
+/// By rising roll moment, then distance in whole micrometres, so that of equals the first stays first.
+fn by_roll(a: &Group, b: &Group) -> std::cmp::Ordering {
+    let distance = |group: &Group| (group.apart * 1e6).round();
+    a.roll.total_cmp(&b.roll).then(distance(a).total_cmp(&distance(b)))
 }
 
 /// No position at all.
