@@ -54,7 +54,7 @@ pub use grade::{Grade, GradedBearing, GradedPlane, grade};
 pub use history::SAME_SPEED;
 pub use hole::Hole;
 pub use internal::{InternalBalance, InternalPlane, internal_balance};
-pub use plane::{Plane, PlaneUnbalance, in_two_planes};
+pub use plane::{Plane, PlaneUnbalance, end_planes, in_two_planes};
 pub use primary_ellipse::{PrimaryEllipse, Sense};
 pub use remark::{CONTRADICTION, LEAST_CHANGE, LEAST_TURN, Remark, RemarkKind};
 pub use run_log::{RunEntry, SensorEntry, ShownVibration};

@@ -1,5 +1,7 @@
 //! Tables and figures of the workshop.
 
+mod bobweight;
+mod crank;
 mod correction;
 mod drilling;
 mod factor;
@@ -8,6 +10,8 @@ mod mass;
 mod primary_ellipse;
 mod vibration_plot;
 
+pub use bobweight::{bobweight_tables, bobweight_text};
+pub use crank::{crank_tables, crank_text, external_tables, external_text, internal_tables, internal_text};
 pub use correction::{correction_tables, correction_text};
 pub use drilling::{drilling_tables, drilling_text};
 pub use factor::{factor_tables, factor_text};

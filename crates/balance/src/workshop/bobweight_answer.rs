@@ -3,6 +3,7 @@
 use super::bobweight::{Bobweight, bobweights};
 use super::common_factor::{FactorEffect, common_factor, pin_pair_effect};
 use super::error::WorkshopError;
+use super::plane::end_planes;
 use crate::optimum::optimise;
 use crate::{BalanceError, Outcome};
 use lanchester_mechanism::{LoadError, LoadRequest, loads};
@@ -289,18 +290,11 @@ fn compare(
 fn end_weights(engine: &Engine) -> Vec<FreeWeight> {
     let mut weights = Vec::new();
     for crankshaft in 0..engine.crankshafts.len() {
-        let planes = engine
-            .throws
-            .iter()
-            .filter(|t| t.crankshaft == crankshaft)
-            .flat_map(|t| t.webs.map_or(vec![t.z], |webs| webs.to_vec()));
-        let (low, high) = planes.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
-        let ends = if high > low { vec![("front", low), ("rear", high)] } else { vec![("throw", low)] };
-        for (name, z) in ends.into_iter().filter(|(_, z)| z.is_finite()) {
+        for plane in end_planes(engine, crankshaft) {
             weights.push(FreeWeight {
-                name: format!("{name} of crankshaft {}", crankshaft + 1),
+                name: format!("{} of crankshaft {}", plane.name, crankshaft + 1),
                 seat: Seat::Crankshaft(crankshaft),
-                z: Place::At(z),
+                z: Place::At(plane.z),
                 least: 0.0,
                 most: None,
                 phase: Phase::Free,

@@ -95,6 +95,10 @@ pub struct BodyState {
 /// Unbalance of one crankshaft with bobweights.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CrankUnbalance {
+    /// [`super::WORKSHOP_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
     /// Name of the crankshaft.
     pub crankshaft: String,
     /// What it is made of.
@@ -128,6 +132,8 @@ pub fn crank_unbalance(
     // What every part brings, without the cancelling: rounding is small beside it.
     let size: f64 = parts.iter().map(|p| p.unbalance.norm()).sum();
     Ok(CrankUnbalance {
+        version: super::WORKSHOP_VERSION,
+        engine: engine.name.clone(),
         crankshaft: engine.crankshafts[crankshaft].name.clone(),
         planes: in_two_planes(&parts, planes)?,
         body: body

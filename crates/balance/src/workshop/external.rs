@@ -14,6 +14,10 @@ use serde::Serialize;
 /// Weights that flywheel and damper must carry.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ExternalBalance {
+    /// [`super::WORKSHOP_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
     /// Name of the crankshaft.
     pub crankshaft: String,
     /// Share of every counterweight inside that stays.
@@ -60,6 +64,8 @@ pub fn external_balance(
             if weight.unbalance.norm() <= 1e-12 * size { Complex64::ZERO } else { -weight.unbalance };
     }
     Ok(ExternalBalance {
+        version: super::WORKSHOP_VERSION,
+        engine: engine.name.clone(),
         crankshaft: engine.crankshafts[crankshaft].name.clone(),
         kept_share,
         static_unbalance: parts.iter().map(|p| p.unbalance).sum(),

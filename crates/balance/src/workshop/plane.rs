@@ -6,6 +6,7 @@
 //! keeps `SUM U` and `SUM z U`, so that a rigid shaft cannot tell the two from the many.
 
 use super::error::WorkshopError;
+use lanchester_model::Engine;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -27,6 +28,19 @@ pub struct PlaneUnbalance {
     pub z: f64,
     /// Unbalance in the frame of the crankshaft [kg m].
     pub unbalance: Complex64,
+}
+
+/// The outermost planes of a crankshaft (by index) that can carry weights: of its webs, or of its throws where the file
+/// has no webs. One plane, or none, where there are not two.
+pub fn end_planes(engine: &Engine, crankshaft: usize) -> Vec<Plane> {
+    let planes = engine
+        .throws
+        .iter()
+        .filter(|t| t.crankshaft == crankshaft)
+        .flat_map(|t| t.webs.map_or(vec![t.z], |webs| webs.to_vec()));
+    let (low, high) = planes.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)));
+    let ends = if high > low { vec![("front", low), ("rear", high)] } else { vec![("throw", low)] };
+    ends.into_iter().filter(|(_, z)| z.is_finite()).map(|(name, z)| Plane { name: name.into(), z }).collect()
 }
 
 /// Planes closer together than this share of the length of the shaft cannot be told apart.

@@ -15,7 +15,6 @@ pub(super) fn grams(mass: f64) -> Cell {
 }
 
 /// An unbalance [kg m] as g mm and degrees; no angle where there is none above `noise`.
-#[expect(dead_code)]
 pub(super) fn unbalance(value: Complex64, noise: f64) -> [Cell; 2] {
     if value.norm() <= noise {
         return [Cell::Number { value: 0.0, decimals: 0 }, Cell::Empty];
