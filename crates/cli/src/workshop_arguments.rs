@@ -2,7 +2,10 @@
 
 mod crank;
 
-pub use crank::{FactorArguments, GivenFactor};
+pub use crank::{
+    BobweightArguments, CrankArguments, CrankInput, ExternalArguments, FactorArguments, GivenFactor,
+    InternalArguments,
+};
 
 use crate::arguments::Format;
 use clap::{Args, Subcommand};
@@ -27,6 +30,31 @@ pub enum WorkshopCommand {
                             lanchester workshop factor single.toml --least-peak --figure ellipse.svg"
     )]
     Factor(FactorArguments),
+    /// Bobweight of every crankpin from weighed parts, the share that is right for the layout, and how far the crank is
+    /// then from the optimum.
+    #[command(
+        after_help = "Examples:\n  lanchester workshop bobweight v8-sheet.toml\n  lanchester workshop bobweight v8-sheet.toml --format csv > bobweights.csv\n\n\
+                            A sheet that names an `engine` is compared with the best two weights at the ends of its crank."
+    )]
+    Bobweight(BobweightArguments),
+    /// Static, couple and dynamic unbalance of a crank that carries its bobweights; tilt of its principal axis.
+    #[command(
+        after_help = "Examples:\n  lanchester workshop crank v8.toml\n  lanchester workshop crank v8.toml --planes 'front=-180 mm, rear=200 mm' --bobweight '1712 g'\n  \
+                            lanchester workshop crank v8.toml --sheet v8-sheet.toml\n\n\
+                            A sheet gives the bobweights ([parts]), two planes ([[plane]] with z) and the crank as a body ([rotor] with mass, centre,\n\
+                            transverse_inertia and polar_inertia); options go before it."
+    )]
+    Crank(CrankArguments),
+    /// Weights that damper and flywheel must carry where the counterweights inside are too light.
+    #[command(
+        after_help = "Examples:\n  lanchester workshop external v8.toml --planes 'damper=-290 mm, flywheel=330 mm'\n  \
+                            lanchester workshop external v8.toml --planes 'damper=-290 mm, flywheel=330 mm' --keep 70%"
+    )]
+    External(ExternalArguments),
+    /// Tungsten slugs, axes parallel to the shaft, that take over from weights on damper and flywheel.
+    #[command(after_help = "Examples:\n  lanchester workshop internal slugs.toml\n\n\
+                            Exit status 1 where the counterweights have not enough room.")]
+    Internal(InternalArguments),
     /// Where to add or remove how much: from vibration with trial weights, or from a balancing machine's display.
     #[command(
         after_help = "Examples:\n  lanchester workshop correct rotor.toml\n  lanchester workshop correct rotor.toml --figure vibration.svg\n  \

@@ -1,8 +1,8 @@
 //! Tables and figures of the workshop.
 
 mod bobweight;
-mod crank;
 mod correction;
+mod crank;
 mod drilling;
 mod factor;
 mod grade;
@@ -11,8 +11,8 @@ mod primary_ellipse;
 mod vibration_plot;
 
 pub use bobweight::{bobweight_tables, bobweight_text};
-pub use crank::{crank_tables, crank_text, external_tables, external_text, internal_tables, internal_text};
 pub use correction::{correction_tables, correction_text};
+pub use crank::{crank_tables, crank_text, external_tables, external_text, internal_tables, internal_text};
 pub use drilling::{drilling_tables, drilling_text};
 pub use factor::{factor_tables, factor_text};
 pub use grade::{grade_tables, grade_text};

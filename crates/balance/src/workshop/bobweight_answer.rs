@@ -169,10 +169,14 @@ pub fn weighed(engine: &Engine, sheet: &BobweightSheet) -> Result<Engine, Worksh
     Ok(engine)
 }
 
-/// The first order that a common share changes: of the force, or of the couple where the force cancels anyway.
+/// Throws whose unbalances cancel but for this share of their sum are thought to cancel: parts of a set differ by less.
+const SCATTER: f64 = 0.05;
+
+/// The first order that a common share changes: of the force, or of the couple where the throws cancel anyway.
 fn deciding(engine: &Engine) -> Result<Option<(&'static str, FactorEffect)>, WorkshopError> {
     let factor = common_factor(engine, 0)?;
-    Ok(match (factor.force.indifferent(), factor.couple.indifferent()) {
+    let cancels = |effect: &FactorEffect| effect.per_share.norm() <= SCATTER * effect.size;
+    Ok(match (cancels(&factor.force), cancels(&factor.couple)) {
         (false, _) => Some(("first-order force of the engine", factor.force)),
         (true, false) => Some(("first-order couple of the engine", factor.couple)),
         (true, true) => None,

@@ -57,3 +57,76 @@ pub struct FactorArguments {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 }
+
+/// `workshop bobweight`
+#[derive(Debug, Args)]
+pub struct BobweightArguments {
+    /// Workshop sheet with [parts]; `-` reads standard input.
+    #[arg(value_name = "SHEET")]
+    pub sheet: PathBuf,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// A crank and its bobweights.
+#[derive(Debug, Args)]
+pub struct CrankInput {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "ENGINE")]
+    pub engine: PathBuf,
+    /// What the bobweights stand for; default: those of the sheet, or 50 % of the reciprocating mass.
+    #[command(flatten)]
+    pub given: GivenFactor,
+    /// Oil that fills each throw, as a mass at the crank radius.
+    #[arg(long, value_name = "MASS")]
+    pub oil: Option<String>,
+    /// Workshop sheet of this crank.
+    #[arg(long, value_name = "SHEET")]
+    pub sheet: Option<PathBuf>,
+    /// Number of the crankshaft.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub crankshaft: usize,
+}
+
+/// `workshop crank`
+#[derive(Debug, Args)]
+pub struct CrankArguments {
+    /// The crank.
+    #[command(flatten)]
+    pub crank: CrankInput,
+    /// Two planes, `name=z, name=z`; default: those of the sheet, or the outermost webs.
+    #[arg(long, value_name = "PLANES", allow_hyphen_values = true)]
+    pub planes: Option<String>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `workshop external`
+#[derive(Debug, Args)]
+pub struct ExternalArguments {
+    /// The crank.
+    #[command(flatten)]
+    pub crank: CrankInput,
+    /// The two planes outside, `name=z, name=z`.
+    #[arg(long, value_name = "PLANES", allow_hyphen_values = true)]
+    pub planes: String,
+    /// Share of every counterweight of the file that stays.
+    #[arg(long, value_name = "SHARE", default_value = "100%")]
+    pub keep: String,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `workshop internal`
+#[derive(Debug, Args)]
+pub struct InternalArguments {
+    /// Workshop sheet with [[external]], [slug] and two [[plane]]; `-` reads standard input.
+    #[arg(value_name = "SHEET")]
+    pub sheet: PathBuf,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}

@@ -16,7 +16,7 @@ pub fn bobweight_tables(answer: &BobweightAnswer) -> Vec<Table> {
 
 /// A bobweight sheet for a terminal or a printer.
 pub fn bobweight_text(answer: &BobweightAnswer) -> String {
-    let share = |share: f64| format!("{} %", number::plain(100.0 * share, 1));
+    let share = |share: f64| format!("{} %", number::trimmed(100.0 * share, 3));
     let source = match (answer.share_given, answer.judged_by) {
         (true, _) => "given in the sheet",
         (false, Some(_)) => "derived: the smallest first order",
@@ -39,7 +39,7 @@ pub fn bobweight_text(answer: &BobweightAnswer) -> String {
     if let Some(comparison) = &answer.comparison {
         out += &format!(
             "  proved: no two weights there have a smaller peak force than {} N\n",
-            number::terminal(comparison.force_bound, 1)
+            number::terminal(comparison.force_bound, number::decimals(comparison.force_bound, 5))
         );
     }
     out

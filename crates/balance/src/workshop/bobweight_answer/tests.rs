@@ -46,6 +46,18 @@ fn odd_firing_v6_with_the_share_of_the_even_firing_one() {
     assert!(ways[3].couple <= ways[2].couple * (1.0 + 1e-9), "the optimum is never worse: {ways:?}");
 }
 
+/// One light piston must not turn the eye from the couple of the whole engine to the scatter of its parts.
+#[test]
+fn scatter_of_the_parts_does_not_change_what_decides() {
+    let pins = "engine = \"v6.toml\"\n[bobweight]\nrods = 2\n[[pin]]\n[[pin]]\n[[pin]]\n\
+                cylinder = [{ piston = \"427 g\" }, {}]";
+    let answer = bobweight_answer(&sheet(pins), Some(&gallery("v6-90-odd"))).unwrap();
+    assert_eq!(answer.judged_by, Some("first-order couple of the engine"));
+    let four = sheet("engine = \"four.toml\"\n[bobweight]\npins = 4");
+    let answer = bobweight_answer(&four, Some(&gallery("in-line-4"))).unwrap();
+    assert_eq!((answer.judged_by, answer.reciprocating_share), (None, 0.5));
+}
+
 /// Without an engine the bank angle and the split tell the share; without both it is 50 %.
 #[test]
 fn share_of_a_layout_without_an_engine() {

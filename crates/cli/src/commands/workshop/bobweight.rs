@@ -1,0 +1,30 @@
+//! `lanchester workshop bobweight`: bobweights from weighed parts.
+
+use super::{open as open_sheet, refused};
+use crate::arguments::Format;
+use crate::commands::{json, open};
+use crate::failure::{DONE, Failure};
+use crate::files::print;
+use crate::workshop_arguments::BobweightArguments;
+use lanchester::balance::workshop::bobweight_answer;
+use lanchester::report::Table;
+use lanchester::report::workshop::{bobweight_tables, bobweight_text};
+
+pub fn run(arguments: &BobweightArguments, colour: bool) -> Result<u8, Failure> {
+    let sheet = open_sheet(&arguments.sheet, colour)?;
+    let engine = match &sheet.engine {
+        // The path counts from the sheet's own folder; that of standard input is the current one.
+        Some(file) => {
+            let folder = arguments.sheet.parent().unwrap_or(std::path::Path::new(""));
+            Some(open(&folder.join(file), colour)?.engine)
+        }
+        None => None,
+    };
+    let answer = bobweight_answer(&sheet, engine.as_ref()).map_err(refused)?;
+    print(&match arguments.format {
+        Format::Text => bobweight_text(&answer),
+        Format::Json => json(&answer)?,
+        Format::Csv => bobweight_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(DONE)
+}

@@ -1,0 +1,26 @@
+//! `lanchester workshop crank`: unbalance of a crank with its bobweights.
+
+use super::crank_input::crank;
+use super::refused;
+use crate::arguments::Format;
+use crate::commands::json;
+use crate::failure::{DONE, Failure};
+use crate::files::print;
+use crate::workshop_arguments::CrankArguments;
+use lanchester::balance::workshop::crank_unbalance;
+use lanchester::report::Table;
+use lanchester::report::workshop::{crank_tables, crank_text};
+
+pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
+    let crank = crank(&arguments.crank, colour)?;
+    let planes = crank.planes(arguments.planes.as_deref())?;
+    let body = crank.body()?;
+    let answer = crank_unbalance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, body)
+        .map_err(refused)?;
+    print(&match arguments.format {
+        Format::Text => crank_text(&answer),
+        Format::Json => json(&answer)?,
+        Format::Csv => crank_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(DONE)
+}

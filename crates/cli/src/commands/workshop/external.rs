@@ -1,0 +1,28 @@
+//! `lanchester workshop external`: weights on damper and flywheel.
+
+use super::crank_input::{crank, planes};
+use super::given_factor::bad;
+use super::refused;
+use crate::arguments::Format;
+use crate::commands::json;
+use crate::failure::{DONE, Failure};
+use crate::files::print;
+use crate::workshop_arguments::ExternalArguments;
+use lanchester::balance::workshop::external_balance;
+use lanchester::model::option;
+use lanchester::report::Table;
+use lanchester::report::workshop::{external_tables, external_text};
+
+pub fn run(arguments: &ExternalArguments, colour: bool) -> Result<u8, Failure> {
+    let planes = planes(&arguments.planes)?;
+    let keep = option::share(&arguments.keep, "--keep").map_err(bad)?;
+    let crank = crank(&arguments.crank, colour)?;
+    let answer = external_balance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, keep)
+        .map_err(refused)?;
+    print(&match arguments.format {
+        Format::Text => external_text(&answer),
+        Format::Json => json(&answer)?,
+        Format::Csv => external_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(DONE)
+}

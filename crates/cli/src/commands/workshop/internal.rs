@@ -1,0 +1,22 @@
+//! `lanchester workshop internal`: slugs that take over from weights outside.
+
+use super::{open as open_sheet, refused};
+use crate::arguments::Format;
+use crate::commands::json;
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::files::print;
+use crate::workshop_arguments::InternalArguments;
+use lanchester::balance::workshop::internal_balance;
+use lanchester::report::Table;
+use lanchester::report::workshop::{internal_tables, internal_text};
+
+pub fn run(arguments: &InternalArguments, colour: bool) -> Result<u8, Failure> {
+    let sheet = open_sheet(&arguments.sheet, colour)?;
+    let answer = internal_balance(&sheet).map_err(refused)?;
+    print(&match arguments.format {
+        Format::Text => internal_text(&answer),
+        Format::Json => json(&answer)?,
+        Format::Csv => internal_tables(&answer).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
+    })?;
+    Ok(if answer.reached { DONE } else { NOT_AS_EXPECTED })
+}
