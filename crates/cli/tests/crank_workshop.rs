@@ -95,7 +95,7 @@ fn weights_outside_and_slugs_inside() {
     assert!(text.contains("17 756"), "{text}");
     let text = run(0, &["internal", &sheet("v8-slugs.toml")]).0;
     assert!(text.contains("all of it") && text.contains("13.57"), "{text}");
-    let small = fs::read_to_string(sheets().join("v8-slugs.toml")).unwrap().replace("25.4 mm", "12 mm");
+    let small = fs::read_to_string(sheets().join("v8-slugs.toml")).unwrap().replace("25.4 mm", "9 mm");
     let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("small-slugs.toml");
     fs::write(&file, small).unwrap();
     let text = run(1, &["internal", &file.display().to_string()]).0;
@@ -113,6 +113,7 @@ fn bad_input_says_what_to_do() {
         (vec!["crank", &v8, "--planes", "front=-180 mm"], "--planes needs two planes"),
         (vec!["crank", &v8, "--planes", "a=10 mm, b=10 mm"], "different from 0"),
         (vec!["crank", &v8, "--crankshaft", "2"], "there is no crankshaft 2"),
+        (vec!["crank", &v8, "--crankshaft", "0"], "there is no crankshaft 0"),
         (vec!["external", &v8, "--planes", "a=-1 m, b=1 m", "--keep", "1.5"], "from 0 to 1, got 1.5"),
         (vec!["bobweight", &v8], "unknown key"),
         (vec!["internal", &sheet("v8-bobweight.toml")], "an external weight is needed"),

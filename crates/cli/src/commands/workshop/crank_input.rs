@@ -28,6 +28,19 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
         None => 0.0,
     };
     let engine = open(&input.engine, colour)?.engine;
+    let crankshaft = match input.crankshaft.checked_sub(1) {
+        Some(index) if index < engine.crankshafts.len() => index,
+        _ => {
+            return Err(Failure::input(
+                format_args!(
+                    "there is no crankshaft {}, the engine has {}",
+                    input.crankshaft,
+                    engine.crankshafts.len()
+                ),
+                "count crankshafts from 1",
+            ));
+        }
+    };
     let sheet = match &input.sheet {
         Some(path) => Some(open_sheet(path, colour)?),
         None => None,
@@ -58,9 +71,6 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
             let factors = balance_factors(&engine, &request).map_err(refused)?;
             factors.iter().map(|factor| factor.bobweight).collect()
         }
-    };
-    let Some(crankshaft) = input.crankshaft.checked_sub(1) else {
-        return Err(Failure::input("--crankshaft counts from 1, got 0", "leave it out for the first"));
     };
     Ok(Crank { engine, sheet, crankshaft, bobweights })
 }
