@@ -6,6 +6,7 @@
 
 mod answer;
 mod arrangement;
+mod arrangement_task;
 mod bending;
 mod check;
 mod convex;
@@ -26,6 +27,7 @@ pub mod workshop;
 
 pub use answer::*;
 pub use arrangement::*;
+pub use arrangement_task::arrangement_task;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
