@@ -76,6 +76,29 @@ pub fn arrangement_task(
     Ok(task)
 }
 
+/// As [`arrangement_task`] with the amounts of the shafts kept: what a sweep of the crank looks for, over the continuous
+/// cycle. No weights where the arrangement has no crank to choose.
+///
+/// # Errors
+/// As [`arranged`].
+pub fn crank_task(
+    engine: &Engine,
+    arrangement: TwinArrangement,
+    options: &ArrangementOptions,
+) -> Result<BalanceTask, BalanceError> {
+    let Some(judged) = crank_load(engine, options)?.filter(|_| arrangement.crank() == CrankRule::Optimised)
+    else {
+        return Ok(BalanceTask::default());
+    };
+    let mut task = arrangement_task(engine, arrangement, options)?;
+    // The crank's weights come first, so that their ties stay right.
+    task.weights.retain(|weight| matches!(weight.seat, Seat::Crankshaft(_)));
+    task.ties.retain(|tie| tie.second < task.weights.len());
+    task.shafts.clear();
+    task.stages = vec![Stage { terms: vec![(1.0, Criterion::Peak(judged.load()))] }];
+    Ok(task)
+}
+
 /// The weights of one crank or shaft, and what all of them act on.
 #[derive(Default)]
 struct Free {
@@ -169,6 +192,16 @@ mod tests {
         let both = task("twin-180", TwinArrangement::OptimisedCrankTwoSecond);
         assert_eq!((both.weights.len(), both.shafts.len()), (4, 2));
         assert_eq!(stages(&both), [Criterion::Peak(Load::Couple), Criterion::Peak(Load::Force)]);
+    }
+
+    #[test]
+    fn the_crank_alone_leaves_the_shafts_as_they_are() {
+        let engine = read(template("twin-360").unwrap().text).engine.unwrap();
+        let options = ArrangementOptions::default();
+        let task = crank_task(&engine, TwinArrangement::OptimisedCrankTwoSecond, &options).unwrap();
+        assert_eq!((task.weights.len(), task.ties.len(), task.shafts.len()), (2, 1, 0));
+        assert_eq!(stages(&task), [Criterion::Peak(Load::Force)]);
+        assert_eq!(crank_task(&engine, TwinArrangement::OneFirst, &options), Ok(BalanceTask::default()));
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub mod workshop;
 
 pub use answer::*;
 pub use arrangement::*;
-pub use arrangement_task::arrangement_task;
+pub use arrangement_task::{arrangement_task, crank_task};
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;

@@ -203,8 +203,8 @@ impl ArrangementOptions {
 
 /// `engine` with the counterweights and shafts of `arrangement` in the place of its own.
 ///
-/// A shaft whose order needs no balancing is left out: an in-line four with two first-order shafts is the plain
-/// in-line four. Couples are balanced about the origin.
+/// A shaft whose order needs no balancing is left out, and a crank without a first order to answer stays basic: an
+/// in-line four with two first-order shafts is the plain in-line four. Couples are balanced about the origin.
 ///
 /// # Errors
 /// [`BalanceError::Loads`] where the engine's loads cannot be computed; [`BalanceError::Missing`] for an engine with
@@ -231,14 +231,13 @@ pub fn arranged(
             let amount = checked("unbalance of the crank", amount)?;
             even_crank(engine, amount)
         }
-        (None, CrankRule::Basic) => basic_crank(engine),
-        (None, CrankRule::Raised) => raised_crank(engine, options)?,
-        (None, CrankRule::Optimised) => match crank_load(engine, options)? {
-            Some(load) => even_crank(
-                engine,
-                sweep(&with_shafts, load, options.kinematics, &options.sweep)?.best().unbalance,
-            ),
-            None => basic_crank(engine),
+        (None, rule) => match (rule, crank_load(engine, options)?) {
+            (CrankRule::Basic, _) | (_, None) => basic_crank(engine),
+            (CrankRule::Raised, Some(_)) => raised_crank(engine, options)?,
+            (CrankRule::Optimised, Some(load)) => {
+                let swept = sweep(&with_shafts, load, options.kinematics, &options.sweep)?;
+                even_crank(engine, swept.best().unbalance)
+            }
         },
     };
     let counterweights =

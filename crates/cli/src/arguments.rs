@@ -86,7 +86,8 @@ pub enum Command {
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \
-                            lanchester report twin.toml --figures figures/"
+                            lanchester report twin.toml --figures figures/\n  \
+                            lanchester report twin.toml --all-arrangements"
     )]
     Report(ReportArguments),
     /// Recompute every published number: printed against computed, with verdict and reason.
@@ -209,7 +210,12 @@ pub struct ReportArguments {
     /// What to compute with.
     #[command(flatten)]
     pub request: RequestArguments,
-    /// The page to write, `-` for standard output; default: the engine file's name with `.html`, in this folder.
+    /// Compare the nine arrangements of counterweights and balance shafts of the twin-cylinder thesis instead, one
+    /// printed sheet each, in the place of the file's own; shafts stand at y = +-100 mm.
+    #[arg(long, conflicts_with = "figures")]
+    pub all_arrangements: bool,
+    /// The page to write, `-` for standard output; default: the engine file's name with `.html` (or
+    /// `-arrangements.html`), in this folder.
     #[arg(long, short, value_name = "HTML")]
     pub output: Option<PathBuf>,
     /// Also write every figure as an SVG file of its own into this folder.

@@ -16,8 +16,10 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod arrangements;
 pub mod validate;
 
+pub use arrangements::arrangements;
 pub use lanchester_balance as balance;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;

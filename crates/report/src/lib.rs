@@ -5,11 +5,13 @@
 #![forbid(unsafe_code)]
 
 mod arrangement;
+mod arrangements_page;
 mod axis;
 mod balance_plot;
 mod balance_tables;
 mod balance_text;
 mod component;
+mod crank_curve;
 mod crank_strip;
 mod csv;
 mod drawing;
@@ -48,11 +50,13 @@ pub mod workshop;
 pub use arrangement::{
     arrangement_figure, arrangement_tables, arrangements_text, drive_sketches, drive_table, front_table,
 };
+pub use arrangements_page::{ArrangementResult, ArrangementsInput, arrangements_report};
 pub use balance_plot::optimum_plots;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
 pub use balance_text::{balance_text, headline};
+pub use crank_curve::crank_curve;
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};

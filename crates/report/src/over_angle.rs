@@ -1,7 +1,7 @@
 //! Force, couple, roll moment and torque over the crank angle, with their parts and orders overlaid.
 
 use crate::component::Component;
-use crate::figure::Figure;
+use crate::figure::{Figure, Panel};
 use crate::magnitude::Magnitude;
 use crate::number;
 use crate::plot::{AnglePlot, Series};
@@ -22,6 +22,14 @@ pub fn over_angle(loads: &Loads) -> Vec<Figure> {
     }
     figures.extend(resultants(loads, &magnitude));
     figures
+}
+
+/// Forces, couples and roll moment that matter, each split by kind of part, then the resultants, as drawings alone.
+pub(crate) fn part_panels(loads: &Loads) -> Vec<Panel> {
+    let magnitude = Magnitude::of(loads);
+    let shown = |c: &Component| *c != Component::Torque && matters(loads, *c, &magnitude);
+    let parts = Component::ALL.into_iter().filter(shown).map(|c| by_part(loads, c, &magnitude));
+    parts.chain(resultants(loads, &magnitude)).flat_map(|figure| figure.panels).collect()
 }
 
 /// Names of the components that vanish with all their parts.

@@ -2,13 +2,16 @@
 
 use crate::arguments::{Format, ReportArguments};
 use crate::commands::{json, open, refused};
-use crate::failure::{DONE, Failure};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, write_result};
 use crate::provenance::provenance;
 use crate::request::{internal_request, load_request};
+use lanchester::arrangements;
 use lanchester::mechanism::{internal_cases, loads};
 use lanchester::model::Diagnostic;
-use lanchester::report::{ReportInput, figures, internal_figures, report};
+use lanchester::report::{
+    ArrangementsInput, ReportInput, arrangements_report, figures, internal_figures, report,
+};
 use std::path::{Path, PathBuf};
 
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
@@ -26,8 +29,18 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         provenance: &provenance,
         warnings: &warnings,
     };
-    let page = report(&input);
-    let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.file));
+    let page = match arguments.all_arrangements {
+        false => report(&input),
+        true => arrangements_report(&ArrangementsInput {
+            engine: &opened.engine,
+            arrangements: &arrangements(&opened.engine, &request)
+                .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?,
+            provenance: &provenance,
+            warnings: &warnings,
+        }),
+    };
+    let ending = if arguments.all_arrangements { "-arrangements.html" } else { ".html" };
+    let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.file, ending));
     if output == Path::new("-") {
         if let Some(folder) = &arguments.figures {
             write_figures(folder, &arguments.file, &input)?;
@@ -76,9 +89,9 @@ fn write_figures(
 }
 
 /// `engines/twin.toml` -> `twin.html` in the current folder; standard input -> `engine.html`.
-fn default_output(file: &Path) -> PathBuf {
+fn default_output(file: &Path, ending: &str) -> PathBuf {
     let stem = file.file_stem().filter(|_| file != Path::new("-")).unwrap_or("engine".as_ref());
     let mut name = stem.to_os_string();
-    name.push(".html");
+    name.push(ending);
     PathBuf::from(name)
 }

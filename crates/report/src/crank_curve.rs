@@ -1,0 +1,144 @@
+//! The largest load over the unbalance of the crank: the published sweep with its optimum and the true one.
+
+use crate::axis::Axis;
+use crate::figure::{Figure, Panel};
+use crate::number::{self, Scale};
+use crate::plot::{Legend, WIDTH};
+use crate::svg::{Anchor, Path, Svg};
+use lanchester_balance::{CrankLoad, CrankSweep, SweptCrank};
+
+const HEIGHT: f64 = 300.0;
+const LEFT: f64 = 60.0;
+const RIGHT: f64 = 14.0;
+const BOTTOM: f64 = 44.0;
+
+/// The criterion of a sweep over the counterweight of throw 1, with the basic crank, the sweep's optimum and, where it
+/// is known, the optimum over the continuous angle.
+pub fn crank_curve(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Figure {
+    let best = sweep.best();
+    let load = load_name(sweep.load);
+    let unit = load_unit(sweep.load);
+    let mut caption = format!(
+        "The largest {load} against the counterweight of throw 1. The sweep looks at every {} kg m and finds {} kg m.",
+        number::trimmed(sweep.step, 3),
+        number::fixed(best.unbalance, 5)
+    );
+    if let Some(true_one) = optimum {
+        caption += &format!(
+            " Over the continuous angle the optimum is {} kg m with {} {unit}.",
+            number::fixed(true_one.unbalance, 7),
+            number::short(true_one.criterion, 6)
+        );
+    }
+    Figure {
+        id: "crank-sweep".to_owned(),
+        title: format!("Largest {load} over the unbalance of the crank"),
+        caption,
+        panels: vec![panel(sweep, optimum)],
+        columns: 1,
+    }
+}
+
+pub(crate) fn load_name(load: CrankLoad) -> &'static str {
+    match load {
+        CrankLoad::Force => "resultant force |F|",
+        CrankLoad::Couple => "resultant couple |M|",
+    }
+}
+
+pub(crate) fn load_unit(load: CrankLoad) -> &'static str {
+    match load {
+        CrankLoad::Force => "N",
+        CrankLoad::Couple => "N m",
+    }
+}
+
+/// The curve alone, as a drawing.
+pub(crate) fn panel(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Panel {
+    let most = sweep.steps.iter().map(|s| s.criterion).fold(sweep.basic.criterion, f64::max);
+    let scale = Scale::of(most, load_unit(sweep.load));
+    let values = Axis::of(0.0, most / scale.divisor, 6);
+    let widest = sweep.steps.last().map_or(sweep.basic.unbalance, |s| s.unbalance);
+    let amounts = Axis::of(0.0, widest.max(sweep.basic.unbalance), 5);
+    let mut marks = vec![("basic crank", sweep.basic, "s2"), ("sweep", sweep.best(), "s1")];
+    marks.extend(optimum.map(|o| ("true optimum", o, "s3")));
+    let mut names = vec![(format!("largest {}", load_name(sweep.load)), 0)];
+    names.extend(marks.iter().zip([2, 1, 3]).map(|((name, ..), style)| ((*name).to_owned(), style)));
+    let legend = Legend::of(&names, 4.0, WIDTH + 10.0);
+    let top = 26.0 + legend.height;
+    let mut svg = Svg::new(WIDTH, HEIGHT + legend.height);
+    let (right, bottom) = (WIDTH - RIGHT, svg.height - BOTTOM);
+    let quantity = match sweep.load {
+        CrankLoad::Force => "largest |F|",
+        CrankLoad::Couple => "largest |M|",
+    };
+    svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{quantity} [{}]", scale.unit));
+    legend.draw(&mut svg);
+    for &tick in &values.ticks {
+        let y = values.place(tick, bottom, top);
+        svg.line(if tick == 0.0 { "zero" } else { "grid" }, (LEFT, y), (right, y));
+        svg.text("small", (LEFT - 6.0, y + 4.0), Anchor::End, &number::fixed(tick, values.decimals));
+    }
+    for &tick in &amounts.ticks {
+        let x = amounts.place(tick, LEFT, right);
+        svg.line("grid", (x, top), (x, bottom));
+        svg.text("small", (x, bottom + 17.0), Anchor::Middle, &number::fixed(tick, amounts.decimals));
+    }
+    let middle = (LEFT + right) / 2.0;
+    svg.text("muted small", (middle, bottom + 37.0), Anchor::Middle, "counterweight of throw 1 [kg m]");
+    let place = |crank: &SweptCrank| {
+        (
+            amounts.place(crank.unbalance, LEFT, right),
+            values.place(crank.criterion / scale.divisor, bottom, top),
+        )
+    };
+    // More points than pixels would not be seen; the corner at the optimum always is.
+    let stride = (sweep.steps.len() / 400).max(1);
+    let best = sweep.best();
+    let mut points: Vec<&SweptCrank> = sweep.steps.iter().step_by(stride).collect();
+    points.extend(sweep.steps.last());
+    points.push(&best);
+    points.sort_by(|a, b| a.unbalance.total_cmp(&b.unbalance));
+    svg.path("s0", &Path::through(points.into_iter().map(place)));
+    for (_, crank, style) in &marks {
+        let (x, y) = place(crank);
+        svg.line(style, (x, y), (x, bottom));
+        svg.circle("dot", (x, y), 3.2);
+    }
+    let said: Vec<String> = marks
+        .iter()
+        .map(|(name, crank, _)| {
+            format!(
+                "{name} {} kg m with {} {}",
+                number::fixed(crank.unbalance, 5),
+                number::short(crank.criterion / scale.divisor, 5),
+                scale.unit
+            )
+        })
+        .collect();
+    let description =
+        format!("Largest {} over the counterweight of throw 1: {}.", load_name(sweep.load), said.join("; "));
+    Panel::new(svg, description)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lanchester_balance::{SweepOptions, sweep};
+    use lanchester_mechanism::Kinematics;
+    use lanchester_model::{read, template};
+
+    #[test]
+    fn both_optima_are_drawn_and_told() {
+        let text = template("single").expect("it is in the gallery").text;
+        let engine = read(text).engine.expect("it is valid");
+        let swept = sweep(&engine, CrankLoad::Force, Kinematics::Exact, &SweepOptions::default());
+        let swept = swept.expect("a single can be swept");
+        let alone = crank_curve(&swept, None);
+        assert!(
+            !alone.caption.contains("continuous") && !alone.panels[0].description.contains("true optimum")
+        );
+        let both = crank_curve(&swept, Some(swept.best()));
+        assert!(both.caption.contains("continuous") && both.panels[0].description.contains("true optimum"));
+    }
+}
