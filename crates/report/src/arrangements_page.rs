@@ -344,10 +344,15 @@ fn optima_table(arrangements: &[ArrangementResult], load: CrankLoad) -> Option<T
     ))
 }
 
+/// The largest amount of a load.
+type LargestOf = fn(&Loads) -> f64;
+/// What of it is rounding.
+type NoiseOf = fn(&Magnitude) -> f64;
+
 /// Largest force, couple and roll moment as bars.
 fn comparison(arrangements: &[ArrangementResult]) -> Vec<Panel> {
     let noise: Vec<Magnitude> = arrangements.iter().map(|a| Magnitude::of(&a.loads)).collect();
-    let kinds: [(&str, &str, fn(&Loads) -> f64, fn(&Magnitude) -> f64); 3] = [
+    let kinds: [(&str, &str, LargestOf, NoiseOf); 3] = [
         ("largest |F|", "N", |l| l.total.peaks.force.max.value, Magnitude::force_noise),
         ("largest |M|", "N m", |l| l.total.peaks.couple.max.value, Magnitude::couple_noise),
         ("largest M_z", "N m", |l| l.total.peaks.roll_moment.max_abs(), Magnitude::roll_noise),
