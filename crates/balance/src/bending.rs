@@ -90,7 +90,7 @@ pub(crate) fn judge(
         members.push(Member::Vector { base: [0.0; WIDTH], columns: Matrix::zeros(2, operator.variables) });
     }
     let unbalanced = if present { unbalanced } else { 0.0 };
-    groups.push(Group { members });
+    groups.push(Group::new(members));
     Ok(Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced })
 }
 

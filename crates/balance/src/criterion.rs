@@ -151,9 +151,9 @@ fn peak(
     };
     let members: Vec<Member> = curves(natural).collect();
     let unbalanced = largest(&members) * natural;
-    let scale = if unbalanced > 1e-4 * natural { unbalanced } else { natural };
+    let scale = if unbalanced > 1e-7 * natural { unbalanced } else { natural };
     let members = if scale == natural { members } else { curves(scale).collect() };
-    groups.push(Group { members });
+    groups.push(Group::new(members));
     Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
 }
 
@@ -193,7 +193,7 @@ pub(crate) fn amounts(operator: &Operator, groups: &mut Vec<Group>) -> Vec<Vec<u
                 }
                 debug_assert!(k < 2, "invariant: a corner has one variable or two");
             }
-            groups.push(Group { members: vec![Member::Vector { base: [0.0; WIDTH], columns }] });
+            groups.push(Group::new(vec![Member::Vector { base: [0.0; WIDTH], columns }]));
             of_weight.push(groups.len() - 1);
         }
         result.push(of_weight);

@@ -12,7 +12,7 @@
 
 use crate::convex::curve::{Member, length};
 use crate::convex::dense::{Matrix, RowFactors};
-use crate::convex::programme::{Programme, Row, Solution};
+use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
 use crate::convex::{Failure, HOLDS, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
@@ -29,9 +29,6 @@ const ROUNDING: f64 = 1e-13;
 
 /// How far a later stage may pass the value of an earlier one, relative to it.
 const KEEPS: f64 = 1e-10;
-
-/// Directions that move a criterion by less than this share are not seen by it.
-const UNSEEN: f64 = 1e-11;
 
 /// Multipliers below this share of the group's weight fix nothing.
 const NOISE: f64 = 1e-6;
@@ -101,7 +98,8 @@ impl<'a> Walk<'a> {
         let natural = |(weight, judged): &(f64, Judged)| match criterion_unit(&judged.criterion) {
             "N" => weight * operator.natural_force,
             "N m" => weight * operator.natural_moment,
-            _ => 0.0,
+            // Amounts below a ten-thousand-millionth of the natural ones are none.
+            _ => 1e3 * weight * judged.scale,
         };
         let floor = FLOOR * unbalanced / scale;
         let rounding = ROUNDING * terms.iter().map(natural).sum::<f64>() / scale;
@@ -125,7 +123,10 @@ impl<'a> Walk<'a> {
         let small = local.restricted(&vec![0.0; local.variables], &range);
         let solution = match vanishing(&small, solves) {
             Some(solution) => solution,
-            None => solve(&small, GAP, floor, solves)?,
+            None => match idle_rows(&small, floor, solves) {
+                Some(solution) => solution,
+                None => solve(&small, GAP, floor, solves)?,
+            },
         };
         let step = range.times(&solution.x);
         let fixed = face(&local, &solution);
@@ -162,8 +163,7 @@ impl<'a> Walk<'a> {
     /// The programme in the open directions, without rows that these do not touch, and the places of those kept.
     fn local(&self) -> Result<(Programme, Vec<usize>), Failure> {
         let mut local = self.programme.restricted(&self.x, &self.open);
-        let touched: Vec<bool> =
-            local.groups.iter().map(|g| g.members.iter().any(|m| moves(m.columns()))).collect();
+        let touched: Vec<bool> = local.groups.iter().map(|g| g.moves()).collect();
         let mut kept = Vec::new();
         let mut rows = Vec::new();
         let zero = vec![0.0; local.variables];
@@ -195,9 +195,7 @@ impl<'a> Walk<'a> {
         let stages = self.problem.stages.iter().flatten().map(|t| &t.1);
         for judged in stages.chain(&self.problem.limits) {
             for &(group, _) in judged.groups.iter().filter(|g| self.problem.is_load(g.0)) {
-                for columns in local.groups[group].members.iter().map(Member::columns) {
-                    (0..columns.rows).for_each(|i| seen.push(columns.row(i)));
-                }
+                local.groups[group].add_directions(&mut seen);
             }
         }
         let (_, free) = RowFactors::of(&seen, UNSEEN).bases();
@@ -226,19 +224,18 @@ impl<'a> Walk<'a> {
     }
 }
 
-fn moves(columns: &Matrix) -> bool {
-    (0..columns.rows).any(|i| columns.row(i).iter().any(|c| c.abs() > UNSEEN))
-}
-
 /// A basis of the directions in which every optimum lies.
 fn face(programme: &Programme, solution: &Solution) -> Matrix {
     let (n, groups) = (programme.variables, programme.groups.len());
     let mut rows = Matrix::zeros(0, n + groups);
     let mut line = vec![0.0; n + groups];
-    let mut fix = |directions: &[f64], levels: &[(usize, f64)]| {
+    // Levels are counted in the reach of their group, and every row by its largest number.
+    let mut fix = |directions: &[f64], levels: &[(usize, f64)], reach: f64| {
         line.fill(0.0);
         line[..n].copy_from_slice(directions);
-        levels.iter().for_each(|&(group, factor)| line[n + group] += factor);
+        levels.iter().for_each(|&(group, factor)| line[n + group] += factor * programme.groups[group].reach);
+        let size = line.iter().fold(reach, |a, b| a.max(b.abs()));
+        line.iter_mut().for_each(|value| *value /= size);
         rows.push(&line);
     };
     for one in &solution.support {
@@ -248,36 +245,69 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         if size <= NOISE * weight || weight <= NOISE || solution.levels[one.group] <= VANISHES {
             continue;
         }
+        let reach = programme.groups[one.group].reach;
         let directions = member.directions(one.angle);
         for m in 0..directions.rows {
-            fix(directions.row(m), &[(one.group, -one.y[m] / size)]);
+            fix(directions.row(m), &[(one.group, -one.y[m] / size)], reach);
         }
         if let Member::Curve(curve) = member {
             let (_, slope) = curve.directions(one.angle);
             let mut along = vec![0.0; n];
             slope.add_transposed(&one.y.map(|y| y / size), 1.0, &mut along);
-            fix(&along, &[]);
+            fix(&along, &[], reach);
         }
     }
     for group in 0..groups {
         if programme.weight(group, &solution.prices) > NOISE && solution.levels[group] <= VANISHES {
             for columns in programme.groups[group].members.iter().map(Member::columns) {
-                (0..columns.rows).for_each(|i| fix(columns.row(i), &[]));
+                (0..columns.rows).for_each(|i| fix(columns.row(i), &[], programme.groups[group].reach));
             }
-            fix(&vec![0.0; n], &[(group, 1.0)]);
+            fix(&vec![0.0; n], &[(group, 1.0)], programme.groups[group].reach);
         }
     }
     let costs: Vec<(usize, f64)> = programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect();
-    fix(&programme.linear, &costs);
+    fix(&programme.linear, &costs, f64::MIN_POSITIVE);
     for (row, price) in programme.rows.iter().zip(&solution.prices) {
         if *price > NOISE {
-            fix(&row.directions, &row.shares);
+            fix(&row.directions, &row.shares, f64::MIN_POSITIVE);
         }
     }
     let (_, free) = RowFactors::of(&rows, 1e-8).bases();
     let moves = Matrix::from_rows(free.columns, (0..n).map(|j| free.row(j)));
     let (range, _) = RowFactors::of(&moves.transposed(), 1e-8).bases();
     range
+}
+
+/// The optimum without any row, if some optimum of those holds all rows.
+///
+/// Most limits and largest amounts are wide enough not to matter; without them fewer directions are seen.
+fn idle_rows(programme: &Programme, floor: f64, solves: &mut usize) -> Option<Solution> {
+    let loads = |g: usize| programme.groups[g].members.iter().all(|m| matches!(m, Member::Curve(_)));
+    if programme.rows.is_empty() || !(0..programme.groups.len()).all(|g| programme.cost[g] == 0.0 || loads(g))
+    {
+        return None;
+    }
+    let free = Programme { rows: Vec::new(), ..programme.clone() };
+    let (range, _) = RowFactors::of(&free.seen(), UNSEEN).bases();
+    let small = free.restricted(&vec![0.0; free.variables], &range);
+    let mut solution = solve(&small, GAP, floor, solves).ok()?;
+    solution.x = range.times(&solution.x);
+    if programme.violation(&solution.x, &programme.levels(&solution.x)) > 0.0 {
+        let open = face(&free, &solution);
+        let inside = programme.restricted(&solution.x, &open);
+        let step = crate::infeasible::closest_inside(&inside, solves)?;
+        let step = open.times(&step);
+        solution.x = solution.x.iter().zip(&step).map(|(x, s)| x + s).collect();
+    }
+    solution.levels = programme.levels(&solution.x);
+    let value = programme.value(&solution.x, &solution.levels);
+    let holds = programme.violation(&solution.x, &solution.levels) <= HOLDS;
+    if !holds || value - solution.bound > GAP * value.max(floor) {
+        return None;
+    }
+    solution.value = value;
+    solution.prices = vec![0.0; programme.rows.len()];
+    Some(solution)
 }
 
 /// Whether the costs can be made to vanish, and where.

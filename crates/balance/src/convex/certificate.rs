@@ -14,6 +14,9 @@ use super::curve::{inner, length};
 use super::dense::{Matrix, RowFactors, add_scaled, norm};
 use super::programme::{Programme, Support};
 
+/// Levels below this vanish.
+const VANISHES: f64 = 1e-6;
+
 /// Multipliers made admissible, and what they prove.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Certificate {
@@ -24,9 +27,11 @@ pub(crate) struct Certificate {
 
 /// The bound that these multipliers prove, after the smallest change that makes them admissible.
 ///
-/// `radius` holds every point worth looking at.
+/// `levels` are those of the point that the multipliers belong to: groups that vanish there need not use up their
+/// weight. `radius` holds every point worth looking at.
 pub(crate) fn certify(
     programme: &Programme,
+    levels: &[f64],
     support: &[Support],
     prices: &[f64],
     radius: f64,
@@ -36,7 +41,7 @@ pub(crate) fn certify(
     let directions: Vec<Matrix> =
         support.iter().map(|s| programme.groups[s.group].members[s.member].directions(s.angle)).collect();
     for _ in 0..3 {
-        project(programme, &directions, &mut support, &mut prices);
+        project(programme, levels, &directions, &mut support, &mut prices);
     }
     settle(programme, &mut support, &mut prices)?;
     let rest = stationarity(programme, &directions, &support, &prices);
@@ -72,7 +77,13 @@ pub(crate) fn stationarity(
 }
 
 /// The smallest relative change of the multipliers that makes them stationary and gives every group its weight.
-fn project(programme: &Programme, directions: &[Matrix], support: &mut [Support], prices: &mut [f64]) {
+fn project(
+    programme: &Programme,
+    levels: &[f64],
+    directions: &[Matrix],
+    support: &mut [Support],
+    prices: &mut [f64],
+) {
     let n = programme.variables;
     let groups: Vec<usize> =
         (0..programme.groups.len()).filter(|&g| support.iter().any(|s| s.group == g)).collect();
@@ -104,7 +115,8 @@ fn project(programme: &Programme, directions: &[Matrix], support: &mut [Support]
     }
     for &group in &groups {
         let sum: f64 = support.iter().filter(|s| s.group == group).map(|s| length(&s.y)).sum();
-        right.push(programme.weight(group, prices) - sum);
+        let short = programme.weight(group, prices) - sum;
+        right.push(if levels[group] < VANISHES { short.min(0.0) } else { short });
     }
     let change = RowFactors::of(&matrix, 1e-13).shortest(&right);
     // A change that is not small would turn multipliers round.

@@ -81,7 +81,7 @@ fn consider(
     let feasible = programme.violation(x, &levels) <= HOLDS && value.is_finite();
     let reach = programme.radius(best.as_ref().map_or(value, |b| b.value.max(value)));
     let radius = if reach.is_finite() { reach } else { FARTHEST };
-    let certificate = certify(programme, support, prices, radius);
+    let certificate = certify(programme, &levels, support, prices, radius);
     // Amounts are never negative.
     let floor = if programme.linear.iter().all(|p| *p == 0.0) { programme.offset } else { f64::NEG_INFINITY };
     match best {

@@ -5,6 +5,7 @@ mod cone;
 pub(crate) mod curve;
 pub(crate) mod dense;
 mod exchange;
+mod kkt;
 mod polish;
 pub(crate) mod programme;
 

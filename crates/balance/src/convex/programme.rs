@@ -12,10 +12,44 @@ use super::curve::{Grid, Member};
 use super::dense::{Matrix, RowFactors, add_scaled, dot};
 use std::rc::Rc;
 
+/// Directions that move a group by less than this share of its reach are not seen by it.
+pub(crate) const UNSEEN: f64 = 1e-11;
+
+/// Rows are judged relative to their limits, smaller limits to this.
+const LEAST: f64 = 1e-3;
+
 /// Values whose largest amount counts.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Group {
     pub members: Vec<Member>,
+    /// The most that a unit of a variable changes a coefficient: what its directions are measured against.
+    pub reach: f64,
+}
+
+impl Group {
+    pub fn new(members: Vec<Member>) -> Group {
+        let reach = members.iter().map(|m| largest(m.columns())).fold(0.0, f64::max);
+        Group { members, reach: if reach > 0.0 { reach } else { 1.0 } }
+    }
+
+    /// Whether the variables still move it.
+    pub fn moves(&self) -> bool {
+        self.members.iter().any(|m| largest(m.columns()) > UNSEEN * self.reach)
+    }
+
+    /// Adds how its coefficients depend on the variables, one row each, to `rows`.
+    pub fn add_directions(&self, rows: &mut Matrix) {
+        for columns in self.members.iter().map(Member::columns) {
+            for i in 0..columns.rows {
+                let row: Vec<f64> = columns.row(i).iter().map(|c| c / self.reach).collect();
+                rows.push(&row);
+            }
+        }
+    }
+}
+
+fn largest(columns: &Matrix) -> f64 {
+    (0..columns.rows).flat_map(|i| columns.row(i)).fold(0.0, |a, b| a.max(b.abs()))
 }
 
 /// `SUM of shares t + directions x <= most`.
@@ -77,6 +111,7 @@ impl Programme {
     pub fn restricted(&self, origin: &[f64], directions: &Matrix) -> Programme {
         let group = |group: &Group| Group {
             members: group.members.iter().map(|m| m.restricted(origin, directions, &self.grid)).collect(),
+            reach: group.reach,
         };
         let into = |row: &[f64]| {
             let mut result = vec![0.0; directions.columns];
@@ -107,9 +142,7 @@ impl Programme {
         let mut seen = Matrix::zeros(0, self.variables);
         for (index, group) in self.groups.iter().enumerate() {
             if self.judged(index) {
-                for columns in group.members.iter().map(Member::columns) {
-                    (0..columns.rows).for_each(|i| seen.push(columns.row(i)));
-                }
+                group.add_directions(&mut seen);
             }
         }
         self.rows.iter().for_each(|r| seen.push(&r.directions));
@@ -144,9 +177,9 @@ impl Programme {
         shares + dot(&row.directions, x) - row.most
     }
 
-    /// The most that any row is passed, as a share of it (of 1 for a smaller one).
+    /// The most that any row is passed, as a share of it (of a thousandth for a smaller one).
     pub fn violation(&self, x: &[f64], levels: &[f64]) -> f64 {
-        let share = |r: usize| self.excess(r, x, levels) / self.rows[r].most.abs().max(1.0);
+        let share = |r: usize| self.excess(r, x, levels) / self.rows[r].most.abs().max(LEAST);
         (0..self.rows.len()).map(share).fold(f64::NEG_INFINITY, f64::max)
     }
 

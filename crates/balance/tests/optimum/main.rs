@@ -1,4 +1,6 @@
 //! The convex optimum against closed forms, golden section, random changes and its own conditions.
 mod bending;
 mod closed_forms;
+mod conditions;
+mod limits;
 mod support;
