@@ -28,6 +28,14 @@ enum Quantity {
 }
 
 impl Quantity {
+    /// Name for files.
+    fn id(self) -> &'static str {
+        match self {
+            Quantity::Moment => "bending-moment",
+            Quantity::Shear => "shear-force",
+        }
+    }
+
     fn name(self) -> &'static str {
         match self {
             Quantity::Moment => "Bending moment",
@@ -60,47 +68,48 @@ pub fn internal_figures(engine: &Engine, cases: &[InternalMoments]) -> Vec<Figur
         c.reciprocating_share == first.reciprocating_share && c.counterweights != first.counterweights
     });
     let noise = Noise::of(cases);
-    let mut figures = Vec::with_capacity(first.crankshafts.len());
+    let mut figures = Vec::with_capacity(4 * first.crankshafts.len());
     for (place, shaft) in first.crankshafts.iter().enumerate() {
-        let mut panels = Vec::with_capacity(4);
+        let several = engine.crankshafts.len() > 1;
+        let name = &engine.crankshafts[shaft.crankshaft - 1].name;
         for quantity in [Quantity::Moment, Quantity::Shear] {
             for model in BeamModel::ALL {
                 let beam = shaft.of(model);
                 let other = bare.map(|bare| bare.crankshafts[place].of(model));
-                let curves = curves(first, beam, bare.zip(other), quantity, &noise);
-                panels.push(panel(engine, shaft.crankshaft - 1, beam, model, quantity, &curves, &noise));
+                let curves = curves(first, beam, other, quantity, &noise);
+                let id = format!("{}-{}", quantity.id(), model.name().replace(' ', "-"));
+                let title = format!("{}, {}", quantity.name(), model.name());
+                figures.push(Figure {
+                    id: if several { format!("{id}-{}", shaft.crankshaft) } else { id },
+                    title: if several { format!("{title}: {name}") } else { title },
+                    caption: caption(first, model, bare.is_some()),
+                    panels: vec![panel(engine, shaft.crankshaft - 1, beam, model, quantity, &curves, &noise)],
+                    columns: 1,
+                });
             }
         }
-        let several = engine.crankshafts.len() > 1;
-        let shaft_name = &engine.crankshafts[shaft.crankshaft - 1].name;
-        figures.push(Figure {
-            id: match several {
-                true => format!("internal-moments-{}", shaft.crankshaft),
-                false => "internal-moments".to_owned(),
-            },
-            title: match several {
-                true => format!("Shear and bending of the crankshaft: {shaft_name}"),
-                false => "Shear and bending of the crankshaft".to_owned(),
-            },
-            caption: caption(first, bare.is_some()),
-            panels,
-            columns: 2,
-        });
     }
     figures
 }
 
-fn caption(first: &InternalMoments, has_bare: bool) -> String {
+fn caption(first: &InternalMoments, model: BeamModel, has_bare: bool) -> String {
     let loads = loads_in_words(first);
+    let held = match model {
+        BeamModel::FreeBeam => {
+            "The crankshaft as a free beam: only what its loads do not hold in balance by themselves is carried, by the end \
+             mains."
+        }
+        BeamModel::ThrowByThrow => {
+            "Every throw held by the main bearings beside it, as if the shaft were cut through there."
+        }
+    };
     let dotted = match has_bare {
-        true => " Orange: the largest without counterweights.",
+        true => ", and without counterweights",
         false => "",
     };
     format!(
-        "Loads: {loads}. Free beam: only what the loads do not hold in balance by themselves is carried, by the end \
-         mains. Throw by throw: each throw is held by the mains beside it, as if the shaft were cut there. Thick: the \
-         largest over the cycle, whatever its direction; blue and green: what acts at two instants in the plane of the \
-         first one's peak.{dotted} Above, the crank at θ = 0 with the numbers of its main bearings."
+        "{held} Loads: {loads}. The largest over the cycle, whatever its direction{dotted}; and what acts at two instants in \
+         the plane of the bending peak. Above, the crank at θ = 0 with the numbers of its main bearings."
     )
 }
 
@@ -119,7 +128,7 @@ pub(crate) fn loads_in_words(case: &InternalMoments) -> String {
 fn curves(
     case: &InternalMoments,
     beam: &BeamLoads,
-    bare: Option<(&InternalMoments, &BeamLoads)>,
+    bare: Option<&BeamLoads>,
     quantity: Quantity,
     noise: &Noise,
 ) -> Vec<Curve> {
@@ -146,7 +155,7 @@ fn curves(
             curves.push(Curve { name, style, points, mirrored: false });
         }
     }
-    if let Some((_, beam)) = bare {
+    if let Some(beam) = bare {
         curves.push(Curve {
             name: "largest without counterweights".to_owned(),
             style: 2,
