@@ -220,7 +220,7 @@ pub fn internal_moments(engine: &Engine, request: &InternalRequest) -> Result<In
 }
 
 /// The case asked for, then what it is to be compared with: without counterweights where the engine has some, and both
-/// once more with all of the reciprocating forces; the traces of these two have one angle only.
+/// once more with all of the reciprocating forces.
 ///
 /// # Errors
 /// As [`internal_moments`].
@@ -230,11 +230,7 @@ pub fn internal_cases(engine: &Engine, request: &InternalRequest) -> Result<Vec<
         requests.push(InternalRequest { counterweights: false, ..request.clone() });
     }
     if request.reciprocating_share < 1.0 {
-        let whole = |r: &InternalRequest| InternalRequest {
-            reciprocating_share: 1.0,
-            samples: r.samples.min(1),
-            ..r.clone()
-        };
+        let whole = |r: &InternalRequest| InternalRequest { reciprocating_share: 1.0, ..r.clone() };
         requests.extend(requests.iter().map(whole).collect::<Vec<_>>());
     }
     requests.iter().map(|request| internal_moments(engine, request)).collect()

@@ -60,13 +60,18 @@ struct Curve {
     mirrored: bool,
 }
 
-/// Shear force and bending moment along every crankshaft in both models: the first of `cases`, and where another has the
-/// same loads without counterweights, its envelope beside it.
+/// Shear force and bending moment along every crankshaft in both models.
+///
+/// Where only what turns counts in the first of `cases`, its envelope stands beside those of all others; else what it does at
+/// two instants, and its envelope without counterweights.
 pub fn internal_figures(engine: &Engine, cases: &[InternalMoments]) -> Vec<Figure> {
     let Some(first) = cases.first() else { return Vec::new() };
-    let bare = cases.iter().find(|c| {
-        c.reciprocating_share == first.reciprocating_share && c.counterweights != first.counterweights
-    });
+    let turns_only = first.reciprocating_share == 0.0;
+    let compared: Vec<&InternalMoments> = cases
+        .iter()
+        .skip(1)
+        .filter(|case| turns_only || case.reciprocating_share == first.reciprocating_share)
+        .collect();
     let noise = Noise::of(cases);
     let mut figures = Vec::with_capacity(4 * first.crankshafts.len());
     for (place, shaft) in first.crankshafts.iter().enumerate() {
@@ -75,14 +80,21 @@ pub fn internal_figures(engine: &Engine, cases: &[InternalMoments]) -> Vec<Figur
         for quantity in [Quantity::Moment, Quantity::Shear] {
             for model in BeamModel::ALL {
                 let beam = shaft.of(model);
-                let other = bare.map(|bare| bare.crankshafts[place].of(model));
-                let curves = curves(first, beam, other, quantity, &noise);
+                let mut curves = vec![envelope(first, first, beam, quantity)];
+                if !turns_only {
+                    curves.extend(instants(first, beam, quantity, &noise));
+                }
+                curves.extend(
+                    compared
+                        .iter()
+                        .map(|case| envelope(case, first, case.crankshafts[place].of(model), quantity)),
+                );
                 let id = format!("{}-{}", quantity.id(), model.name().replace(' ', "-"));
                 let title = format!("{}, {}", quantity.name(), model.name());
                 figures.push(Figure {
                     id: if several { format!("{id}-{}", shaft.crankshaft) } else { id },
                     title: if several { format!("{title}: {name}") } else { title },
-                    caption: caption(first, model, bare.is_some()),
+                    caption: caption(first, model),
                     panels: vec![panel(engine, shaft.crankshaft - 1, beam, model, quantity, &curves, &noise)],
                     columns: 1,
                 });
@@ -92,8 +104,7 @@ pub fn internal_figures(engine: &Engine, cases: &[InternalMoments]) -> Vec<Figur
     figures
 }
 
-fn caption(first: &InternalMoments, model: BeamModel, has_bare: bool) -> String {
-    let loads = loads_in_words(first);
+fn caption(first: &InternalMoments, model: BeamModel) -> String {
     let held = match model {
         BeamModel::FreeBeam => {
             "The crankshaft as a free beam: only what its loads do not hold in balance by themselves is carried, by the end \
@@ -103,67 +114,66 @@ fn caption(first: &InternalMoments, model: BeamModel, has_bare: bool) -> String 
             "Every throw held by the main bearings beside it, as if the shaft were cut through there."
         }
     };
-    let dotted = match has_bare {
-        true => ", and without counterweights",
-        false => "",
+    let shown = match first.reciprocating_share {
+        0.0 => "The largest over the cycle, whatever its direction: of what rotates alone, and with all of the reciprocating \
+                forces."
+            .to_owned(),
+        _ => format!(
+            "Loads: {}. The largest over the cycle, whatever its direction; and what acts at two instants in the plane of the \
+             bending peak.",
+            loads_in_words(first)
+        ),
     };
-    format!(
-        "{held} Loads: {loads}. The largest over the cycle, whatever its direction{dotted}; and what acts at two instants in \
-         the plane of the bending peak. Above, the crank at θ = 0 with the numbers of its main bearings."
-    )
+    format!("{held} {shown} Above, the crank at θ = 0 with the numbers of its main bearings.")
 }
 
-/// "rotating parts and counterweights", with the share of the reciprocating forces.
-pub(crate) fn loads_in_words(case: &InternalMoments) -> String {
+/// "rotating parts and counterweights, with 50 % of the reciprocating forces".
+fn loads_in_words(case: &InternalMoments) -> String {
     let weights = if case.counterweights { " and counterweights" } else { "" };
-    match case.reciprocating_share {
-        share if share > 0.0 => {
-            let percent = number::trimmed(100.0 * share, 3);
-            format!("rotating parts{weights}, with {percent} % of the reciprocating forces")
-        }
-        _ => format!("rotating parts{weights}"),
-    }
+    let percent = number::trimmed(100.0 * case.reciprocating_share, 3);
+    format!("rotating parts{weights}, with {percent} % of the reciprocating forces")
 }
 
-fn curves(
-    case: &InternalMoments,
-    beam: &BeamLoads,
-    bare: Option<&BeamLoads>,
-    quantity: Quantity,
-    noise: &Noise,
-) -> Vec<Curve> {
-    let mut curves = vec![Curve {
-        name: "largest".to_owned(),
-        style: 0,
+/// The largest over the cycle of one case, named by what makes it differ from the `first`.
+fn envelope(case: &InternalMoments, first: &InternalMoments, beam: &BeamLoads, quantity: Quantity) -> Curve {
+    let bare = case.counterweights != first.counterweights;
+    let turns_only = first.reciprocating_share == 0.0;
+    let (name, style) = match (turns_only, case.reciprocating_share > 0.0, bare) {
+        (true, false, false) => ("rotating", 0),
+        (true, false, true) => ("rotating, no counterweights", 2),
+        (true, true, false) => ("and reciprocating", 1),
+        (true, true, true) => ("and reciprocating, no counterweights", 3),
+        (false, _, false) => ("largest", 0),
+        (false, _, true) => ("largest without counterweights", 2),
+    };
+    Curve {
+        name: name.to_owned(),
+        style,
         points: along(beam, quantity, |values| values.iter().map(|v| v.norm()).fold(0.0, f64::max)),
         mirrored: true,
-    }];
+    }
+}
+
+/// What acts when the bending moment peaks and a quarter turn later, in the plane of that peak; none where nothing bends.
+fn instants(case: &InternalMoments, beam: &BeamLoads, quantity: Quantity, noise: &Noise) -> Vec<Curve> {
     let peak = beam.peak_moment;
-    if peak.value > noise.moment {
-        let instants = [peak.theta, (peak.theta + FRAC_PI_2) % case.period].map(|t| nearest(case, t));
-        let worst =
-            beam.stations.iter().find(|s| s.z == peak.z).map_or(Complex64::ONE, |s| s.moment[instants[0]]);
-        // Forces along d bend by -i d times a lever: d spans the plane in which the peak acts.
-        let direction = Complex64::I * worst / worst.norm().max(f64::MIN_POSITIVE);
-        for (style, at) in [1, 3].into_iter().zip(instants) {
-            let points = along(beam, quantity, |values| {
-                let turned =
-                    if quantity == Quantity::Moment { Complex64::I * values[at] } else { values[at] };
-                (direction.conj() * turned).re
-            });
-            let name = format!("at θ = {}°", number::trimmed(case.theta[at].to_degrees(), 4));
-            curves.push(Curve { name, style, points, mirrored: false });
-        }
+    if peak.value <= noise.moment {
+        return Vec::new();
     }
-    if let Some(beam) = bare {
-        curves.push(Curve {
-            name: "largest without counterweights".to_owned(),
-            style: 2,
-            points: along(beam, quantity, |values| values.iter().map(|v| v.norm()).fold(0.0, f64::max)),
-            mirrored: true,
+    let instants = [peak.theta, (peak.theta + FRAC_PI_2) % case.period].map(|t| nearest(case, t));
+    let worst =
+        beam.stations.iter().find(|s| s.z == peak.z).map_or(Complex64::ONE, |s| s.moment[instants[0]]);
+    // Forces along d bend by -i d times a lever: d spans the plane in which the peak acts.
+    let direction = Complex64::I * worst / worst.norm().max(f64::MIN_POSITIVE);
+    let curve = |(style, at): (usize, usize)| {
+        let points = along(beam, quantity, |values| {
+            let turned = if quantity == Quantity::Moment { Complex64::I * values[at] } else { values[at] };
+            (direction.conj() * turned).re
         });
-    }
-    curves
+        let name = format!("at θ = {}°", number::trimmed(case.theta[at].to_degrees(), 4));
+        Curve { name, style, points, mirrored: false }
+    };
+    [1, 3].into_iter().zip(instants).map(curve).collect()
 }
 
 /// Index of the crank angle nearest to `theta` [rad].

@@ -132,7 +132,7 @@ pub fn mains_table(engine: &Engine, cases: &[InternalMoments]) -> Table {
     for case in cases {
         let loads = case.crankshafts.iter().flat_map(|s| &s.throw_by_throw.mains).map(|m| m.largest.value);
         let head = match compares {
-            true => format!("{} weights, {}", weights(case), percent(case)),
+            true => format!("{}, {}", weights(case), percent(case)),
             false => percent(case),
         };
         columns.push((Column::numbers(head, "N"), column_cells(loads, 5, noise.force)));
@@ -140,7 +140,15 @@ pub fn mains_table(engine: &Engine, cases: &[InternalMoments]) -> Table {
     Table::of_columns(
         "main-bearings",
         "Inertia loads on the main bearings",
-        "The largest over the cycle, throw by throw, without gas; the share is that of the reciprocating forces.",
+        match compares {
+            true => {
+                "The largest over the cycle, throw by throw, without gas; with and without counterweights, with a share of the \
+                 reciprocating forces."
+            }
+            false => {
+                "The largest over the cycle, throw by throw, without gas; the share is that of the reciprocating forces."
+            }
+        },
         columns,
     )
 }
