@@ -26,7 +26,7 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
             positive("largest inertia", &inertia.name, most)?;
         }
     }
-    if let Some(second) = task.inertias.get(1).filter(|_| task.inertias.iter().all(|i| !i.optional)) {
+    if let Some(second) = task.inertias.iter().filter(|inertia| !inertia.optional).nth(1) {
         return Err(BalanceError::OneInertia { second: second.name.clone() });
     }
     for tie in &task.ties {

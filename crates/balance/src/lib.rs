@@ -8,6 +8,7 @@ mod answer;
 mod arrangement;
 mod arrangement_task;
 mod bending;
+mod branch;
 mod check;
 mod convex;
 mod crank_sweep;

@@ -56,6 +56,37 @@ pub(crate) struct WeightColumns {
     pub unit: f64,
 }
 
+/// What the engine itself does: the part of an [`Operator`] that does not depend on the devices.
+#[derive(Debug, Clone)]
+pub(crate) struct EngineLoads {
+    orders: Vec<OrderLoads>,
+    /// Period [revolutions of crankshaft 1].
+    revolutions: u32,
+    /// Speed of crankshaft 1 [rad/s].
+    speed: f64,
+    natural_force: f64,
+    natural_moment: f64,
+}
+
+impl EngineLoads {
+    /// Of an engine without what the task takes over.
+    pub fn of(engine: &Engine, kinematics: Kinematics) -> Result<EngineLoads, BalanceError> {
+        let (orders, revolutions) = orders(engine, kinematics)?;
+        let speed = engine.speed.highest;
+        let (natural_force, natural_moment) = natural(engine, speed);
+        Ok(EngineLoads { orders, revolutions, speed, natural_force, natural_moment })
+    }
+}
+
+/// The area that a shaft's axis may be found in.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct AxisArea {
+    /// Its corners; the shaft's weights stand on the first one.
+    pub corners: Vec<Complex64>,
+    /// Direction of all weights on the shaft, where they have only one.
+    pub direction: Option<f64>,
+}
+
 /// The loads of an engine with free devices.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Operator {
@@ -70,8 +101,12 @@ pub(crate) struct Operator {
     pub inertia: Option<(usize, f64)>,
     /// Variables that are not negative.
     pub positive: Vec<usize>,
-    /// `equalities x = 0`: weights that depend on one another.
+    /// Shafts whose axis is to be found: corners of the area beyond the first, which the shaft's weights stand on.
+    pub axes: Vec<Vec<Corner>>,
+    /// `equalities x = equal_to`: weights that depend on one another, and given amounts in a given direction.
     pub equalities: Matrix,
+    /// Right side of the equalities.
+    pub equal_to: Vec<f64>,
     /// What forces are measured against [N].
     pub natural_force: f64,
     /// What moments are measured against [N m].
@@ -92,13 +127,23 @@ impl Operator {
         kinematics: Kinematics,
         places: &[Vec<(Complex64, f64)>],
     ) -> Result<Operator, BalanceError> {
-        let (orders, base_revolutions) = orders(engine, kinematics)?;
+        Operator::with(&EngineLoads::of(engine, kinematics)?, engine, task, places, &[])
+    }
+
+    /// As [`Operator::new`] where the engine's loads are known, with the areas of the shafts' axes.
+    pub fn with(
+        engine_loads: &EngineLoads,
+        engine: &Engine,
+        task: &BalanceTask,
+        places: &[Vec<(Complex64, f64)>],
+        areas: &[AxisArea],
+    ) -> Result<Operator, BalanceError> {
+        let &EngineLoads { ref orders, revolutions: own, speed, natural_force, natural_moment } =
+            engine_loads;
         let ratios: Vec<Ratio> = task.weights.iter().map(|w| ratio_of(engine, task, w.seat)).collect();
         let revolutions = (1..=MOST_REVOLUTIONS)
-            .find(|r| r % base_revolutions == 0 && ratios.iter().all(|ratio| r % ratio.denominator() == 0))
+            .find(|r| r % own == 0 && ratios.iter().all(|ratio| r % ratio.denominator() == 0))
             .ok_or(LoadError::PeriodTooLong { limit: MOST_REVOLUTIONS })?;
-        let speed = engine.speed.highest;
-        let (natural_force, natural_moment) = natural(engine, speed);
         let mut operator = Operator {
             speed,
             grid: Rc::new(Grid::new(1, 1)),
@@ -107,21 +152,27 @@ impl Operator {
             weights: Vec::new(),
             inertia: None,
             positive: Vec::new(),
+            axes: Vec::new(),
             equalities: Matrix::zeros(0, 0),
+            equal_to: Vec::new(),
             natural_force,
             natural_moment,
         };
-        for order in &orders {
+        for order in orders {
             operator.add_order(order, revolutions);
         }
         for (index, weight) in task.weights.iter().enumerate() {
             operator.add_weight(ratios[index], weight.phase, weight.most, &places[index], revolutions);
         }
+        for (shaft, area) in areas.iter().enumerate() {
+            operator.add_axis(task, shaft, area, revolutions);
+        }
         if let Some(inertia) = task.inertias.first() {
-            let torque = torque(&orders, revolutions);
+            let torque = torque(orders, revolutions);
             operator.add_inertia(inertia, &torque);
         }
         operator.equalities = operator.ties(task);
+        operator.equal_to = vec![0.0; operator.equalities.rows];
         let highest =
             operator.channels.iter().flat_map(|c| c.base.keys().chain(c.parts.iter().map(|p| &p.1)));
         let highest = highest.copied().max().unwrap_or(0) as usize;
@@ -169,8 +220,7 @@ impl Operator {
             Phase::Free => vec![Complex64::ONE, Complex64::I],
             Phase::Line(angle) | Phase::Direction(angle) => vec![Complex64::cis(angle)],
         };
-        let key = (u64::from(ratio.numerator().unsigned_abs()) * u64::from(revolutions / ratio.denominator()))
-            as u32;
+        let key = turning_key(ratio, revolutions);
         let sense = if ratio.numerator() > 0 { 1.0 } else { -1.0 };
         let mut corners = Vec::new();
         for &(axis, z) in places {
@@ -198,6 +248,35 @@ impl Operator {
             corners.push(Corner { axis, z, terms });
         }
         self.weights.push(WeightColumns { ratio, corners, unit });
+    }
+
+    /// The sum `S` of the weights of a shaft shared out among the corners of its area: only the roll moment sees it.
+    fn add_axis(&mut self, task: &BalanceTask, shaft: usize, area: &AxisArea, revolutions: u32) {
+        let ratio = task.shafts[shaft].ratio;
+        let own = |index: &usize| task.weights[*index].seat == Seat::Shaft(shaft);
+        let unit = (0..task.weights.len()).filter(own).map(|w| self.weights[w].unit).fold(0.0, f64::max);
+        let square = (ratio.value() * self.speed).powi(2);
+        let directions = area
+            .direction
+            .map_or_else(|| vec![Complex64::ONE, Complex64::I], |angle| vec![Complex64::cis(angle)]);
+        let key = turning_key(ratio, revolutions);
+        let sense = if ratio.numerator() > 0 { 1.0 } else { -1.0 };
+        let mut corners = Vec::new();
+        for &axis in area.corners.iter().skip(1) {
+            let mut terms = Vec::new();
+            for direction in &directions {
+                let variable = self.variables;
+                self.variables += 1;
+                if area.direction.is_some() {
+                    self.positive.push(variable);
+                }
+                terms.push((variable, unit * direction));
+                let roll = (axis - area.corners[0]).conj() * square * unit * direction;
+                self.channel_mut(Channel::RollMoment).add_part(variable, key, roll.im, sense * roll.re);
+            }
+            corners.push(Corner { axis, z: 0.0, terms });
+        }
+        self.axes.push(corners);
     }
 
     fn add_inertia(&mut self, inertia: &FreeInertia, torque: &Wave) {
@@ -236,6 +315,11 @@ impl Corner {
     pub fn unbalance(&self, x: &[f64]) -> Complex64 {
         self.terms.iter().map(|(variable, unit)| x[*variable] * unit).sum()
     }
+}
+
+/// Key of what turns at a ratio.
+fn turning_key(ratio: Ratio, revolutions: u32) -> u32 {
+    (u64::from(ratio.numerator().unsigned_abs()) * u64::from(revolutions / ratio.denominator())) as u32
 }
 
 /// Speed ratio of what a weight sits on.

@@ -1,6 +1,7 @@
 //! The best that exists for an engine with given free devices, with its proof.
 
 use crate::answer::*;
+use crate::branch::{self, Ending, Searched};
 use crate::check::check;
 use crate::convex::Failure;
 use crate::convex::curve::length;
@@ -11,7 +12,7 @@ use crate::operator::{Operator, inertia_of, middle};
 use crate::problem::{Problem, Rule};
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Seat, criterion_name, criterion_unit};
+use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
 
 /// Finds the best unbalances for `task`, from the exact motion of the engine.
 ///
@@ -38,43 +39,132 @@ pub fn optimise_with(
     kinematics: Kinematics,
 ) -> Result<Answer, BalanceError> {
     check(engine, task)?;
+    if branch::is_needed(task) {
+        return searched(engine, task, kinematics);
+    }
     let places = middle(engine, task);
     let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
-    let mut answer = Answer {
+    let mut answer = empty(engine, task);
+    let x = match run(&problem, &mut solves) {
+        Ok(reached) => {
+            answer.outcome = outcome(&found_stages(&problem, &reached), &reached.stages);
+            let stand = Stand::given(task, &places);
+            fill(&mut answer, engine, task, &problem, &reached, &stand);
+            reached.x
+        }
+        Err(failure) => {
+            answer.outcome = refused(engine, &problem, task, failure, &mut solves);
+            vec![0.0; problem.operator.variables]
+        }
+    };
+    answer.method = Method::Convex { solves };
+    answer.effects = effects(engine, task, kinematics, &problem, &x)?;
+    Ok(answer)
+}
+
+/// The answer of a search over choices.
+fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Result<Answer, BalanceError> {
+    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics)?;
+    let mut answer = empty(engine, task);
+    let chosen = branch::is_choice(task);
+    answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
+    match ending {
+        Ending::Chosen(best) => {
+            let reached = Reached { x: best.x, stages: best.proofs };
+            let stages = found_stages(&best.problem, &reached);
+            answer.outcome = match (outcome(&stages, &reached.stages), best.stopped) {
+                (Outcome::Stopped { reason }, Some(stopped)) => {
+                    Outcome::Stopped { reason: format!("{stopped}: {reason}") }
+                }
+                (outcome, _) => outcome,
+            };
+            let stand =
+                Stand { planes: best.planes, axes: best.axes, inertia: best.inertia, priced: !chosen };
+            fill(&mut answer, engine, task, &best.problem, &reached, &stand);
+            answer.effects = effects(engine, task, kinematics, &best.problem, &reached.x)?;
+            return Ok(answer);
+        }
+        Ending::Infeasible { relaxation, closest } => {
+            let reason = if task.limits.is_empty() {
+                "least amounts, ties and the number of optional devices contradict one another".to_string()
+            } else {
+                infeasible_words(engine, task, relaxation, &closest)
+            };
+            answer.outcome = Outcome::Infeasible { relaxation, closest, reason };
+        }
+        Ending::Nothing => {
+            let reason = format!("no choice that holds the limits was found in {nodes} boxes of choices");
+            answer.outcome = Outcome::Stopped { reason };
+        }
+    }
+    let places = middle(engine, task);
+    let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
+    let problem = Problem::new(engine, task, operator)?;
+    let nothing = vec![0.0; problem.operator.variables];
+    answer.effects = effects(engine, task, kinematics, &problem, &nothing)?;
+    Ok(answer)
+}
+
+fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
+    Answer {
         version: ANSWER_VERSION,
         engine: engine.name.clone(),
         speed: engine.speed.highest,
         task: task.clone(),
         outcome: Outcome::Optimal,
-        method: Method::Convex { solves },
+        method: Method::Convex { solves: 0 },
         weights: Vec::new(),
         shafts: Vec::new(),
         inertias: Vec::new(),
         stages: Vec::new(),
         limits: Vec::new(),
         effects: Vec::new(),
-    };
-    let nothing = vec![0.0; problem.operator.variables];
-    let x = match run(&problem, &mut solves) {
-        Ok(reached) => {
-            answer.stages = found_stages(&problem, &reached);
-            answer.outcome = outcome(&answer.stages, &reached.stages);
-            answer.weights = found_weights(&problem, task, &reached.x);
-            answer.shafts = found_shafts(task, &answer.weights, &places);
-            answer.inertias = found_inertias(&problem, task, &reached.x);
-            answer.limits = found_limits(engine, &problem, task, &reached, &answer);
-            reached.x
+    }
+}
+
+/// Where the devices of an answer stand.
+struct Stand {
+    /// Plane of every weight [m].
+    planes: Vec<f64>,
+    /// Axis of every shaft [m].
+    axes: Vec<[f64; 2]>,
+    /// The inertia that is used, by index.
+    inertia: Option<usize>,
+    /// Whether a limit has a price: nothing was chosen that a change of the limit would choose again.
+    priced: bool,
+}
+
+impl Stand {
+    /// Of a task whose places are given.
+    fn given(task: &BalanceTask, places: &[Vec<(num_complex::Complex64, f64)>]) -> Stand {
+        let value = |place: Place| match place {
+            Place::At(value) => value,
+            Place::Between(low, high) => 0.5 * (low + high),
+        };
+        Stand {
+            planes: places.iter().map(|corners| corners[0].1).collect(),
+            axes: task.shafts.iter().map(|s| [value(s.x), value(s.y)]).collect(),
+            inertia: (!task.inertias.is_empty()).then_some(0),
+            priced: true,
         }
-        Err(failure) => {
-            answer.outcome = refused(engine, &problem, task, failure, &mut solves);
-            nothing.clone()
-        }
-    };
-    answer.method = Method::Convex { solves };
-    answer.effects = effects(engine, task, kinematics, &problem, &x)?;
-    Ok(answer)
+    }
+}
+
+fn fill(
+    answer: &mut Answer,
+    engine: &Engine,
+    task: &BalanceTask,
+    problem: &Problem,
+    reached: &Reached,
+    stand: &Stand,
+) {
+    answer.stages = found_stages(problem, reached);
+    answer.weights = found_weights(problem, task, &reached.x, &stand.planes);
+    answer.shafts = found_shafts(task, &answer.weights, &stand.axes);
+    answer.inertias = found_inertias(problem, task, &reached.x, stand.inertia);
+    answer.limits = found_limits(engine, problem, task, reached, answer, stand);
 }
 
 /// Optimal where every gap is closed.
@@ -109,8 +199,14 @@ fn refused(
             reason: "the limits can only just be held together, too closely for a proof".to_string(),
         };
     }
+    let reason = infeasible_words(engine, task, obstacle.relaxation, &obstacle.closest);
+    Outcome::Infeasible { relaxation: obstacle.relaxation, closest: obstacle.closest, reason }
+}
+
+/// How close each limit can be reached alone, and how far all must be relaxed together.
+fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closest: &[f64]) -> String {
     let mut parts = Vec::new();
-    for (limit, closest) in task.limits.iter().zip(&obstacle.closest) {
+    for (limit, closest) in task.limits.iter().zip(closest) {
         let (name, unit) = (criterion_name(&limit.criterion, engine), criterion_unit(&limit.criterion));
         let verdict =
             if *closest > limit.most { "cannot be reached even alone" } else { "can be reached alone" };
@@ -118,10 +214,10 @@ fn refused(
             .push(format!("{name} at most {:.6} {unit} {verdict} (closest {closest:.6} {unit})", limit.most));
     }
     let mut reason = parts.join("; ");
-    if obstacle.relaxation.is_finite() {
-        reason += &format!("; all limits must be relaxed by a factor of {:.6} together", obstacle.relaxation);
+    if relaxation.is_finite() {
+        reason += &format!("; all limits must be relaxed by a factor of {relaxation:.6} together");
     }
-    Outcome::Infeasible { relaxation: obstacle.relaxation, closest: obstacle.closest, reason }
+    reason
 }
 
 fn found_stages(problem: &Problem, reached: &Reached) -> Vec<FoundStage> {
@@ -162,7 +258,7 @@ fn active(problem: &Problem, terms: &[(f64, crate::criterion::Judged)], proof: &
     active
 }
 
-fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<FoundWeight> {
+fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64]) -> Vec<FoundWeight> {
     let mut found = Vec::new();
     for (index, weight) in task.weights.iter().enumerate() {
         let columns = &problem.operator.weights[index];
@@ -174,7 +270,7 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<FoundW
         found.push(FoundWeight {
             name: weight.name.clone(),
             unbalance,
-            z: columns.corners[0].z,
+            z: planes[index],
             mass: weight.radius.map(|radius| unbalance.norm() / radius),
             used: unbalance.norm() > 0.0,
         });
@@ -182,33 +278,26 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<FoundW
     found
 }
 
-fn found_shafts(
-    task: &BalanceTask,
-    weights: &[FoundWeight],
-    places: &[Vec<(num_complex::Complex64, f64)>],
-) -> Vec<FoundShaft> {
+fn found_shafts(task: &BalanceTask, weights: &[FoundWeight], axes: &[[f64; 2]]) -> Vec<FoundShaft> {
     let mut found = Vec::new();
-    for (index, shaft) in task.shafts.iter().enumerate() {
-        let own: Vec<usize> =
-            (0..task.weights.len()).filter(|&w| task.weights[w].seat == Seat::Shaft(index)).collect();
-        let place = |place: lanchester_model::Place| match place {
-            lanchester_model::Place::At(value) => value,
-            lanchester_model::Place::Between(low, high) => 0.5 * (low + high),
-        };
-        let (x, y) = own.first().map_or((place(shaft.x), place(shaft.y)), |&w| {
-            let axis = places[w][0].0;
-            (axis.re, axis.im)
-        });
-        found.push(FoundShaft { name: shaft.name.clone(), x, y, used: own.iter().any(|&w| weights[w].used) });
+    for (index, (shaft, [x, y])) in task.shafts.iter().zip(axes).enumerate() {
+        let mut own = task.weights.iter().zip(weights).filter(|(w, _)| w.seat == Seat::Shaft(index));
+        let used = own.any(|(_, weight)| weight.used);
+        found.push(FoundShaft { name: shaft.name.clone(), x: *x, y: *y, used });
     }
     found
 }
 
-fn found_inertias(problem: &Problem, task: &BalanceTask, x: &[f64]) -> Vec<FoundInertia> {
+fn found_inertias(
+    problem: &Problem,
+    task: &BalanceTask,
+    x: &[f64],
+    used: Option<usize>,
+) -> Vec<FoundInertia> {
     let mut found = Vec::new();
     for (index, inertia) in task.inertias.iter().enumerate() {
         let share = match problem.operator.inertia {
-            Some((variable, _)) if index == 0 => x[variable].max(0.0),
+            Some((variable, _)) if used == Some(index) => x[variable].max(0.0),
             _ => 0.0,
         };
         found.push(FoundInertia {
@@ -226,12 +315,14 @@ fn found_limits(
     task: &BalanceTask,
     reached: &Reached,
     answer: &Answer,
+    stand: &Stand,
 ) -> Vec<FoundLimit> {
     let mut found = Vec::new();
     for (row, &(rule, unit)) in problem.rules.iter().enumerate() {
         // The first stage that it holds up; a price is the stage's unit over the limit's.
         let price =
             reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
+        let price = stand.priced.then_some(price);
         let limit = match rule {
             Rule::Limit(index) => {
                 let judged = &problem.limits[index];
@@ -240,7 +331,7 @@ fn found_limits(
                     criterion: Some(judged.criterion),
                     most: task.limits[index].most,
                     value: problem.value(judged, &reached.x),
-                    price: Some(price),
+                    price,
                 }
             }
             Rule::MostAmount(index) => FoundLimit {
@@ -248,10 +339,11 @@ fn found_limits(
                 criterion: None,
                 most: task.weights[index].most.unwrap_or(f64::INFINITY),
                 value: answer.weights[index].unbalance.norm(),
-                price: Some(price),
+                price,
             },
             Rule::MostInertia => {
-                let inertia = &task.inertias[0];
+                let Some(index) = stand.inertia else { continue };
+                let inertia = &task.inertias[index];
                 let Some(most) = inertia.most else { continue };
                 let k = inertia.ratio;
                 // ds/dJ at the largest inertia.
@@ -261,8 +353,8 @@ fn found_limits(
                     what: format!("largest inertia of `{}`", inertia.name),
                     criterion: None,
                     most,
-                    value: answer.inertias[0].inertia,
-                    price: Some(price * slope),
+                    value: answer.inertias[index].inertia,
+                    price: price.map(|price| price * slope),
                 }
             }
             Rule::Plain => continue,

@@ -68,30 +68,59 @@ pub(crate) fn run(problem: &Problem, solves: &mut usize) -> Result<Reached, Fail
     Ok(Reached { x: walk.x, stages: walk.proofs })
 }
 
+/// An earlier stage that later ones hold: its value and how far it may be passed, in the unit of the stage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Held {
+    pub value: f64,
+    pub slack: f64,
+    /// Whether the stage is at its least wherever its choices are: then it is minimised again, and the later stages
+    /// move where it does not change.
+    pub exact: bool,
+}
+
 /// A point and the directions that are still open.
-struct Walk<'a> {
+#[derive(Clone)]
+pub(crate) struct Walk<'a> {
     problem: &'a Problem,
     /// The problem's programme with rows that keep what earlier stages reached.
     programme: Programme,
-    x: Vec<f64>,
+    pub x: Vec<f64>,
     /// Orthonormal columns.
     open: Matrix,
-    proofs: Vec<StageProof>,
+    pub proofs: Vec<StageProof>,
 }
 
 impl<'a> Walk<'a> {
-    fn new(problem: &'a Problem) -> Walk<'a> {
-        let (_, open) = RowFactors::of(&problem.operator.equalities, 1e-12).bases();
+    pub fn new(problem: &'a Problem) -> Walk<'a> {
+        let equalities = RowFactors::of(&problem.operator.equalities, 1e-12);
+        let (_, open) = equalities.bases();
         Walk {
             problem,
             programme: problem.programme.clone(),
-            x: vec![0.0; problem.operator.variables],
+            x: equalities.shortest(&problem.operator.equal_to),
             open,
             proofs: Vec::new(),
         }
     }
 
-    fn stage(&mut self, terms: &[(f64, Judged)], solves: &mut usize) -> Result<(), Failure> {
+    /// Holds an earlier stage of the problem.
+    pub fn hold(&mut self, stage: usize, held: Held, solves: &mut usize) -> Result<(), Failure> {
+        let terms = &self.problem.stages[stage];
+        if held.exact {
+            self.stage(terms, solves)?;
+            let bound = self.proofs.last().map_or(f64::NEG_INFINITY, |proof| proof.bound);
+            return if bound <= held.value + held.slack { Ok(()) } else { Err(Failure::Infeasible) };
+        }
+        let (cost, scale, _) = self.problem.cost(terms);
+        self.programme.rows.push(Row {
+            shares: cost.into_iter().enumerate().filter(|c| c.1 > 0.0).collect(),
+            directions: vec![0.0; self.programme.variables],
+            most: (held.value + held.slack) / scale,
+        });
+        Ok(())
+    }
+
+    pub fn stage(&mut self, terms: &[(f64, Judged)], solves: &mut usize) -> Result<(), Failure> {
         let (cost, scale, unbalanced) = self.problem.cost(terms);
         // Loads that are rounding of what the single masses do count as nothing.
         let operator = &self.problem.operator;
@@ -186,7 +215,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Among equals the lightest: the sums that every load sees stay exactly as they are.
-    fn lighten(&mut self, solves: &mut usize) {
+    pub fn lighten(&mut self, solves: &mut usize) {
         if self.problem.operator.weights.is_empty() {
             return;
         }

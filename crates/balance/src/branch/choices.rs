@@ -1,0 +1,381 @@
+//! Boxes of choices: which devices are used, in what stretch each stands, in what sector its phase lies.
+
+use lanchester_model::{BalanceTask, Phase, Place, Seat};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+
+/// Stretches shorter than this are one place [m].
+const ONE_PLACE: f64 = 1e-12;
+
+/// Amounts that differ by less than this share are one.
+const ONE_AMOUNT: f64 = 1e-12;
+
+/// A sector is split at its middle or, where the phase looked for is this close to it (as a share of the sector), beside
+/// it: what is looked for then lies inside one half and not on the edge of both.
+const CLOSE: f64 = 0.1;
+
+/// Whether a device that may be left out is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Use {
+    Yes,
+    No,
+    /// Not decided.
+    Open,
+}
+
+/// Directions that an unbalance may have.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Heading {
+    /// Every direction.
+    Any,
+    /// From `start` on through `width`, at most half a turn [rad].
+    Sector { start: f64, width: f64 },
+    /// Along this direction or opposite.
+    Line(f64),
+    /// Along this direction.
+    Ray(f64),
+    /// Beyond the tangent of the circle of the least amount at this direction: a convex part of what is allowed.
+    Tangent(f64),
+}
+
+/// What is chosen for a weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct WeightChoice {
+    pub usage: Use,
+    /// Its plane lies from the first to the second [m].
+    pub z: [f64; 2],
+    pub heading: Heading,
+}
+
+/// What is chosen for a shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ShaftChoice {
+    pub usage: Use,
+    /// Its axis lies from the first to the second [m].
+    pub x: [f64; 2],
+    pub y: [f64; 2],
+    /// Direction of the sum of its weights.
+    pub heading: Heading,
+}
+
+/// A box of choices.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Choices {
+    pub weights: Vec<WeightChoice>,
+    pub shafts: Vec<ShaftChoice>,
+    /// The inertia that may be used, by index.
+    pub inertia: Option<usize>,
+}
+
+/// How a box is divided.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Split {
+    UseWeight(usize),
+    UseShaft(usize),
+    Plane(usize, f64),
+    /// Weight, direction looked for.
+    Heading(usize, f64),
+    AxisX(usize, f64),
+    AxisY(usize, f64),
+    ShaftHeading(usize, f64),
+}
+
+pub(super) fn stretch(place: Place) -> [f64; 2] {
+    match place {
+        Place::At(value) => [value; 2],
+        Place::Between(low, high) => [low, high],
+    }
+}
+
+/// Whether a stretch is more than one place.
+pub(super) fn open(stretch: [f64; 2]) -> bool {
+    stretch[1] - stretch[0] > ONE_PLACE
+}
+
+/// Whether the least amount of a weight is its largest.
+pub(super) fn given(task: &BalanceTask, weight: usize) -> bool {
+    let weight = &task.weights[weight];
+    weight.most.is_some_and(|most| most - weight.least <= ONE_AMOUNT * most && most > 0.0)
+}
+
+/// Weights on a shaft.
+pub(super) fn on_shaft(task: &BalanceTask, shaft: usize) -> impl Iterator<Item = usize> + '_ {
+    (0..task.weights.len()).filter(move |&w| task.weights[w].seat == Seat::Shaft(shaft))
+}
+
+impl Choices {
+    /// All choices of a task, one box for each inertia that may be used.
+    pub fn of(task: &BalanceTask) -> Vec<Choices> {
+        let usage = |optional: bool| if optional { Use::Open } else { Use::Yes };
+        let weights = task
+            .weights
+            .iter()
+            .map(|weight| WeightChoice {
+                usage: usage(weight.optional),
+                z: stretch(weight.z),
+                heading: match weight.phase {
+                    Phase::Free => Heading::Any,
+                    Phase::Line(angle) => Heading::Line(angle),
+                    Phase::Direction(angle) => Heading::Ray(angle),
+                },
+            })
+            .collect();
+        let shafts = task
+            .shafts
+            .iter()
+            .map(|shaft| ShaftChoice {
+                usage: usage(shaft.optional),
+                x: stretch(shaft.x),
+                y: stretch(shaft.y),
+                heading: Heading::Any,
+            })
+            .collect();
+        let all = Choices { weights, shafts, inertia: None };
+        let needed = task.inertias.iter().position(|inertia| !inertia.optional);
+        let inertias: Vec<Option<usize>> = match needed {
+            Some(index) => vec![Some(index)],
+            // None at all is the same as one of nothing, unless it counts.
+            None if task.inertias.is_empty() => vec![None],
+            None => {
+                let none = task.most_optional.map(|_| None);
+                none.into_iter().chain((0..task.inertias.len()).map(Some)).collect()
+            }
+        };
+        let with = |inertia| Choices { inertia, ..all.clone() };
+        inertias.into_iter().map(with).filter_map(|choices| choices.settled(task)).collect()
+    }
+
+    /// Whether a weight is used, its shaft's use considered.
+    pub fn usage(&self, task: &BalanceTask, weight: usize) -> Use {
+        let shaft = match task.weights[weight].seat {
+            Seat::Shaft(shaft) => self.shafts[shaft].usage,
+            Seat::Crankshaft(_) => Use::Yes,
+        };
+        match (self.weights[weight].usage, shaft) {
+            (Use::No, _) | (_, Use::No) => Use::No,
+            (Use::Open, _) | (_, Use::Open) => Use::Open,
+            (Use::Yes, Use::Yes) => Use::Yes,
+        }
+    }
+
+    /// How many of the optional devices are used for certain.
+    pub fn used(&self, task: &BalanceTask) -> usize {
+        let weights = task.weights.iter().zip(&self.weights).map(|(w, c)| (w.optional, c.usage));
+        let shafts = task.shafts.iter().zip(&self.shafts).map(|(s, c)| (s.optional, c.usage));
+        let inertia = self.inertia.is_some_and(|index| task.inertias[index].optional);
+        weights.chain(shafts).filter(|&(optional, usage)| optional && usage == Use::Yes).count()
+            + usize::from(inertia)
+    }
+
+    /// How many of the optional devices are not decided.
+    pub fn undecided(&self) -> usize {
+        let usages = self.weights.iter().map(|w| w.usage).chain(self.shafts.iter().map(|s| s.usage));
+        usages.filter(|usage| *usage == Use::Open).count()
+    }
+
+    /// The box with what follows from its choices; `None` where they contradict one another.
+    ///
+    /// A device without a least amount is never worse used than not, if it does not count.
+    pub fn settled(mut self, task: &BalanceTask) -> Option<Choices> {
+        let left = match task.most_optional {
+            Some(most) => most.checked_sub(self.used(task))?,
+            None => usize::MAX,
+        };
+        for shaft in 0..self.shafts.len() {
+            if self.shafts[shaft].usage == Use::No {
+                // What stands on a shaft that is left out need not be decided.
+                for weight in on_shaft(task, shaft).filter(|&w| task.weights[w].optional) {
+                    self.weights[weight].usage = Use::No;
+                }
+            }
+        }
+        let undecided = self.undecided();
+        if left == 0 {
+            let weights = self.weights.iter_mut().map(|w| &mut w.usage);
+            let usages = weights.chain(self.shafts.iter_mut().map(|s| &mut s.usage));
+            usages.filter(|usage| **usage == Use::Open).for_each(|usage| *usage = Use::No);
+            return self.settled_if_changed(task, undecided);
+        }
+        if undecided <= left {
+            for weight in 0..self.weights.len() {
+                if self.weights[weight].usage == Use::Open && task.weights[weight].least == 0.0 {
+                    self.weights[weight].usage = Use::Yes;
+                }
+            }
+            for shaft in 0..self.shafts.len() {
+                let harmless =
+                    on_shaft(task, shaft).all(|w| task.weights[w].least == 0.0 || task.weights[w].optional);
+                if self.shafts[shaft].usage == Use::Open && harmless {
+                    self.shafts[shaft].usage = Use::Yes;
+                }
+            }
+            return self.settled_if_changed(task, undecided);
+        }
+        Some(self)
+    }
+
+    fn settled_if_changed(self, task: &BalanceTask, undecided: usize) -> Option<Choices> {
+        if self.undecided() < undecided { self.settled(task) } else { Some(self) }
+    }
+
+    /// Where a box can be divided about which nothing is known.
+    pub fn widest(&self, task: &BalanceTask) -> Option<Split> {
+        if let Some(shaft) = self.shafts.iter().position(|s| s.usage == Use::Open) {
+            return Some(Split::UseShaft(shaft));
+        }
+        if let Some(weight) = self.weights.iter().position(|w| w.usage == Use::Open) {
+            return Some(Split::UseWeight(weight));
+        }
+        let share = |part: [f64; 2], whole: [f64; 2]| {
+            if open(whole) && open(part) { (part[1] - part[0]) / (whole[1] - whole[0]) } else { 0.0 }
+        };
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        let mut all = Vec::new();
+        for (index, (choice, weight)) in self.weights.iter().zip(&task.weights).enumerate() {
+            if self.usage(task, index) == Use::No {
+                continue;
+            }
+            all.push((share(choice.z, stretch(weight.z)), Split::Plane(index, middle(choice.z))));
+            if let Heading::Any | Heading::Sector { .. } | Heading::Line(_) = choice.heading {
+                all.push((choice.heading.width() / (2.0 * PI), Split::Heading(index, 0.0)));
+            }
+        }
+        for (index, (choice, shaft)) in self.shafts.iter().zip(&task.shafts).enumerate() {
+            all.push((share(choice.x, stretch(shaft.x)), Split::AxisX(index, middle(choice.x))));
+            all.push((share(choice.y, stretch(shaft.y)), Split::AxisY(index, middle(choice.y))));
+        }
+        let widest = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
+        (widest.0 > 1e-9).then_some(widest.1)
+    }
+
+    /// The parts of the box.
+    pub fn divided(&self, task: &BalanceTask, split: Split) -> Vec<Choices> {
+        let with = |change: &dyn Fn(&mut Choices)| {
+            let mut part = self.clone();
+            change(&mut part);
+            part.settled(task)
+        };
+        let halves = |[low, high]: [f64; 2], at: f64| {
+            let width = high - low;
+            let middle = 0.5 * (low + high);
+            let beside = (at - middle).abs() < CLOSE * width;
+            let at = if beside { middle + 2.0 * CLOSE * width } else { middle };
+            [[low, at], [at, high]]
+        };
+        let parts: Vec<Option<Choices>> = match split {
+            Split::UseWeight(weight) => {
+                [Use::Yes, Use::No].map(|usage| with(&|c| c.weights[weight].usage = usage)).into()
+            }
+            Split::UseShaft(shaft) => {
+                [Use::Yes, Use::No].map(|usage| with(&|c| c.shafts[shaft].usage = usage)).into()
+            }
+            Split::Plane(weight, at) => {
+                halves(self.weights[weight].z, at).map(|part| with(&|c| c.weights[weight].z = part)).into()
+            }
+            Split::AxisX(shaft, at) => {
+                halves(self.shafts[shaft].x, at).map(|part| with(&|c| c.shafts[shaft].x = part)).into()
+            }
+            Split::AxisY(shaft, at) => {
+                halves(self.shafts[shaft].y, at).map(|part| with(&|c| c.shafts[shaft].y = part)).into()
+            }
+            Split::Heading(weight, at) => self.weights[weight]
+                .heading
+                .parts(at)
+                .into_iter()
+                .map(|part| with(&|c| c.weights[weight].heading = part))
+                .collect(),
+            Split::ShaftHeading(shaft, at) => self.shafts[shaft]
+                .heading
+                .parts(at)
+                .into_iter()
+                .map(|part| with(&|c| c.shafts[shaft].heading = part))
+                .collect(),
+        };
+        parts.into_iter().flatten().collect()
+    }
+}
+
+impl Heading {
+    /// Width of the directions [rad].
+    pub fn width(self) -> f64 {
+        match self {
+            Heading::Any | Heading::Tangent(_) => 2.0 * PI,
+            Heading::Sector { width, .. } => width,
+            Heading::Line(_) => PI,
+            Heading::Ray(_) => 0.0,
+        }
+    }
+
+    /// Parts that cover it; `at` is the direction looked for.
+    fn parts(self, at: f64) -> Vec<Heading> {
+        match self {
+            // The middles of the quarters, not their edges, lie where symmetric engines have their optima.
+            Heading::Any => (0..4)
+                .map(|k| Heading::Sector { start: f64::from(k) * FRAC_PI_2 - FRAC_PI_4, width: FRAC_PI_2 })
+                .collect(),
+            Heading::Sector { start, width } => {
+                let from_start = (at - start).rem_euclid(2.0 * PI);
+                let beside = (from_start - 0.5 * width).abs() < CLOSE * width;
+                let first = if beside { (0.5 + 2.0 * CLOSE) * width } else { 0.5 * width };
+                vec![
+                    Heading::Sector { start, width: first },
+                    Heading::Sector { start: start + first, width: width - first },
+                ]
+            }
+            Heading::Line(angle) => vec![Heading::Ray(angle), Heading::Ray(angle + PI)],
+            Heading::Ray(_) | Heading::Tangent(_) => Vec::new(),
+        }
+    }
+
+    /// The direction of it that is nearest to `angle`.
+    pub fn nearest(self, angle: f64) -> f64 {
+        match self {
+            Heading::Any | Heading::Tangent(_) => angle,
+            Heading::Ray(own) => own,
+            Heading::Line(own) => {
+                if (angle - own).cos() >= 0.0 {
+                    own
+                } else {
+                    own + PI
+                }
+            }
+            Heading::Sector { start, width } => {
+                let past = (angle - start - 0.5 * width + PI).rem_euclid(2.0 * PI) - PI;
+                start + 0.5 * width + past.clamp(-0.5 * width, 0.5 * width)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_cover_the_circle_and_every_sector() {
+        let width = |parts: &[Heading]| parts.iter().map(|p| p.width()).sum::<f64>();
+        let quarters = Heading::Any.parts(0.0);
+        assert!((width(&quarters) - 2.0 * PI).abs() < 1e-15);
+        for at in [0.0, 0.3, -0.7, 2.0] {
+            let halves = quarters[0].parts(at);
+            assert!((width(&halves) - FRAC_PI_2).abs() < 1e-15);
+            // What is looked for lies well inside one of them.
+            let inside = |h: &Heading| match *h {
+                Heading::Sector { start, width } => {
+                    let past = (at - start).rem_euclid(2.0 * PI);
+                    past > 0.05 * width && past < 0.95 * width
+                }
+                _ => false,
+            };
+            assert!(at.abs() > FRAC_PI_4 || halves.iter().any(inside), "{at}: {halves:?}");
+        }
+    }
+
+    #[test]
+    fn nearest_direction_of_a_sector() {
+        let sector = Heading::Sector { start: -FRAC_PI_4, width: FRAC_PI_2 };
+        for (angle, want) in [(0.1, 0.1), (1.0, FRAC_PI_4), (-1.0, -FRAC_PI_4), (2.0 * PI + 0.2, 0.2)] {
+            assert!((sector.nearest(angle) - want).abs() < 1e-12, "{angle}");
+        }
+        assert_eq!(Heading::Line(0.0).nearest(3.0), PI);
+    }
+}

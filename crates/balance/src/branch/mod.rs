@@ -1,0 +1,190 @@
+//! Branch and bound around the convex programmes: places that are to be found, given and least amounts, devices that
+//! may be left out.
+//!
+//! A box of choices has a convex programme that loses nothing of it ([`relaxed`]), whose certificate bounds everything in
+//! the box from below. The box with the lowest bound is divided; choices near the programmes' optima are tried, and the
+//! best of them bounds the optimum from above. The search ends when no box can hold anything better by more than half the
+//! promised gap, or after [`search::MOST_NODES`] boxes a stage: then the gap that is left is stated.
+//!
+//! Later stages search the boxes that are left of the earlier ones. They hold an earlier stage within the other half of
+//! the gap; where the earlier optimum does not depend on the choices that are left they hold it exactly.
+
+mod alike;
+mod choices;
+mod reading;
+mod relaxed;
+mod search;
+
+use crate::error::BalanceError;
+use crate::fitted::bare;
+use crate::operator::EngineLoads;
+use crate::problem::{Problem, stages};
+use crate::stages::{Held, StageProof, Walk};
+use choices::Choices;
+use lanchester_mechanism::Kinematics;
+use lanchester_model::{BalanceTask, Engine, FreeWeight, Limit, Phase, Place, Stage};
+use relaxed::Ground;
+use search::{Found, Goal, Search};
+
+/// The best choice with its convex programme.
+pub(crate) struct Chosen {
+    pub problem: Problem,
+    /// A point of the programme.
+    pub x: Vec<f64>,
+    /// Proofs of the stages with these choices given; the bounds are those over all choices.
+    pub proofs: Vec<StageProof>,
+    /// Plane of every weight [m].
+    pub planes: Vec<f64>,
+    /// Axis of every shaft [m].
+    pub axes: Vec<[f64; 2]>,
+    /// The inertia that is used.
+    pub inertia: Option<usize>,
+    /// Why the search ended before the gap was closed.
+    pub stopped: Option<String>,
+}
+
+/// How a search ended.
+pub(crate) enum Ending {
+    Chosen(Box<Chosen>),
+    /// The limits cannot hold together: their common relaxation and the closest value of each alone.
+    Infeasible {
+        relaxation: f64,
+        closest: Vec<f64>,
+    },
+    /// Nothing was found that holds the limits, and nothing proves that there is nothing.
+    Nothing,
+}
+
+/// A search with what it cost.
+pub(crate) struct Searched {
+    pub ending: Ending,
+    pub nodes: usize,
+    pub solves: usize,
+}
+
+/// Whether a task asks for more than one convex programme.
+pub(crate) fn is_needed(task: &BalanceTask) -> bool {
+    let place = |place: Place| matches!(place, Place::Between(..));
+    task.weights.iter().any(|w| w.least > 0.0 || place(w.z))
+        || task.shafts.iter().any(|s| place(s.x) || place(s.y))
+        || task.inertias.len() > 1
+        || task.most_optional.is_some()
+}
+
+/// Whether one of the choices cannot be said by a convex programme.
+pub(crate) fn is_choice(task: &BalanceTask) -> bool {
+    let place = |place: Place| matches!(place, Place::Between(..));
+    let on_free_axis = task.shafts.iter().any(|s| place(s.x) || place(s.y));
+    let open = |w: &FreeWeight| {
+        !matches!(w.phase, Phase::Direction(_)) && (w.least > 0.0 || place(w.z))
+            || w.least > 0.0 && w.optional
+    };
+    on_free_axis || task.weights.iter().any(open) || task.inertias.len() > 1 || task.most_optional.is_some()
+}
+
+/// Searches all choices of a task.
+pub(crate) fn search(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+) -> Result<Searched, BalanceError> {
+    let bare = bare(engine, task);
+    let loads = EngineLoads::of(&bare, kinematics)?;
+    let ground = Ground { engine, bare, loads, task };
+    let mut search = Search::new(&ground);
+    let ending = ending(&mut search, &ground)?;
+    Ok(Searched { ending, nodes: search.nodes, solves: search.solves })
+}
+
+fn ending(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> {
+    let count = stages(ground.task).len();
+    let mut boxes = Choices::of(ground.task);
+    let mut held: Vec<Held> = Vec::new();
+    let mut known: Option<Choices> = None;
+    let mut bounds = Vec::new();
+    let mut stopped = None;
+    for stage in 0..count {
+        let found = search.run(Goal::Stage(stage), boxes, &held, known.as_ref())?;
+        let Some(best) = &found.best else {
+            return if found.left.is_empty() { refusal(search, ground) } else { Ok(Ending::Nothing) };
+        };
+        if found.stopped {
+            stopped.get_or_insert(format!(
+                "stage {} ended after {} boxes of choices",
+                stage + 1,
+                search::MOST_NODES
+            ));
+        }
+        bounds.push((found.bound, 2.0 * best.target));
+        held.push(Held { value: best.value, slack: best.target, exact: found.exact });
+        known = Some(best.choices.clone());
+        boxes = found.left;
+    }
+    let Some(choices) = known else { return Ok(Ending::Nothing) };
+    let Some(problem) = ground.problem(&choices)? else { return Ok(Ending::Nothing) };
+    let Some((x, mut proofs)) = reached(&problem, &held, &mut search.solves) else {
+        return Ok(Ending::Nothing);
+    };
+    for (proof, (bound, target)) in proofs.iter_mut().zip(bounds) {
+        (proof.bound, proof.target) = (bound, target);
+    }
+    let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+    Ok(Ending::Chosen(Box::new(Chosen {
+        x,
+        proofs,
+        planes: choices.weights.iter().map(|w| middle(w.z)).collect(),
+        axes: choices.shafts.iter().map(|s| [middle(s.x), middle(s.y)]).collect(),
+        inertia: choices.inertia,
+        stopped,
+        problem,
+    })))
+}
+
+/// The point of a choice, the earlier stages held as in the search, and the proof of each stage.
+fn reached(problem: &Problem, held: &[Held], solves: &mut usize) -> Option<(Vec<f64>, Vec<StageProof>)> {
+    let mut walk = Walk::new(problem);
+    let mut proofs = Vec::new();
+    for (stage, one) in held.iter().enumerate() {
+        let mut alone = walk.clone();
+        alone.stage(&problem.stages[stage], solves).ok()?;
+        proofs.push(alone.proofs.pop()?);
+        if one.exact || stage + 1 == held.len() {
+            alone.proofs.clear();
+            walk = alone;
+        } else {
+            walk.hold(stage, *one, solves).ok()?;
+        }
+    }
+    walk.lighten(solves);
+    Some((walk.x, proofs))
+}
+
+/// How far the limits are from holding together, and how close each alone can be reached.
+fn refusal(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> {
+    let task = ground.task;
+    if task.limits.is_empty() {
+        return Ok(Ending::Infeasible { relaxation: f64::INFINITY, closest: Vec::new() });
+    }
+    let value = |found: &Found| found.best.as_ref().map_or(f64::INFINITY, |best| best.value);
+    let relaxed = search.run(Goal::Relaxation, Choices::of(task), &[], None)?;
+    let mut closest = Vec::new();
+    for Limit { criterion, .. } in &task.limits {
+        let alone = BalanceTask {
+            limits: Vec::new(),
+            stages: vec![Stage { terms: vec![(1.0, *criterion)] }],
+            ..task.clone()
+        };
+        let ground = Ground {
+            engine: ground.engine,
+            bare: ground.bare.clone(),
+            loads: ground.loads.clone(),
+            task: &alone,
+        };
+        let mut own = Search::new(&ground);
+        let found = own.run(Goal::Stage(0), Choices::of(&alone), &[], None)?;
+        search.nodes += own.nodes;
+        search.solves += own.solves;
+        closest.push(value(&found));
+    }
+    Ok(Ending::Infeasible { relaxation: value(&relaxed), closest })
+}

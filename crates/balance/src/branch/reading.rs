@@ -1,0 +1,318 @@
+//! What the optimum of a box's programme says: where it goes beyond the task, and which choice lies nearest to it.
+
+use super::choices::{Choices, Heading, Split, Use, given, on_shaft, open};
+use super::relaxed::corners;
+use crate::problem::Problem;
+use lanchester_model::BalanceTask;
+use num_complex::Complex64;
+use std::f64::consts::PI;
+
+/// A device whose amount is below this share of its largest is not used.
+const UNUSED: f64 = 1e-9;
+
+/// Beyond the task by less than this share of all moving masses' loads is not beyond it.
+const HOLDS: f64 = 1e-13;
+
+/// Sums below this share of their unit have no direction.
+const NOTHING: f64 = 1e-12;
+
+/// A weight of the programme.
+struct Seen {
+    /// `U` [kg m].
+    unbalance: Complex64,
+    /// `z U` [kg m^2].
+    moment: Complex64,
+    /// Natural amount [kg m].
+    unit: f64,
+    /// Force of 1 kg m [N].
+    square: f64,
+}
+
+/// A shaft of the programme.
+struct SeenShaft {
+    /// `S` [kg m].
+    sum: Complex64,
+    /// `conj(axis) S` [kg m^2].
+    moment: Complex64,
+    unit: f64,
+    square: f64,
+}
+
+/// A point of a box's programme.
+pub(super) struct Reading<'a> {
+    task: &'a BalanceTask,
+    choices: &'a Choices,
+    weights: Vec<Seen>,
+    shafts: Vec<SeenShaft>,
+    natural_force: f64,
+    natural_moment: f64,
+}
+
+impl<'a> Reading<'a> {
+    pub fn of(task: &'a BalanceTask, choices: &'a Choices, problem: &Problem, x: &[f64]) -> Reading<'a> {
+        let operator = &problem.operator;
+        let weights: Vec<Seen> = operator
+            .weights
+            .iter()
+            .map(|columns| Seen {
+                unbalance: columns.corners.iter().map(|c| c.unbalance(x)).sum(),
+                moment: columns.corners.iter().map(|c| c.z * c.unbalance(x)).sum(),
+                unit: columns.unit,
+                square: (columns.ratio.value() * operator.speed).powi(2),
+            })
+            .collect();
+        let shafts = (0..task.shafts.len())
+            .map(|shaft| {
+                let sum: Complex64 = on_shaft(task, shaft).map(|w| weights[w].unbalance).sum();
+                let first = corners(choices, shaft)[0];
+                let beyond = operator.axes.get(shaft).into_iter().flatten();
+                let moment = first.conj() * sum
+                    + beyond.map(|c| (c.axis - first).conj() * c.unbalance(x)).sum::<Complex64>();
+                SeenShaft {
+                    sum,
+                    moment,
+                    unit: on_shaft(task, shaft).map(|w| weights[w].unit).fold(0.0, f64::max),
+                    square: (task.shafts[shaft].ratio.value() * operator.speed).powi(2),
+                }
+            })
+            .collect();
+        Reading {
+            task,
+            choices,
+            weights,
+            shafts,
+            natural_force: operator.natural_force,
+            natural_moment: operator.natural_moment,
+        }
+    }
+
+    /// The plane that comes nearest to what a weight does.
+    fn plane(&self, weight: usize) -> f64 {
+        let seen = &self.weights[weight];
+        let [low, high] = self.choices.weights[weight].z;
+        if seen.unbalance.norm() <= NOTHING * seen.unit {
+            return 0.5 * (low + high);
+        }
+        ((seen.unbalance.conj() * seen.moment).re / seen.unbalance.norm_sqr()).clamp(low, high)
+    }
+
+    /// The axis that comes nearest to what a shaft does.
+    fn axis(&self, shaft: usize) -> Complex64 {
+        let seen = &self.shafts[shaft];
+        let choice = &self.choices.shafts[shaft];
+        let axis = if seen.sum.norm() <= NOTHING * seen.unit {
+            Complex64::new(0.5 * (choice.x[0] + choice.x[1]), 0.5 * (choice.y[0] + choice.y[1]))
+        } else {
+            (seen.moment / seen.sum).conj()
+        };
+        Complex64::new(axis.re.clamp(choice.x[0], choice.x[1]), axis.im.clamp(choice.y[0], choice.y[1]))
+    }
+
+    /// Amount of a weight as a share of its largest, of its natural one where that is not bounded.
+    fn share(&self, weight: usize) -> f64 {
+        let most = self.task.weights[weight].most.filter(|most| *most > 0.0);
+        self.weights[weight].unbalance.norm() / most.unwrap_or(self.weights[weight].unit)
+    }
+
+    fn shaft_share(&self, shaft: usize) -> f64 {
+        on_shaft(self.task, shaft).map(|w| self.share(w)).fold(0.0, f64::max)
+    }
+
+    /// How much of the optional devices that are not decided each does [share of all moving masses], the largest first.
+    fn undecided(&self) -> Vec<(f64, Split)> {
+        let force = |w: usize| self.weights[w].square * self.weights[w].unbalance.norm() / self.natural_force;
+        let weights = self.choices.weights.iter().enumerate();
+        let weights = weights
+            .filter(|(w, c)| c.usage == Use::Open && self.choices.usage(self.task, *w) != Use::No)
+            .map(|(w, _)| (force(w), Split::UseWeight(w)));
+        let shafts = self.choices.shafts.iter().enumerate().filter(|(_, c)| c.usage == Use::Open);
+        let shafts =
+            shafts.map(|(s, _)| (on_shaft(self.task, s).map(force).sum::<f64>(), Split::UseShaft(s)));
+        let mut all: Vec<(f64, Split)> = weights.chain(shafts).collect();
+        all.sort_by(|a, b| b.0.total_cmp(&a.0));
+        all
+    }
+
+    fn is_used(&self, split: Split) -> bool {
+        match split {
+            Split::UseWeight(weight) => self.share(weight) > UNUSED,
+            Split::UseShaft(shaft) => self.shaft_share(shaft) > UNUSED,
+            _ => false,
+        }
+    }
+
+    /// Whether an undecided device is used less than it may be if it is used at all.
+    fn is_between(&self, split: Split) -> bool {
+        let below = |weight: usize| {
+            self.weights[weight].unbalance.norm() < self.task.weights[weight].least * (1.0 - UNUSED)
+        };
+        match split {
+            Split::UseWeight(weight) => below(weight),
+            Split::UseShaft(shaft) => {
+                on_shaft(self.task, shaft).filter(|&w| self.choices.weights[w].usage == Use::Yes).any(below)
+            }
+            _ => false,
+        }
+    }
+
+    /// Where to divide the box: the choice that the point goes farthest beyond; `None` where it keeps to the task.
+    pub fn split(&self) -> Option<Split> {
+        let undecided = self.undecided();
+        let used = undecided.iter().filter(|one| self.is_used(one.1));
+        let left = self.task.most_optional.map(|most| most.saturating_sub(self.choices.used(self.task)));
+        if left.is_some_and(|left| used.clone().count() > left)
+            && let Some(&(_, split)) = undecided.first()
+        {
+            return Some(split);
+        }
+        if let Some(&(_, split)) = used.clone().find(|one| self.is_between(one.1)) {
+            return Some(split);
+        }
+        let mut worst: (f64, Option<Split>) = (HOLDS, None);
+        let mut consider = |beyond: f64, split: Split| {
+            if beyond > worst.0 {
+                worst = (beyond, Some(split));
+            }
+        };
+        for weight in 0..self.weights.len() {
+            if self.choices.usage(self.task, weight) == Use::No {
+                continue;
+            }
+            let (seen, choice) = (&self.weights[weight], &self.choices.weights[weight]);
+            let angle = seen.unbalance.arg();
+            let turn = seen.square / self.natural_force;
+            let short = self.task.weights[weight].least - seen.unbalance.norm();
+            let divisible = !matches!(choice.heading, Heading::Ray(_) | Heading::Tangent(_));
+            if self.choices.usage(self.task, weight) == Use::Yes && divisible {
+                consider(turn * short, Split::Heading(weight, angle));
+            }
+            if open(choice.z) {
+                let plane = self.plane(weight);
+                let beyond =
+                    (seen.moment - plane * seen.unbalance).norm() * seen.square / self.natural_moment;
+                let whole = super::choices::stretch(self.task.weights[weight].z);
+                let stretch = (choice.z[1] - choice.z[0]) / (whole[1] - whole[0]);
+                let split = if divisible && choice.heading.width() / (2.0 * PI) > 0.5 * stretch {
+                    Split::Heading(weight, angle)
+                } else {
+                    Split::Plane(weight, plane)
+                };
+                consider(beyond, split);
+            }
+        }
+        for shaft in 0..self.shafts.len() {
+            let (seen, choice) = (&self.shafts[shaft], &self.choices.shafts[shaft]);
+            if choice.usage == Use::No || !(open(choice.x) || open(choice.y)) {
+                continue;
+            }
+            let axis = self.axis(shaft);
+            let beyond = (seen.moment - axis.conj() * seen.sum).norm() * seen.square / self.natural_moment;
+            consider(beyond, self.axis_split(shaft, axis));
+        }
+        worst.1
+    }
+
+    /// The larger of stretch and sector, both as shares of all of them.
+    fn axis_split(&self, shaft: usize, axis: Complex64) -> Split {
+        let choice = &self.choices.shafts[shaft];
+        let free = &self.task.shafts[shaft];
+        let share = |part: [f64; 2], whole: [f64; 2]| {
+            if open(whole) { (part[1] - part[0]) / (whole[1] - whole[0]) } else { 0.0 }
+        };
+        let x = share(choice.x, super::choices::stretch(free.x));
+        let y = share(choice.y, super::choices::stretch(free.y));
+        let own: Vec<usize> =
+            on_shaft(self.task, shaft).filter(|&w| self.choices.usage(self.task, w) != Use::No).collect();
+        let angle = self.shafts[shaft].sum.arg();
+        // The sector of a single weight is that of the shaft.
+        let (heading, split) = match own[..] {
+            [only] => (self.choices.weights[only].heading, Split::Heading(only, angle)),
+            _ => (choice.heading, Split::ShaftHeading(shaft, angle)),
+        };
+        let divisible = !matches!(heading, Heading::Ray(_) | Heading::Tangent(_));
+        if divisible && heading.width() / (2.0 * PI) > 0.5 * x.max(y) {
+            split
+        } else if x >= y {
+            Split::AxisX(shaft, axis.re)
+        } else {
+            Split::AxisY(shaft, axis.im)
+        }
+    }
+
+    /// The choice nearest to the point: every use decided, every place one, least amounts in a convex part.
+    pub fn nearest(&self) -> Choices {
+        let mut chosen = self.choices.clone();
+        let left = self.task.most_optional.map(|most| most.saturating_sub(chosen.used(self.task)));
+        let undecided = self.undecided();
+        for (rank, &(_, split)) in undecided.iter().enumerate() {
+            let mut far = false;
+            if let Split::UseWeight(weight) = split {
+                far = self.weights[weight].unbalance.norm() < 0.5 * self.task.weights[weight].least;
+            }
+            let wanted = left.is_none_or(|left| rank < left) && self.is_used(split) && !far;
+            let usage = if wanted { Use::Yes } else { Use::No };
+            match split {
+                Split::UseShaft(shaft) => chosen.shafts[shaft].usage = usage,
+                Split::UseWeight(weight) => chosen.weights[weight].usage = usage,
+                _ => {}
+            }
+        }
+        for choice in &mut chosen.weights {
+            if choice.usage == Use::Open {
+                choice.usage = Use::No;
+            }
+        }
+        for shaft in 0..chosen.shafts.len() {
+            let axis = self.axis(shaft);
+            chosen.shafts[shaft].x = [axis.re; 2];
+            chosen.shafts[shaft].y = [axis.im; 2];
+        }
+        for weight in 0..chosen.weights.len() {
+            chosen.weights[weight].z = [self.plane(weight); 2];
+            let unbalance = self.weights[weight].unbalance;
+            let heading = self.choices.weights[weight].heading;
+            let bound = self.task.weights[weight].least > 0.0 && chosen.usage(self.task, weight) == Use::Yes;
+            let angle = heading.nearest(unbalance.arg());
+            chosen.weights[weight].heading = match heading {
+                Heading::Ray(_) | Heading::Tangent(_) => heading,
+                Heading::Line(_) if bound => Heading::Ray(angle),
+                Heading::Line(_) => heading,
+                Heading::Any | Heading::Sector { .. } if !bound => Heading::Any,
+                Heading::Any | Heading::Sector { .. } if given(self.task, weight) => Heading::Ray(angle),
+                Heading::Any | Heading::Sector { .. } => Heading::Tangent(angle),
+            };
+        }
+        for choice in &mut chosen.shafts {
+            choice.heading = Heading::Any;
+        }
+        chosen
+    }
+
+    /// The places of `moved` with the phases as free as they are; tangents touch where the weights stand.
+    pub fn freed(&self, mut moved: Choices) -> Choices {
+        let own = self.choices.weights.iter().zip(&self.weights);
+        for (choice, (own, seen)) in moved.weights.iter_mut().zip(own) {
+            choice.heading = match own.heading {
+                Heading::Tangent(_) => Heading::Tangent(seen.unbalance.arg()),
+                heading => heading,
+            };
+        }
+        moved
+    }
+
+    /// All places open again as far as the task allows, all phases as they are: a box whose programme is exact.
+    pub fn along(&self, everywhere: &Choices) -> Choices {
+        let mut chosen = self.choices.clone();
+        for (choice, whole) in chosen.shafts.iter_mut().zip(&everywhere.shafts) {
+            (choice.x, choice.y) = (whole.x, whole.y);
+        }
+        for (index, (choice, whole)) in chosen.weights.iter_mut().zip(&everywhere.weights).enumerate() {
+            choice.z = whole.z;
+            let seen = &self.weights[index];
+            if seen.unbalance.norm() > NOTHING * seen.unit {
+                choice.heading = Heading::Ray(seen.unbalance.arg());
+            }
+        }
+        chosen
+    }
+}

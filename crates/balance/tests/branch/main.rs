@@ -1,0 +1,8 @@
+//! Branch and bound against brute force: grids of planes and phases, all subsets, random choices.
+#[path = "../optimum/support.rs"]
+#[allow(dead_code, reason = "shared with the convex tests")]
+mod support;
+
+mod amounts;
+mod choices;
+mod places;

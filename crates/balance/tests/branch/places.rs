@@ -1,0 +1,92 @@
+//! Planes and axes that are to be found, against grids of them.
+
+use crate::support::*;
+use lanchester_balance::optimise;
+use lanchester_model::*;
+
+fn somewhere(name: &str, seat: Seat, z: (f64, f64), most: f64) -> FreeWeight {
+    FreeWeight { z: Place::Between(z.0, z.1), most: Some(most), ..weight(name, seat, 0.0) }
+}
+
+/// The best over planes of one weight, by the convex optimum in each.
+fn best_plane(engine: &Engine, task: &BalanceTask, weight: usize, count: usize) -> f64 {
+    let Place::Between(low, high) = task.weights[weight].z else { panic!("its plane is given") };
+    (0..=count)
+        .map(|k| {
+            let mut task = task.clone();
+            task.weights[weight].z = Place::At(low + (high - low) * k as f64 / count as f64);
+            optimise(engine, &task).expect("a valid task").stages.first().map_or(f64::INFINITY, |s| s.value)
+        })
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// A single cylinder away from the origin: the weight that takes its force takes its couple too, in the cylinder's plane.
+#[test]
+fn the_cylinders_own_plane_is_found() {
+    let mut engine = stripped("single");
+    for throw in &mut engine.throws {
+        throw.z += 0.0371;
+    }
+    for cylinder in &mut engine.cylinders {
+        cylinder.z += 0.0371;
+    }
+    let task = BalanceTask {
+        weights: vec![somewhere("crank", Seat::Crankshaft(0), (-0.1, 0.15), 0.5)],
+        ..Default::default()
+    };
+    let answer = optimise(&engine, &task).unwrap();
+    assert_proved(&engine, &answer);
+    assert!((answer.weights[0].z - 0.0371).abs() < 1e-6, "{:?}", answer.weights);
+}
+
+#[test]
+fn the_best_plane_of_one_weight_beside_a_given_one() {
+    for (name, load) in [("v4-90", Load::Couple), ("in-line-3", Load::Couple), ("twin-270", Load::Couple)] {
+        let engine = stripped(name);
+        let task = BalanceTask {
+            weights: vec![
+                FreeWeight { most: Some(0.008), ..on_crank("given", -0.12) },
+                somewhere("found", Seat::Crankshaft(0), (-0.05, 0.16), 0.006),
+            ],
+            stages: vec![Stage {
+                terms: vec![(1.0, Criterion::Peak(load)), (0.03, Criterion::Peak(Load::Force))],
+            }],
+            ..Default::default()
+        };
+        let answer = optimise(&engine, &task).unwrap();
+        assert_proved(&engine, &answer);
+        let grid = best_plane(&engine, &task, 1, 420);
+        let value = answer.stages[0].value;
+        assert!(value <= grid * (1.0 + 1e-9) && value > grid * (1.0 - 1e-3), "{name}: {value} {grid}");
+    }
+}
+
+/// Second-order shafts at unequal heights take roll moment: their height is found.
+#[test]
+fn the_height_of_a_shaft_pair_is_found() {
+    let engine = stripped("in-line-4");
+    let on =
+        |s: usize| FreeWeight { most: Some(0.01), ..weight(&format!("weight {s}"), Seat::Shaft(s), 0.0) };
+    let task = BalanceTask {
+        shafts: vec![
+            FreeShaft { x: Place::Between(-0.1, 0.2), ..shaft("forward", 2, 0.0, -0.09) },
+            FreeShaft { x: Place::Between(-0.1, 0.2), ..shaft("backward", -2, 0.0, 0.09) },
+        ],
+        weights: vec![on(0), on(1)],
+        stages: vec![stage(Load::Force), stage(Load::RollMoment)],
+        ..Default::default()
+    };
+    let answer = optimise(&engine, &task).unwrap();
+    assert_proved(&engine, &answer);
+    let height = |x: f64, k: usize| {
+        let mut task = task.clone();
+        task.shafts[k].x = Place::At(x);
+        task.shafts[1 - k].x = Place::At(if k == 0 { -0.1 } else { 0.2 });
+        optimise(&engine, &task).unwrap().stages[1].value
+    };
+    let grid = (0..=60)
+        .flat_map(|k| [height(-0.1 + 0.005 * f64::from(k), 0), height(-0.1 + 0.005 * f64::from(k), 1)])
+        .fold(f64::INFINITY, f64::min);
+    let value = answer.stages[1].value;
+    assert!(value <= grid * (1.0 + 1e-8), "{value} {grid}");
+}
