@@ -74,12 +74,12 @@ pub enum Command {
                             lanchester loads v8.toml --bending-share '50 %' --format csv --table internal"
     )]
     Loads(LoadsArguments),
-    /// Find the best counterweights and balance shafts, prove that nothing better exists.
+    /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
     #[command(
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \
                             lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
                             lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
-                            lanchester balance twin.toml --figures figures\n\n\
+                            lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n\n\
                             Exit status 1: a limit cannot be reached, or the search stopped early."
     )]
     Balance(BalanceArguments),
@@ -245,17 +245,23 @@ pub struct BalanceArguments {
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
     /// Largest unbalance of every free weight on the crankshaft.
-    #[arg(long, value_name = "UNBALANCE")]
+    #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
     /// One more free balance shaft: `RATIO @ x, y @ z` or `RATIO @ x, y @ z1, z2`; a ratio below 0 turns against the
     /// crank. May be given several times.
     #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
     pub shaft: Vec<String>,
+    /// Write the found weights into the engine file; comments and order stay.
+    #[arg(long, conflicts_with = "dry_run")]
+    pub write: bool,
+    /// Show what --write would change.
+    #[arg(long)]
+    pub dry_run: bool,
     /// Write the figures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
     /// Table written with `--format csv`; default: weights.
-    #[arg(long, value_enum, requires = "format")]
+    #[arg(long, value_enum)]
     pub table: Option<BalanceTable>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]

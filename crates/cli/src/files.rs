@@ -92,3 +92,39 @@ pub fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         ),
     })
 }
+
+/// Put `text` in the place of an engine file that still reads `before`: whole or not at all, links and permissions
+/// kept.
+pub fn rewrite(path: &Path, before: &str, text: &str) -> Result<(), Failure> {
+    let name = path.display();
+    let cannot = |error: io::Error| {
+        Failure::input(
+            format_args!("cannot write {name}: {error}"),
+            "the file is as it was; --dry-run shows the change",
+        )
+    };
+    let target = fs::canonicalize(path).map_err(cannot)?;
+    if fs::read(&target).map_err(cannot)? != before.as_bytes() {
+        return Err(Failure::input(
+            format_args!("{name} has changed since it was read, and is left alone"),
+            "save it elsewhere or run the command again",
+        ));
+    }
+    let permissions = fs::metadata(&target).map_err(cannot)?.permissions();
+    if permissions.readonly() {
+        return Err(Failure::input(format_args!("{name} may not be written to"), "change its permissions"));
+    }
+    let mut beside = target.clone().into_os_string();
+    beside.push(format!(".{}.new", std::process::id()));
+    let outcome = OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.set_permissions(permissions)?;
+        file.sync_all()?;
+        fs::rename(&beside, &target)
+    });
+    outcome.map_err(|error| {
+        // What could not be put in place is of no use; if it cannot be removed either, the first error says enough.
+        let _ = fs::remove_file(&beside);
+        cannot(error)
+    })
+}

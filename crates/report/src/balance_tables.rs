@@ -3,7 +3,7 @@
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
 use lanchester_balance::{Answer, Effect, FoundWeight};
-use lanchester_model::{Criterion, Engine, Seat, criterion_name, criterion_unit};
+use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
 
 /// Every free weight: where it stands, how much it is, in which direction.
 pub fn found_weights_table(answer: &Answer) -> Table {
@@ -170,6 +170,24 @@ pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
             (Column::words("price"), limits.iter().map(price).collect()),
         ],
     ))
+}
+
+/// How close each limit of a task without an answer can be reached if the others are dropped.
+pub fn closest_table(engine: &Engine, answer: &Answer, closest: &[f64]) -> Table {
+    let limits = &answer.task.limits;
+    let name = |l: &Limit| Cell::text(criterion_name(&l.criterion, engine));
+    let unit = |l: &Limit| Cell::text(criterion_unit(&l.criterion));
+    Table::of_columns(
+        "closest",
+        "How close each limit can be reached alone",
+        "The smallest value of each with the other limits dropped.",
+        vec![
+            (Column::words("limit"), limits.iter().map(name).collect()),
+            (Column::words("unit"), limits.iter().map(unit).collect()),
+            (Column::numbers("at most", ""), limits.iter().map(|l| Cell::number(l.most, 5)).collect()),
+            (Column::numbers("closest", ""), closest.iter().map(|&v| Cell::number(v, 5)).collect()),
+        ],
+    )
 }
 
 /// Every stage with its bound, and the crank angles that hold it up.

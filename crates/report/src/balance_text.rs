@@ -1,7 +1,8 @@
 //! The answer of a balancing question as plain text.
 
 use crate::balance_tables::{
-    effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
+    closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
+    limits_table, stages_table,
 };
 use crate::number;
 use crate::terminal::push_wrapped;
@@ -18,6 +19,10 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(&answer.method));
     push_wrapped(&mut out, "", &headline(engine, answer));
+    if let Outcome::Infeasible { closest, .. } = &answer.outcome {
+        let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
+        return out;
+    }
     let mut tables = Vec::new();
     if !answer.weights.is_empty() {
         tables.push(found_weights_table(answer));
@@ -65,16 +70,42 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
     };
     match &answer.outcome {
         Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
-        Outcome::Infeasible { relaxation, reason, .. } => {
-            let percent = number::short(100.0 * (relaxation - 1.0), 3);
-            format!(
-                "The limits cannot hold together: {reason}. They could if every one were {percent} % wider."
-            )
-        }
+        Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
         Outcome::Stopped { reason } => {
             format!("The search stopped early ({reason}); the best so far: {}.", reached())
         }
     }
+}
+
+/// Why limits cannot hold, and what would let them.
+fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64]) -> String {
+    let limits = &answer.task.limits;
+    let mut out: String = limits
+        .iter()
+        .zip(closest)
+        .filter(|(limit, closest)| **closest > limit.most)
+        .map(|(limit, closest)| {
+            let unit = criterion_unit(&limit.criterion);
+            format!(
+                "With these devices {} cannot go below {} {unit}; at most {} {unit} is asked. ",
+                criterion_name(&limit.criterion, engine),
+                number::short(*closest, 5),
+                number::short(limit.most, 5)
+            )
+        })
+        .collect();
+    if limits.len() > 1 {
+        out += match out.is_empty() {
+            true => "Each limit can be held alone, but not all together. ",
+            false => "",
+        };
+        if relaxation.is_finite() {
+            let factor = number::short(relaxation, 4);
+            out += &format!("All of them together need limits {factor} times as wide. ");
+        }
+    }
+    out += "Widen the limit or allow more: another shaft, other planes, larger weights.";
+    out
 }
 
 fn method_words(method: &Method) -> String {

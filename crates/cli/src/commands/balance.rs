@@ -4,19 +4,26 @@ use crate::arguments::{BalanceArguments, BalanceTable, Format};
 use crate::balance_request::balance_task;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED, WRONG_INPUT};
-use crate::files::{print, write_result};
+use crate::files::{print, rewrite, write_result};
 use lanchester::balance::{Answer, BalanceError, Outcome, fitted, optimise};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
-use lanchester::model::Engine;
+use lanchester::model::{Engine, WriteBackError, difference, render, write_back};
 use lanchester::report::{
-    balance_text, effects_table, found_weights_table, limits_table, optimum_plots, stages_table,
+    balance_text, effects_table, found_weights_table, headline, limits_table, optimum_plots, stages_table,
 };
+use std::path::Path;
 
 pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
         return Err(Failure::input(
             "--table chooses what --format csv writes",
             "add --format csv, or leave --table out",
+        ));
+    }
+    if arguments.write && arguments.file == Path::new("-") {
+        return Err(Failure::input(
+            "--write needs a file, got standard input",
+            "give the path of the engine file",
         ));
     }
     let opened = open(&arguments.file, colour)?;
@@ -34,6 +41,24 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
+    if (arguments.dry_run || arguments.write) && found {
+        let text = write_back(&opened.source.text, &after).map_err(|error| not_written(error, colour))?;
+        let same = text == opened.source.text;
+        if same {
+            eprintln!("{} already holds these weights", opened.source.name);
+        }
+        if arguments.dry_run {
+            print(&difference(&opened.source.text, &text, &opened.source.name))?;
+            return Ok(status(&answer));
+        }
+        if !same {
+            rewrite(&arguments.file, &opened.source.text, &text)?;
+            eprintln!("weights written into {}", opened.source.name);
+        }
+    }
+    if !found && arguments.format != Format::Text {
+        eprintln!("{}", headline(engine, &answer));
+    }
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => balance_text(engine, &answer, &loads_after.diagnosis.summary),
         (Format::Json, _) => json(&answer)?,
@@ -48,6 +73,13 @@ fn status(answer: &Answer) -> u8 {
 
 fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
     loads(engine, &LoadRequest::default()).map_err(super::refused)
+}
+
+fn not_written(error: WriteBackError, colour: bool) -> Failure {
+    if let WriteBackError::Weights { text, diagnostics } = &error {
+        eprint!("{}", render(diagnostics, "the file with its weights", text, colour));
+    }
+    Failure::input(error, "the file is as it was; the found weights stand in the output without --write")
 }
 
 fn csv(engine: &Engine, answer: &Answer, table: BalanceTable) -> String {

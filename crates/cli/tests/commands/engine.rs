@@ -1,46 +1,7 @@
-//! The program as its user meets it: output, messages, exit status, files.
+//! Engine files read, shown, computed and reported.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
+use crate::program::{examples, folder, lanchester, message, output, output_json, piped, twin};
 use std::fs;
-use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-
-/// A folder of its own for one test.
-fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn examples() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
-}
-
-fn lanchester(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lanchester")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-/// What stands on standard output of a run that must end with `status`.
-fn output(folder: &Path, status: i32, arguments: &[&str]) -> String {
-    let output = lanchester(folder, arguments);
-    let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
-    assert_eq!(output.status.code(), Some(status), "{arguments:?}\n{out}\n{err}");
-    out
-}
-
-fn message(folder: &Path, status: i32, arguments: &[&str]) -> String {
-    let output = lanchester(folder, arguments);
-    assert_eq!(output.status.code(), Some(status), "{arguments:?}");
-    assert!(output.stdout.is_empty(), "no data on a failure: {arguments:?}");
-    String::from_utf8(output.stderr).unwrap()
-}
-
-fn twin() -> String {
-    examples().join("twin-in-line-in-phase.toml").display().to_string()
-}
 
 #[test]
 fn every_template_is_valid_and_comes_back_as_it_was_listed() {
@@ -90,10 +51,6 @@ fn all_mistakes_at_once_with_their_places() {
     let said = output_json(&folder, 2, &["check", "wrong.toml", "--format", "json"]);
     assert_eq!(said[0]["diagnostics"].as_array().unwrap().len(), 2, "{said}");
     assert_eq!(message(&folder, 2, &["loads", "wrong.toml"]).matches("error").count(), 2);
-}
-
-fn output_json(folder: &Path, status: i32, arguments: &[&str]) -> serde_json::Value {
-    serde_json::from_str(&output(folder, status, arguments)).unwrap()
 }
 
 #[test]
@@ -169,18 +126,7 @@ fn wrong_options_say_what_is_needed() {
 #[test]
 fn standard_input_and_output() {
     let folder = folder("pipes");
-    let run = |arguments: &[&str], text: &[u8]| {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
-            .args(arguments)
-            .current_dir(&folder)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        child.stdin.take().unwrap().write_all(text).unwrap();
-        child.wait_with_output().unwrap()
-    };
+    let run = |arguments: &[&str], text: &[u8]| piped(&folder, arguments, text);
     let text = fs::read_to_string(twin()).unwrap();
     // Byte order mark and CRLF are what some editors write.
     let windows = format!("\u{feff}{}", text.replace('\n', "\r\n"));

@@ -1,0 +1,146 @@
+//! Optima found, shown and written back.
+
+use crate::program::{folder, lanchester, message, output, output_json, piped};
+use std::fs;
+use std::path::Path;
+
+fn template(folder: &Path, name: &str) -> String {
+    let file = format!("{name}.toml");
+    output(folder, 0, &["new", name, "--output", &file]);
+    file
+}
+
+fn reached(answer: &serde_json::Value, stage: usize) -> f64 {
+    answer["stages"][stage]["value"].as_f64().unwrap()
+}
+
+#[test]
+fn what_is_written_is_the_optimum_and_nothing_else_changes() {
+    let folder = folder("balance-write");
+    for name in ["twin-360", "in-line-3-shaft", "v6-60", "v8-crossplane"] {
+        let file = template(&folder, name);
+        let path = folder.join(&file);
+        let text = fs::read_to_string(&path).unwrap().replacen("[crank]", "[crank] # forged", 1);
+        fs::write(&path, &text).unwrap();
+        let request = ["balance", &file, "--format", "json"];
+        let found = output_json(&folder, 0, &request);
+
+        let difference = output(&folder, 0, &["balance", &file, "--dry-run"]);
+        assert_eq!(fs::read_to_string(&path).unwrap(), text, "{name}: --dry-run changes nothing");
+        assert!(difference.lines().any(|line| line.starts_with('+')), "{name}: {difference}");
+
+        assert_eq!(output_json(&folder, 0, &[&request[..], &["--write"]].concat()), found, "{name}");
+        let written = fs::read_to_string(&path).unwrap();
+        assert!(written.contains("[crank] # forged"), "{name}");
+        for line in difference.lines().filter(|line| line.starts_with('+') && !line.starts_with("+++")) {
+            assert!(written.contains(&line[1..]), "{name}: {line}");
+        }
+        let peak = output_json(&folder, 0, &["loads", &file, "--format", "json"])["total"]["peaks"]["force"]
+            ["max"]["value"]
+            .as_f64()
+            .unwrap();
+        let unbalanced = found["effects"][0]["without"].as_f64().unwrap();
+        assert!((peak - reached(&found, 0)).abs() <= 1e-9 * unbalanced, "{name}: {peak}");
+    }
+}
+
+#[test]
+fn a_second_run_leaves_the_file_as_it_is() {
+    let folder = folder("balance-again");
+    let file = template(&folder, "twin-360");
+    output(&folder, 0, &["balance", &file, "--write"]);
+    let once = fs::read_to_string(folder.join(&file)).unwrap();
+    let again = lanchester(&folder, &["balance", &file, "--dry-run"]);
+    assert!(again.stdout.is_empty(), "{}", String::from_utf8_lossy(&again.stdout));
+    assert!(String::from_utf8_lossy(&again.stderr).contains("already"), "said that nothing changes");
+    output(&folder, 0, &["balance", &file, "--write"]);
+    assert_eq!(fs::read_to_string(folder.join(&file)).unwrap(), once);
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_left_whole() {
+    let folder = folder("balance-refused");
+    let file = template(&folder, "twin-360");
+    let text = fs::read_to_string(folder.join(&file)).unwrap();
+    let path = folder.join(&file);
+    let mut permissions = fs::metadata(&path).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&path, permissions).unwrap();
+    let said = message(&folder, 2, &["balance", &file, "--write"]);
+    assert!(said.contains("may not be written") && said.contains("hint:"), "{said}");
+    assert_eq!(fs::read_to_string(&path).unwrap(), text);
+
+    let pipe = piped(&folder, &["balance", "-", "--write"], text.as_bytes());
+    assert_eq!(pipe.status.code(), Some(2));
+    assert!(String::from_utf8(pipe.stderr).unwrap().contains("--write needs a file"));
+    let pipe = piped(&folder, &["balance", "-", "--dry-run"], text.as_bytes());
+    assert!(pipe.status.success() && pipe.stdout.starts_with(b"--- <stdin>"));
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1, "nothing is left behind");
+}
+
+#[cfg(unix)]
+#[test]
+fn links_and_permissions_of_the_file_stay() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = folder("balance-links");
+    let file = template(&folder, "twin-360");
+    fs::set_permissions(folder.join(&file), fs::Permissions::from_mode(0o640)).unwrap();
+    symlink(&file, folder.join("link.toml")).unwrap();
+    output(&folder, 0, &["balance", "link.toml", "--write"]);
+    assert!(fs::symlink_metadata(folder.join("link.toml")).unwrap().is_symlink());
+    let metadata = fs::metadata(folder.join(&file)).unwrap();
+    assert_eq!(metadata.permissions().mode() & 0o777, 0o640);
+    assert!(fs::read_to_string(folder.join(&file)).unwrap().contains("[[counterweight]]"));
+}
+
+#[test]
+fn a_limit_that_nobody_reaches_is_told_and_nothing_is_written() {
+    let folder = folder("balance-infeasible");
+    let file = template(&folder, "twin-360");
+    let text = fs::read_to_string(folder.join(&file)).unwrap();
+    let said = output(&folder, 1, &["balance", &file, "--limit", "force = 100 N", "--write"]);
+    assert!(said.contains("10 502"), "the closest value is told:\n{said}");
+    assert_eq!(fs::read_to_string(folder.join(&file)).unwrap(), text);
+}
+
+#[test]
+fn the_tables_of_an_optimum_are_comma_separated_values() {
+    let folder = folder("balance-csv");
+    let file = template(&folder, "in-line-3");
+    let shaft = ["--shaft", "-1 @ 100 mm, 0 mm @ -100 mm, 100 mm"];
+    let json = output_json(&folder, 0, &[&["balance", &file, "--format", "json"][..], &shaft].concat());
+    let weights = json["weights"].as_array().unwrap();
+    let table = output(
+        &folder,
+        0,
+        &[&["balance", &file, "--format", "csv", "--table", "weights"][..], &shaft].concat(),
+    );
+    assert_eq!(table.lines().count(), weights.len() + 1, "{table}");
+    for table in ["effects", "stages"] {
+        let csv = output(&folder, 0, &["balance", &file, "--format", "csv", "--table", table]);
+        let columns = csv.lines().next().unwrap().split(',').count();
+        assert!(columns >= 3 && csv.lines().count() >= 3, "{csv}");
+    }
+    let figures = folder.join("figures");
+    output(&folder, 0, &["balance", &file, "--figures", "figures"]);
+    assert!(fs::read_dir(figures).unwrap().all(|f| f.unwrap().path().extension().unwrap() == "svg"));
+}
+
+#[test]
+fn wrong_wishes_say_what_is_needed() {
+    let folder = folder("balance-options");
+    let file = template(&folder, "twin-360");
+    for (arguments, expected) in [
+        (&["--minimise", "noise"][..], "couple"),
+        (&["--limit", "force"], "="),
+        (&["--limit", "force = 3 kg"], "N"),
+        (&["--shaft", "-1"], "@"),
+        (&["--shaft", "0 @ 0 mm, 0 mm @ 0 mm"], "0"),
+        (&["--most", "-3 g mm"], "-3 g mm"),
+        (&["--minimise", "mount force 7"], "mount"),
+        (&["--table", "weights"], "--format csv"),
+    ] {
+        let said = message(&folder, 2, &[&["balance", &file][..], arguments].concat());
+        assert!(said.contains(expected) && said.contains("hint:"), "{arguments:?}: `{expected}` in:\n{said}");
+    }
+}

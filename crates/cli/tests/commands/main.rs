@@ -1,0 +1,7 @@
+//! The program as its user meets it: output, messages, exit status, files.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod balance;
+mod engine;
+mod program;

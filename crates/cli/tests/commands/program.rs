@@ -1,0 +1,60 @@
+//! Running the program.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A folder of its own for one test.
+pub fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+pub fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
+}
+
+pub fn lanchester(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lanchester")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// What stands on standard output of a run that must end with `status`.
+pub fn output(folder: &Path, status: i32, arguments: &[&str]) -> String {
+    let output = lanchester(folder, arguments);
+    let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}\n{out}\n{err}");
+    out
+}
+
+pub fn message(folder: &Path, status: i32, arguments: &[&str]) -> String {
+    let output = lanchester(folder, arguments);
+    assert_eq!(output.status.code(), Some(status), "{arguments:?}");
+    assert!(output.stdout.is_empty(), "no data on a failure: {arguments:?}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+pub fn twin() -> String {
+    examples().join("twin-in-line-in-phase.toml").display().to_string()
+}
+
+/// The same as JSON.
+pub fn output_json(folder: &Path, status: i32, arguments: &[&str]) -> serde_json::Value {
+    serde_json::from_str(&output(folder, status, arguments)).unwrap()
+}
+
+/// A run with `text` on standard input.
+pub fn piped(folder: &Path, arguments: &[&str], text: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(text).unwrap();
+    child.wait_with_output().unwrap()
+}
