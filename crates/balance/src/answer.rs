@@ -1,5 +1,6 @@
 //! What balancing answers: plain data, SI units and radians, the same for every front end.
 
+use crate::cancellation::Cancellation;
 use lanchester_model::{BalanceTask, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
@@ -34,6 +35,8 @@ pub struct Answer {
     pub limits: Vec<FoundLimit>,
     /// Criteria before and after: force, couple and roll moment always, then those that the task names.
     pub effects: Vec<Effect>,
+    /// Where orders had to vanish exactly: whether they do, and the proof.
+    pub cancellation: Option<Cancellation>,
 }
 
 /// Whether there is an optimum.
@@ -49,6 +52,12 @@ pub enum Outcome {
         /// The smallest value that each limited criterion can reach if the other limits are dropped, in the order of
         /// the task's limits.
         closest: Vec<f64>,
+        /// The reason in words, with numbers and units.
+        reason: String,
+    },
+    /// Orders that had to vanish cannot, whatever the free devices; the weights given leave the least of the first, then
+    /// of the second, and so on. The proof stands in [`Answer::cancellation`].
+    CannotVanish {
         /// The reason in words, with numbers and units.
         reason: String,
     },

@@ -2,6 +2,7 @@
 
 use crate::answer::*;
 use crate::branch::{self, Ending, Searched};
+use crate::cancellation::cancel;
 use crate::check::check;
 use crate::convex::Failure;
 use crate::convex::curve::length;
@@ -21,7 +22,7 @@ use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_na
 ///
 /// # Errors
 /// [`BalanceError`] where the task has no meaning for this engine. Limits that nobody can reach are an
-/// [`Outcome::Infeasible`].
+/// [`Outcome::Infeasible`], orders that cannot vanish an [`Outcome::CannotVanish`].
 ///
 /// # Source
 /// Book, "Balancing", eqs. (12.1) to (12.9).
@@ -38,6 +39,9 @@ pub fn optimise_with(
     task: &BalanceTask,
     kinematics: Kinematics,
 ) -> Result<Answer, BalanceError> {
+    if !task.cancel.is_empty() {
+        return cancel(engine, task, kinematics);
+    }
     check(engine, task)?;
     if branch::is_needed(task) {
         return searched(engine, task, kinematics);
@@ -121,7 +125,25 @@ fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
         stages: Vec::new(),
         limits: Vec::new(),
         effects: Vec::new(),
+        cancellation: None,
     }
+}
+
+/// The answer of a task whose places are given, with its devices as `x` says: all but outcome, stages and limits.
+pub(crate) fn with_devices(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    problem: &Problem,
+    x: &[f64],
+) -> Result<Answer, BalanceError> {
+    let stand = Stand::given(task, &middle(engine, task));
+    let mut answer = empty(engine, task);
+    answer.weights = found_weights(problem, task, x, &stand.planes);
+    answer.shafts = found_shafts(task, &answer.weights, &stand.axes);
+    answer.inertias = found_inertias(problem, task, x, stand.inertia);
+    answer.effects = effects(engine, task, kinematics, problem, x)?;
+    Ok(answer)
 }
 
 /// Where the devices of an answer stand.

@@ -23,6 +23,8 @@ pub struct BalanceTask {
     pub stages: Vec<Stage>,
     /// What must hold.
     pub limits: Vec<Limit>,
+    /// Orders of loads that must vanish exactly, by the lightest weights; instead of stages and limits.
+    pub cancel: Vec<(Load, f64)>,
     /// Most of the optional weights, shafts and inertias that may be used at once.
     pub most_optional: Option<usize>,
 }

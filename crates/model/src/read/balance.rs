@@ -81,6 +81,7 @@ impl<'a> Reader<'a> {
             ties: ties::ties(&draft.weights),
             stages: draft.stages,
             limits: draft.limits,
+            cancel: Vec::new(),
             most_optional: draft.most_optional,
             weights: Vec::new(),
         };

@@ -1,0 +1,220 @@
+//! Exact cancellation: the lightest weights that make chosen orders vanish, or the proof that none can.
+
+mod answer;
+mod equations;
+mod functional;
+mod lightest;
+mod obstruction;
+mod total;
+mod words;
+
+pub use answer::{
+    Cancellation, CancellationVerdict, CancelledOrder, Functional, FunctionalTerm, Obstruction, OrderSense,
+};
+
+use crate::answer::{Answer, Method, Outcome};
+use crate::check::check;
+use crate::error::BalanceError;
+use crate::fitted::{bare, fitted};
+use crate::operator::{Operator, middle};
+use crate::optimum::{optimise_with, with_devices};
+use crate::problem::Problem;
+use equations::Equations;
+use functional::Weighed;
+use lanchester_mechanism::Kinematics;
+use lanchester_model::{BalanceTask, Criterion, Engine, Place, Stage, criterion_unit};
+use lightest::{Lightest, lightest};
+use obstruction::obstructions;
+use total::Total;
+
+/// Rows and columns that depend on others to within this share of the longest depend on them: the matrix comes from
+/// geometry alone, exact to rounding.
+const RANK: f64 = 1e-12;
+
+/// What has vanished, as a share of the loads of all moving masses.
+const VANISHED: f64 = 1e-10;
+
+/// The lightest weights that make the orders of `task.cancel` vanish; where none can, the proof, and the weights that
+/// leave the least.
+pub(crate) fn cancel(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+) -> Result<Answer, BalanceError> {
+    check(engine, task)?;
+    suits(task)?;
+    let operator = Operator::new(&bare(engine, task), task, kinematics, &middle(engine, task))?;
+    let equations = Equations::new(engine, task, &operator)?;
+    let total = Total::new(task, &equations);
+    let mut solves = 0;
+    match lightest(&equations, &total.costs, &operator.grid, &mut solves) {
+        Ok(found) => {
+            let question = Question { engine, task, kinematics, operator, equations };
+            question.vanishing(&total, &found, solves)
+        }
+        Err(_) => {
+            let proofs = obstructions(&equations, &operator.grid, &mut solves);
+            Question { engine, task, kinematics, operator, equations }.remaining(&proofs)
+        }
+    }
+}
+
+/// Exact cancellation is convex with places given and amounts free from 0 on; and it wants one thing only.
+fn suits(task: &BalanceTask) -> Result<(), BalanceError> {
+    let unsuited = |needed: &'static str, got: String, hint: &'static str| {
+        Err(BalanceError::Unsuited { method: "exact cancellation", needed, got, hint })
+    };
+    let to_be_found = |place: Place| matches!(place, Place::Between(..));
+    if let Some(shaft) = task.shafts.iter().find(|s| to_be_found(s.x) || to_be_found(s.y)) {
+        return unsuited(
+            "shafts with a given axis",
+            format!("`{}` with an axis to be found", shaft.name),
+            "give x and y one place each",
+        );
+    }
+    if let Some(weight) = task.weights.iter().find(|w| to_be_found(w.z)) {
+        return unsuited(
+            "weights in given planes",
+            format!("`{}` with a plane to be found", weight.name),
+            "give z one place",
+        );
+    }
+    if let Some(weight) = task.weights.iter().find(|w| w.least > 0.0) {
+        return unsuited(
+            "weights of any amount from 0 on",
+            format!("`{}` with a least amount", weight.name),
+            "leave out `least`, or `unbalance` where it gives the amount",
+        );
+    }
+    if task.inertias.len() > 1 {
+        return unsuited(
+            "one counter-rotating inertia at most",
+            format!("{} to choose from", task.inertias.len()),
+            "ask for one after the other",
+        );
+    }
+    if task.most_optional.is_some() {
+        return unsuited(
+            "devices that may all be used",
+            "a largest number of optional devices".into(),
+            "leave out `most_optional`, or ask with fewer devices",
+        );
+    }
+    if !task.stages.is_empty() || !task.limits.is_empty() {
+        return unsuited(
+            "orders to cancel alone",
+            "criteria to minimise or limits beside them".into(),
+            "ask for one after the other",
+        );
+    }
+    Ok(())
+}
+
+/// A task with its engine and its equations.
+struct Question<'a> {
+    engine: &'a Engine,
+    task: &'a BalanceTask,
+    kinematics: Kinematics,
+    operator: Operator,
+    equations: Equations,
+}
+
+impl Question<'_> {
+    /// The answer where the orders vanish.
+    fn vanishing(self, total: &Total, found: &Lightest, solves: usize) -> Result<Answer, BalanceError> {
+        let Question { engine, task, kinematics, operator, equations } = self;
+        let x = equations.unscaled(&found.u);
+        let mut stages = vec![Stage { terms: vec![(1.0, total.criterion)] }];
+        stages.extend(stages_of(task));
+        let judged = judged(task, stages);
+        let problem = Problem::new(engine, &judged, operator)?;
+        let mut answer = with_devices(engine, &judged, kinematics, &problem, &x)?;
+        answer.task = task.clone();
+        answer.method = Method::Convex { solves };
+        answer.stages = vec![total.stage(found)];
+        answer.limits = total.limits(task, &equations, found);
+        let orders = orders(engine, task, kinematics, &answer)?;
+        let natural = |order: &CancelledOrder| match criterion_unit(&order.criterion) {
+            "N" => problem.operator.natural_force,
+            _ => problem.operator.natural_moment,
+        };
+        if let Some(order) = orders.iter().find(|order| order.left > VANISHED * natural(order)) {
+            answer.outcome = Outcome::Stopped { reason: words::not_vanished(engine, order) };
+        }
+        let verdict = CancellationVerdict::Vanish {
+            total: total.unit * found.value,
+            is_mass: total.criterion == Criterion::AddedMass,
+            lightest: found.proof.functional(&equations, task, total.unit),
+        };
+        answer.cancellation = Some(Cancellation { orders, verdict });
+        Ok(answer)
+    }
+
+    /// The answer where they cannot vanish: what leaves the least of the first, then of the second, and so on.
+    fn remaining(self, proofs: &[Weighed]) -> Result<Answer, BalanceError> {
+        let Question { engine, task, kinematics, equations, .. } = &self;
+        let mut answer = optimise_with(engine, &judged(task, stages_of(task)), *kinematics)?;
+        answer.task = (*task).clone();
+        let mut orders = orders(engine, task, *kinematics, &answer)?;
+        for (order, stage) in orders.iter_mut().zip(stages_of(task)) {
+            let alone = optimise_with(engine, &judged(task, vec![stage]), *kinematics)?;
+            order.least_alone = alone.stages.first().map_or(order.left, |stage| stage.value);
+        }
+        let obstructions: Vec<Obstruction> = proofs
+            .iter()
+            .map(|proof| Obstruction {
+                reason: words::reason(engine, task, equations, proof),
+                functional: proof.functional(equations, task, 1.0),
+            })
+            .collect();
+        answer.outcome = if obstructions.is_empty() {
+            Outcome::Stopped { reason: "too close between vanishing and not for a proof of either".into() }
+        } else {
+            let reasons: Vec<&str> = obstructions.iter().map(|o| o.reason.as_str()).collect();
+            Outcome::CannotVanish { reason: reasons.join("; ") }
+        };
+        let verdict = CancellationVerdict::CannotVanish { obstructions };
+        answer.cancellation = Some(Cancellation { orders, verdict });
+        Ok(answer)
+    }
+}
+
+/// The orders as stages, one after the other.
+fn stages_of(task: &BalanceTask) -> Vec<Stage> {
+    let stage = |&(load, order): &_| Stage { terms: vec![(1.0, Criterion::Order(load, order))] };
+    task.cancel.iter().map(stage).collect()
+}
+
+/// The devices of a task with something to minimise.
+fn judged(task: &BalanceTask, stages: Vec<Stage>) -> BalanceTask {
+    BalanceTask { cancel: Vec::new(), stages, ..task.clone() }
+}
+
+/// What is left of every order, from the loads of the engine with the answer fitted.
+fn orders(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    answer: &Answer,
+) -> Result<Vec<CancelledOrder>, BalanceError> {
+    let mut fitted = fitted(engine, answer);
+    if answer.weights.is_empty() {
+        fitted = bare(engine, task);
+    }
+    // An inertia stands in no engine file: it acts beside it.
+    let beside =
+        BalanceTask { inertias: task.inertias.clone(), stages: stages_of(task), ..BalanceTask::default() };
+    let operator = Operator::new(&fitted, &beside, kinematics, &[])?;
+    let problem = Problem::new(&fitted, &beside, operator)?;
+    let share: Vec<f64> = answer.inertias.iter().take(1).map(|i| 1.0 - i.roll_share).collect();
+    let orders = problem.stages.iter().flatten().map(|(_, judged)| {
+        let before = answer.effects.iter().find(|e| e.criterion == judged.criterion);
+        CancelledOrder {
+            criterion: judged.criterion,
+            without: before.map_or(0.0, |e| e.without),
+            left: problem.value(judged, &share),
+            least_alone: 0.0,
+        }
+    });
+    Ok(orders.collect())
+}

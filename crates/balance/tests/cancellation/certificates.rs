@@ -1,0 +1,1 @@
+//! Proofs recomputed for every engine of the gallery.

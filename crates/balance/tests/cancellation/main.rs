@@ -1,0 +1,5 @@
+//! Exact cancellation against closed forms, its own conditions and random changes.
+mod certificates;
+mod closed_forms;
+mod edges;
+mod support;
