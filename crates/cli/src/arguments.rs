@@ -79,8 +79,9 @@ pub enum Command {
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \
                             lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
                             lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
+                            lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n\n\
-                            Exit status 1: a limit cannot be reached, or the search stopped early."
+                            Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
     )]
     Balance(BalanceArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
@@ -238,6 +239,11 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
+    /// Orders that must vanish exactly, by the lightest weights: `force order 1, couple order 1`. If they cannot, the
+    /// proof is printed, and the weights that leave the least. May be given several times; in place of what [balance]
+    /// wants.
+    #[arg(long, value_name = "ORDERS", conflicts_with_all = ["minimise", "limit"])]
+    pub cancel: Vec<String>,
     /// What must hold: `couple = 40 N m`. May be given several times; replaces limits on the same in the file.
     #[arg(long, value_name = "LIMIT")]
     pub limit: Vec<String>,
@@ -292,6 +298,10 @@ pub enum BalanceTable {
     Stages,
     /// Limits and their prices.
     Limits,
+    /// With --cancel: what had to vanish.
+    Orders,
+    /// With --cancel: the combinations of orders that prove the verdict.
+    Proof,
 }
 
 /// `validate`

@@ -27,6 +27,14 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(refused);
         task.stages = arguments.minimise.iter().map(stage).collect::<Result<_, Failure>>()?;
     }
+    if !arguments.minimise.is_empty() {
+        task.cancel.clear();
+    }
+    if !arguments.cancel.is_empty() {
+        let orders = |text: &String| option::cancel(text, &engine.mounts, "--cancel").map_err(refused);
+        let lists: Vec<_> = arguments.cancel.iter().map(orders).collect::<Result<_, Failure>>()?;
+        (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
+    }
     for text in &arguments.limit {
         let limit = option::limit(text, &engine.mounts, "--limit").map_err(refused)?;
         task.limits.retain(|l| l.criterion != limit.criterion);

@@ -81,6 +81,25 @@ pub(crate) fn load(criterion: &Criterion) -> Option<Load> {
     }
 }
 
+/// What is asked of an order that must vanish.
+pub(crate) const CANCEL_NEEDS: &str = "needs one order of a load on the engine's block";
+
+/// The load and the order of a criterion that can be asked to vanish.
+pub(crate) fn cancelled(criterion: &Criterion) -> Option<(Load, f64)> {
+    match criterion {
+        Criterion::Order(Load::BendingMoment, _) => None,
+        Criterion::Order(load, order) => Some((*load, *order)),
+        Criterion::Peak(_) | Criterion::AddedMass | Criterion::AddedUnbalance => None,
+    }
+}
+
+/// What to write instead of `name`.
+pub(crate) fn cancel_hint(name: &str) -> String {
+    let is_load = LOADS.iter().any(|(known, load)| *known == name && *load != Load::BendingMoment);
+    let name = if is_load || name.starts_with(MOUNT) { shown(name) } else { "force".into() };
+    format!("name the order, such as \"{name}{ORDER}1\"")
+}
+
 /// As [`criterion_name`], for the mounts alone.
 pub(crate) fn name_among(criterion: &Criterion, mounts: &[Mount]) -> String {
     let load_name = |load: &Load| match load {

@@ -3,7 +3,7 @@
 use crate::criterion::{self, criterion};
 use crate::engine::Mount;
 use crate::quantity::{Dimension, Refusal, parse};
-use crate::task::{Limit, Stage};
+use crate::task::{Limit, Load, Stage};
 
 /// Why a text is no quantity of the kind that is due.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -137,6 +137,22 @@ pub fn stage(text: &str, mounts: &[Mount], option: &str) -> Result<Stage, BadQua
     Ok(Stage { terms: text.split(',').map(term).collect::<Result<_, _>>()? })
 }
 
+/// Orders that must vanish: one, such as "force order 1", or several with commas between them; `option` names what asks
+/// for them in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if one of them is not one order of a load on the engine's block.
+pub fn cancel(text: &str, mounts: &[Mount], option: &str) -> Result<Vec<(Load, f64)>, BadQuantity> {
+    let one = |part: &str| {
+        let found = criterion(part, mounts)?;
+        criterion::cancelled(&found).ok_or_else(|| BadQuantity {
+            message: format!("`{option}` {}, got \"{}\"", criterion::CANCEL_NEEDS, part.trim()),
+            hint: criterion::cancel_hint(part.trim()),
+        })
+    };
+    text.split(',').map(one).collect()
+}
+
 fn amount(text: &str, criterion: &crate::task::Criterion, name: &str) -> Result<f64, BadQuantity> {
     parse(text, criterion::dimension(criterion), name).map_err(BadQuantity::from)
 }
@@ -173,6 +189,27 @@ mod tests {
         let both = vec![(1.0 / 200.0, Criterion::Peak(Load::Force)), (0.1, Criterion::Peak(Load::Couple))];
         assert_eq!(stage("force = 200 N, couple = 10 N m"), Ok(Stage { terms: both }));
         assert!(stage("force = 0 N").is_err() && stage("force, couple").is_err());
+    }
+
+    #[test]
+    fn orders_to_cancel_of_a_command_line() {
+        let cancel = |text| cancel(text, &[], "--cancel");
+        assert_eq!(cancel("force order 1"), Ok(vec![(Load::Force, 1.0)]));
+        assert_eq!(
+            cancel("couple order 2,roll moment order 1/2"),
+            Ok(vec![(Load::Couple, 2.0), (Load::RollMoment, 0.5)])
+        );
+        for (text, part) in [
+            ("force", "force order 1"),
+            ("added mass", "one order of a load"),
+            ("bending moment order 1", "one order of a load"),
+            ("forse order 1", "did you mean"),
+            ("", "criterion"),
+            ("force order 1,", "criterion"),
+        ] {
+            let refused = cancel(text).unwrap_err();
+            assert!(format!("{} {}", refused.message, refused.hint).contains(part), "{text}: {refused:?}");
+        }
     }
 
     #[test]

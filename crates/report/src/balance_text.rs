@@ -4,6 +4,7 @@ use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
     limits_table, stages_table,
 };
+use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::number;
 use crate::terminal::push_wrapped;
 use lanchester_balance::{Answer, Method, Outcome};
@@ -29,11 +30,16 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
     }
     tables.extend(found_shafts_table(answer));
     tables.extend(found_inertias_table(answer));
+    if let Some(cancellation) = &answer.cancellation {
+        tables.push(cancelled_orders_table(engine, cancellation));
+    }
     if !answer.effects.is_empty() {
         tables.push(effects_table(engine, answer));
     }
-    if !answer.stages.is_empty() {
-        tables.push(stages_table(engine, answer));
+    match &answer.cancellation {
+        Some(cancellation) => tables.extend(cancellation_proof_table(engine, cancellation)),
+        None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),
+        None => {}
     }
     tables.extend(limits_table(engine, answer));
     for table in tables {
@@ -68,7 +74,11 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
         });
         terms.collect::<Vec<_>>().join(", then ")
     };
+    if let Some(cancellation) = &answer.cancellation {
+        return cancellation_headline(engine, answer, cancellation);
+    }
     match &answer.outcome {
+        Outcome::CannotVanish { reason } => format!("{reason}."),
         Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
         Outcome::Stopped { reason } => {
@@ -110,6 +120,7 @@ fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64])
 
 fn method_words(method: &Method) -> String {
     match method {
+        Method::Convex { solves: 0 } => "Solved as linear equations.".to_owned(),
         Method::Convex { solves: 1 } => "Solved as one convex programme.".to_owned(),
         Method::Convex { solves } => {
             format!("Solved as a convex programme, its angles refined {solves} times.")

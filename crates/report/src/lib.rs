@@ -10,6 +10,7 @@ mod axis;
 mod balance_plot;
 mod balance_tables;
 mod balance_text;
+mod cancellation;
 mod component;
 mod crank_curve;
 mod crank_strip;
@@ -56,6 +57,7 @@ pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
 pub use balance_text::{balance_text, headline};
+pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use crank_curve::crank_curve;
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;

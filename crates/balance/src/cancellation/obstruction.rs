@@ -75,7 +75,7 @@ fn by_distance(equations: &Equations, block: &Block, grid: &Rc<Grid>, solves: &m
         let columns = Matrix::from_rows(whole.variables, rows);
         let base: [f64; WIDTH] =
             std::array::from_fn(|m| if m < 2 { -equations.right[2 * k + m] } else { 0.0 });
-        whole.groups.push(Group { members: vec![Member::Vector { base, columns }] });
+        whole.groups.push(Group::new(vec![Member::Vector { base, columns }]));
         whole.cost.push(1.0);
     }
     let ties: Vec<&[f64]> =

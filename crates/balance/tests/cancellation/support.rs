@@ -79,10 +79,10 @@ pub fn cancellation(answer: &Answer) -> &Cancellation {
 pub fn order_of(engine: &Engine, which: usize, order: f64) -> [f64; 2] {
     let mechanism = Mechanism::new(engine, &LoadRequest::default()).expect("a valid engine");
     let orders = mechanism.orders();
-    let found = orders.iter().find(|o| o.order == order).expect("an order of the engine");
-    match which {
-        0 => [found.force_forward.norm(), found.force_backward.norm()],
-        _ => [found.couple_forward.norm(), found.couple_backward.norm()],
+    match (orders.iter().find(|o| o.order == order), which) {
+        (None, _) => [0.0; 2],
+        (Some(found), 0) => [found.force_forward.norm(), found.force_backward.norm()],
+        (Some(found), _) => [found.couple_forward.norm(), found.couple_backward.norm()],
     }
 }
 

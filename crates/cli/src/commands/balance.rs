@@ -9,7 +9,8 @@ use lanchester::balance::{Answer, BalanceError, Outcome, fitted, optimise};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{Engine, WriteBackError, difference, render, write_back};
 use lanchester::report::{
-    balance_text, effects_table, found_weights_table, headline, limits_table, optimum_plots, stages_table,
+    balance_text, cancellation_proof_table, cancelled_orders_table, effects_table, found_weights_table,
+    headline, limits_table, optimum_plots, stages_table,
 };
 use std::path::Path;
 
@@ -29,8 +30,14 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.engine;
     let task = balance_task(engine, arguments)?;
+    if matches!(arguments.table, Some(BalanceTable::Orders | BalanceTable::Proof)) && task.cancel.is_empty() {
+        return Err(Failure::input(
+            "this table tells of orders that must vanish, and none is asked for",
+            "give --cancel, or take another --table",
+        ));
+    }
     let answer = optimise(engine, &task).map_err(refused)?;
-    let found = matches!(answer.outcome, Outcome::Optimal | Outcome::Stopped { .. });
+    let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
     let after = fitted(engine, &answer);
     let loads_after = loads_of(&after)?;
     if let Some(folder) = &arguments.figures
@@ -56,7 +63,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             eprintln!("weights written into {}", opened.source.name);
         }
     }
-    if !found && arguments.format != Format::Text {
+    if status(&answer) != DONE && arguments.format != Format::Text {
         eprintln!("{}", headline(engine, &answer));
     }
     print(&match (arguments.format, arguments.table) {
@@ -88,6 +95,15 @@ fn csv(engine: &Engine, answer: &Answer, table: BalanceTable) -> String {
         BalanceTable::Effects => effects_table(engine, answer).csv(),
         BalanceTable::Stages => stages_table(engine, answer).csv(),
         BalanceTable::Limits => limits_table(engine, answer).map_or(String::new(), |table| table.csv()),
+        BalanceTable::Orders | BalanceTable::Proof => {
+            let Some(cancellation) = &answer.cancellation else { return String::new() };
+            match table {
+                BalanceTable::Orders => cancelled_orders_table(engine, cancellation).csv(),
+                _ => {
+                    cancellation_proof_table(engine, cancellation).map_or(String::new(), |table| table.csv())
+                }
+            }
+        }
     }
 }
 
