@@ -1,5 +1,6 @@
 //! All figures of an engine's loads, in the groups in which the report shows them.
 
+use crate::crank_view::crank_view;
 use crate::figure::Figure;
 use crate::frame_sketch::frame_sketch;
 use crate::front_view::front_view;
@@ -7,6 +8,7 @@ use crate::hodograph::{couple_hodograph, force_hodograph};
 use crate::magnitude::Magnitude;
 use crate::motion_plot::motion_plot;
 use crate::over_angle::over_angle;
+use crate::share_plot::share_plots;
 use crate::side_view::side_view;
 use crate::spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
 use crate::star::{couple_stars, force_stars, told_orders};
@@ -16,6 +18,8 @@ use lanchester_model::Engine;
 
 pub(crate) struct Gallery {
     pub drawings: Vec<Figure>,
+    /// The crank with its weights, and what each throw and device adds: none without devices.
+    pub balance: Vec<Figure>,
     pub spectra: Vec<Figure>,
     pub curves: Vec<Figure>,
     pub hodographs: Vec<Figure>,
@@ -37,6 +41,7 @@ impl Gallery {
         }
         Gallery {
             drawings: vec![front_view(engine), side_view(engine)],
+            balance: crank_view(engine).into_iter().chain(share_plots(engine, loads)).collect(),
             spectra,
             curves: over_angle(loads),
             hodographs: vec![
@@ -51,7 +56,15 @@ impl Gallery {
     }
 
     pub fn into_figures(self) -> Vec<Figure> {
-        let groups = [self.drawings, self.spectra, self.curves, self.hodographs, self.stars, self.stories];
+        let groups = [
+            self.drawings,
+            self.balance,
+            self.spectra,
+            self.curves,
+            self.hodographs,
+            self.stars,
+            self.stories,
+        ];
         groups.into_iter().flatten().chain(self.motion).chain([self.frame]).collect()
     }
 }

@@ -8,12 +8,14 @@ mod arrangement;
 mod arrangements_page;
 mod axis;
 mod balance_plot;
+mod balance_share;
 mod balance_tables;
 mod balance_text;
 mod cancellation;
 mod component;
 mod crank_curve;
 mod crank_strip;
+mod crank_view;
 mod csv;
 mod drawing;
 mod engine_tables;
@@ -37,6 +39,7 @@ mod plot;
 mod pose;
 #[cfg(test)]
 mod sample;
+mod share_plot;
 mod side_view;
 mod spectrum;
 mod speed_table;
@@ -59,6 +62,7 @@ pub use balance_tables::{
 pub use balance_text::{balance_text, headline};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use crank_curve::crank_curve;
+pub use crank_view::crank_view;
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
@@ -76,6 +80,7 @@ pub use load_tables::{
 pub use motion_plot::motion_plot;
 pub use over_angle::{over_angle, vanishing};
 pub use page::{Provenance, ReportInput, figures, report};
+pub use share_plot::share_plots;
 pub use side_view::side_view;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
 pub use speed_table::speed_table;

@@ -64,6 +64,7 @@ struct Page<'a> {
     drawings: String,
     spectra: String,
     load_tables: String,
+    balance: String,
     curves: String,
     hodographs: String,
     stars: String,
@@ -115,6 +116,7 @@ pub fn report(input: &ReportInput<'_>) -> String {
         drawings: figures_html(&gallery.drawings),
         spectra: figures_html(&gallery.spectra),
         load_tables: tables_html(&load_tables),
+        balance: figures_html(&gallery.balance),
         curves: figures_html(&gallery.curves),
         hodographs: figures_html(&gallery.hodographs),
         stars: figures_html(&gallery.stars),
@@ -182,6 +184,7 @@ fn figures_html(figures: &[Figure]) -> String {
     for figure in figures {
         let class = match (figure.panels.len(), figure.columns) {
             (0..=2, _) => "plot",
+            (_, 2) => "plot many two",
             (_, 3) => "plot many three",
             _ => "plot many",
         };

@@ -7,10 +7,10 @@ use crate::svg::{Anchor, Path, Svg, text_width};
 
 /// Natural width of a plot [px].
 pub const WIDTH: f64 = 440.0;
-const HEIGHT: f64 = 290.0;
-const LEFT: f64 = 60.0;
-const RIGHT: f64 = 14.0;
-const BOTTOM: f64 = 44.0;
+pub(crate) const HEIGHT: f64 = 290.0;
+pub(crate) const LEFT: f64 = 60.0;
+pub(crate) const RIGHT: f64 = 14.0;
+pub(crate) const BOTTOM: f64 = 44.0;
 const LEGEND_ROW: f64 = 19.0;
 
 /// One curve.
