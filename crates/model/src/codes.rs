@@ -61,6 +61,7 @@ static CODES: &[(&str, &str)] = &[
     ("E1104", "a sensor read twice in one run"),
     ("E1105", "a sensor read in two quantities"),
     ("E1106", "two pins on one throw"),
+    ("E1107", "a drill too large for the width of its surface"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

@@ -123,6 +123,8 @@ pub enum NextStep {
         /// Names of the planes.
         planes: Vec<String>,
     },
+    /// Settle the serious doubts first: the corrections told may be wrong.
+    Settle,
     /// Make the corrections told, run again and add the run to the sheet.
     Correct,
     /// Nothing: every limit holds.
@@ -208,6 +210,7 @@ fn from_runs(sheet: &Sheet) -> Result<Correction, WorkshopError> {
     let next = match (holds, tried.is_empty()) {
         (Some(true), _) => NextStep::Finished,
         (_, true) => NextStep::Try { planes: sheet.planes.iter().map(|plane| plane.name.clone()).collect() },
+        _ if remarks.iter().any(|remark| remark.kind.is_serious()) => NextStep::Settle,
         _ => NextStep::Correct,
     };
     let influence = influence(&history, &tried, &fits);

@@ -97,7 +97,7 @@ pub enum WorkshopError {
     },
     /// Fewer readings than planes.
     #[error(
-        "{readings} readings cannot determine weights in {planes} planes\nhint: add a sensor or a speed, or correct in fewer planes"
+        "{readings} {} cannot determine weights in {planes} planes\nhint: add a sensor or a speed, or correct in fewer planes", if *.readings == 1 { "reading" } else { "readings" }
     )]
     FewReadings {
         /// Sensors times speeds.

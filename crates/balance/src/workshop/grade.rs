@@ -65,6 +65,14 @@ pub struct GradedPlane {
 
 const PURPOSE: &str = "a balance quality grade";
 
+/// Least share of a bearing, lest the remote one be asked for what no machine measures.
+const LEAST_SHARE: f64 = 0.3;
+
+/// Largest share of a bearing. One that carries an overhung centre of mass is built for the load.
+fn most_share(between: bool) -> f64 {
+    if between { 0.7 } else { 1.3 }
+}
+
 /// What the grade of the sheet allows, and whether the measured unbalance keeps it: the displayed one, or that which the
 /// runs show in the planes with trial weights. Runs that do not tell it yet leave it unmeasured; [`correction`](super::correction)
 /// says why.
@@ -73,7 +81,8 @@ const PURPOSE: &str = "a balance quality grade";
 /// e_per = G/omega        U_per = m G/omega          U_per [g mm] = 9549 G [mm/s] m [kg] / n [rpm]
 /// U_A = U_per |z_B - z_c|/(z_B - z_A)               U_B = U_per |z_c - z_A|/(z_B - z_A)
 /// ```
-/// A bearing's share is the force that the whole of U_per would put on it from the centre of mass z_c. The shares of
+/// A bearing's share is the force that the whole of U_per would put on it from the centre of mass z_c, but no less than
+/// 0.3 U_per, and no more than 0.7 U_per where z_c lies between the bearings, 1.3 U_per where it lies outside. The shares of
 /// the correction planes use up those of the bearings in the worst case of all angles:
 /// `SUM |lever| U_plane <= share` of each bearing, with equality at both where that is possible with two planes,
 /// and equal amounts in all planes else.
@@ -81,7 +90,8 @@ const PURPOSE: &str = "a balance quality grade";
 /// # Errors
 /// [`WorkshopError::Missing`] if the sheet gives no mass, service speed or grade.
 /// # Source
-/// U_per: `[Iso21940]` part 11. Allotment: derived here; book, "Balancing a rotor from measurements".
+/// U_per and the shares of the bearings with their limits: `[Iso21940]` part 11. Shares of the planes: book, "Balance quality
+/// grades".
 pub fn grade(sheet: &Sheet) -> Result<Grade, WorkshopError> {
     if !sheet.runs.is_empty() {
         let from_runs = super::correction(sheet).ok().and_then(|found| found.grade_now);
@@ -135,9 +145,10 @@ fn bearings(
     let planes = [("first support", supports[0]), ("second support", supports[1])]
         .map(|(name, z)| Plane { name: name.into(), z });
     let parts = measured.map(|all| in_two_planes(all, &planes)).transpose()?;
+    let between = supports[0] <= centre && centre <= supports[1];
     let bearing = |k: usize| {
         let lever = (supports[1 - k] - centre).abs() / (supports[1] - supports[0]);
-        let permissible = permissible * lever;
+        let permissible = permissible * lever.clamp(LEAST_SHARE, most_share(between));
         let measured = parts.as_ref().map(|parts| parts[k].unbalance);
         let kept = measured.map(|measured| measured.norm() <= permissible);
         GradedBearing { z: supports[k], permissible, measured, kept }

@@ -198,6 +198,7 @@ mod tests {
             point: point.to_radians(),
             density: 7850.0,
             land: 0.0,
+            spacing: 0.0,
             most_holes: 3,
             angle_step: 0.1,
         }

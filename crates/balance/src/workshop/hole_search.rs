@@ -200,6 +200,13 @@ impl State<'_> {
         }
     }
 
+    /// Whether wall and distance between two holes are large enough.
+    fn apart(&self, one: &Hole, other: &Hole) -> bool {
+        let distance = 2.0 * self.radius * (0.5 * (one.angle - other.angle)).sin().abs();
+        distance >= self.drill.spacing - 1e-12
+            && wall(self.drill.direction, self.radius, one, other) >= self.drill.land - 1e-12
+    }
+
     /// Takes a set of holes if it leaves less than the best so far and its walls are thick enough. More holes than before
     /// must be worth it: a set within the tolerance ends the search before another hole is tried.
     fn offer(&mut self, holes: Vec<Hole>) {
@@ -209,11 +216,8 @@ impl State<'_> {
         if left >= self.best_left - self.rounding() {
             return;
         }
-        let thick = holes.iter().enumerate().all(|(k, one)| {
-            holes[..k]
-                .iter()
-                .all(|other| wall(self.drill.direction, self.radius, one, other) >= self.drill.land - 1e-12)
-        });
+        let thick =
+            holes.iter().enumerate().all(|(k, one)| holes[..k].iter().all(|other| self.apart(one, other)));
         let more = holes.len() > self.best.len();
         if thick && !(more && self.best_left <= self.tolerance) {
             (self.best, self.best_left) = (holes, left);

@@ -42,6 +42,16 @@ pub enum RemarkKind {
     Untried,
 }
 
+impl RemarkKind {
+    /// Whether a correction should wait until the doubt is settled.
+    pub fn is_serious(self) -> bool {
+        match self {
+            RemarkKind::WeakTrial | RemarkKind::Contradiction | RemarkKind::IllConditioned => true,
+            RemarkKind::Untried => false,
+        }
+    }
+}
+
 impl Remark {
     pub(crate) fn ill_conditioned(condition: f64, planes: &[String]) -> Remark {
         Remark {
@@ -58,8 +68,9 @@ impl Remark {
 
 /// Weak trials, contradictions and planes without a trial.
 pub(crate) fn remarks(history: &History<'_>, fits: &[SensorFit]) -> Vec<Remark> {
-    let mut remarks = weak_trials(history, fits);
-    remarks.extend(contradiction(history, fits));
+    let contradiction = contradiction(history, fits);
+    let mut remarks = weak_trials(history, fits, contradiction.is_some());
+    remarks.extend(contradiction);
     let tried = history.tried();
     if !tried.is_empty() {
         let planes = history.sheet.planes.iter().enumerate();
@@ -74,7 +85,8 @@ pub(crate) fn remarks(history: &History<'_>, fits: &[SensorFit]) -> Vec<Remark> 
     remarks
 }
 
-fn weak_trials(history: &History<'_>, fits: &[SensorFit]) -> Vec<Remark> {
+/// Trials whose effect is too small, or lost in the scatter; runs that contradict each other scatter for another reason.
+fn weak_trials(history: &History<'_>, fits: &[SensorFit], contradicting: bool) -> Vec<Remark> {
     let mut remarks = Vec::new();
     for (index, run) in history.runs.iter().enumerate() {
         if history.same(&run.before, &run.during) {
@@ -121,7 +133,7 @@ fn weak_trials(history: &History<'_>, fits: &[SensorFit]) -> Vec<Remark> {
                 100.0 * change,
                 turn.to_degrees()
             )
-        } else if pairs.iter().all(scattered) {
+        } else if !contradicting && pairs.iter().all(scattered) {
             format!("the effect of the weights of {name} is lost in the scatter of the readings")
         } else {
             continue;

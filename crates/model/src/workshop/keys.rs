@@ -263,8 +263,23 @@ static DRILL: Table = Table {
             "land",
             Length,
             NotNegative,
-            "Least wall between neighbouring holes; default 0 mm.",
+            "Least wall between neighbouring holes, and to the edges of the surface where `width` is given; default 0 mm.",
             "\"3 mm\"",
+        ),
+        quantity(
+            "spacing",
+            Length,
+            NotNegative,
+            "Least distance between the centres of neighbouring holes, on the surface or on the circle of holes; default 0 mm.",
+            "\"15 mm\"",
+        ),
+        quantity(
+            "width",
+            Length,
+            Positive,
+            "Width of the drilled surface, the holes in its middle: along the shaft where holes are radial, from its inner to its \
+             outer edge where they are axial.",
+            "\"22 mm\"",
         ),
         key("most_holes", Kind::Whole(1, 4), Optional, "Most holes of one correction; default 3.", "3"),
         quantity(

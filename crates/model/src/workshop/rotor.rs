@@ -6,7 +6,7 @@ use super::{
 };
 use crate::angle;
 use crate::diagnostic::Mistake;
-use crate::document::{Field, Section};
+use crate::document::{Field, Section, Spot};
 use crate::quantity::{self, Dimension};
 use crate::read::Reader;
 use std::f64::consts::{PI, TAU};
@@ -193,6 +193,8 @@ impl<'a> Reader<'a> {
         let depth_step = section.number("depth_step");
         let point = section.number("point").or(DRILL_POINT.to_radians());
         let land = section.number("land").or(0.0);
+        let spacing = section.number("spacing").or(0.0);
+        let width = section.number("width");
         let most_holes = section.whole("most_holes").or(MOST_HOLES);
         let angle_step = section.number("angle_step").or(ANGLE_STEP.to_radians());
         if direction == Some("axial") && section.has("surface") {
@@ -205,10 +207,10 @@ impl<'a> Reader<'a> {
                 "it is the full angle of the cone: 118 deg for a common drill, 180 deg for a flat bottom",
             ));
         }
-        if depth_step.is_bad() {
+        if depth_step.is_bad() || width.is_bad() {
             return None;
         }
-        let (diameters, max_depth, point) = (diameters?, max_depth?, point?);
+        let (diameters, max_depth, point, land) = (diameters?, max_depth?, point?, land?);
         if diameters.is_empty() {
             let message = "`diameters` is empty";
             let span = section.value_span("diameters");
@@ -229,6 +231,9 @@ impl<'a> Reader<'a> {
                 );
             }
         }
+        if let Some(width) = width.given() {
+            self.check_edges(&diameters, land, width);
+        }
         Some(Drill {
             direction: if direction? == "radial" { DrillDirection::Radial } else { DrillDirection::Axial },
             surface: if surface? == "round" { Surface::Round } else { Surface::Flat },
@@ -237,10 +242,27 @@ impl<'a> Reader<'a> {
             depth_step: depth_step.given(),
             point: point.min(PI),
             density: density?,
-            land: land?,
+            land,
+            spacing: spacing?,
             most_holes: usize::try_from(most_holes?).unwrap_or(1),
             angle_step: angle_step?,
         })
+    }
+
+    /// Every drill must leave its land at both edges of a surface of this width [m].
+    fn check_edges(&mut self, diameters: &[Spot<f64>], land: f64, width: f64) {
+        for diameter in diameters.iter().filter(|diameter| diameter.value + 2.0 * land > width * (1.0 + 1e-9))
+        {
+            let [size, land, width] =
+                [diameter.value, land, width].map(|length| quantity::readable(length, Dimension::Length));
+            let message = format!(
+                "the {size} drill leaves less than the land of {land} at the edges of a surface {width} wide"
+            );
+            self.mistakes.push(
+                Mistake::error("E1107", diameter.span.clone(), message)
+                    .hint("leave this drill out, or state a smaller land"),
+            );
+        }
     }
 
     pub(super) fn sensors(&mut self) -> Option<Vec<Sensor>> {

@@ -142,8 +142,10 @@ pub struct Drill {
     pub point: f64,
     /// Density of the material [kg/m^3].
     pub density: f64,
-    /// Least wall between neighbouring holes [m].
+    /// Least wall between neighbouring holes, and to the edges of the surface where its width is given [m].
     pub land: f64,
+    /// Least distance between the centres of neighbouring holes on the surface or circle [m].
+    pub spacing: f64,
     /// Most holes of one correction.
     pub most_holes: usize,
     /// Where every angle of a range is allowed: step of the angles that are tried for more than one hole [rad].

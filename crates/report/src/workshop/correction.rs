@@ -53,7 +53,7 @@ pub fn correction_text(correction: &Correction) -> String {
     out
 }
 
-fn remarks_text(remarks: &[Remark]) -> String {
+pub(super) fn remarks_text(remarks: &[Remark]) -> String {
     remarks.iter().map(|remark| format!("\ndoubt: {}\nhint: {}\n", remark.message, remark.hint)).collect()
 }
 
@@ -68,6 +68,9 @@ fn next_words(correction: &Correction) -> String {
             planes.first().map_or("", String::as_str),
             if planes.len() > 1 { "then the same in each of the other planes" } else { "then read on" }
         ),
+        (NextStep::Settle, _) => {
+            "next: settle the doubts; until then the corrections are not to be relied on".to_owned()
+        }
         (NextStep::Correct, holds) => {
             let why = if holds == Some(false) { "a limit does not hold yet" } else { "no limit is stated" };
             let again = match correction.runs {

@@ -1,9 +1,10 @@
 //! Holes to drill, as tables.
 
+use super::correction::remarks_text;
 use super::grade::{grade_tables, plain};
 use super::mass::on_rotor;
 use crate::table::{Cell, Column, Table};
-use lanchester_balance::workshop::Drilling;
+use lanchester_balance::workshop::{Drilling, NextStep};
 
 /// The holes of every plane, and what is left.
 pub fn drilling_tables(drilling: &Drilling) -> Vec<Table> {
@@ -25,6 +26,7 @@ pub fn drilling_text(drilling: &Drilling) -> String {
             plane.plane
         );
     }
+    out += &remarks_text(&drilling.correction.remarks);
     if let Some(grade) = &drilling.grade_after {
         out += &format!("\nG {} with these holes\n", plain(1e3 * grade.grade, 4));
         for table in grade_tables(grade) {
@@ -33,6 +35,9 @@ pub fn drilling_text(drilling: &Drilling) -> String {
         }
     }
     out += match (drilling.holds, &drilling.grade_after) {
+        _ if drilling.correction.next == NextStep::Settle => {
+            "\nnext: settle the doubts; until then the holes are not to be relied on\n"
+        }
         (true, Some(_)) => "\nthe grade is kept with these holes\n",
         (true, None) => "\nwhat is left is within the steps of depth\n",
         (false, Some(_)) => "\nthe grade is not kept with these holes\n",

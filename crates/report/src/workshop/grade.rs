@@ -44,7 +44,8 @@ pub fn grade_tables(grade: &Grade) -> Vec<Table> {
         table(
             "grade-bearings",
             "Bearings",
-            "Each may carry what the whole permissible unbalance would put on it from the centre of mass.",
+            "Each may carry what the whole permissible unbalance would put on it from the centre of mass, but no less than 30 % \
+             of it, and no more than 70 % (130 % beside an overhung centre of mass).",
             "bearing",
             bearings.collect(),
         ),

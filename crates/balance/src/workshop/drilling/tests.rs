@@ -117,3 +117,21 @@ fn the_grade_decides_how_many_holes() {
         assert!((graded.measured.unwrap() - drilled.left).norm() < 1e-15);
     }
 }
+
+/// Neighbours of 30 degrees stand 31.06 mm apart on a radius of 60 mm.
+#[test]
+fn holes_keep_their_spacing() {
+    let holes = |spacing: &str| {
+        let text = plane("only", 10.0, "positions = 12", &format!("spacing = \"{spacing}\", most_holes = 2"));
+        let found = drilling(&sheet(&text, &display(10.0, 500.0, 77.0))).unwrap();
+        let mut angles: Vec<f64> =
+            found.planes[0].holes.iter().map(|hole| hole.angle.to_degrees().round()).collect();
+        angles.sort_by(f64::total_cmp);
+        (angles, found.planes[0].left.norm())
+    };
+    let (near, nothing) = holes("31 mm");
+    assert_eq!(near, [60.0, 90.0]);
+    let (far, left) = holes("31.1 mm");
+    assert!(far.windows(2).all(|pair| pair[1] - pair[0] > 30.5), "{far:?}");
+    assert!(nothing < 1e-15 && left >= nothing);
+}

@@ -52,6 +52,27 @@ fn bearings_share_by_levers_and_planes_use_them_up() {
     );
 }
 
+/// Limits of ISO 21940-11: 0.3 and 0.7 of the whole inside the bearings, 0.3 and 1.3 outside.
+#[test]
+fn lit_iso21940_no_bearing_gets_too_little_or_too_much() {
+    for (centre, shares) in [
+        (40.0, [0.7, 0.3]),
+        (100.0, [0.7, 0.3]),
+        (160.0, [0.6, 0.4]),
+        (390.0, [0.3, 0.7]),
+        (440.0, [0.3, 1.1]),
+        (560.0, [0.4, 1.3]),
+        (-60.0, [1.15, 0.3]),
+    ] {
+        let found =
+            grade(&rotor(&format!("centre = \"{centre} mm\"\nsupports = [\"0 mm\", \"400 mm\"]"))).unwrap();
+        for (bearing, share) in found.bearings.iter().zip(shares) {
+            let got = bearing.permissible / found.permissible;
+            assert!((got - share).abs() < 1e-12, "centre at {centre} mm: {got} instead of {share}");
+        }
+    }
+}
+
 #[test]
 fn overhung_planes_never_exceed_a_bearing() {
     let found = grade(&rotor(
