@@ -127,11 +127,12 @@ impl<'a> Walk<'a> {
         let natural = |(weight, judged): &(f64, Judged)| match criterion_unit(&judged.criterion) {
             "N" => weight * operator.natural_force,
             "N m" => weight * operator.natural_moment,
-            // Amounts below a ten-thousand-millionth of the natural ones are none.
-            _ => 1e3 * weight * judged.scale,
+            // What the stages before leave open by rounding moves amounts by a ten-millionth of the natural ones.
+            _ => 1e6 * weight * judged.scale,
         };
-        let floor = FLOOR * unbalanced / scale;
         let rounding = ROUNDING * terms.iter().map(natural).sum::<f64>() / scale;
+        let loads = terms.iter().all(|t| t.1.groups.iter().all(|g| self.problem.is_load(g.0)));
+        let floor = (FLOOR * unbalanced / scale).max(if loads { rounding / GAP } else { 0.0 });
         self.programme.cost.clone_from(&cost);
         let (solution, prices) = self.minimise(floor, solves)?;
         let largest = solution.value.max(floor);

@@ -122,8 +122,13 @@ pub(crate) struct Jet {
 }
 
 impl Jet {
+    /// Square of the amount.
+    pub fn square(&self) -> f64 {
+        square(&self.value)
+    }
+
     /// Half the first and second derivative of the square of the amount.
-    fn square_slope(&self) -> (f64, f64) {
+    pub fn square_slope(&self) -> (f64, f64) {
         let first = inner(&self.value, &self.slope);
         (first, square(&self.slope) + inner(&self.value, &self.bend))
     }
@@ -276,7 +281,7 @@ impl Fixed<'_> {
     pub fn climb(&self, angle: f64, step: f64) -> f64 {
         let slope = |at: f64| self.jet(at).square_slope();
         let (first, second) = slope(angle);
-        let size = square(&self.jet(angle).value);
+        let size = self.jet(angle).square();
         if first.abs() <= FLAT * size {
             return angle;
         }

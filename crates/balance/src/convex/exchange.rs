@@ -13,6 +13,9 @@ const FIRST_ANGLES: usize = 12;
 /// Most rounds of exchange.
 const MOST_ROUNDS: usize = 25;
 
+/// Rounds in which the gap must halve.
+const PATIENCE: usize = 10;
+
 /// A row that is passed by no more than this share of it holds.
 pub(crate) const HOLDS: f64 = 1e-10;
 
@@ -36,12 +39,11 @@ pub(crate) fn solve(
     floor: f64,
     solves: &mut usize,
 ) -> Result<Solution, Failure> {
-    let done = |best: &Option<Solution>| {
-        best.as_ref().is_some_and(|b| b.value - b.bound <= relative * b.value.max(floor))
-    };
+    let done = |best: &Option<Solution>| best.as_ref().is_some_and(|b| proved(b, relative, floor));
     let mut touches = first_touches(programme);
     let mut best: Option<Solution> = None;
     let mut infeasible = false;
+    let (mut narrowest, mut waited) = (f64::INFINITY, 0);
     for _ in 0..MOST_ROUNDS {
         *solves += 1;
         let Some(point) = cone::solve(programme, &touches) else { break };
@@ -61,11 +63,21 @@ pub(crate) fn solve(
             }
             add_summits(programme, &better.x, &mut touches);
         }
-        if !added {
+        let gap = best.as_ref().map_or(f64::INFINITY, |b| b.value - b.bound);
+        if gap < 0.5 * narrowest {
+            (narrowest, waited) = (gap, 0);
+        } else if gap.is_finite() {
+            waited += 1;
+        }
+        if !added || waited == PATIENCE {
             break;
         }
     }
     best.ok_or(if infeasible { Failure::Infeasible } else { Failure::NoPoint })
+}
+
+fn proved(solution: &Solution, relative: f64, floor: f64) -> bool {
+    solution.value - solution.bound <= relative * solution.value.max(floor)
 }
 
 /// Keeps the better of the points and the better of the bounds.

@@ -17,7 +17,7 @@ use super::exchange::apart;
 use super::programme::{Programme, Row};
 
 /// A peak with less curvature than this share of its amount does not say where it would move to.
-const STEADY: f64 = 1e-7;
+const STEADY: f64 = 1e-6;
 
 /// A peak that holds the optimum up.
 #[derive(Debug, Clone)]
@@ -109,14 +109,20 @@ impl<'a> State<'a> {
         &programme.groups[peak.group].members[peak.member]
     }
 
-    /// Moves every angle to its peak; peaks that meet become one.
+    /// Moves every angle to its peak; peaks that meet become one. Where the amount is level over a stretch (a vector that
+    /// only turns) angles stay where they are.
     pub fn follow_peaks(&mut self) {
         let step = std::f64::consts::TAU / self.programme.grid.len() as f64;
         let mut kept: Vec<Peak> = Vec::new();
         for peak in std::mem::take(&mut self.peaks) {
             let mut peak = peak;
             if let Member::Curve(curve) = self.member(&peak) {
-                peak.angle = curve.at(&self.x).climb(peak.angle, step).rem_euclid(std::f64::consts::TAU);
+                let here = curve.at(&self.x);
+                let (first, second) = here.jet(peak.angle).square_slope();
+                let size = here.jet(peak.angle).square();
+                if first.abs().max(second.abs()) > STEADY * size {
+                    peak.angle = here.climb(peak.angle, step).rem_euclid(std::f64::consts::TAU);
+                }
             }
             let twin = kept.iter_mut().find(|k| {
                 k.group == peak.group && k.member == peak.member && apart(k.angle, peak.angle) < 1e-7

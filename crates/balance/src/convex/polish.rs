@@ -5,7 +5,7 @@ use super::curve::{Member, WIDTH, length};
 use super::dense::{add_scaled, least_squares};
 use super::exchange::apart;
 use super::kkt::{Newcomer, Peak, State};
-use super::programme::{Programme, Support};
+use super::programme::{Programme, Support, largest};
 
 /// A point with its multipliers.
 pub(crate) struct Polished {
@@ -16,6 +16,9 @@ pub(crate) struct Polished {
 
 /// Multipliers below this share of their group's weight are taken for noise of the interior-point method.
 const NOISE: f64 = 1e-5;
+
+/// Members that a unit of the variables moves by less than this share of their group's reach stay where they are.
+const FIXED: f64 = 1e-7;
 
 /// Vectors below this amount are taken to vanish.
 const VANISHES: f64 = 1e-6;
@@ -72,7 +75,10 @@ impl<'a> State<'a> {
             let vanishes = matches!(member, Member::Vector { .. })
                 && length(&member.value(0.0, &state.x)) < VANISHES
                 && programme.groups[one.group].members.len() == 1;
-            if weight <= NOISE {
+            // A limit is not held up by what stages before have fixed.
+            let fixed = programme.cost[one.group] == 0.0
+                && largest(&member.directions(one.angle)) <= FIXED * programme.groups[one.group].reach;
+            if weight <= NOISE || fixed {
                 continue;
             }
             if vanishes {

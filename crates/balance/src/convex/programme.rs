@@ -48,7 +48,8 @@ impl Group {
     }
 }
 
-fn largest(columns: &Matrix) -> f64 {
+/// The largest coefficient.
+pub(crate) fn largest(columns: &Matrix) -> f64 {
     (0..columns.rows).flat_map(|i| columns.row(i)).fold(0.0, |a, b| a.max(b.abs()))
 }
 

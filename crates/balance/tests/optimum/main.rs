@@ -2,5 +2,6 @@
 mod bending;
 mod closed_forms;
 mod conditions;
+mod gallery;
 mod limits;
 mod support;
