@@ -23,7 +23,7 @@ pub fn run() -> Result<()> {
             .map(|()| String::new())
     })?;
     let program = program().context("the program does not build")?;
-    steps.run("every example and template: check, loads, report", || engines::run(&program))?;
+    steps.run("every example and template: check, loads, balance, report", || engines::run(&program))?;
     steps.run("engine files of the README and the book", || documents::engines(&program))?;
     steps.run("published numbers", || {
         let text = quiet(std::process::Command::new(&program).arg("validate").current_dir(root()))?;

@@ -6,40 +6,73 @@ use anyhow::{Context, Result, bail, ensure};
 use std::path::Path;
 use std::process::Command;
 
-/// Every whole engine file in the README and in the book through `check` and `loads`, without a warning, and every
-/// quoted output against what the program says.
+/// Every engine file in the README and in the book through `check` and `loads`, without a warning, and every quoted
+/// output against what the program says.
 ///
-/// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. A `text,says-COMMAND` block
-/// quotes a part of what that command says of the engine file before it.
+/// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. `toml,file=NAME` is a file of
+/// that name, engine or not, and `toml,append=NAME` goes to its end. A `text,says` block quotes a part of what the last
+/// `lanchester` line of the `sh` blocks above it prints; `text,says-COMMAND` what that command says of the engine file
+/// above it.
 pub fn engines(program: &Path) -> Result<String> {
-    let folder = scratch("documents")?;
     let (mut shown, mut quoted) = (0, 0);
     for page in files()?.iter().filter(|file| *file == "README.md" || file.starts_with("docs/src/")) {
         let Some(text) = text(page)? else { continue };
+        let folder = scratch("documents")?;
+        let mut last_command: Option<String> = None;
         for block in blocks(&text) {
             let place = format!("{page}:{}", block.line);
-            let run = |command: &str| {
-                crate::command::output(
-                    Command::new(program).args([command, "engine.toml"]).current_dir(&folder),
-                )
+            let said = |arguments: &[&str]| -> Result<(bool, String)> {
+                let finished =
+                    crate::command::output(Command::new(program).args(arguments).current_dir(&folder))?;
+                let clean = finished.status == 0 && finished.stderr.is_empty();
+                Ok((clean, format!("{}{}", finished.stderr, finished.stdout)))
             };
-            match (block.language, block.tag) {
-                // Other blocks of TOML are fragments, which show a few keys.
-                ("toml", tag) if block.text.lines().any(|line| line.starts_with("name = ")) => {
-                    std::fs::write(folder.join("engine.toml"), &block.text)?;
-                    for command in ["check", "loads"] {
-                        let finished = run(command)?;
-                        let clean = finished.status == 0 && finished.stderr.is_empty();
-                        let said = format!("{}{}", finished.stdout, finished.stderr);
-                        ensure!(clean != (tag == "wrong"), "{place}: `{command}` says\n{said}");
+            let reads = |file: &str| -> Result<()> {
+                for command in ["check", "loads"] {
+                    let (clean, said) = said(&[command, file])?;
+                    ensure!(clean != (block.tag == "wrong"), "{place}: `{command}` says\n{said}");
+                }
+                Ok(())
+            };
+            let named = block.text.lines().any(|line| line.starts_with("name = "));
+            match (block.language, block.tag.split_once('=')) {
+                ("toml", Some((put @ ("file" | "append"), name))) => {
+                    let path = folder.join(name);
+                    let before = match put {
+                        "append" => std::fs::read_to_string(&path)
+                            .with_context(|| format!("{place}: there is no {name} yet"))?,
+                        _ => String::new(),
+                    };
+                    let whole = before + &block.text;
+                    std::fs::write(&path, &whole)?;
+                    if whole.contains("\n[layout]") || whole.contains("\n[[throw]]") {
+                        reads(name)?;
+                        shown += 1;
                     }
+                }
+                // Other blocks of TOML are fragments, which show a few keys.
+                ("toml", _) if named => {
+                    std::fs::write(folder.join("engine.toml"), &block.text)?;
+                    reads("engine.toml")?;
                     shown += 1;
                 }
-                ("text", tag) if tag.starts_with("says-") => {
-                    let finished = run(tag.trim_start_matches("says-"))?;
-                    let said = words(&format!("{}{}", finished.stderr, finished.stdout));
+                ("sh", _) => {
+                    let ours = block.text.lines().filter(|line| line.starts_with("lanchester "));
+                    last_command = ours.last().map(str::to_owned).or(last_command);
+                }
+                ("text", _) if block.tag.starts_with("says") => {
+                    let (_, said) = match block.tag.strip_prefix("says-") {
+                        Some(command) => said(&[command, "engine.toml"])?,
+                        None => {
+                            let line =
+                                last_command.as_deref().with_context(|| format!("{place}: who says?"))?;
+                            let words = arguments(line);
+                            said(&words.iter().skip(1).map(String::as_str).collect::<Vec<_>>())?
+                        }
+                    };
+                    let said = words(&said);
                     let quote = words(block.text.trim_end().trim_end_matches("..."));
-                    ensure!(said.contains(&quote), "{place}: quotes what is not said; it says\n{}", said);
+                    ensure!(said.contains(&quote), "{place}: quotes what is not said; it says\n{said}");
                     quoted += 1;
                 }
                 _ => {}
@@ -48,6 +81,27 @@ pub fn engines(program: &Path) -> Result<String> {
     }
     ensure!(shown > 0 && quoted > 0, "the documents show no engine");
     Ok(format!("{shown} engine files, {quoted} quotations"))
+}
+
+/// The words of a command line, quoted ones whole, without a comment.
+fn arguments(line: &str) -> Vec<String> {
+    let mut words = Vec::new();
+    let mut word: Option<String> = None;
+    let mut quote = None;
+    for letter in line.chars() {
+        match (quote, letter) {
+            (None, '#') if word.is_none() => break,
+            (None, '"' | '\'') => {
+                word.get_or_insert_default();
+                quote = Some(letter);
+            }
+            (Some(open), _) if letter == open => quote = None,
+            (None, _) if letter.is_whitespace() => words.extend(word.take()),
+            _ => word.get_or_insert_default().push(letter),
+        }
+    }
+    words.extend(word);
+    words
 }
 
 /// The text without its line breaks.
@@ -137,6 +191,14 @@ mod tests {
         assert_eq!(command_lines(text), ["cargo xtask ci"]);
         let toml = &blocks("```toml,wrong\na = 1\n```\n")[0];
         assert_eq!((toml.language, toml.tag, toml.text.as_str(), toml.line), ("toml", "wrong", "a = 1\n", 2));
+    }
+
+    #[test]
+    fn quoted_words_stay_whole() {
+        assert_eq!(
+            arguments("lanchester balance a.toml --limit 'couple = 40 N m' --most \"3 g mm\" # so"),
+            ["lanchester", "balance", "a.toml", "--limit", "couple = 40 N m", "--most", "3 g mm"]
+        );
     }
 
     #[test]

@@ -20,7 +20,7 @@ pub fn examples() -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// Every example and every template through `check`, `loads` and `report`.
+/// Every example and every template through `check`, `loads`, `balance` and `report`.
 pub fn run(program: &Path) -> Result<String> {
     let folder = scratch("engines")?;
     let examples = examples()?;
@@ -36,6 +36,7 @@ pub fn run(program: &Path) -> Result<String> {
         quiet(Command::new(program).arg("check").arg(file))?;
         let table = quiet(Command::new(program).arg("loads").arg(file))?;
         ensure!(!table.trim().is_empty(), "`loads` prints nothing for {}", file.display());
+        balanced(program, file)?;
         quiet(Command::new(program).arg("report").arg(file).arg("--output").arg(&report))?;
         let page = std::fs::read_to_string(&report).context("no report was written")?;
         ensure!(page.contains("<svg"), "the report of {} has no figure", file.display());
@@ -47,6 +48,30 @@ pub fn run(program: &Path) -> Result<String> {
     }
     let sheets = sheets(program, &folder)?;
     Ok(format!("{} examples, {} templates, {sheets} workshop sheets", examples.len(), templates.len()))
+}
+
+/// `balance` finds an optimum, proves it, and can write it into the file.
+fn balanced(program: &Path, file: &Path) -> Result<()> {
+    let answer = quiet(Command::new(program).arg("balance").arg(file).args(["--format", "json"]))?;
+    let answer: serde_json::Value = serde_json::from_str(&answer).context("`balance` did not print JSON")?;
+    let name = file.display();
+    let unbalanced = |criterion: &serde_json::Value| {
+        let effects = answer["effects"].as_array().into_iter().flatten();
+        effects.filter(|e| e["criterion"] == *criterion).find_map(|e| e["without"].as_f64()).unwrap_or(0.0)
+    };
+    let stages = answer["stages"].as_array().with_context(|| format!("{name}: no optimum"))?;
+    ensure!(!stages.is_empty(), "{name}: no optimum: {}", answer["outcome"]);
+    for stage in stages {
+        let (value, gap) = (stage["value"].as_f64(), stage["gap"].as_f64());
+        let (value, gap) = value.zip(gap).with_context(|| format!("{name}: a stage without a value"))?;
+        let terms = stage["terms"].as_array().into_iter().flatten();
+        // Nothing to balance: rounding of the engine's own loads is all that is left.
+        let scale = terms.map(|term| 1e-6 * unbalanced(&term[0])).fold(value.max(1e-6), f64::max);
+        ensure!(gap <= 1e-8 * scale, "{name}: gap {gap:e} of {value:e}");
+    }
+    let difference = quiet(Command::new(program).arg("balance").arg(file).arg("--dry-run"))?;
+    ensure!(difference.is_empty() || difference.starts_with("--- "), "{name}: {difference}");
+    Ok(())
 }
 
 /// What every sheet of `examples/workshop/` is asked, and the exit status that it must have.

@@ -20,6 +20,7 @@ tasks of the workspace
   cargo xtask ci                                all that CI runs; installs what it needs
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...
   cargo xtask generate                          write the generated pages of the book anew
+  cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask book                              build the book into docs/book
   cargo xtask fuzz [--seconds N] [--target T]   fuzz the reader and the load path (nightly, cargo-fuzz)
 ";
@@ -41,6 +42,10 @@ fn task(arguments: &[String]) -> Result<()> {
         Some("ci") if rest.is_empty() => ci::run(),
         Some("tidy") if rest.is_empty() => tidy::run(),
         Some("generate") if rest.is_empty() => generate::write(),
+        Some("documents") if rest.is_empty() => {
+            println!("{}", documents::engines(&workspace::program()?)?);
+            Ok(())
+        }
         Some("book") if rest.is_empty() => book::build(),
         Some("fuzz") => fuzz::run(rest),
         None | Some("help" | "--help" | "-h") => {

@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::{Answer, Effect, FoundWeight};
+use lanchester_balance::{Answer, Effect, FoundStage, FoundWeight};
 use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
 
 /// Every free weight: where it stands, how much it is, in which direction.
@@ -227,19 +227,29 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
     Table::of_columns(
         "stages",
         "The proof",
-        "No choice of these devices goes below the bound; the angles are where the load stands at its peak and cannot give way.",
+        "No choice of these devices goes below the bound; a gap is closed where it is less than 1e-8 of the value; the angles are where the load stands at its peak and cannot give way.",
         vec![
             (Column::words("minimised"), rows.clone().map(|k| Cell::text(terms(k))).collect()),
             (Column::words("unit"), rows.clone().map(|k| Cell::text(unit(k))).collect()),
             (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
             (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
-            (
-                Column::words("gap"),
-                stages.iter().map(|s| Cell::text(format!("{:.1e}", s.gap.max(0.0)))).collect(),
-            ),
+            (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
             (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
         ],
     )
+}
+
+/// The gap of a stage; below 1e-8 of what matters it is rounding, and its digits tell nothing.
+fn gap(answer: &Answer, stage: &FoundStage) -> String {
+    let without = |criterion: &Criterion| {
+        answer.effects.iter().find(|e| e.criterion == *criterion).map_or(0.0, |e| e.without.abs())
+    };
+    let unbalanced = stage.terms.iter().map(|(criterion, _)| without(criterion)).fold(0.0, f64::max);
+    // Where there is nothing to balance, 1e-9 N or N m is rounding.
+    match stage.gap <= (1e-8 * stage.value.max(1e-6 * unbalanced)).max(1e-9) {
+        true => "closed".to_owned(),
+        false => format!("{:.1e}", stage.gap),
+    }
 }
 
 /// Weights of the terms of stage `k`; where the task leaves its stages to the default, each has one term of weight 1.
