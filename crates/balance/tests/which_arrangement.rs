@@ -224,6 +224,38 @@ fn positions_that_do_not_clear_are_an_answer_not_an_error() {
 }
 
 #[test]
+fn a_limit_on_the_roll_moment_holds_where_the_shafts_stand() {
+    for (name, most) in
+        [("in-line-in-phase", 550.0), ("in-line-in-phase", 700.0), ("boxer-out-of-phase", 450.0)]
+    {
+        let found = search(name, &without_roll(&[0.088, 0.015], most));
+        let mut with_shafts = 0;
+        for a in found.spacings.iter().flat_map(|s| &s.arrangements).filter(|a| a.possible) {
+            assert!(a.roll_moment <= most * (1.0 + 1e-6), "{name}, {}: {}", a.name, a.roll_moment);
+            with_shafts += a.shafts.len().min(1);
+        }
+        assert!(with_shafts > 5, "{name}: {with_shafts}");
+    }
+}
+
+#[test]
+fn where_nothing_added_breaks_a_limit_the_front_still_is_one() {
+    // 3 kN at a mount is less than the bare engine has, so that it has no residual but a baseline.
+    let limits = vec![Limit { criterion: Criterion::Peak(Load::MountForce(0)), most: 3000.0 }];
+    let free = search("in-line-out-of-phase", &request(&[0.088]));
+    let held = search("in-line-out-of-phase", &ArrangementRequest { limits, ..request(&[0.088]) });
+    let (free, held) = (&free.spacings[0], &held.spacings[0]);
+    assert!(!held.arrangements[0].possible && held.arrangements[0].residual.is_nan());
+    close(held.baseline, free.baseline, 1e-9, "baseline");
+    let on_front = |at: &SpacingArrangements, most: f64| -> Vec<String> {
+        let front = at.front.iter().map(|&k| &at.arrangements[k]);
+        front.filter(|a| a.residual <= most).map(|a| a.label.clone()).collect()
+    };
+    // What holds it anyway is not beaten by more than before.
+    assert_eq!(on_front(held, 2800.0), on_front(free, 2800.0));
+}
+
+#[test]
 fn questions_without_a_meaning_are_refused() {
     let twin = engine("in-line-in-phase");
     let no_mounts = ArrangementRequest { mounts: MountPlaces::Engine, target: Target::None, ..request(&[]) };

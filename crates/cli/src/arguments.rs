@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::search_arguments::SearchArguments;
 use crate::workshop_arguments::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -80,7 +81,10 @@ pub enum Command {
                             lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
                             lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
                             lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
-                            lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n\n\
+                            lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
+                            lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
+                            lanchester balance twin.toml --search --mount-spacing '176 mm' --reference four.toml --share 1/2\n  \
+                            lanchester balance twin.toml --search --choose 'crank -1' --write\n\n\
                             Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
     )]
     Balance(BalanceArguments),
@@ -272,6 +276,9 @@ pub struct BalanceArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+    /// Which arrangement?
+    #[command(flatten)]
+    pub search: SearchArguments,
 }
 
 /// Free weights on the crankshaft.

@@ -10,6 +10,8 @@ mod failure;
 mod files;
 mod provenance;
 mod request;
+mod search_arguments;
+mod search_request;
 mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};

@@ -52,7 +52,7 @@ mod view;
 pub mod workshop;
 
 pub use arrangement::{
-    arrangement_figure, arrangement_tables, arrangements_text, drive_sketches, drive_table, front_table,
+    arrangement_figure, arrangement_parts, arrangements_text, drive_sketches, front_table, narrowest_place,
 };
 pub use arrangements_page::{ArrangementResult, ArrangementsInput, arrangements_report};
 pub use balance_plot::optimum_plots;

@@ -13,6 +13,9 @@ use num_complex::Complex64;
 /// Below this share of all moving masses at their largest acceleration an order is not there.
 const ABSENT: f64 = 1e-6;
 
+/// Planes closer than this are one [m].
+const SAME_PLANE: f64 = 1e-9;
+
 /// What turns at one order in one sense.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Component {
@@ -108,6 +111,14 @@ impl Candidate {
         if parts.is_empty() { "nothing added".to_owned() } else { parts.join(", ") }
     }
 
+    /// In short: "crank -1 +2".
+    pub fn label(&self) -> String {
+        let crank = self.crank.then(|| "crank".to_owned());
+        let parts: Vec<String> =
+            crank.into_iter().chain(self.shafts.iter().map(|s| format!("{:+}", s.ratio))).collect();
+        if parts.is_empty() { "nothing".to_owned() } else { parts.join(" ") }
+    }
+
     /// Name of shaft `index`: "shaft +1".
     pub fn shaft_name(&self, index: usize) -> String {
         format!("shaft {:+}", self.shafts[index].ratio)
@@ -193,13 +204,19 @@ fn shaft_planes(engine: &Engine) -> [f64; 2] {
 
 /// Planes of the crank weights [m].
 fn crank_planes(engine: &Engine, request: &ArrangementRequest) -> Vec<f64> {
+    let throws = engine.throws.iter().filter(|t| t.crankshaft == 0).map(|t| t.z);
     match &request.crank {
         CrankWeights::None => Vec::new(),
         CrankWeights::Planes(planes) => planes.clone(),
         CrankWeights::OuterThrows => {
-            let of_first = engine.throws.iter().filter(|t| t.crankshaft == 0);
-            let [front, rear] = extent(of_first.map(|t| t.z));
-            if rear - front > 1e-9 { vec![front, rear] } else { vec![front] }
+            let [front, rear] = extent(throws);
+            if rear - front > SAME_PLANE { vec![front, rear] } else { vec![front] }
+        }
+        CrankWeights::Throws => {
+            let mut planes: Vec<f64> = throws.collect();
+            planes.sort_by(f64::total_cmp);
+            planes.dedup_by(|a, b| (*a - *b).abs() < SAME_PLANE);
+            planes
         }
     }
 }
@@ -289,6 +306,8 @@ mod tests {
         assert_eq!(found.len(), 24);
         assert!(found.windows(2).all(|w| w[0].shafts.len() <= w[1].shafts.len()));
         assert_eq!(found[0].name(), "nothing added");
+        assert_eq!((found[0].label().as_str(), found[23].label().as_str()), ("nothing", "+1 -1 +2 -2"));
+        assert!(found.iter().any(|c| c.label() == "crank -1"));
     }
 
     #[test]
@@ -317,6 +336,16 @@ mod tests {
             four.name(),
             "two first-order double shafts, with and against, two second-order shafts, with and against"
         );
+    }
+
+    #[test]
+    fn crank_weights_stand_at_the_outer_throws_or_at_all() {
+        let four = in_line(&[0.0, 180.0, 180.0, 0.0]);
+        let planes = |crank| crank_planes(&four, &ArrangementRequest { crank, ..Default::default() });
+        let (outer, all) = (planes(CrankWeights::OuterThrows), planes(CrankWeights::Throws));
+        assert_eq!((outer.len(), all.len()), (2, 4));
+        assert_eq!((outer[0], outer[1]), (all[0], all[3]));
+        assert!(all.windows(2).all(|w| w[0] < w[1]) && planes(CrankWeights::None).is_empty());
     }
 
     #[test]

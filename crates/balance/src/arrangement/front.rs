@@ -48,7 +48,12 @@ pub(crate) fn mark_front(arrangements: &mut [Arrangement], baseline: f64, roll: 
                 .any(|j| j != k && arrangements[j].possible && beats(&points[j], &points[k], &scale));
     }
     let mut front: Vec<usize> = (0..arrangements.len()).filter(|k| arrangements[*k].on_front).collect();
-    front.sort_by(|a, b| arrangements[*b].residual.total_cmp(&arrangements[*a].residual).then(a.cmp(b)));
+    // In whole steps of what is nothing, so that of equals the first stays first.
+    let steps = |k: usize| match arrangements[k].residual {
+        residual if scale[0] > 0.0 => (residual / scale[0]).round(),
+        residual => residual,
+    };
+    front.sort_by(|a, b| steps(*b).total_cmp(&steps(*a)).then(a.cmp(b)));
     front
 }
 

@@ -31,4 +31,4 @@ mod wording;
 
 pub use request::*;
 pub use result::*;
-pub use search::arrangements;
+pub use search::{arrangements, searched_engine};

@@ -297,7 +297,10 @@ fn named(tenant: &Tenant, clearance: Clearance) -> Clearance {
 
 /// The allowed positions for weights of this sweep.
 fn allowed(envelope: &Envelope, request: &ArrangementRequest, sweep: f64) -> Vec<Spot> {
+    // The sine of 180 deg is not quite 0.
+    let exact = |v: f64| if v.abs() < 1e-12 { 0.0 } else { v };
     let spot = |place: Complex64| {
+        let place = Complex64::new(exact(place.re), exact(place.im));
         let nearest = envelope.nearest(place);
         let (x, y) = (1e3 * place.re, 1e3 * place.im);
         let between = format!("at x = {x:.0} mm, y = {y:.0} mm and {}", nearest.part.name());

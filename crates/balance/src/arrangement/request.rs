@@ -133,6 +133,8 @@ pub enum CrankWeights {
     None,
     /// In the planes of the first and the last throw.
     OuterThrows,
+    /// In the plane of every throw.
+    Throws,
     /// In these planes [m].
     Planes(Vec<f64>),
 }

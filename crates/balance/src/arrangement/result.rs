@@ -35,6 +35,8 @@ pub struct Arrangements {
 pub struct SpacingArrangements {
     /// Cylinder spacing [m]; `None` where the engine has all its throws and cylinders in one plane.
     pub spacing: Option<f64>,
+    /// Every z of throws, cylinders and counterweights over that of the engine file.
+    pub scale: f64,
     /// The criterion with nothing added (balance shafts of the engine file taken out).
     pub baseline: f64,
     /// All that were examined, by rising number of shafts.
@@ -52,6 +54,9 @@ pub struct SpacingArrangements {
 pub struct Arrangement {
     /// In words: "crank weights, second-order shafts with and against the crank".
     pub name: String,
+    /// In short: "crank +2 -2", each number a balance shaft by its speed over that of the crank; "crank -1, lightest"
+    /// with the lightest weights that hold the limit; "nothing".
+    pub label: String,
     /// Whether its weights are the lightest that hold the limit; else they leave the smallest residual.
     pub lightest: bool,
     /// Whether weights are added to the crank.

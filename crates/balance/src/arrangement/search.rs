@@ -21,6 +21,12 @@ const REACHED: f64 = 1e-6;
 /// Weights lighter by less than this share are no arrangement of their own.
 const WORTHWHILE: f64 = 1e-3;
 
+/// Spacings that differ by less than this share are the same.
+const SAME_SPACING: f64 = 1e-9;
+
+/// How often weights may ask for another place and places for other weights, where both depend on one another.
+const ROUNDS: usize = 6;
+
 /// Room on a shaft between a weight and the bearing beside it [m].
 const BEARING_GAP: f64 = 0.01;
 
@@ -35,15 +41,12 @@ const BEARING_GAP: f64 = 0.01;
 /// are part of the answer.
 pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arrangements, BalanceError> {
     request.check()?;
-    let mut bare = engine.clone();
-    bare.shafts.clear();
-    bare.mounts = mounts(engine, request);
     let (limit, limit_source) = limit(request)?;
-    let own_spacing = spacing_of(&bare);
+    let own_spacing = spacing_of(engine);
     let mut spacings = Vec::new();
-    for factor in factors(request, own_spacing)? {
-        let scaled = scaled_along(&bare, factor);
-        spacings.push(Search::new(&scaled, request, limit).run(own_spacing.map(|s| s * factor))?);
+    for scale in scales(request, own_spacing)? {
+        let searched = searched_engine(engine, request, scale);
+        spacings.push(Search::new(&searched, request, limit).run(scale, own_spacing.map(|s| s * scale))?);
     }
     let nearest = limit.and_then(|limit| nearest(&spacings, request, limit));
     Ok(Arrangements {
@@ -59,11 +62,22 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
     })
 }
 
-/// Factors of all z for the spacings of the request.
-fn factors(request: &ArrangementRequest, own: Option<f64>) -> Result<Vec<f64>, BalanceError> {
+/// The engine that arrangements are fitted to: no balance shafts, the mounts of the request, and every z of throws,
+/// cylinders and counterweights times `scale` ([`SpacingArrangements::scale`]).
+pub fn searched_engine(engine: &Engine, request: &ArrangementRequest, scale: f64) -> Engine {
+    let mut searched = scaled_along(engine, scale);
+    searched.shafts.clear();
+    searched.mounts = mounts(engine, request);
+    searched
+}
+
+/// Scales of all z for the spacings of the request.
+fn scales(request: &ArrangementRequest, own: Option<f64>) -> Result<Vec<f64>, BalanceError> {
+    // The engine's own spacing is a difference of planes.
+    let rounded = |scale: f64| if (scale - 1.0).abs() < SAME_SPACING { 1.0 } else { scale };
     match (&request.spacings[..], own) {
         ([], _) => Ok(vec![1.0]),
-        (wanted, Some(own)) => Ok(wanted.iter().map(|s| s / own).collect()),
+        (wanted, Some(own)) => Ok(wanted.iter().map(|s| rounded(s / own)).collect()),
         (_, None) => Err(BalanceError::Missing {
             criterion: "another cylinder spacing".to_owned(),
             needed: "throws or cylinders in more than one plane",
@@ -197,7 +211,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn run(&self, spacing: Option<f64>) -> Result<SpacingArrangements, BalanceError> {
+    fn run(&self, scale: f64, spacing: Option<f64>) -> Result<SpacingArrangements, BalanceError> {
         let components = components(self.engine, &self.request.shaft_orders)?;
         let (candidates, mut left_out) = candidates(self.engine, self.request, &components);
         let envelope = Envelope::of(self.engine, &self.request.parts);
@@ -234,10 +248,12 @@ impl<'a> Search<'a> {
         }
         let mut arrangements: Vec<Arrangement> =
             examined.into_iter().flat_map(|(_, a, lightest)| std::iter::once(a).chain(lightest)).collect();
-        let (baseline, roll) = arrangements.first().map_or((0.0, 0.0), |a| (a.residual, a.roll_moment));
+        let (left, roll) = arrangements.first().map_or((0.0, 0.0), |a| (a.residual, a.roll_moment));
+        // Where nothing added breaks a further limit it has no residual.
+        let baseline = if left.is_finite() { left } else { as_it_stands(self.engine, self.request)? };
         let front = mark_front(&mut arrangements, baseline, roll);
         let simplest = self.limit.and_then(|_| simplest(&arrangements));
-        Ok(SpacingArrangements { spacing, baseline, arrangements, front, simplest, left_out })
+        Ok(SpacingArrangements { spacing, scale, baseline, arrangements, front, simplest, left_out })
     }
 
     /// The same devices with the lightest weights that hold the limit, where they are lighter than those of the
@@ -299,17 +315,24 @@ impl<'a> Search<'a> {
         }
         let mut answer = self.solved(task_now)?;
         let mut sized = self.sized(candidate, &answer);
-        let mut placed = self.placed(candidate, &sized, ground);
-        if place_matters && let Some(Ok(placement)) = &placed {
-            let places = placement.places.clone();
-            answer = self.solved(self.task(candidate, &places, aim))?;
-            let again = self.sized(candidate, &answer);
-            // Lighter weights fit where heavier ones did; heavier ones need a place of their own.
-            if again.iter().zip(&sized).any(|(new, old)| new.sweep > old.sweep) {
-                placed = self.placed(candidate, &again, ground);
+        let mut sweeps: Vec<f64> = sized.iter().map(|s| s.sweep).collect();
+        let mut placed = self.placed(candidate, &sized, &sweeps, ground);
+        let mut settled = !place_matters;
+        for _ in 0..ROUNDS {
+            let Some(Ok(placement)) = placed.as_ref().filter(|_| !settled) else { break };
+            answer = self.solved(self.task(candidate, &placement.places, aim))?;
+            sized = self.sized(candidate, &answer);
+            // Lighter weights fit where heavier ones did; heavier ones need a place of their own, and there new weights.
+            settled = sized.iter().zip(&sweeps).all(|(new, room)| new.sweep <= *room);
+            if !settled {
+                sweeps = sized.iter().zip(&sweeps).map(|(new, room)| new.sweep.max(*room)).collect();
+                placed = self.placed(candidate, &sized, &sweeps, ground);
             }
-            sized = again;
         }
+        // Weights for one place are none for another.
+        let placed = placed.map(|placement| {
+            placement.and_then(|p| if settled { Ok(p) } else { Err(wording::no_settled_place()) })
+        });
         self.priced(candidate, aim, answer, sized, placed)
     }
 
@@ -342,11 +365,12 @@ impl<'a> Search<'a> {
             .collect()
     }
 
-    /// Places and drive; `None` without shafts.
+    /// Places and drive for shafts that have this much room; `None` without shafts.
     fn placed(
         &self,
         candidate: &Candidate,
         sized: &[SizedShaft],
+        sweeps: &[f64],
         ground: &mut Ground<'_>,
     ) -> Option<Result<Placement, Clearance>> {
         if sized.is_empty() {
@@ -355,11 +379,11 @@ impl<'a> Search<'a> {
         let tenants: Vec<Tenant> = candidate
             .shafts
             .iter()
-            .zip(sized)
-            .map(|(shaft, sized)| {
+            .zip(sized.iter().zip(sweeps))
+            .map(|(shaft, (sized, &sweep))| {
                 let speed = f64::from(shaft.ratio) * self.engine.speed.highest;
                 let unbalance: Complex64 = sized.weights.iter().map(|w| w.1).sum();
-                Tenant { ratio: shaft.ratio, sweep: sized.sweep, force: unbalance * speed * speed }
+                Tenant { ratio: shaft.ratio, sweep, force: unbalance * speed * speed }
             })
             .collect();
         Some(ground.place(&tenants))
@@ -436,6 +460,10 @@ impl<'a> Search<'a> {
             name: match aim {
                 Aim::Smallest => candidate.name(),
                 Aim::Lightest { .. } => wording::lightest(&candidate.name()),
+            },
+            label: match aim {
+                Aim::Smallest => candidate.label(),
+                Aim::Lightest { .. } => wording::lightest_label(&candidate.label()),
             },
             lightest: aim != Aim::Smallest,
             crank_weights: candidate.crank,

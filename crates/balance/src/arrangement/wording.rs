@@ -1,6 +1,7 @@
 //! What the search says in words.
 
 use crate::arrangement::request::{ArrangementRequest, DriveRule, MountPlaces, Positions};
+use crate::arrangement::result::Clearance;
 use lanchester_model::Engine;
 
 /// What was assumed where the request leaves it open, and what is left out of the model.
@@ -66,6 +67,17 @@ pub(crate) fn lightest(name: &str) -> String {
     format!("{name}; lightest within the limit")
 }
 
+/// The same in short.
+pub(crate) fn lightest_label(label: &str) -> String {
+    format!("{label}, lightest")
+}
+
+/// Weights that ask for another place wherever they stand.
+pub(crate) fn no_settled_place() -> Clearance {
+    let between = "wherever the shafts stand, the limits ask for weights that do not fit there".to_owned();
+    Clearance { distance: f64::NEG_INFINITY, between }
+}
+
 /// Why an arrangement was not examined.
 pub(crate) fn enough(name: &str, smaller: &str) -> String {
     format!("{name}: {smaller} already leaves no more than all devices together")
@@ -81,8 +93,14 @@ pub(crate) fn nearest(
 ) -> String {
     let unit = request.criterion.unit();
     let at = spacing.map_or_else(String::new, |s| format!(" at {:.1} mm spacing", 1e3 * s));
+    let ratio = residual / limit;
+    let more = if ratio < 3.0 {
+        format!("{:.1} % more", 100.0 * (ratio - 1.0))
+    } else {
+        format!("{ratio:.0} times as much")
+    };
+    let digits = if limit < 1.0 { 4 } else { 1 };
     format!(
-        "nothing reaches {limit:.1} {unit}: the best, {name}{at}, leaves {residual:.1} {unit}, {:.1} % more",
-        100.0 * (residual / limit - 1.0)
+        "nothing reaches {limit:.digits$} {unit}: the best, {name}{at}, leaves {residual:.digits$} {unit}, {more}"
     )
 }

@@ -2,7 +2,7 @@
 
 use crate::arguments::{BalanceArguments, BalanceTable, Format};
 use crate::balance_request::balance_task;
-use crate::commands::{json, open};
+use crate::commands::{Opened, json, open, search};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED, WRONG_INPUT};
 use crate::files::{print, rewrite, write_result};
 use lanchester::balance::{Answer, BalanceError, Outcome, fitted, optimise};
@@ -27,6 +27,9 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "give the path of the engine file",
         ));
     }
+    if arguments.search.search {
+        return search::run(arguments, colour);
+    }
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.engine;
     let task = balance_task(engine, arguments)?;
@@ -48,20 +51,8 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
-    if (arguments.dry_run || arguments.write) && found {
-        let text = write_back(&opened.source.text, &after).map_err(|error| not_written(error, colour))?;
-        let same = text == opened.source.text;
-        if same {
-            eprintln!("{} already holds these weights", opened.source.name);
-        }
-        if arguments.dry_run {
-            print(&difference(&opened.source.text, &text, &opened.source.name))?;
-            return Ok(status(&answer));
-        }
-        if !same {
-            rewrite(&arguments.file, &opened.source.text, &text)?;
-            eprintln!("weights written into {}", opened.source.name);
-        }
+    if found && put_into_file(&opened, arguments, &after, colour)? {
+        return Ok(status(&answer));
     }
     if status(&answer) != DONE && arguments.format != Format::Text {
         eprintln!("{}", headline(engine, &answer));
@@ -69,7 +60,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => balance_text(engine, &answer, &loads_after.diagnosis.summary),
         (Format::Json, _) => json(&answer)?,
-        (Format::Csv, table) => csv(engine, &answer, table.unwrap_or(BalanceTable::Weights)),
+        (Format::Csv, table) => csv(engine, &answer, table),
     })?;
     Ok(status(&answer))
 }
@@ -78,8 +69,36 @@ fn status(answer: &Answer) -> u8 {
     if answer.outcome == Outcome::Optimal { DONE } else { NOT_AS_EXPECTED }
 }
 
-fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
+pub fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
     loads(engine, &LoadRequest::default()).map_err(super::refused)
+}
+
+/// Does what `--write` and `--dry-run` ask: the file gets the weights and shafts of `after`, or the difference is shown
+/// and all is said (`true`).
+pub fn put_into_file(
+    opened: &Opened,
+    arguments: &BalanceArguments,
+    after: &Engine,
+    colour: bool,
+) -> Result<bool, Failure> {
+    if !(arguments.dry_run || arguments.write) {
+        return Ok(false);
+    }
+    let (name, before) = (&opened.source.name, &opened.source.text);
+    let text = write_back(before, after).map_err(|error| not_written(error, colour))?;
+    let same = text == *before;
+    if same {
+        eprintln!("{name} already holds these weights");
+    }
+    if arguments.dry_run {
+        print(&difference(before, &text, name))?;
+        return Ok(true);
+    }
+    if !same {
+        rewrite(&arguments.file, before, &text)?;
+        eprintln!("weights written into {name}");
+    }
+    Ok(false)
 }
 
 fn not_written(error: WriteBackError, colour: bool) -> Failure {
@@ -89,24 +108,23 @@ fn not_written(error: WriteBackError, colour: bool) -> Failure {
     Failure::input(error, "the file is as it was; the found weights stand in the output without --write")
 }
 
-fn csv(engine: &Engine, answer: &Answer, table: BalanceTable) -> String {
-    match table {
+pub fn csv(engine: &Engine, answer: &Answer, table: Option<BalanceTable>) -> String {
+    match table.unwrap_or(BalanceTable::Weights) {
         BalanceTable::Weights => found_weights_table(answer).csv(),
         BalanceTable::Effects => effects_table(engine, answer).csv(),
         BalanceTable::Stages => stages_table(engine, answer).csv(),
         BalanceTable::Limits => limits_table(engine, answer).map_or(String::new(), |table| table.csv()),
-        BalanceTable::Orders | BalanceTable::Proof => {
-            let Some(cancellation) = &answer.cancellation else { return String::new() };
-            match table {
-                BalanceTable::Orders => cancelled_orders_table(engine, cancellation).csv(),
-                _ => {
-                    cancellation_proof_table(engine, cancellation).map_or(String::new(), |table| table.csv())
-                }
-            }
+        BalanceTable::Orders => {
+            let table = answer.cancellation.as_ref().map(|c| cancelled_orders_table(engine, c));
+            table.map_or(String::new(), |table| table.csv())
+        }
+        BalanceTable::Proof => {
+            let table = answer.cancellation.as_ref().and_then(|c| cancellation_proof_table(engine, c));
+            table.map_or(String::new(), |table| table.csv())
         }
     }
 }
 
-fn refused(error: BalanceError) -> Failure {
+pub fn refused(error: BalanceError) -> Failure {
     Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }

@@ -6,6 +6,7 @@ pub mod loads;
 pub mod new;
 pub mod report;
 pub mod schema;
+pub mod search;
 pub mod show;
 pub mod validate;
 pub mod workshop;

@@ -5,3 +5,4 @@
 mod balance;
 mod engine;
 mod program;
+mod search;

@@ -7,8 +7,8 @@ use crate::number::{self, Scale};
 use crate::svg::{Anchor, Path, Svg, text_width};
 use lanchester_balance::{Arrangement, Arrangements, SpacingArrangements};
 
-const WIDTH: f64 = 560.0;
-const HEIGHT: f64 = 380.0;
+const WIDTH: f64 = 640.0;
+const HEIGHT: f64 = 430.0;
 const LEFT: f64 = 60.0;
 const RIGHT: f64 = 18.0;
 const TOP: f64 = 60.0;
@@ -20,7 +20,8 @@ pub fn arrangement_figure(found: &Arrangements) -> Figure {
         id: "arrangements".to_owned(),
         title: format!("What arrangements leave: {}", found.criterion.name()),
         caption: "Each mark is an arrangement at its best. Filled marks are those that no other beats in residual, roll \
-                  moment and every price; hollow ones are beaten. Numbers are those of the table."
+                  moment and every price; hollow ones are beaten. A number is a balance shaft \
+                  by its speed over that of the crank; a star, the lightest weights within the limit."
             .to_owned(),
         panels: found.spacings.iter().map(|spacing| panel(found, spacing)).collect(),
         columns: 2.min(found.spacings.len()),
@@ -69,8 +70,9 @@ fn panel(found: &Arrangements, spacing: &SpacingArrangements) -> Panel {
             mark(&mut svg, place(a), a.shafts.len(), a.on_front);
         }
     }
-    labels(&mut svg, &shown, place, (TOP, right));
-    if let Some(simplest) = spacing.simplest.map(|k| &spacing.arrangements[k]) {
+    let simplest = spacing.simplest.map(|k| &spacing.arrangements[k]);
+    labels(&mut svg, &shown, simplest, place, (TOP, right));
+    if let Some(simplest) = simplest {
         svg.circle("outline", place(simplest), 10.0);
     }
     let front: Vec<String> = spacing
@@ -129,37 +131,59 @@ fn mark(svg: &mut Svg, (x, y): (f64, f64), shafts: usize, filled: bool) {
     svg.path(class, &points.fold(Path::new().move_to(first), Path::line_to).close());
 }
 
-/// Numbers beside the marks of the front, where there is room.
+/// Distances from a mark at which its name may stand; beyond the first a line leads there.
+const REACHES: [f64; 7] = [0.0, 14.0, 26.0, 38.0, 50.0, 64.0, 80.0];
+
+/// Names of the front's marks, as near as there is room.
 fn labels(
     svg: &mut Svg,
     shown: &[(usize, &Arrangement)],
+    simplest: Option<&Arrangement>,
     place: impl Fn(&Arrangement) -> (f64, f64),
     (top, right): (f64, f64),
 ) {
-    let marks: Vec<(f64, f64)> = shown.iter().map(|(_, a)| place(a)).collect();
-    let mut taken: Vec<(f64, f64)> = Vec::new();
-    for (index, a) in shown.iter().filter(|(_, a)| a.on_front) {
+    let mut marks: Vec<(f64, f64)> = shown.iter().map(|(_, a)| place(a)).collect();
+    if let Some((x, y)) = simplest.map(&place) {
+        // The circle around it takes room on all sides.
+        marks.extend([(x - 8.0, y), (x + 8.0, y), (x, y - 8.0), (x, y + 8.0)]);
+    }
+    let mut taken: Vec<((f64, f64), f64)> = Vec::new();
+    for (_, a) in shown.iter().filter(|(_, a)| a.on_front) {
         let at = place(a);
-        let label = (index + 1).to_string();
-        let half = 0.5 * text_width(&label, 11.5);
-        let spots =
-            [(half + 9.0, -6.0), (-half - 9.0, -6.0), (half + 9.0, 13.0), (-half - 9.0, 13.0), (0.0, -10.0)];
-        let free = spots.iter().map(|(dx, dy)| (at.0 + dx, at.1 + dy)).find(|spot| {
-            let clear = |other: &(f64, f64), reach: f64| {
-                (other.0 - spot.0).abs() > half + reach || (other.1 - (spot.1 - 4.0)).abs() > reach + 4.0
-            };
-            spot.1 > top
-                && spot.0 + half < right
-                && marks.iter().all(|m| clear(m, 6.0))
-                && taken
-                    .iter()
-                    .all(|t| (t.0 - spot.0).abs() > 2.0 * half + 3.0 || (t.1 - spot.1).abs() > 12.0)
+        let label = short(a);
+        let half = 0.5 * text_width(&label, 12.5) + 1.0;
+        let spots = REACHES.iter().flat_map(|reach| {
+            let (side, up, down) = (half + 9.0 + 0.5 * reach, -6.0 - reach, 13.0 + reach);
+            [(side, up), (-side, up), (side, down), (-side, down), (0.0, up - 4.0), (0.0, down + 4.0)]
+                .map(|(x, y)| (*reach, (at.0 + x, at.1 + y)))
         });
-        if let Some(spot) = free {
-            taken.push(spot);
+        let free = spots.into_iter().find(|(_, spot)| {
+            let clear = |other: &(f64, f64)| {
+                (other.0 - spot.0).abs() > half + 6.0 || (other.1 - (spot.1 - 4.0)).abs() > 10.0
+            };
+            spot.1 > top + 10.0
+                && spot.1 < HEIGHT - BOTTOM - 3.0
+                && spot.0 - half > LEFT
+                && spot.0 + half < right
+                && marks.iter().all(clear)
+                && taken.iter().all(|(t, other)| {
+                    (t.0 - spot.0).abs() > half + other + 3.0 || (t.1 - spot.1).abs() > 12.0
+                })
+        });
+        if let Some((reach, spot)) = free {
+            taken.push((spot, half));
+            if reach > 0.0 {
+                let towards = (spot.0 + (at.0 - spot.0).clamp(-half, half), spot.1 - 4.0);
+                svg.line("dimension", at, towards);
+            }
             svg.text("small halo", spot, Anchor::Middle, &label);
         }
     }
+}
+
+/// Its label with true minus signs; a star for the lightest within the limit.
+fn short(arrangement: &Arrangement) -> String {
+    arrangement.label.replace('-', "\u{2212}").replace(", lightest", "*")
 }
 
 /// With a capital first letter.

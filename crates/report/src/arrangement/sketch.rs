@@ -19,7 +19,8 @@ const TALLEST: f64 = 330.0;
 /// Crank angles at which the rods are drawn.
 const POSES: usize = 36;
 
-/// The front arrangements with shafts at one spacing: crank sweep, rods, shafts with their weights, and gears.
+/// Those of the arrangements `shown` at one spacing that have shafts: crank sweep, rods, shafts with their weights, and
+/// gears.
 ///
 /// `engine` and `parts` are those of the search.
 pub fn drive_sketches(
@@ -27,14 +28,13 @@ pub fn drive_sketches(
     parts: &PartSizes,
     found: &Arrangements,
     spacing: &SpacingArrangements,
+    shown: &[usize],
 ) -> Figure {
-    let with_shafts = |k: &&usize| spacing.arrangements[**k].drive.is_some();
-    let panels: Vec<Panel> = spacing
-        .front
-        .iter()
-        .filter(with_shafts)
-        .map(|&k| sketch(engine, parts, k + 1, &spacing.arrangements[k]))
-        .collect();
+    let with_shafts = shown.iter().filter_map(|&k| {
+        let arrangement = spacing.arrangements.get(k).filter(|a| a.drive.is_some());
+        arrangement.map(|a| sketch(engine, parts, k + 1, a))
+    });
+    let panels: Vec<Panel> = with_shafts.collect();
     Figure {
         id: "drives".to_owned(),
         title: format!("Places and drives{}", at_spacing(spacing, found.spacings.len() == 1)),

@@ -54,24 +54,50 @@ pub fn front_table(found: &Arrangements, spacing: &SpacingArrangements, all: boo
         numbers("added inertia", "kg cm²", column(&|a| 1e4 * a.price.inertia), 4),
         numbers("bearing load", "N", column(&|a| a.price.bearing_load), 4),
         numbers("drive power", "W", column(&|a| a.price.drive_power), 3),
-        numbers(
-            "clearance",
-            "mm",
-            column(&|a| a.clearance.as_ref().map_or(f64::NAN, |c| 1e3 * c.distance)),
-            3,
-        ),
     ]);
+    if all {
+        let clearance = column(&|a| {
+            let clearance = a.clearance.as_ref().map(|c| c.distance).filter(|d| d.is_finite());
+            clearance.map_or(f64::NAN, |distance| 1e3 * distance)
+        });
+        columns.push(numbers("clearance", "mm", clearance, 3));
+    }
     let what = if all { "All arrangements" } else { "Arrangements that nothing beats" };
     let title = format!("{what}{}", at_spacing(spacing, found.spacings.len() == 1));
-    let note = "Peaks over the cycle; inertia at the crank. Nothing else is as good in every column at once.";
-    Table::of_columns("arrangements", title, if all { "" } else { note }, columns)
+    let beaten = if all { "" } else { " Nothing else is as good in every column at once." };
+    let note = format!("{}Peaks over the cycle; inertia at the crank.{beaten}", key(spacing));
+    Table::of_columns("arrangements", title, note, columns)
 }
 
-/// Name with what is to be said about it.
+/// What the numbers in the labels of the arrangements at this spacing stand for.
+fn key(spacing: &SpacingArrangements) -> String {
+    let mut kinds: Vec<(i32, &str)> = Vec::new();
+    for shaft in spacing.arrangements.iter().flat_map(|a| &a.shafts) {
+        if kinds.iter().all(|(ratio, _)| *ratio != shaft.ratio) {
+            kinds.push((
+                shaft.ratio,
+                match shaft.layout {
+                    ShaftLayout::Single { .. } => "one weight",
+                    ShaftLayout::Double { .. } => "two opposed weights",
+                    ShaftLayout::TwoPlanes { .. } => "a weight in each of two planes",
+                },
+            ));
+        }
+    }
+    if kinds.is_empty() {
+        return String::new();
+    }
+    kinds.sort_by_key(|(ratio, _)| (ratio.abs(), -ratio));
+    let listed: Vec<String> =
+        kinds.iter().map(|(ratio, weights)| format!("{ratio:+} has {weights}")).collect();
+    format!("A number is a balance shaft by its speed over the crank's: {}. ", listed.join(", "))
+}
+
+/// Label with what is to be said about it.
 fn named(arrangement: &Arrangement, simplest: bool) -> String {
-    let mut name = arrangement.name.clone();
+    let mut name = arrangement.label.clone();
     if simplest {
-        name += " (simplest that is good enough)";
+        name += " (simplest)";
     }
     if !arrangement.possible {
         name += match &arrangement.clearance {
@@ -85,7 +111,7 @@ fn named(arrangement: &Arrangement, simplest: bool) -> String {
 }
 
 /// Shafts, gears and idlers of one arrangement.
-pub fn drive_table(arrangement: &Arrangement) -> Table {
+fn drive_table(arrangement: &Arrangement) -> Table {
     let Some(drive) = &arrangement.drive else {
         return Table::of_columns("drive", format!("Drive: {}", arrangement.name), "", Vec::new());
     };
@@ -167,48 +193,81 @@ fn shafts_table(arrangement: &Arrangement) -> Table {
     )
 }
 
-/// All tables of a search: the front at every spacing, then shafts and drive of the simplest arrangement that is good
-/// enough (without a limit: of the one on the front that leaves least).
-pub fn arrangement_tables(found: &Arrangements, all: bool) -> Vec<Table> {
+/// Shafts, drive and gears of one arrangement; none without shafts.
+pub fn arrangement_parts(arrangement: &Arrangement) -> Vec<Table> {
     let mut tables = Vec::new();
-    for spacing in &found.spacings {
-        tables.push(front_table(found, spacing, all));
-        let chosen = spacing.simplest.or_else(|| spacing.front.last().copied());
-        if let Some(arrangement) = chosen.map(|k| &spacing.arrangements[k])
-            && !arrangement.shafts.is_empty()
-        {
-            tables.extend([shafts_table(arrangement), drive_table(arrangement)]);
-        }
+    if !arrangement.shafts.is_empty() {
+        tables.push(shafts_table(arrangement));
+    }
+    if arrangement.drive.is_some() {
+        tables.push(drive_table(arrangement));
     }
     tables
 }
 
-/// The search as plain text for a terminal.
+/// The narrowest place of an arrangement in words; `None` without shafts.
+pub fn narrowest_place(arrangement: &Arrangement) -> Option<String> {
+    let clearance = arrangement.clearance.as_ref()?;
+    if !clearance.distance.is_finite() {
+        return Some(format!("no place: {}", clearance.between));
+    }
+    let millimetres = number::terminal(1e3 * clearance.distance, 1);
+    Some(format!("narrowest place: {millimetres} mm, {}", clearance.between))
+}
+
+/// Lines of a note, indented for a terminal.
+fn wrapped(note: &str) -> String {
+    let mut lines = vec![String::from(" ")];
+    for word in note.split_whitespace() {
+        let line = lines.last_mut().expect("invariant: there is a first line");
+        if line.chars().count() + word.chars().count() < 118 {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(format!("  {word}"));
+        }
+    }
+    lines.join("\n")
+}
+
+/// The search as plain text for a terminal: what is good enough, the simplest that is, the front at every spacing (`all`:
+/// what is beaten too); at a single spacing also shafts and drive of the simplest, or without a limit of the one that
+/// leaves least.
 pub fn arrangements_text(found: &Arrangements, all: bool) -> String {
     let mut out = format!("{}: arrangements by {}\n", found.engine, found.criterion.name());
+    let value = |value: f64| {
+        format!("{} {}", number::terminal(value, number::decimals(value, 5)), found.criterion.unit())
+    };
     if let (Some(limit), Some(source)) = (found.limit, &found.limit_source) {
-        let value = number::terminal(limit, number::decimals(limit, 5));
-        out += &format!("  good enough: {value} {} ({source})\n", found.criterion.unit());
+        out += &format!("  good enough: {} ({source})\n", value(limit));
     }
     if let Some(nearest) = &found.nearest {
         out += &format!("  {}\n", nearest.reason);
     }
-    for table in arrangement_tables(found, all) {
-        out += "\n";
-        out += &table.text();
+    let alone = found.spacings.len() == 1;
+    for spacing in &found.spacings {
+        if let Some(index) = spacing.simplest {
+            let simplest = &spacing.arrangements[index];
+            let at = at_spacing(spacing, alone);
+            let (name, left) = (&simplest.name, value(simplest.residual));
+            out += &format!("  simplest{at}: no. {}, {name}: {left}\n", index + 1);
+        }
     }
     for spacing in &found.spacings {
-        let narrow = spacing.simplest.and_then(|k| spacing.arrangements[k].clearance.as_ref());
-        if let Some(clearance) = narrow {
-            let millimetres = number::terminal(1e3 * clearance.distance, 1);
-            let at = at_spacing(spacing, found.spacings.len() == 1);
-            out += &format!("\nnarrowest place{at}: {millimetres} mm, {}\n", clearance.between);
-        }
+        let front = front_table(found, spacing, all);
+        out += &format!("\n{}\n{}\n", front.text(), wrapped(&front.note));
         if all && !spacing.left_out.is_empty() {
             out += "\nnot examined:\n";
             for line in &spacing.left_out {
                 out += &format!("  {line}\n");
             }
+        }
+        let shown = spacing.simplest.or_else(|| spacing.front.last().copied());
+        if let Some(arrangement) = shown.map(|k| &spacing.arrangements[k]).filter(|_| alone) {
+            for table in arrangement_parts(arrangement) {
+                out += &format!("\n{}", table.text());
+            }
+            out += &narrowest_place(arrangement).map_or_else(String::new, |place| format!("\n{place}\n"));
         }
     }
     out += "\nassumed:\n";
