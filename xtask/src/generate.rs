@@ -6,8 +6,8 @@ use anyhow::{Context, Result, bail};
 use std::path::Path;
 use std::process::Command;
 
-/// Pages of the book, and the picture of the README.
-const WRITTEN: [Written; 3] = [
+/// Pages and pictures of the book, and the picture of the README.
+const WRITTEN: [Written; 5] = [
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
@@ -26,6 +26,33 @@ const WRITTEN: [Written; 3] = [
         arguments: &["report", "examples/twin-in-line-in-phase.toml", "--output", "-"],
         figure: Some("force-spectrum.svg"),
     },
+    Written {
+        file: "docs/src/images/arrangements.svg",
+        head: "",
+        arguments: &TWIN_SEARCH,
+        figure: Some("arrangements.svg"),
+    },
+    Written {
+        file: "docs/src/images/arrangement-drives.svg",
+        head: "",
+        arguments: &TWIN_SEARCH,
+        figure: Some("drives.svg"),
+    },
+];
+
+/// The guide's choice among the arrangements of an in-line twin.
+const TWIN_SEARCH: [&str; 11] = [
+    "balance",
+    "examples/twin-in-line-in-phase.toml",
+    "--search",
+    "--mount-spacing",
+    "176 mm",
+    "--reference",
+    "examples/in-line-4-long-stroke.toml",
+    "--share",
+    "1/2",
+    "--choose",
+    "+1 -1",
 ];
 
 /// A file that the program writes.
