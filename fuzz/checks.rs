@@ -1,6 +1,9 @@
 //! What must hold for any input: shared by the fuzz targets and by the test that replays the kept corpus.
 
+use lanchester_balance::workshop::{correction, drilling, grade};
+use lanchester_balance::{Outcome, optimise};
 use lanchester_mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
+use lanchester_model::workshop::read_sheet;
 use lanchester_model::{Engine, expanded, read as read_text, render, templates};
 
 /// Any bytes, read as an engine file: mistakes can be shown, and what is accepted survives its expanded form.
@@ -10,7 +13,8 @@ pub fn read(data: &[u8]) {
 
 /// A template with some of its lines changed: whatever is accepted has finite loads.
 pub fn loads(data: &[u8]) {
-    let text = changed_template(data);
+    let all: Vec<&str> = templates().iter().map(|template| template.text).collect();
+    let text = changed(&all, &ADDITIONS, data);
     let Some(engine) = accepted(&text) else { return };
     // Few angles: the kernels are the same for each.
     let request = LoadRequest { samples: 24, ..LoadRequest::default() };
@@ -25,6 +29,96 @@ pub fn loads(data: &[u8]) {
         assert!(finite(&part.loads), "{:?} is not finite of\n{text}", part.part);
     }
 }
+
+/// A worked workshop sheet with some of its lines changed: whatever is read is answered with finite numbers or refused.
+pub fn workshop(data: &[u8]) {
+    let text = changed(&SHEETS, &SHEET_ADDITIONS, data);
+    let reading = read_sheet(&text);
+    let Some(sheet) = reading.sheet else {
+        assert!(!reading.diagnostics.is_empty(), "refused without a reason:\n{text}");
+        return;
+    };
+    if let Ok(found) = correction(&sheet) {
+        for plane in &found.planes {
+            assert!(plane.unbalance.is_finite() && plane.left.is_finite(), "{plane:?} of\n{text}");
+        }
+    }
+    if let Ok(found) = drilling(&sheet) {
+        for plane in &found.planes {
+            let far = plane.left.norm() > plane.wanted.norm() * (1.0 + 1e-9);
+            assert!(plane.left.is_finite() && !far, "holes make it worse: {plane:?} of\n{text}");
+        }
+    }
+    if let Ok(found) = grade(&sheet) {
+        assert!(found.permissible.is_finite(), "{found:?} of\n{text}");
+    }
+}
+
+/// A small engine with some of its lines and of its section `[balance]` changed: an optimum keeps its own limits and is
+/// finite, whatever is read.
+pub fn balance(data: &[u8]) {
+    let text = changed(&TASKS, &TASK_ADDITIONS, data);
+    let Some(engine) = accepted(&text) else { return };
+    let Some(task) = &engine.balance else { return };
+    // Choices multiply, and this must end soon.
+    if engine.cylinders.len() > 4 || task.weights.len() > 8 {
+        return;
+    }
+    let Ok(answer) = optimise(&engine, task) else { return };
+    let found = answer.weights.iter().all(|weight| weight.unbalance.is_finite() && weight.z.is_finite());
+    assert!(found, "weights that are not finite: {:?} of\n{text}", answer.weights);
+    if answer.outcome != Outcome::Optimal {
+        return;
+    }
+    for stage in &answer.stages {
+        let terms: f64 = stage.terms.iter().map(|(_, value)| value.abs()).sum();
+        assert!(stage.value.is_finite() && stage.bound <= stage.value + 1e-6 * terms, "{stage:?} of\n{text}");
+    }
+}
+
+/// Worked sheets.
+const SHEETS: [&str; 2] = [
+    include_str!("../examples/workshop/two-plane-crank.toml"),
+    include_str!("../examples/workshop/machine-display.toml"),
+];
+const SHEET_ADDITIONS: [&str; 6] = [
+    "\n[[plane]]\nname = \"third\"\nz = \"150 mm\"\nradius = \"40 mm\"\n",
+    "\n[[run]]\nspeed = \"1500 rpm\"\nreadings = [{ sensor = \"front\", velocity = \"3 mm/s\", phase = \"10 deg\" }]\n",
+    "\n[[run]]\nspeed = \"1500 rpm\"\nweights = [{ plane = \"rear\", mass = \"3 g\", angle = \"9 deg\", kept = true }]\n\
+     readings = [{ sensor = \"rear\", velocity = \"0 mm/s\", phase = \"1 deg\" }]\n",
+    "\n[[display]]\nkind = \"couple\"\nplanes = [\"0 mm\", \"90 mm\"]\nunbalance = \"7 g mm\"\nangle = \"3 deg\"\n",
+    "\n[[sensor]]\nname = \"side\"\ndetector = \"peak\"\nlimit = { displacement = \"5 um\" }\n",
+    "\n[plane.drill]\ndirection = \"axial\"\ndiameters = [\"5 mm\"]\nmax_depth = \"9 mm\"\ndensity = \"7.85 g/cm3\"\nland = \"1 mm\"\nspacing = \"8 mm\"\n",
+];
+
+/// Small engines with a section `[balance]`.
+const TASKS: [&str; 3] = [
+    "name = \"single\"\nspeed = \"6000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 1\nspacing = \"90 mm\"\n\
+     [crank]\nstroke = \"66 mm\"\nunbalance = \"10 g m\"\n[piston]\nmass = \"0.3 kg\"\n[rod]\nlength = \"120 mm\"\nmass = \"0.35 kg\"\n\
+     [[mount]]\nx = \"0 mm\"\ny = \"-80 mm\"\nz = \"0 mm\"\n[[mount]]\nx = \"0 mm\"\ny = \"90 mm\"\nz = \"40 mm\"\n\
+     [balance]\nminimise = [\"force\"]\nlimits = { \"roll moment\" = \"90 N m\" }\n\
+     [[balance.counterweight]]\nthrow = 1\nmost = \"30 g m\"\n\
+     [[balance.shaft]]\nratio = -1\nx = \"10 mm\"\ny = \"70 mm\"\nweights = [{ z = \"0 mm\", most = \"9 g m\" }]\n",
+    "name = \"twin\"\nspeed = \"7000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 2\nspacing = \"90 mm\"\n\
+     crank_angles = [\"0 deg\", \"180 deg\"]\n[crank]\nstroke = \"66 mm\"\n[piston]\nmass = \"0.3 kg\"\n\
+     [rod]\nlength = \"120 mm\"\nmass = \"0.35 kg\"\n\
+     [balance]\nminimise = [\"couple\", \"added unbalance\"]\nlimits = { force = \"9000 N\" }\n\
+     [[balance.counterweight]]\nname = \"front\"\nthrow = 1\nline = \"180 deg\"\n\
+     [[balance.counterweight]]\nname = \"rear\"\nthrow = 2\nmirrored_to = \"front\"\n",
+    "name = \"three\"\nspeed = \"6000 rpm\"\n[firing]\norder = [1, 3, 2]\n[layout]\ntype = \"in-line\"\ncylinders = 3\nspacing = \"82 mm\"\n\
+     [crank]\nstroke = \"81 mm\"\n[piston]\nmass = \"0.32 kg\"\n[rod]\nlength = \"138 mm\"\nmass = \"0.45 kg\"\n\
+     [balance]\nminimise = [{ couple = \"100 N m\", \"bending moment\" = \"300 N m\" }]\nmost_optional = 1\n\
+     [[balance.counterweight]]\nthrow = 1\nmost = \"30 g m\"\noptional = true\n\
+     [[balance.counterweight]]\nthrow = 3\nleast = \"1 g m\"\nmost = \"30 g m\"\noptional = true\n",
+];
+const TASK_ADDITIONS: [&str; 6] = [
+    "\n[[balance.counterweight]]\nz = [\"-60 mm\", \"60 mm\"]\nmost = \"20 g m\"\n",
+    "\n[[balance.counterweight]]\nz = \"12 mm\"\nangle = \"30 deg\"\n",
+    "\n[[balance.shaft]]\nratio = -2\ny = \"80 mm\"\nweights = [{ z = \"-50 mm\" }, { z = \"50 mm\" }]\n",
+    "\n[[balance.shaft]]\nratio = 2\ny = \"-80 mm\"\noptional = true\nweights = [{ z = \"0 mm\", most = \"3 g m\" }]\n",
+    "\n[[balance.inertia]]\nratio = 2.5\ncrank_inertia = \"0.2 kg m2\"\nmost = \"0.02 kg m2\"\n",
+    "\n[[counterweight]]\nthrow = 1\nunbalance = \"9 g m\"\n",
+];
 
 /// Reads a file; what is refused has a reason that can be shown, what is accepted has an equal expanded form.
 fn accepted(text: &str) -> Option<Engine> {
@@ -119,12 +213,10 @@ const ADDITIONS: [&str; 6] = [
     "\n[cylinders]\noffset = \"8 mm\"\n",
 ];
 
-/// The first byte chooses the template; each further three bytes make one change: kind, line, argument.
-fn changed_template(data: &[u8]) -> String {
-    let all = templates();
+/// The first byte chooses the text; each further three bytes make one change: kind, line, argument.
+fn changed(all: &[&str], more: &[&str], data: &[u8]) -> String {
     let first = data.first().copied().unwrap_or(0);
-    let mut lines: Vec<String> =
-        all[usize::from(first) % all.len()].text.lines().map(str::to_owned).collect();
+    let mut lines: Vec<String> = all[usize::from(first) % all.len()].lines().map(str::to_owned).collect();
     let mut additions = String::new();
     for change in data.get(1..).unwrap_or_default().chunks_exact(3).take(16) {
         let (kind, argument) = (change[0] % 8, usize::from(change[2]));
@@ -142,7 +234,7 @@ fn changed_template(data: &[u8]) -> String {
                 lines.remove(at);
             }
             6 => lines.insert(at, line),
-            _ => additions += ADDITIONS[argument % ADDITIONS.len()],
+            _ => additions += more[argument % more.len()],
         }
     }
     lines.join("\n") + "\n" + &additions

@@ -7,11 +7,18 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 5] = [
+const WRITTEN: [Written; 6] = [
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
         arguments: &["schema", "--markdown"],
+        figure: None,
+    },
+    Written {
+        file: "docs/src/workshop-sheet.md",
+        head: "# The workshop sheet\n\nEvery table and key. `lanchester schema --sheet` gives the same to an editor; the guide shows one [step by \
+               step](guide/workshop.md).\n\n",
+        arguments: &["schema", "--sheet", "--markdown"],
         figure: None,
     },
     Written {

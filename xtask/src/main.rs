@@ -22,7 +22,7 @@ tasks of the workspace
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask book                              build the book into docs/book
-  cargo xtask fuzz [--seconds N] [--target T]   fuzz the reader and the load path (nightly, cargo-fuzz)
+  cargo xtask fuzz [--seconds N] [--target T]   fuzz reader, loads, workshop and optimum (nightly, cargo-fuzz)
 ";
 
 fn main() -> ExitCode {

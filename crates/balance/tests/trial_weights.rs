@@ -352,3 +352,32 @@ fn one_sensor_cannot_tell_two_planes() {
     let error = answer(&without).unwrap_err();
     assert_eq!(error, WorkshopError::FewReadings { readings: 1, planes: 2 });
 }
+
+/// `validation/external/numpy/two_plane.py` reads the sheet and its conventions by itself; the least squares are numpy's.
+#[test]
+fn ext_numpy_two_plane_crank() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let text = std::fs::read_to_string(root.join("examples/workshop/two-plane-crank.toml")).unwrap();
+    let json = std::fs::read_to_string(root.join("validation/external/numpy/two_plane.json")).unwrap();
+    let numpy: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let complex =
+        |value: &serde_json::Value| Complex64::new(value[0].as_f64().unwrap(), value[1].as_f64().unwrap());
+    let found = answer(&text).unwrap();
+    let runs = found.runs.as_ref().unwrap();
+    assert!((runs.condition.unwrap() / numpy["condition"].as_f64().unwrap() - 1.0).abs() < 1e-9);
+    assert_eq!(runs.influence.len(), 4);
+    for influence in &runs.influence {
+        // mm/s per g mm: a thousandth over a millionth.
+        let theirs =
+            complex(&numpy["influence [mm/s per g mm, peak]"][&influence.plane][&influence.sensor]) * 1e3;
+        assert!((influence.response - theirs).norm() < 1e-9 * theirs.norm(), "{influence:?} {theirs}");
+    }
+    for sensor in &runs.sensors {
+        let theirs = numpy["scatter [mm/s, rms detector]"][&sensor.sensor].as_f64().unwrap() * 1e-3;
+        assert!((sensor.scatter.unwrap() / theirs - 1.0).abs() < 1e-9, "{sensor:?} {theirs}");
+    }
+    for plane in &found.planes {
+        let theirs = complex(&numpy["weights [g mm]"][&plane.plane]) * 1e-6;
+        assert!((plane.unbalance - theirs).norm() < 1e-8 * theirs.norm(), "{plane:?} {theirs}");
+    }
+}

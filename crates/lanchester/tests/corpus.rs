@@ -1,4 +1,4 @@
-//! Replays the kept fuzz corpus (`fuzz/seeds`) on stable: what once broke the reader or the loads stays mended.
+//! Replays the kept fuzz corpus (`fuzz/seeds`) on stable: what once broke anything stays mended.
 
 #[path = "../../../fuzz/checks.rs"]
 mod checks;
@@ -27,4 +27,14 @@ fn kept_corpus_of_the_reader() {
 #[test]
 fn kept_corpus_of_the_loads() {
     replay("loads", checks::loads);
+}
+
+#[test]
+fn kept_corpus_of_the_workshop() {
+    replay("workshop", checks::workshop);
+}
+
+#[test]
+fn kept_corpus_of_the_optima() {
+    replay("balance", checks::balance);
 }

@@ -38,6 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         engine: &engine,
         loads: &loads,
         internal: &internal,
+        optimum: None,
         provenance: &provenance,
         warnings: &warnings,
     });

@@ -118,7 +118,8 @@ fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64])
     out
 }
 
-fn method_words(method: &Method) -> String {
+/// How the answer was found, in a sentence.
+pub(crate) fn method_words(method: &Method) -> String {
     match method {
         Method::Convex { solves: 0 } => "Solved as linear equations.".to_owned(),
         Method::Convex { solves: 1 } => "Solved as one convex programme.".to_owned(),

@@ -33,6 +33,7 @@ mod magnitude;
 mod mechanism_sketch;
 mod motion_plot;
 mod number;
+mod optimum_section;
 mod over_angle;
 mod page;
 mod plot;
@@ -78,6 +79,7 @@ pub use load_tables::{
     peaks_table, rod_inertia_table, roll_orders_table,
 };
 pub use motion_plot::motion_plot;
+pub use optimum_section::OptimumInput;
 pub use over_angle::{over_angle, vanishing};
 pub use page::{Provenance, ReportInput, figures, report};
 pub use share_plot::share_plots;

@@ -8,6 +8,7 @@ use crate::internal_figure::internal_figures;
 use crate::internal_tables::{internal_table, mains_table};
 use crate::load_tables;
 use crate::number;
+use crate::optimum_section::{OptimumInput, OptimumSection};
 use crate::over_angle;
 use crate::speed_table::speed_table;
 use crate::svg::escape;
@@ -39,6 +40,8 @@ pub struct ReportInput<'a> {
     pub loads: &'a Loads,
     /// Shear and bending of its crankshafts, the case that is drawn first; may be empty.
     pub internal: &'a [InternalMoments],
+    /// What balancing found; `None` where the file does not ask.
+    pub optimum: Option<OptimumInput<'a>>,
     /// What made the report.
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
@@ -69,6 +72,7 @@ struct Page<'a> {
     hodographs: String,
     stars: String,
     stories: String,
+    optimum: Option<OptimumHtml>,
     bending_curves: String,
     bending_tables: String,
     motion_curves: String,
@@ -77,9 +81,19 @@ struct Page<'a> {
     frame: String,
 }
 
+/// The section on the optimum.
+struct OptimumHtml {
+    headline: String,
+    method: String,
+    tables: String,
+    figures: String,
+    left: String,
+}
+
 /// The report as one self-contained HTML page.
 pub fn report(input: &ReportInput<'_>) -> String {
-    let ReportInput { engine, loads, internal, provenance, warnings } = *input;
+    let ReportInput { engine, loads, internal, optimum, provenance, warnings } = *input;
+    let optimum = optimum.map(|input| OptimumSection::of(engine, &input));
     let gallery = Gallery::of(engine, loads);
     let mut motion_tables = vec![load_tables::motion_table(loads)];
     motion_tables.extend(load_tables::articulation_table(loads));
@@ -121,6 +135,13 @@ pub fn report(input: &ReportInput<'_>) -> String {
         hodographs: figures_html(&gallery.hodographs),
         stars: figures_html(&gallery.stars),
         stories: figures_html(&gallery.stories),
+        optimum: optimum.map(|found| OptimumHtml {
+            headline: unbroken(&found.headline),
+            method: found.method,
+            tables: tables_html(&found.tables),
+            figures: figures_html(&found.figures),
+            left: unbroken(&found.left),
+        }),
         bending_curves: figures_html(&internal_figures(engine, internal)),
         bending_tables: bending_tables(engine, internal),
         motion_curves: figures_html(gallery.motion.as_slice()),

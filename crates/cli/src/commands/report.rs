@@ -7,10 +7,12 @@ use crate::files::{print, write_result};
 use crate::provenance::provenance;
 use crate::request::{internal_request, load_request};
 use lanchester::arrangements;
-use lanchester::mechanism::{internal_cases, loads};
-use lanchester::model::Diagnostic;
+use lanchester::balance::{Answer, fitted, optimise};
+use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
+use lanchester::model::{Diagnostic, Engine};
 use lanchester::report::{
-    ArrangementsInput, ReportInput, arrangements_report, figures, internal_figures, report,
+    ArrangementsInput, OptimumInput, ReportInput, arrangements_report, figures, internal_figures,
+    optimum_plots, report,
 };
 use std::path::{Path, PathBuf};
 
@@ -20,12 +22,14 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let loads = loads(&opened.engine, &request).map_err(refused)?;
     let internal = internal_request(&arguments.request, request.samples)?;
     let internal = internal_cases(&opened.engine, &internal).map_err(refused)?;
-    let warnings: Vec<String> = opened.warnings.iter().map(in_words).collect();
+    let mut warnings: Vec<String> = opened.warnings.iter().map(in_words).collect();
+    let found = if arguments.all_arrangements { None } else { optimum(&opened.engine, &mut warnings)? };
     let provenance = provenance(&opened.source, &loads, &request);
     let input = ReportInput {
         engine: &opened.engine,
         loads: &loads,
         internal: &internal,
+        optimum: found.as_ref().map(Optimum::input),
         provenance: &provenance,
         warnings: &warnings,
     };
@@ -61,6 +65,35 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     Ok(DONE)
 }
 
+/// What balancing found, with the loads before and after.
+struct Optimum {
+    answer: Answer,
+    before: Loads,
+    after: Loads,
+}
+
+impl Optimum {
+    fn input(&self) -> OptimumInput<'_> {
+        OptimumInput { answer: &self.answer, before: &self.before, after: &self.after }
+    }
+}
+
+/// What the section `[balance]` of the file asks, answered; a question without meaning is one more warning.
+fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum>, Failure> {
+    let Some(task) = &engine.balance else { return Ok(None) };
+    let answer = match optimise(engine, task) {
+        Ok(answer) => answer,
+        Err(error) => {
+            eprintln!("warning: the section [balance] has no answer: {error}");
+            warnings.push(format!("the section [balance] has no answer: {error}"));
+            return Ok(None);
+        }
+    };
+    let loads = |engine: &Engine| loads(engine, &LoadRequest::default()).map_err(refused);
+    let (before, after) = (loads(engine)?, loads(&fitted(engine, &answer))?);
+    Ok(Some(Optimum { answer, before, after }))
+}
+
 /// A warning of the engine file in one line.
 fn in_words(warning: &Diagnostic) -> String {
     let hint = warning.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
@@ -77,9 +110,11 @@ fn write_figures(
     input: &ReportInput<'_>,
 ) -> Result<Vec<PathBuf>, Failure> {
     let internal = internal_figures(input.engine, input.internal);
+    let optimum = input.optimum.and_then(|o| optimum_plots(input.engine, o.answer, o.before, o.after));
     figures(input.engine, input.loads)
         .iter()
         .chain(&internal)
+        .chain(&optimum)
         .map(|figure| {
             let path = folder.join(format!("{}.svg", figure.id));
             write_result(&path, engine_file, &figure.svg())?;

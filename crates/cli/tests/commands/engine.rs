@@ -186,3 +186,29 @@ fn an_option_that_would_be_ignored_is_refused() {
         assert!(message(&folder, 2, arguments).contains("--format"), "{arguments:?}");
     }
 }
+
+#[test]
+fn report_shows_the_optimum_where_the_file_asks() {
+    let folder = folder("report-optimum");
+    let text = fs::read_to_string(twin()).unwrap();
+    let page = |name: &str, more: &str| {
+        fs::write(folder.join(name), format!("{text}{more}")).unwrap();
+        let written = output(&folder, 0, &["report", name, "--figures", name.trim_end_matches(".toml")]);
+        let page = fs::read_to_string(folder.join(name.replace(".toml", ".html"))).unwrap();
+        (page, written.contains("optimum.svg"))
+    };
+    let (silent, drawn) = page("silent.toml", "");
+    assert!(!silent.contains("id=\"optimum\"") && !drawn);
+    let section = "\n[balance]\nminimise = [\"force\"]\n\n[[balance.counterweight]]\nthrow = 1\n";
+    let (asking, drawn) = page("asking.toml", section);
+    assert!(drawn);
+    let said = output(&folder, 0, &["balance", "asking.toml", "--format", "csv", "--table", "stages"]);
+    let value: f64 = said.lines().nth(1).unwrap().split(',').nth(2).unwrap().parse().unwrap();
+    let section = &asking[asking.find("<section id=\"optimum\"").unwrap()..];
+    let section = &section[..section.find("</section>").unwrap()];
+    assert!(section.contains("The least that these devices allow") && section.contains("The proof"));
+    // As the page shows it: five digits.
+    let digits = format!("{value:.0}");
+    let plain: String = section.chars().filter(|letter| !letter.is_whitespace()).collect();
+    assert!(plain.contains(&digits), "{digits}");
+}

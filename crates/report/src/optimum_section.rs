@@ -1,0 +1,68 @@
+//! The section of the report on what balancing found.
+
+use crate::balance_plot::optimum_plots;
+use crate::balance_tables::{
+    closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
+    limits_table, stages_table,
+};
+use crate::balance_text::{headline, method_words};
+use crate::cancellation::{cancellation_proof_table, cancelled_orders_table};
+use crate::figure::Figure;
+use crate::table::Table;
+use lanchester_balance::{Answer, Outcome};
+use lanchester_mechanism::Loads;
+use lanchester_model::Engine;
+
+/// What the section `[balance]` of an engine file asks, answered.
+#[derive(Debug, Clone, Copy)]
+pub struct OptimumInput<'a> {
+    /// What was found.
+    pub answer: &'a Answer,
+    /// Loads as the file stands, at the speed of the answer.
+    pub before: &'a Loads,
+    /// Loads of the engine with the answer fitted, at the same speed.
+    pub after: &'a Loads,
+}
+
+/// What the section shows.
+pub(crate) struct OptimumSection {
+    /// What was reached, in a sentence.
+    pub headline: String,
+    /// How it was found, in a sentence.
+    pub method: String,
+    pub tables: Vec<Table>,
+    pub figures: Vec<Figure>,
+    /// What shakes the engine with the answer; empty without one.
+    pub left: String,
+}
+
+impl OptimumSection {
+    pub fn of(engine: &Engine, input: &OptimumInput<'_>) -> OptimumSection {
+        let answer = input.answer;
+        let (headline, method) = (headline(engine, answer), method_words(&answer.method));
+        if let Outcome::Infeasible { closest, .. } = &answer.outcome {
+            let tables = vec![closest_table(engine, answer, closest)];
+            return OptimumSection { headline, method, tables, figures: Vec::new(), left: String::new() };
+        }
+        let mut tables = Vec::new();
+        if !answer.weights.is_empty() {
+            tables.push(found_weights_table(answer));
+        }
+        tables.extend(found_shafts_table(answer));
+        tables.extend(found_inertias_table(answer));
+        if !answer.effects.is_empty() {
+            tables.push(effects_table(engine, answer));
+        }
+        match &answer.cancellation {
+            Some(cancellation) => {
+                tables.push(cancelled_orders_table(engine, cancellation));
+                tables.extend(cancellation_proof_table(engine, cancellation));
+            }
+            None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),
+            None => {}
+        }
+        tables.extend(limits_table(engine, answer));
+        let figures = optimum_plots(engine, answer, input.before, input.after).into_iter().collect();
+        OptimumSection { headline, method, tables, figures, left: input.after.diagnosis.summary.clone() }
+    }
+}
