@@ -1,4 +1,5 @@
-//! Exact cancellation: the lightest weights that make chosen orders vanish, or the proof that none can.
+//! Exact cancellation: the lightest weights that make chosen orders vanish, or the proof that none can (book, "Exact
+//! cancellation", eqs. (20.1) to (20.5)).
 
 mod answer;
 mod equations;
@@ -170,7 +171,8 @@ impl Question<'_> {
         answer.outcome = if obstructions.is_empty() {
             Outcome::Stopped { reason: "too close between vanishing and not for a proof of either".into() }
         } else {
-            let reasons: Vec<&str> = obstructions.iter().map(|o| o.reason.as_str()).collect();
+            let mut reasons: Vec<&str> = obstructions.iter().map(|o| o.reason.as_str()).collect();
+            reasons.dedup();
             Outcome::CannotVanish { reason: reasons.join("; ") }
         };
         let verdict = CancellationVerdict::CannotVanish { obstructions };

@@ -97,6 +97,8 @@ pub(crate) enum Kind {
     Truth,
     /// A list of criteria, or of tables of criteria and the value of each that counts as much as the others'.
     Stages,
+    /// A list of criteria that are one order of a load each.
+    Orders,
     /// A table of criteria and the largest value of each.
     Limits,
     /// A whole number or a fraction such as `"1/2"`, not 0.
@@ -141,6 +143,7 @@ impl Kind {
             Kind::Number(_) => "a bare number".into(),
             Kind::Truth => "true or false".into(),
             Kind::Stages => "a list of criteria".into(),
+            Kind::Orders => "a list of orders of loads".into(),
             Kind::Limits => "a table of criteria and their largest values".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),

@@ -60,6 +60,16 @@ fn criteria_with_their_units() {
 }
 
 #[test]
+fn orders_that_must_vanish() {
+    let mounts = "[[mount]]\nname = \"front\"\nx = \"0 mm\"\ny = \"0 mm\"\nz = \"-80 mm\"\n";
+    let section =
+        "[balance]\ncancel = [\"force order 1\", \"roll moment order 1/2\", \"mount force front order 2\"]\n";
+    let task = task("in-line-3", &format!("{mounts}{section}"));
+    assert_eq!(task.cancel, [(Load::Force, 1.0), (Load::RollMoment, 0.5), (Load::MountForce(0), 2.0)]);
+    assert!(task.stages.is_empty() && task.limits.is_empty());
+}
+
+#[test]
 fn weights_on_throws_webs_and_anywhere() {
     let base = engine(template("in-line-3"));
     let task = task(
@@ -218,6 +228,7 @@ fn the_schema_knows_the_section() {
     let good = serde_json::json!({
         "minimise": ["force", { "couple": "10 N m" }],
         "limits": { "force order 1": "200 N", "added mass": "2 kg" },
+        "cancel": ["force order 1"],
         "counterweight": [{ "webs": "all", "z": ["0 mm", "1 mm"], "optional": true, "factor": -0.5 }],
         "inertia": [{ "ratio": 2.5, "crank_inertia": "0.2 kg m2" }],
     });
@@ -225,6 +236,8 @@ fn the_schema_knows_the_section() {
     for bad in [
         serde_json::json!({ "minimise": [] }),
         serde_json::json!({ "minimise": [1] }),
+        serde_json::json!({ "cancel": [] }),
+        serde_json::json!({ "cancel": [{ "force order 1": "1 N" }] }),
         serde_json::json!({ "limits": { "couple": 5 } }),
         serde_json::json!({ "limits": { "couple": "5 mm" } }),
         serde_json::json!({ "counterweight": [{ "webs": 1 }] }),

@@ -25,7 +25,6 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
         }
         CancellationVerdict::CannotVanish { obstructions } => {
             let together = if cancellation.orders.len() == 1 { "" } else { " together" };
-            let reasons: Vec<&str> = obstructions.iter().map(|o| o.reason.as_str()).collect();
             let left: Vec<String> = cancellation
                 .orders
                 .iter()
@@ -35,10 +34,11 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
                     format!("{} {} {unit}", criterion_name(&o.criterion, engine), number::short(left, 5))
                 })
                 .collect();
-            let reason = match reasons.is_empty() {
-                true => format!("{names}: {}", outcome_reason(answer)),
-                false => format!("{names} cannot vanish{together}: {}", reasons.join("; ")),
+            let verdict = match obstructions.is_empty() {
+                true => format!("Whether {names} can vanish{together} is open"),
+                false => format!("{names} cannot vanish{together}"),
             };
+            let reason = format!("{verdict}: {}", outcome_reason(answer));
             format!("{reason}. The weights below leave the least: {}.", left.join(", then "))
         }
     }
@@ -46,7 +46,8 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
 
 fn outcome_reason(answer: &Answer) -> &str {
     match &answer.outcome {
-        lanchester_balance::Outcome::Stopped { reason } => reason,
+        lanchester_balance::Outcome::Stopped { reason }
+        | lanchester_balance::Outcome::CannotVanish { reason } => reason,
         _ => "",
     }
 }
@@ -90,18 +91,14 @@ pub fn cancellation_proof_table(engine: &Engine, cancellation: &Cancellation) ->
         CancellationVerdict::Vanish { is_mass, lightest, .. } => {
             let (factor, unit) = total_unit(*is_mass);
             let remark = format!(
-                "Cancelling these parts costs at least their shares together, {} {unit}: no weight does more for them \
-                 than its own amount (at most {} of it).",
-                number::short(factor * lightest.value, 6),
-                number::short(lightest.largest_pull, 6)
+                "The shares add up to {} {unit}; no weight brings more of it than its own amount.",
+                number::short(factor * lightest.value, 6)
             );
             (vec![(lightest, factor, unit)], remark)
         }
         CancellationVerdict::CannotVanish { obstructions } => (
             obstructions.iter().map(|o| (&o.functional, 1.0, "")).collect(),
-            "Each numbered sum of parts, weighted and turned as given, is 1 without the devices; no device changes \
-             it by more than the charge already taken off, so that it is never 0."
-                .to_owned(),
+            "The shares of each sum add up to 1, and no amount of any device changes that.".to_owned(),
         ),
     };
     let mut rows: Vec<[Cell; 6]> = Vec::new();

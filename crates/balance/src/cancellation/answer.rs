@@ -75,8 +75,8 @@ pub struct Functional {
     pub charges: Vec<(String, f64)>,
     /// Sum of the terms less the charges [kg m or kg; 1 for an obstruction].
     pub value: f64,
-    /// Largest pull of a weight without a largest amount: over its cost (at most 1) where the total is bounded; over what
-    /// the factors would give if all acted in step (0 to rounding) for an obstruction.
+    /// Largest pull of a weight without a largest amount: over its cost (at most 1) where the total is bounded; over the
+    /// most that factors of the same size could pull (0 to rounding) for an obstruction.
     pub largest_pull: f64,
 }
 

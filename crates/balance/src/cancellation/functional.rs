@@ -10,7 +10,7 @@
 
 use super::answer::{Functional, FunctionalTerm};
 use super::equations::{Device, Equations};
-use crate::convex::dense::{Matrix, RowFactors, dot};
+use crate::convex::dense::{Matrix, RowFactors, dot, norm};
 use lanchester_model::BalanceTask;
 use num_complex::Complex64;
 
@@ -25,8 +25,8 @@ pub(super) struct Weighed {
     /// Device and what it can do against the combination at most.
     pub charges: Vec<(usize, f64)>,
     pub value: f64,
-    /// Largest pull of a device without a largest amount over its cost; over its pull if all terms acted in step where
-    /// the cost is 0.
+    /// Largest pull of a device without a largest amount over its cost; over the most that a combination of this size
+    /// can pull where the cost is 0.
     pub pull: f64,
 }
 
@@ -45,7 +45,7 @@ pub(super) fn weigh(equations: &Equations, multipliers: &[f64], costs: &[f64]) -
             }
             Some(_) => {}
             None => {
-                let against = if *cost > 0.0 { *cost } else { in_step(equations, device, multipliers) };
+                let against = if *cost > 0.0 { *cost } else { farthest(equations, device, multipliers) };
                 pull = pull.max(if size > 0.0 { size / against } else { 0.0 });
             }
         }
@@ -62,12 +62,10 @@ fn pull_of(device: &Device, gradient: &[f64]) -> f64 {
     }
 }
 
-/// What a combination would pull at a device if no two terms cancelled.
-fn in_step(equations: &Equations, device: &Device, multipliers: &[f64]) -> f64 {
-    let of = |v: usize| -> f64 {
-        (0..multipliers.len()).map(|r| (multipliers[r] * equations.matrix[(r, v)]).abs()).sum()
-    };
-    device.variables.iter().map(|&v| of(v)).sum()
+/// The most that a combination of this size can pull at a device.
+fn farthest(equations: &Equations, device: &Device, multipliers: &[f64]) -> f64 {
+    let square = |v: usize| (0..multipliers.len()).map(|r| equations.matrix[(r, v)].powi(2)).sum::<f64>();
+    norm(multipliers) * device.variables.iter().map(|&v| square(v)).sum::<f64>().sqrt()
 }
 
 /// The multipliers without what pulls at devices that nothing bounds.

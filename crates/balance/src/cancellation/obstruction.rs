@@ -22,7 +22,8 @@ use std::rc::Rc;
 /// A distance in natural amounts that is no rounding.
 const DISTANCE: f64 = 1e-12;
 
-/// Pulls of an obstruction at devices without a largest amount are below this share of what the terms pull in step.
+/// Pulls of an obstruction at devices without a largest amount are below this share of what combinations of
+/// the same size can pull.
 const STILL: f64 = 1e-9;
 
 /// Rows that hang together through the devices.

@@ -27,7 +27,7 @@ pub(super) fn reason(engine: &Engine, task: &BalanceTask, equations: &Equations,
     let untouched =
         named.iter().all(|(part, _)| part.columns.iter().all(|c| c.1.norm() <= NOISE * part.scale));
     match &named[..] {
-        [(part, _)] if untouched => nothing_acts(engine, task, part),
+        [(part, _)] if untouched => nothing_acts(engine, task, equations, part),
         [(part, left)] => {
             let what = part_name(engine, part);
             let amount = amount(*left, part);
@@ -54,7 +54,7 @@ pub(super) fn reason(engine: &Engine, task: &BalanceTask, equations: &Equations,
 }
 
 /// No device acts on a part at all.
-fn nothing_acts(engine: &Engine, task: &BalanceTask, part: &Part) -> String {
+fn nothing_acts(engine: &Engine, task: &BalanceTask, equations: &Equations, part: &Part) -> String {
     let Criterion::Order(load, order) = part.criterion else { return String::new() };
     let stays =
         format!("{} of {} stay as they are", amount(part.amount.norm(), part), part_name(engine, part));
@@ -72,7 +72,20 @@ fn nothing_acts(engine: &Engine, task: &BalanceTask, part: &Part) -> String {
             match (turning(own), turning(-own)) {
                 (true, _) => format!("no weight that turns {own_words} at {speed} acts on it in its plane"),
                 (false, true) => format!("the weights at {speed} turn {other_words}, none {own_words}"),
-                (false, false) => format!("no weight given turns {own_words} at {speed}"),
+                (false, false) => {
+                    // Both senses alike: the whole order is said once.
+                    let whole: f64 = equations
+                        .parts
+                        .iter()
+                        .filter(|p| p.criterion == part.criterion)
+                        .map(|p| p.amount.norm())
+                        .sum();
+                    let name = criterion_name(&part.criterion, engine);
+                    return format!(
+                        "{} of {name} stay as they are: no weight given turns at {speed}",
+                        amount(whole, part)
+                    );
+                }
             }
         }
         OrderSense::Alternating if load == Load::RollMoment => {

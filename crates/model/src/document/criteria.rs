@@ -16,19 +16,7 @@ impl Walk<'_> {
         array: &toml_spanner::Array<'_>,
         item: &Item<'_>,
     ) -> Option<Value> {
-        let span = item.span().range();
-        if array.len() > LONGEST_LIST {
-            self.too_many(key, array.len(), LONGEST_LIST, span);
-            return None;
-        }
-        if array.is_empty() {
-            let message = format!("`{}` names no criterion", key.name);
-            self.mistakes.push(
-                Mistake::error("E0206", span, message)
-                    .hint(format!("for example {} = {}; or leave it out", key.name, key.example)),
-            );
-            return None;
-        }
+        self.criteria_length(key, array, item)?;
         let stages: Vec<Option<Spot<Vec<Term>>>> = array
             .iter()
             .map(|item| {
@@ -48,6 +36,47 @@ impl Walk<'_> {
             })
             .collect();
         stages.into_iter().collect::<Option<_>>().map(Value::Stages)
+    }
+
+    /// A list of criteria without values: one stage each.
+    pub(super) fn orders(
+        &mut self,
+        key: &Key,
+        array: &toml_spanner::Array<'_>,
+        item: &Item<'_>,
+    ) -> Option<Value> {
+        self.criteria_length(key, array, item)?;
+        let names: Vec<Option<Spot<Vec<Term>>>> = array
+            .iter()
+            .map(|item| {
+                let span = item.span().range();
+                let Toml::String(name) = item.value() else {
+                    self.wrong_kind(key, item, &span);
+                    return None;
+                };
+                let name = Spot { value: name.to_string(), span: span.clone() };
+                Some(Spot { value: vec![Term { name, amount: None }], span })
+            })
+            .collect();
+        names.into_iter().collect::<Option<_>>().map(Value::Stages)
+    }
+
+    /// Refuses a list of criteria that is empty or endless.
+    fn criteria_length(&mut self, key: &Key, array: &toml_spanner::Array<'_>, item: &Item<'_>) -> Option<()> {
+        let span = item.span().range();
+        if array.len() > LONGEST_LIST {
+            self.too_many(key, array.len(), LONGEST_LIST, span);
+            return None;
+        }
+        if array.is_empty() {
+            let message = format!("`{}` names no criterion", key.name);
+            self.mistakes.push(
+                Mistake::error("E0206", span, message)
+                    .hint(format!("for example {} = {}; or leave it out", key.name, key.example)),
+            );
+            return None;
+        }
+        Some(())
     }
 
     /// A table of criteria and a value of each.

@@ -158,6 +158,7 @@ impl Walk<'_> {
             (Kind::Number(bound), Toml::Integer(_) | Toml::Float(_)) => self.bare_number(key, item, bound),
             (Kind::Truth, Toml::Boolean(truth)) => Some(Value::Truth(*truth)),
             (Kind::Stages, Toml::Array(array)) => self.stages(key, array, item),
+            (Kind::Orders, Toml::Array(array)) => self.orders(key, array, item),
             (Kind::Limits, Toml::Table(table)) => self.terms(key, table).map(Value::Terms),
             (Kind::Ratio, Toml::Integer(_) | Toml::Float(_) | Toml::String(_)) => self.ratio(key, item),
             (Kind::Table(table), Toml::Table(toml)) => {

@@ -48,6 +48,11 @@ impl File {
                 .collect();
             self.entry("limits", &format!("{{ {} }}", limits.join(", ")));
         }
+        if !task.cancel.is_empty() {
+            let orders: Vec<String> =
+                task.cancel.iter().map(|&(load, order)| named(&Criterion::Order(load, order))).collect();
+            self.entry("cancel", &format!("[{}]", orders.join(", ")));
+        }
         if let Some(most) = task.most_optional {
             self.entry("most_optional", &most.to_string());
         }

@@ -12,7 +12,7 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::{Engine, Mount};
 use crate::quantity::{self, Dimension};
-use crate::task::{BalanceTask, FreeInertia, FreeShaft, Limit, Place, Stage};
+use crate::task::{BalanceTask, FreeInertia, FreeShaft, Limit, Load, Place, Stage};
 use free_weight::DraftFreeWeight;
 
 /// `[balance]` before the engine is known.
@@ -22,6 +22,7 @@ pub(super) struct DraftBalance {
     inertias: Vec<FreeInertia>,
     stages: Vec<Stage>,
     limits: Vec<Limit>,
+    cancel: Vec<(Load, f64)>,
     most_optional: Option<usize>,
     /// Where `added mass` is asked for.
     mass_span: Option<Span>,
@@ -39,6 +40,7 @@ impl<'a> Reader<'a> {
         let Some(section) = section else { return (!broken).then_some(None) };
         let stages = self.stages(section, mounts);
         let limits = self.limits(section, mounts);
+        let cancel = self.cancelled(section, mounts);
         let mass_span = self.mass_span(section, mounts);
         let most_optional = section.whole("most_optional");
         let counterweights = self.free_counterweights(section, throws, crankshafts);
@@ -53,6 +55,7 @@ impl<'a> Reader<'a> {
             inertias,
             stages: stages?,
             limits: limits?,
+            cancel: cancel?,
             most_optional: None,
             mass_span,
         };
@@ -81,7 +84,7 @@ impl<'a> Reader<'a> {
             ties: ties::ties(&draft.weights),
             stages: draft.stages,
             limits: draft.limits,
-            cancel: Vec::new(),
+            cancel: draft.cancel,
             most_optional: draft.most_optional,
             weights: Vec::new(),
         };

@@ -73,6 +73,7 @@ fn key_schema(key: &Key) -> Value {
             "items": { "anyOf": [{ "type": "string" }, criteria_with_values()] },
             "minItems": 1,
         }),
+        Kind::Orders => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
         Kind::Limits => criteria_with_values(),
         Kind::Ratio => json!({ "anyOf": [
             { "type": "integer", "not": { "const": 0 } },

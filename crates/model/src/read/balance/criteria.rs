@@ -6,7 +6,7 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span, Term};
 use crate::engine::Mount;
 use crate::quantity::{self, Refusal};
-use crate::task::{BalanceTask, Criterion, Limit, Stage};
+use crate::task::{BalanceTask, Criterion, Limit, Load, Stage};
 
 impl<'a> Reader<'a> {
     pub(super) fn stages(&mut self, section: &'a Section, mounts: Option<&[Mount]>) -> Option<Vec<Stage>> {
@@ -63,6 +63,44 @@ impl<'a> Reader<'a> {
             })
             .collect();
         limits.into_iter().collect()
+    }
+
+    /// Orders that must vanish, which leave nothing to minimise or to limit.
+    pub(super) fn cancelled(
+        &mut self,
+        section: &'a Section,
+        mounts: Option<&[Mount]>,
+    ) -> Option<Vec<(Load, f64)>> {
+        let orders = match section.stages("cancel") {
+            Field::Given(orders) => orders.value,
+            Field::Absent => return Some(Vec::new()),
+            Field::Bad => return None,
+        };
+        for other in ["minimise", "limits"] {
+            if section.has(other) {
+                let why = "`cancel` asks for the lightest weights that make its orders vanish";
+                self.without_effect(section, other, why, "leave one of them out");
+            }
+        }
+        let orders: Vec<Option<(Load, f64)>> = orders
+            .iter()
+            .flat_map(|order| &order.value)
+            .map(|term| {
+                let (criterion, _) = self.term(term, mounts)?;
+                let found = criterion::cancelled(&criterion);
+                if found.is_none() {
+                    let name: String = term.name.value.chars().take(60).collect();
+                    let message = format!("`cancel` {}, got \"{name}\"", criterion::CANCEL_NEEDS);
+                    self.mistakes.push(
+                        Mistake::error("E0109", term.name.span.clone(), message)
+                            .label("not one order of a load")
+                            .hint(criterion::cancel_hint(&name)),
+                    );
+                }
+                found
+            })
+            .collect();
+        orders.into_iter().collect()
     }
 
     /// The criterion and the value beside it.

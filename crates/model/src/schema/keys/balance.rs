@@ -37,6 +37,13 @@ pub(super) static BALANCE: Table = Table {
             "{ couple = \"5 N m\", \"force order 1\" = \"200 N\" }",
         ),
         key(
+            "cancel",
+            Kind::Orders,
+            Optional,
+            "Orders of loads that must vanish exactly, by the lightest weights; instead of `minimise` and `limits`.",
+            "[\"force order 1\", \"couple order 1\"]",
+        ),
+        key(
             "most_optional",
             Kind::Whole(0, MOST_OPTIONAL),
             Optional,

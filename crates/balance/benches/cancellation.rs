@@ -1,0 +1,70 @@
+//! How long exact cancellation takes: where the orders vanish, and where they cannot.
+use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_balance::{Outcome, optimise};
+use lanchester_model::{
+    BalanceTask, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Ratio, Seat, read, template,
+};
+use std::hint::black_box;
+
+fn engine(name: &str) -> Engine {
+    let mut engine =
+        read(template(name).expect("it is in the gallery").text).engine.expect("the engine is valid");
+    engine.counterweights.clear();
+    engine.shafts.clear();
+    engine
+}
+
+/// A weight on every throw and shafts (ratio and y) with weights 150 mm either side of the middle.
+fn task(engine: &Engine, shafts: &[(i32, f64)], cancel: &[(Load, f64)]) -> BalanceTask {
+    let weight = |name: String, seat: Seat, z: f64| FreeWeight {
+        name,
+        seat,
+        z: Place::At(z),
+        least: 0.0,
+        most: None,
+        phase: Phase::Free,
+        optional: false,
+        radius: None,
+    };
+    let mut task = BalanceTask { cancel: cancel.to_vec(), ..BalanceTask::default() };
+    for (k, throw) in engine.throws.iter().enumerate() {
+        if engine.throws[..k].iter().all(|t| t.z != throw.z) {
+            task.weights.push(weight(format!("throw {}", k + 1), Seat::Crankshaft(0), throw.z));
+        }
+    }
+    for (k, &(ratio, y)) in shafts.iter().enumerate() {
+        let name = format!("shaft {}", k + 1);
+        let ratio = Ratio::whole(ratio).expect("not 0");
+        for z in [-0.15, 0.15] {
+            task.weights.push(weight(format!("{name} at {z}"), Seat::Shaft(k), z));
+        }
+        task.shafts.push(FreeShaft { name, ratio, x: Place::At(0.0), y: Place::At(y), optional: false });
+    }
+    task
+}
+
+fn bench(criterion: &mut Criterion) {
+    let first = [(Load::Force, 1.0), (Load::Couple, 1.0)];
+    let both = [(Load::Force, 1.0), (Load::Couple, 1.0), (Load::Force, 2.0), (Load::Couple, 2.0)];
+    let four: [(i32, f64); 4] = [(-1, 0.1), (1, -0.1), (2, 0.15), (-2, -0.15)];
+    let cases: [(&str, &str, &[(i32, f64)], &[(Load, f64)], bool); 4] = [
+        ("in-line three, one shaft", "in-line-3", &four[..1], &first, true),
+        ("V6, four shafts, two orders", "v6-90", &four, &both, true),
+        ("twin, crank weights alone", "twin-360", &[], &first, false),
+        ("V6, one shaft, two orders", "v6-90", &four[..1], &both, false),
+    ];
+    for (name, layout, shafts, cancel, vanishes) in cases {
+        let engine = engine(layout);
+        let task = task(&engine, shafts, cancel);
+        let answer = optimise(&engine, &task).expect("the task suits the engine");
+        assert_eq!(answer.outcome == Outcome::Optimal, vanishes, "{name}");
+        criterion.bench_function(name, |b| b.iter(|| optimise(black_box(&engine), black_box(&task))));
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(20).measurement_time(std::time::Duration::from_secs(2));
+    targets = bench
+}
+criterion_main!(benches);
