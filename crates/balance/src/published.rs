@@ -9,6 +9,7 @@
 //! None of these methods seeks an optimum: they cancel one chosen resultant. All work with unbalances, so that one
 //! [`Resultant`] serves for every speed.
 
+mod comparison;
 mod half_rules;
 mod matrices;
 mod matrix_method;
@@ -17,6 +18,9 @@ mod remark;
 mod resultant;
 mod shaft_pair;
 
+pub use comparison::{
+    METHOD_ANSWER_VERSION, MethodAnswer, MethodFound, MethodWeight, OrderLeft, PublishedMethod,
+};
 pub use half_rules::{
     BalanceFactor, BalancerPhase, FourCylinderBalance, FourCylinderRule, ThreeCylinderBalance,
     ThreeCylinderRule,

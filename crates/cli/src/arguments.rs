@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::published_arguments::PublishedArguments;
 use crate::search_arguments::SearchArguments;
 use crate::workshop_arguments::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -84,7 +85,9 @@ pub enum Command {
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
                             lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
                             lanchester balance twin.toml --search --mount-spacing '176 mm' --reference four.toml --share 1/2\n  \
-                            lanchester balance twin.toml --search --choose 'crank -1' --write\n\n\
+                            lanchester balance twin.toml --search --choose 'crank -1' --write\n  \
+                            lanchester balance four.toml --method matrix --webs 11000011 --shafts second\n  \
+                            lanchester balance three.toml --method half --figures figures\n\n\
                             Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
     )]
     Balance(BalanceArguments),
@@ -238,6 +241,10 @@ pub struct BalanceArguments {
     /// counterweight of the file is free, and where it has none, a weight on every web or throw.
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    /// How the weights are found. A published method is fitted in place of the counterweights and shafts of the file, and
+    /// the true optimum of the same devices stands beside it.
+    #[arg(long, value_enum, default_value_t = BalanceMethod::Optimum, conflicts_with = "search")]
+    pub method: BalanceMethod,
     /// What to make small: a criterion such as `force`, `couple`, `roll moment`, `mount force`, `force order 2`, or a sum
     /// that counts shares of given values, `force = 200 N, couple = 10 N m`. May be given several times: the first
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
@@ -279,6 +286,22 @@ pub struct BalanceArguments {
     /// Which arrangement?
     #[command(flatten)]
     pub search: SearchArguments,
+    /// Choices of a published method.
+    #[command(flatten)]
+    pub published: PublishedArguments,
+}
+
+/// How weights are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BalanceMethod {
+    /// The true optimum over the continuous cycle, with its proof.
+    Optimum,
+    /// Matrices of the crankshaft balancing tool (Applied Sciences 2021, 11, 8997), its equations corrected.
+    Matrix,
+    /// 50 % rules of the 3-/4-cylinder thesis (Singh 2017): an in-line three with its balancer shaft, an in-line four with
+    /// two second-order shafts; for other engines, or with --balance-factor, counterweights for the rotating masses and a share
+    /// of the reciprocating ones.
+    Half,
 }
 
 /// Free weights on the crankshaft.
@@ -305,7 +328,7 @@ pub enum BalanceTable {
     Stages,
     /// Limits and their prices.
     Limits,
-    /// With --cancel: what had to vanish.
+    /// With --cancel: what had to vanish; with --method: what is left, order by order.
     Orders,
     /// With --cancel: the combinations of orders that prove the verdict.
     Proof,

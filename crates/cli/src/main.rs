@@ -9,6 +9,7 @@ mod commands;
 mod failure;
 mod files;
 mod provenance;
+mod published_arguments;
 mod request;
 mod search_arguments;
 mod search_request;

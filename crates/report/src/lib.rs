@@ -38,6 +38,8 @@ mod over_angle;
 mod page;
 mod plot;
 mod pose;
+mod published_tables;
+mod published_text;
 #[cfg(test)]
 mod sample;
 mod share_plot;
@@ -82,6 +84,10 @@ pub use motion_plot::motion_plot;
 pub use optimum_section::OptimumInput;
 pub use over_angle::{over_angle, vanishing};
 pub use page::{Provenance, ReportInput, figures, report};
+pub use published_tables::{
+    equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
+};
+pub use published_text::method_text;
 pub use share_plot::share_plots;
 pub use side_view::side_view;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};

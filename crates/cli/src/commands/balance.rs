@@ -2,7 +2,7 @@
 
 use crate::arguments::{BalanceArguments, BalanceTable, Format};
 use crate::balance_request::balance_task;
-use crate::commands::{Opened, json, open, search};
+use crate::commands::{Opened, json, open, published, search};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED, WRONG_INPUT};
 use crate::files::{print, rewrite, write_result};
 use lanchester::balance::{Answer, BalanceError, Outcome, fitted, optimise};
@@ -32,6 +32,13 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.engine;
+    if published::asked_for(arguments)? {
+        let answer = published::fit(engine, arguments)?;
+        return match put_into_file(&opened, arguments, &answer.fitted, colour)? {
+            true => Ok(DONE),
+            false => published::tell(&opened, arguments, &answer),
+        };
+    }
     let task = balance_task(engine, arguments)?;
     if matches!(arguments.table, Some(BalanceTable::Orders | BalanceTable::Proof)) && task.cancel.is_empty() {
         return Err(Failure::input(

@@ -4,6 +4,7 @@ pub mod balance;
 pub mod check;
 pub mod loads;
 pub mod new;
+pub mod published;
 pub mod report;
 pub mod schema;
 pub mod search;

@@ -1,0 +1,53 @@
+//! The options of the published methods of `balance`.
+
+use clap::{Args, ValueEnum};
+
+/// Shafts of the matrix method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MatrixShafts {
+    /// First and second order.
+    Both,
+    /// First order alone.
+    First,
+    /// Second order alone.
+    Second,
+    /// None.
+    None,
+}
+
+/// Choices of a published method.
+#[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Published methods")]
+pub struct PublishedArguments {
+    /// matrix: webs with a counterweight, 1 or 0 for each from the free end; default: all.
+    #[arg(long, value_name = "PATTERN")]
+    pub webs: Option<String>,
+    /// matrix: turn of the counterweights out of the line of their throw; default: the one that leaves the least.
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub alpha: Option<String>,
+    /// matrix: distance of the counterweights' centre of gravity from the crank axis; default: the crank radius.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub counterweight_radius: Option<String>,
+    /// matrix: which pairs of balance shafts; default: both.
+    #[arg(long, value_enum)]
+    pub shafts: Option<MatrixShafts>,
+    /// matrix: no first-order shaft that turns with the crank; heavier counterweights take its share.
+    #[arg(long)]
+    pub first_on_crank: bool,
+    /// matrix: distance of the shaft weights' centre of gravity from their axis; default: that of the counterweights.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub shaft_radius: Option<String>,
+    /// matrix, half: distance of the two weights of a shaft; default: that of the outermost throws.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub shaft_length: Option<String>,
+    /// matrix, half: distance of the shafts from the crank axis, along y to both sides, twice as far for the second order
+    /// of the matrix method; default: 100 mm.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub shaft_distance: Option<String>,
+    /// half: share of the reciprocating masses that the counterweights take; default: the rule of the engine, or 50 %.
+    #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
+    pub balance_factor: Option<String>,
+    /// matrix, half: with what the source prints wrongly: the V engine's shafts, the phase of the three's balancer.
+    #[arg(long)]
+    pub as_printed: bool,
+}
