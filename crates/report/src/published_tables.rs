@@ -65,7 +65,7 @@ pub fn method_orders_table(answer: &MethodAnswer) -> Table {
     let noise = |at: usize| {
         let pair = [at & 2, (at & 2) + 1];
         let all = orders.iter().flat_map(|o| pair.map(|p| o.without[p].max(o.method[p]).max(o.optimum[p])));
-        1e-9 * all.fold(0.0, f64::max).max(1e-3)
+        1e-9 * all.fold(0.0, f64::max).max(1e3)
     };
     let cells = |of: fn(&OrderLeft) -> [f64; 4]| -> Vec<Cell> {
         rows.iter()
