@@ -122,6 +122,35 @@ fn bad_input_says_what_to_do() {
         let said = run(2, &arguments).1;
         assert!(said.contains(says) && said.contains("hint:"), "{arguments:?}\n{said}");
     }
+    // What a sheet alone looks right, and its engine or its metal does not allow.
+    let changed = |name: &str, from: &str, to: &str| {
+        let text = fs::read_to_string(sheets().join(name)).unwrap();
+        assert!(text.contains(from), "{from}");
+        let engines = format!("engine = \"{}/", sheets().join("engines").display());
+        let text = text.replace(from, to).replace("engine = \"engines/", &engines);
+        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("changed-sheet.toml");
+        fs::write(&file, text).unwrap();
+        file.display().to_string()
+    };
+    let (v8, v6, slugs) = ("v8-bobweight.toml", "v6-90-odd-bobweight.toml", "v8-slugs.toml");
+    for (command, name, from, to, says) in [
+        ("bobweight", v8, "pins = 4", "pins = 5", "stands for throw 5, but the engine has 4"),
+        ("bobweight", v8, "pins = 4", "pins = 3", "throw 4 of the engine needs a pin in the sheet"),
+        ("bobweight", v8, "rods = 2", "rods = 1", "with 2 rods in the engine, got 1 rods"),
+        ("bobweight", v6, "throw = 3", "throw = 4", "throw 3 of the engine needs a pin in the sheet"),
+        ("bobweight", v8, "pins = 4", "reciprocating_share = 50\npins = 4", "must be from 0 to 2, got 50"),
+        ("bobweight", v8, "v8-crossplane.toml", "v9.toml", "v9.toml"),
+        ("internal", slugs, "rim = \"86 mm\"", "rim = \"80 mm\"", "rim radius [m] of the slugs"),
+        ("internal", slugs, "17 g/cm3", "7 g/cm3", "above that of the crank"),
+        ("internal", slugs, "17 g/cm3", "170 g/cm3", "that of osmium"),
+        ("internal", slugs, "radius = \"68 mm\"", "radius = \"20 mm\"", "at most the radius of its axis"),
+        ("internal", slugs, "radius = \"68 mm\"\n", "", "z and radius of plane"),
+        ("internal", slugs, "199.5 mm", "0 mm", "different from 0"),
+        ("internal", slugs, "sector = \"100 deg\"", "sector = \"200 deg\"", "from 0 to pi"),
+    ] {
+        let said = run(2, &[command, &changed(name, from, to)]).1;
+        assert!(said.contains(says) && said.contains("hint:"), "{from} -> {to}\n{said}");
+    }
     // Two definitions at once are refused by the command line itself.
     run(2, &["factor", &v8, "--least-peak", "--total-share", "0.7"]);
 }

@@ -99,7 +99,7 @@ const POUND: f64 = 0.453_592_37;
 const INCH: f64 = 0.0254;
 const STANDARD_GRAVITY: f64 = 9.806_65;
 
-static UNITS: [Unit; 48] = {
+static UNITS: [Unit; 49] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -122,6 +122,7 @@ static UNITS: [Unit; 48] = {
         unit(Unbalance, "kg mm", -3, 1.0),
         unit(Unbalance, "g mm", -6, 1.0),
         unit(Unbalance, "g cm", -5, 1.0),
+        unit(Unbalance, "g in", -3, INCH),
         unit(Unbalance, "oz in", 0, POUND / 16.0 * INCH),
         unit(Unbalance, "lb in", 0, POUND * INCH),
         unit(Inertia, "kg m2", 0, 1.0),

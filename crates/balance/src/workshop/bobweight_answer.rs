@@ -45,6 +45,8 @@ pub struct BobweightComparison {
     pub ways: Vec<ComparedBalance>,
     /// Proved for the optimum: no weights at the ends of the crank have a smaller peak force [N] than this.
     pub force_bound: f64,
+    /// Proved alike: none that reach that peak force have a smaller peak couple [N m].
+    pub couple_bound: f64,
 }
 
 /// A bobweight sheet worked out.
@@ -202,7 +204,9 @@ fn choices(share: f64, sheet: &BobweightSheet, effect: &FactorEffect) -> Vec<Fac
     if let (Some(best), Some(_)) = (effect.least_peak(), sheet.reciprocating_share) {
         found.push(choice("least peak".to_owned(), best));
     }
-    for plane in effect.one_plane().into_iter().flatten() {
+    // What turns backward by the scatter of the parts alone is not worth a share of its own.
+    let planes = effect.one_plane().filter(|_| effect.backward.norm() > SCATTER * effect.size);
+    for plane in planes.into_iter().flatten() {
         let direction = plane.direction.to_degrees();
         let along = match direction {
             d if d.abs() < 0.05 => "along x".to_owned(),
@@ -286,8 +290,14 @@ fn compare(
         })
         .collect();
     ways.push(peaks(&without, "optimum: two weights at the ends of the crank")?);
-    let force_bound = answer.stages.first().map_or(0.0, |stage| stage.lower_bound);
-    Ok(BobweightComparison { speed: engine.speed.highest, ways, force_bound })
+    // Rounding may put a bound a hair below nothing.
+    let bound = |stage: usize| answer.stages.get(stage).map_or(0.0, |stage| stage.lower_bound.max(0.0));
+    Ok(BobweightComparison {
+        speed: engine.speed.highest,
+        ways,
+        force_bound: bound(0),
+        couple_bound: bound(1),
+    })
 }
 
 /// Free weights at the ends of every crankshaft: on the outermost webs, or in the planes of the outermost throws.

@@ -18,7 +18,7 @@
 
 use super::error::WorkshopError;
 use super::plane::{Plane, PlaneUnbalance, in_two_planes};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Rotation};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -101,8 +101,12 @@ pub struct CrankUnbalance {
     pub engine: String,
     /// Name of the crankshaft.
     pub crankshaft: String,
-    /// What it is made of.
-    pub parts: Vec<PlaneUnbalance>,
+    /// Sense of rotation, for pictures.
+    pub rotation: Rotation,
+    /// Throws and bobweights.
+    pub throws: Vec<PlaneUnbalance>,
+    /// Counterweights of the file.
+    pub counterweights: Vec<PlaneUnbalance>,
     /// Static unbalance [kg m].
     pub static_unbalance: Complex64,
     /// Couple unbalance about the origin [kg m^2].
@@ -126,7 +130,8 @@ pub fn crank_unbalance(
     planes: &[Plane; 2],
     body: Option<CrankBody>,
 ) -> Result<CrankUnbalance, WorkshopError> {
-    let parts = crank_parts(engine, crankshaft, bobweights)?;
+    let [throws, counterweights] = crank_parts(engine, crankshaft, bobweights)?;
+    let parts = [throws.as_slice(), &counterweights].concat();
     let static_unbalance: Complex64 = parts.iter().map(|p| p.unbalance).sum();
     let couple_unbalance: Complex64 = parts.iter().map(|p| p.z * p.unbalance).sum();
     // What every part brings, without the cancelling: rounding is small beside it.
@@ -139,18 +144,20 @@ pub fn crank_unbalance(
         body: body
             .map(|body| body_state(body, static_unbalance, couple_unbalance, size, &parts))
             .transpose()?,
-        parts,
+        rotation: engine.rotation,
+        throws,
+        counterweights,
         static_unbalance,
         couple_unbalance,
     })
 }
 
-/// Throws, bobweights and counterweights of a crankshaft, in its own frame.
+/// Throws with bobweights, and counterweights, of a crankshaft, in its own frame.
 pub(super) fn crank_parts(
     engine: &Engine,
     crankshaft: usize,
     bobweights: &[f64],
-) -> Result<Vec<PlaneUnbalance>, WorkshopError> {
+) -> Result<[Vec<PlaneUnbalance>; 2], WorkshopError> {
     if crankshaft >= engine.crankshafts.len() {
         return Err(WorkshopError::Impossible {
             what: format!(
@@ -167,7 +174,7 @@ pub(super) fn crank_parts(
             hint: "give one bobweight for all throws, or one for each",
         });
     }
-    let mut parts = Vec::new();
+    let mut throws = Vec::new();
     for (index, throw) in engine.throws.iter().enumerate().filter(|(_, t)| t.crankshaft == crankshaft) {
         let bob = bobweights[index];
         if !(bob >= 0.0 && bob.is_finite()) {
@@ -182,17 +189,20 @@ pub(super) fn crank_parts(
         let turn = Complex64::cis(throw.angle);
         let at =
             |name: String, unbalance: f64| PlaneUnbalance { name, z: throw.z, unbalance: unbalance * turn };
-        parts.push(at(format!("throw {}", index + 1), throw.unbalance));
-        parts.push(at(format!("bobweight {}", index + 1), bob * throw.radius));
+        throws.push(at(format!("throw {}", index + 1), throw.unbalance));
+        throws.push(at(format!("bobweight {}", index + 1), bob * throw.radius));
     }
-    for weight in engine.counterweights.iter().filter(|w| w.crankshaft == crankshaft) {
-        parts.push(PlaneUnbalance {
+    let counterweights = engine
+        .counterweights
+        .iter()
+        .filter(|weight| weight.crankshaft == crankshaft)
+        .map(|weight| PlaneUnbalance {
             name: format!("counterweight {}", weight.name),
             z: weight.z,
             unbalance: Complex64::from_polar(weight.unbalance, weight.angle),
-        });
-    }
-    Ok(parts)
+        })
+        .collect();
+    Ok([throws, counterweights])
 }
 
 /// Parts below this share of all count as none.

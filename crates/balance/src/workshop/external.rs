@@ -55,7 +55,7 @@ pub fn external_balance(
     for weight in &mut engine.counterweights {
         weight.unbalance *= kept_share;
     }
-    let parts = crank_parts(&engine, crankshaft, bobweights)?;
+    let parts = crank_parts(&engine, crankshaft, bobweights)?.concat();
     let size: f64 = parts.iter().map(|p| p.unbalance.norm()).sum();
     let mut weights = in_two_planes(&parts, planes)?;
     for weight in &mut weights {

@@ -33,6 +33,8 @@ pub struct InternalBalance {
     pub reached: bool,
     /// Static unbalance that is left where they have not [kg m].
     pub static_left: Complex64,
+    /// Couple unbalance about z = 0 that is left [kg m^2].
+    pub couple_left: Complex64,
 }
 
 /// Slugs for the sheet's first two planes that take over from its external weights.
@@ -87,17 +89,23 @@ pub fn internal_balance(sheet: &Sheet) -> Result<InternalBalance, WorkshopError>
             rim: room.rim,
             sector: room.sector,
         };
-        let plan = slug_plan(&plane.name, wanted[index].unbalance, &slug)?;
+        let allowed = &sheet.planes[index].allowed;
+        let plan = slug_plan(&plane.name, wanted[index].unbalance, allowed, &slug)?;
         Ok::<_, WorkshopError>(InternalPlane { name: plane.name.clone(), z: plane.z, plan })
     };
     let planes = [plan(0)?, plan(1)?];
     let reached = planes.iter().all(|plane| plane.plan.reached);
-    let left: Complex64 = planes.iter().map(|plane| plane.plan.wanted - plane.plan.gained).sum();
+    // Rounding is no unbalance.
+    let left = |plane: &InternalPlane| match plane.plan.reached {
+        true => Complex64::ZERO,
+        false => plane.plan.wanted - plane.plan.gained,
+    };
     Ok(InternalBalance {
         version: super::WORKSHOP_VERSION,
         name: sheet.name.clone(),
         externals,
-        static_left: if reached { Complex64::ZERO } else { left },
+        static_left: planes.iter().map(left).sum(),
+        couple_left: planes.iter().map(|plane| plane.z * left(plane)).sum(),
         planes,
         reached,
     })
@@ -132,6 +140,19 @@ mod tests {
         let on: Complex64 = got.planes.iter().map(|p| p.plan.gained * p.z).sum();
         assert!((off - on).norm() < 1e-15);
         assert_eq!(got.planes.iter().map(|p| p.plan.directions.len()).collect::<Vec<_>>(), [2, 2]);
+    }
+
+    /// Slugs of 9 mm have not room for all: what is left in the two planes is the rest, by sum and by moment.
+    #[test]
+    fn what_has_no_room_is_left() {
+        let got = internal_balance(&sheet(&SHEET.replace("25.4 mm", "9 mm"))).unwrap();
+        assert!(!got.reached);
+        let off: Complex64 = got.externals.iter().map(|e| e.unbalance).sum();
+        let on: Complex64 = got.planes.iter().map(|p| p.plan.gained).sum();
+        assert!((off - on - got.static_left).norm() < 1e-15 && got.static_left.norm() > 1e-5);
+        let off: Complex64 = got.externals.iter().map(|e| e.unbalance * e.z).sum();
+        let on: Complex64 = got.planes.iter().map(|p| p.plan.gained * p.z).sum();
+        assert!((off - on - got.couple_left).norm() < 1e-15 && got.couple_left.norm() > 1e-5);
     }
 
     #[test]

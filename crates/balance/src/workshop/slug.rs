@@ -10,10 +10,15 @@
 //! | d, L       | diameter and length of the slug                   | m     |
 //! | R          | distance of its axis from the crank axis          | m     |
 
+use super::allowed::is_allowed;
 use super::error::WorkshopError;
+use lanchester_model::workshop::Allowed;
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_4, PI};
+
+/// Density of the densest metal, osmium [kg/m^3] (CRC Handbook of Chemistry and Physics: 22.59 g/cm3), rounded up.
+const DENSEST: f64 = 22_600.0;
 
 /// Slugs that may be set into one counterweight.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -86,6 +91,14 @@ impl Slug {
                 "tungsten heavy metal has 17000 to 18500 kg/m3; for lighter, drill a hole instead",
             );
         }
+        if self.density > DENSEST {
+            return refuse(
+                "density [kg/m3]",
+                format!("at most {DENSEST}, that of osmium"),
+                self.density,
+                "tungsten heavy metal has 17000 to 18500 kg/m3, written \"17 g/cm3\"",
+            );
+        }
         if !(self.land >= 0.0 && self.land.is_finite()) {
             return refuse("land [m]", "not negative".into(), self.land, "2 to 4 mm is usual");
         }
@@ -139,12 +152,17 @@ pub struct SlugPlan {
     pub reached: bool,
 }
 
-/// The fewest slugs that gain `wanted` in the counterweight `plane`, all of one length; as many as fit at their
-/// longest where that is not enough.
+/// The fewest slugs that gain `wanted` in the counterweight `plane`, all of one length, side by side about its direction
+/// and all at angles that may be used; as many as fit at their longest where that is not enough.
 ///
 /// # Errors
 /// [`WorkshopError`] for slugs that cannot be.
-pub fn slug_plan(plane: &str, wanted: Complex64, slug: &Slug) -> Result<SlugPlan, WorkshopError> {
+pub fn slug_plan(
+    plane: &str,
+    wanted: Complex64,
+    allowed: &Allowed,
+    slug: &Slug,
+) -> Result<SlugPlan, WorkshopError> {
     slug.check(plane)?;
     let gain_of_one = slug.gain(slug.longest);
     let amount = wanted.norm();
@@ -153,16 +171,17 @@ pub fn slug_plan(plane: &str, wanted: Complex64, slug: &Slug) -> Result<SlugPlan
         (0..count).map(move |k| (k as f64 - middle) * pitch)
     };
     let effect = |count: usize| offsets(count).map(f64::cos).sum::<f64>();
+    let direction = wanted.arg();
     // Beyond a quarter turn to either side another slug takes away.
-    let fits: Vec<usize> =
-        (1..=slug.most()).filter(|n| offsets(*n).all(|beta| beta.abs() < 0.5 * PI)).collect();
+    let fits: Vec<usize> = (1..=slug.most())
+        .filter(|n| offsets(*n).all(|beta| beta.abs() < 0.5 * PI && is_allowed(allowed, direction + beta)))
+        .collect();
     let fewest = fits.iter().copied().find(|&n| gain_of_one * effect(n) >= amount * (1.0 - 1e-12));
     let (count, length) = match (amount > 0.0, fewest) {
         (false, _) => (0, 0.0),
         (true, Some(n)) => (n, slug.longest * (amount / (gain_of_one * effect(n))).min(1.0)),
         (true, None) => (fits.last().copied().unwrap_or(0), slug.longest),
     };
-    let direction = wanted.arg();
     let directions: Vec<f64> = offsets(count).map(|beta| direction + beta).collect();
     let gained = directions.iter().map(|d| Complex64::from_polar(slug.gain(length), *d)).sum();
     Ok(SlugPlan {
@@ -216,27 +235,44 @@ mod tests {
 
     #[test]
     fn one_two_and_too_many() {
-        let one = slug_plan("front", Complex64::new(-0.0035, 0.0), &SLUG).unwrap();
+        let one = slug_plan("front", Complex64::new(-0.0035, 0.0), &Allowed::Any, &SLUG).unwrap();
         assert_eq!((one.directions.len(), one.reached), (1, true));
         assert!((one.length - 0.022 * 0.0035 / SLUG.gain(0.022)).abs() < 1e-12);
         // Two stand half a pitch to either side: 2 R sin(a/2) = 28.4 mm.
-        let two = slug_plan("front", Complex64::new(0.0, 0.012), &SLUG).unwrap();
+        let two = slug_plan("front", Complex64::new(0.0, 0.012), &Allowed::Any, &SLUG).unwrap();
         assert_eq!(two.directions.len(), 2);
         let apart =
             Complex64::from_polar(0.07, two.directions[0]) - Complex64::from_polar(0.07, two.directions[1]);
         assert!((apart.norm() - 0.0284).abs() < 1e-12);
         assert!((two.gained - two.wanted).norm() < 1e-15);
-        let full = slug_plan("front", Complex64::new(0.1, 0.0), &SLUG).unwrap();
+        let full = slug_plan("front", Complex64::new(0.1, 0.0), &Allowed::Any, &SLUG).unwrap();
         assert!(!full.reached && full.length == 0.022 && full.directions.len() == 4, "{full:?}");
         assert!(full.gained.norm() < 0.1);
-        let none = slug_plan("front", Complex64::ZERO, &SLUG).unwrap();
+        let none = slug_plan("front", Complex64::ZERO, &Allowed::Any, &SLUG).unwrap();
         assert!(none.directions.is_empty() && none.reached);
+    }
+
+    /// The counterweight spans 150 to 210 deg: two slugs 23.4 deg apart fit about 180 deg, one about 155 deg, none about 90.
+    #[test]
+    fn slugs_stay_where_there_is_metal() {
+        let web =
+            Allowed::Some { angles: Vec::new(), sectors: vec![[150f64.to_radians(), 210f64.to_radians()]] };
+        let at = |degrees: f64, amount| {
+            let wanted = Complex64::from_polar(amount, degrees.to_radians());
+            slug_plan("front", wanted, &web, &SLUG).unwrap()
+        };
+        assert_eq!((at(180.0, 0.012).directions.len(), at(180.0, 0.012).reached), (2, true));
+        assert_eq!((at(155.0, 0.012).directions.len(), at(155.0, 0.012).reached), (1, false));
+        assert_eq!((at(90.0, 0.001).directions.len(), at(90.0, 0.001).reached), (0, false));
+        assert_eq!(at(90.0, 0.001).gained, Complex64::ZERO);
     }
 
     #[test]
     fn slugs_that_cannot_be() {
-        let refused = |slug: Slug| slug_plan("front", Complex64::ONE, &slug).unwrap_err().to_string();
+        let refused =
+            |slug: Slug| slug_plan("front", Complex64::ONE, &Allowed::Any, &slug).unwrap_err().to_string();
         assert!(refused(Slug { density: 7_000.0, ..SLUG }).contains("above that of the crank"));
+        assert!(refused(Slug { density: 170_000.0, ..SLUG }).contains("that of osmium"));
         assert!(refused(Slug { rim: 0.08, ..SLUG }).contains("rim radius [m] of the slugs of `front`"));
         assert!(refused(Slug { radius: 0.02, ..SLUG }).contains("at most the radius of its axis"));
         assert!(refused(Slug { longest: 0.0, ..SLUG }).contains("longest length [m]"));
@@ -250,13 +286,13 @@ mod tests {
         fn prop_gains_what_is_wanted(amount in 1e-5f64..0.03, direction in -3.0f64..3.0, d in 0.01f64..0.03) {
             let slug = Slug { diameter: d, ..SLUG };
             let wanted = Complex64::from_polar(amount, direction);
-            let plan = slug_plan("front", wanted, &slug).unwrap();
+            let plan = slug_plan("front", wanted, &Allowed::Any, &slug).unwrap();
             if plan.reached {
                 prop_assert!((plan.gained - wanted).norm() < 1e-12 * amount.max(1e-3));
                 prop_assert!(plan.length <= slug.longest);
                 if let [first, second, ..] = plan.directions[..] {
                     let room = (plan.directions.len() - 2) as f64 * (second - first).abs();
-                    let fewer = slug_plan("front", wanted, &Slug { sector: room, ..slug }).unwrap();
+                    let fewer = slug_plan("front", wanted, &Allowed::Any, &Slug { sector: room, ..slug }).unwrap();
                     prop_assert!(!fewer.reached && fewer.directions.len() + 1 == plan.directions.len());
                 }
             } else {

@@ -98,6 +98,9 @@ pub struct CrankArguments {
     /// Two planes, `name=z, name=z`; default: those of the sheet, or the outermost webs.
     #[arg(long, value_name = "PLANES", allow_hyphen_values = true)]
     pub planes: Option<String>,
+    /// Draw what the crank carries along its length, and what is left, into this SVG file.
+    #[arg(long, value_name = "FILE")]
+    pub figure: Option<PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,

@@ -116,7 +116,8 @@ impl<'a> Reader<'a> {
         }
         if parts.is_none() && !parts_broken && !root.has("pin") {
             let hint = "add [parts] with big_end = \"460 g\", small_end = \"170 g\", piston = \"560 g\"";
-            self.missing(0..0, "[parts] is missing".into(), hint.into());
+            let place = section.map_or(0..0, |section| section.span.clone());
+            self.missing(place, "[parts] is missing".into(), hint.into());
             return None;
         }
         if broken || parts_broken {

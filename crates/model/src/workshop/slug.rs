@@ -52,8 +52,8 @@ impl<'a> Reader<'a> {
 
     fn external(&mut self, section: &'a Section) -> Option<External> {
         let name = self.required(section, "name", section.text("name"));
-        let [z, unbalance, angle] =
-            ["z", "unbalance", "angle"].map(|key| self.required(section, key, section.number(key)));
+        let [z, angle] = ["z", "angle"].map(|key| self.required(section, key, section.number(key)));
+        let unbalance = self.weight_unbalance(section);
         Some(External { name: name?, z: z?, unbalance: unbalance?, angle: angle? })
     }
 

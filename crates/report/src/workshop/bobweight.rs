@@ -38,8 +38,9 @@ pub fn bobweight_text(answer: &BobweightAnswer) -> String {
     }
     if let Some(comparison) = &answer.comparison {
         out += &format!(
-            "  proved: no two weights there have a smaller peak force than {} N\n",
-            number::terminal(comparison.force_bound, number::decimals(comparison.force_bound, 5))
+            "  proved: no two weights there have a smaller peak force than {} N, and none with that force a smaller peak couple than {} N m\n",
+            number::terminal(comparison.force_bound, number::decimals(comparison.force_bound, 5)),
+            number::terminal(comparison.couple_bound, number::decimals(comparison.couple_bound, 5))
         );
     }
     out

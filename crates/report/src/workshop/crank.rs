@@ -1,6 +1,6 @@
 //! Unbalance of a crank with its bobweights, weights outside and slugs inside, as tables.
 
-use super::mass::unbalance;
+use super::mass::{on_rotor, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::{
@@ -8,19 +8,30 @@ use lanchester_balance::workshop::{
 };
 use num_complex::Complex64;
 
-fn of_planes(id: &'static str, title: &str, head: &str, planes: &[PlaneUnbalance], noise: f64) -> Table {
+/// Which circle the angles of an engine's crank stand on.
+const OF_THE_CRANK: &str = "Angles count on the crankshaft, from +x at theta = 0 in the sense of rotation.";
+/// The same for a sheet alone.
+const OF_THE_SHEET: &str = "Angles count as in the sheet.";
+
+fn of_planes(
+    id: &'static str,
+    title: &str,
+    head: &str,
+    planes: &[PlaneUnbalance],
+    (noise, note): (f64, &str),
+) -> Table {
     let rows = planes
         .iter()
         .map(|plane| {
             let mut row = vec![Cell::text(&plane.name), millimetres(plane.z)];
-            row.extend(unbalance(plane.unbalance, noise));
+            row.extend(on_rotor(plane.unbalance, noise));
             row
         })
         .collect();
     Table {
         id,
         title: title.to_owned(),
-        note: "Angles count on the crankshaft, from +x at theta = 0 in the sense of rotation.".to_owned(),
+        note: note.to_owned(),
         remark: String::new(),
         columns: vec![
             Column::words(head),
@@ -37,23 +48,33 @@ fn millimetres(z: f64) -> Cell {
 }
 
 /// What is below a billionth of the parts is rounding.
-fn noise(parts: &[PlaneUnbalance]) -> f64 {
-    1e-9 * parts.iter().map(|part| part.unbalance.norm()).sum::<f64>()
+pub(super) fn noise(answer: &CrankUnbalance) -> f64 {
+    1e-9 * parts(answer).iter().map(|part| part.unbalance.norm()).sum::<f64>()
+}
+
+fn parts(answer: &CrankUnbalance) -> Vec<PlaneUnbalance> {
+    [answer.throws.as_slice(), &answer.counterweights].concat()
 }
 
 /// Parts, and the dynamic unbalance in two planes.
 pub fn crank_tables(answer: &CrankUnbalance) -> Vec<Table> {
-    let noise = noise(&answer.parts);
+    let noise = noise(answer);
     vec![
-        of_planes("crank-parts", "What the crank carries", "part", &answer.parts, noise),
-        of_planes("crank-planes", "Dynamic unbalance: as two", "plane", &answer.planes, noise),
+        of_planes("crank-parts", "What the crank carries", "part", &parts(answer), (noise, OF_THE_CRANK)),
+        of_planes(
+            "crank-planes",
+            "Dynamic unbalance: as two",
+            "plane",
+            &answer.planes,
+            (noise, OF_THE_CRANK),
+        ),
     ]
 }
 
 /// Static, couple and dynamic unbalance for a terminal.
 pub fn crank_text(answer: &CrankUnbalance) -> String {
-    let length = answer.parts.iter().fold(0.0f64, |m, p| m.max(p.z.abs()));
-    let noise = noise(&answer.parts);
+    let length = parts(answer).iter().fold(0.0f64, |m, p| m.max(p.z.abs()));
+    let noise = noise(answer);
     let mut out = format!("{}: unbalance of {} with bobweights\n", answer.engine, answer.crankshaft);
     for table in crank_tables(answer) {
         out += "\n";
@@ -62,6 +83,9 @@ pub fn crank_text(answer: &CrankUnbalance) -> String {
     out += "\n";
     out += &line("static unbalance", answer.static_unbalance, 1e6, "g mm", noise);
     out += &line("couple unbalance about z = 0", answer.couple_unbalance, 1e6, "kg mm2", noise * length);
+    if answer.couple_unbalance.norm() > noise * length {
+        out += "  (the sum of z times unbalance: it points where its half at the larger z does)\n";
+    }
     if let Some(body) = &answer.body {
         out += &body_text(body, noise);
     }
@@ -87,13 +111,13 @@ fn line(what: &str, value: Complex64, factor: f64, unit: &str, noise: f64) -> St
     format!(
         "{what:<40}{} {unit} at {} deg\n",
         number::terminal(amount, number::decimals(amount, 4)),
-        number::plain(number::phase_degrees(value.arg()), 1)
+        number::plain(rotor_degrees(value.arg()), 1)
     )
 }
 
 /// Weights that flywheel and damper must carry.
 pub fn external_tables(answer: &ExternalBalance) -> Vec<Table> {
-    vec![of_planes("external-weights", "Weights outside", "plane", &answer.weights, 0.0)]
+    vec![of_planes("external-weights", "Weights outside", "plane", &answer.weights, (0.0, OF_THE_CRANK))]
 }
 
 /// Internal to external balance for a terminal.
@@ -122,16 +146,20 @@ pub fn internal_tables(answer: &InternalBalance) -> Vec<Table> {
         .map(|plane| {
             let plan = &plane.plan;
             let directions: Vec<String> =
-                plan.directions.iter().map(|d| number::plain(number::phase_degrees(*d), 1)).collect();
+                plan.directions.iter().map(|d| number::plain(rotor_degrees(*d), 1)).collect();
             let mut row = vec![Cell::text(&plane.name), millimetres(plane.z)];
-            row.extend(unbalance(plan.wanted, 0.0));
+            row.extend(on_rotor(plan.wanted, 0.0));
             row.extend([
                 Cell::Number { value: plan.directions.len() as f64, decimals: 0 },
                 Cell::Number { value: 1e3 * plan.length, decimals: 2 },
                 Cell::text(directions.join(", ")),
                 Cell::number(1e6 * plan.gained.norm(), 4),
                 Cell::Number { value: 1e3 * plan.added_mass, decimals: 1 },
-                Cell::text(if plan.reached { "all of it" } else { "not enough room" }),
+                Cell::text(match (plan.reached, plan.directions.is_empty()) {
+                    (true, _) => "all of it",
+                    (false, true) => "no room at this angle",
+                    (false, false) => "not enough room",
+                }),
             ]);
             row
         })
@@ -148,7 +176,8 @@ pub fn internal_tables(answer: &InternalBalance) -> Vec<Table> {
         Column::numbers("added mass", "g"),
         Column::words("gains"),
     ];
-    let note = "All slugs of a counterweight have one length.".to_owned();
+    let note = "All slugs of a counterweight have one length; their axes stand on the radius of the plane."
+        .to_owned();
     let slugs = Table {
         id: "internal-slugs",
         title: "Slugs inside".to_owned(),
@@ -157,7 +186,16 @@ pub fn internal_tables(answer: &InternalBalance) -> Vec<Table> {
         columns,
         rows,
     };
-    vec![of_planes("internal-externals", "Weights that come off", "weight", &answer.externals, 0.0), slugs]
+    vec![
+        of_planes(
+            "internal-externals",
+            "Weights that come off",
+            "weight",
+            &answer.externals,
+            (0.0, OF_THE_SHEET),
+        ),
+        slugs,
+    ]
 }
 
 /// External to internal balance for a terminal.
@@ -186,6 +224,7 @@ pub fn internal_text(answer: &InternalBalance) -> String {
     if !answer.reached {
         out += "the counterweights have not enough room: larger, denser or more slugs, or some weight stays outside\n";
         out += &line("static unbalance left", answer.static_left, 1e6, "g mm", 0.0);
+        out += &line("couple unbalance left about z = 0", answer.couple_left, 1e6, "kg mm2", 0.0);
     }
     out
 }

@@ -5,11 +5,11 @@ use super::refused;
 use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
-use crate::files::print;
+use crate::files::{print, write_result};
 use crate::workshop_arguments::CrankArguments;
 use lanchester::balance::workshop::crank_unbalance;
 use lanchester::report::Table;
-use lanchester::report::workshop::{crank_tables, crank_text};
+use lanchester::report::workshop::{crank_figure, crank_tables, crank_text};
 
 pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
     let crank = crank(&arguments.crank, colour)?;
@@ -17,6 +17,9 @@ pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
     let body = crank.body()?;
     let answer = crank_unbalance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, body)
         .map_err(refused)?;
+    if let Some(path) = &arguments.figure {
+        write_result(path, &arguments.crank.engine, &crank_figure(&answer).svg())?;
+    }
     print(&match arguments.format {
         Format::Text => crank_text(&answer),
         Format::Json => json(&answer)?,

@@ -120,8 +120,22 @@ pub(super) static EXTERNAL: Table = Table {
     keys: &[
         key("name", Kind::Text(200), Required, "What carries it.", "\"damper\""),
         quantity("z", Length, Any, "Where along the shaft; needed.", "\"-250 mm\""),
-        quantity("unbalance", Unbalance, NotNegative, "Mass times radius; needed.", "\"12 kg mm\""),
-        quantity("angle", Angle, Any, "Where it stands on the rotor; needed.", "\"135 deg\""),
+        quantity("unbalance", Unbalance, NotNegative, "Mass times radius.", "\"28 oz in\""),
+        quantity("mass", Mass, NotNegative, "Its mass, instead of `unbalance`; needs `radius`.", "\"180 g\""),
+        quantity(
+            "radius",
+            Length,
+            Positive,
+            "Distance of its centre of gravity from the shaft's axis.",
+            "\"75 mm\"",
+        ),
+        quantity(
+            "angle",
+            Angle,
+            Any,
+            "Where its heavy side stands on the rotor; needed. A hole is heavy on the other side.",
+            "\"135 deg\"",
+        ),
     ],
 };
 
