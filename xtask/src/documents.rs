@@ -11,7 +11,7 @@ use std::process::Command;
 ///
 /// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. `toml,file=NAME` is a file of
 /// that name, engine or not, and `toml,append=NAME` goes to its end. A `text,says` block quotes a part of what the last
-/// `lanchester` line of the `sh` blocks above it prints; `text,says-COMMAND` what that command says of the engine file
+/// `lanchester` line of the `sh` blocks above it prints, which finds shipped examples at `examples/...`; `text,says-COMMAND` what that command says of the engine file
 /// above it.
 pub fn engines(program: &Path) -> Result<String> {
     let (mut shown, mut quoted) = (0, 0);
@@ -66,8 +66,8 @@ pub fn engines(program: &Path) -> Result<String> {
                         None => {
                             let line =
                                 last_command.as_deref().with_context(|| format!("{place}: who says?"))?;
-                            let words = arguments(line);
-                            said(&words.iter().skip(1).map(String::as_str).collect::<Vec<_>>())?
+                            let words: Vec<String> = arguments(line).iter().skip(1).map(shipped).collect();
+                            said(&words.iter().map(String::as_str).collect::<Vec<_>>())?
                         }
                     };
                     let said = words(&said);
@@ -81,6 +81,14 @@ pub fn engines(program: &Path) -> Result<String> {
     }
     ensure!(shown > 0 && quoted > 0, "the documents show no engine");
     Ok(format!("{shown} engine files, {quoted} quotations"))
+}
+
+/// A word of a command line, where it names a shipped example with its whole path.
+fn shipped(word: &String) -> String {
+    match word.starts_with("examples/") {
+        true => root().join(word).display().to_string(),
+        false => word.clone(),
+    }
 }
 
 /// The words of a command line, quoted ones whole, without a comment.
