@@ -131,6 +131,26 @@ mod tests {
         assert!((bob.mass - 2.0122).abs() < 1e-15, "{}", bob.mass);
     }
 
+    /// FordMuscle (J. Mikelonis), "Rotating Assembly", April 2008, table "Rotating Weight - Ford 400 Build": big end
+    /// 621.5 g, bearing 45 g, 666.5 g together, times two rods 1333 g; piston and pin weigh 639.5 g. Rings and small
+    /// end are invented (60 and 195 g): half of 2 * 894.5 g comes on top.
+    #[test]
+    fn lit_fordmuscle_2008_rotating_weight() {
+        let parts = CylinderParts {
+            big_end: 0.6215,
+            bearing: 0.045,
+            piston: 0.6395,
+            rings: 0.060,
+            small_end: 0.195,
+            ..CylinderParts::default()
+        };
+        let bob = bobweights(&sheet(parts, 2, 0.0), 0.5).unwrap().remove(0);
+        assert!((parts.rotating() - 0.6665).abs() < 1e-15);
+        // Printed in whole grams.
+        assert!((bob.rotating - 1.333).abs() < 1e-12);
+        assert!((bob.mass - (1.333 + 0.8945)).abs() < 1e-12);
+    }
+
     #[test]
     fn what_cannot_be_is_refused() {
         let refused = |sheet: &BobweightSheet| bobweights(sheet, 0.5).unwrap_err().to_string();
