@@ -11,8 +11,8 @@ use std::process::Command;
 ///
 /// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. `toml,file=NAME` is a file of
 /// that name, engine or not, and `toml,append=NAME` goes to its end. A `text,says` block quotes a part of what the last
-/// `lanchester` line of the `sh` blocks above it prints, which finds shipped examples at `examples/...`; `text,says-COMMAND` what that command says of the engine file
-/// above it.
+/// `lanchester` line of the `sh` blocks above it prints, which finds shipped examples at `examples/...`;
+/// `text,says-COMMAND` what that command says of the engine file above it.
 pub fn engines(program: &Path) -> Result<String> {
     let (mut shown, mut quoted) = (0, 0);
     for page in files()?.iter().filter(|file| *file == "README.md" || file.starts_with("docs/src/")) {
@@ -57,8 +57,8 @@ pub fn engines(program: &Path) -> Result<String> {
                     shown += 1;
                 }
                 ("sh", _) => {
-                    let ours = block.text.lines().filter(|line| line.starts_with("lanchester "));
-                    last_command = ours.last().map(str::to_owned).or(last_command);
+                    let mut ours = block.text.lines().filter(|line| line.starts_with("lanchester "));
+                    last_command = ours.next_back().map(str::to_owned).or(last_command);
                 }
                 ("text", _) if block.tag.starts_with("says") => {
                     let (_, said) = match block.tag.strip_prefix("says-") {
