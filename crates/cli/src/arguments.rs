@@ -81,6 +81,8 @@ pub enum Command {
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \
                             lanchester balance twin.toml --limit 'couple = 40 N m' --most '0.03 kg m'\n  \
                             lanchester balance twin.toml --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
+                            lanchester balance twin.toml --most-optional 1 --shaft '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m' \
+                            --shaft '1 @ 0 mm, -100 mm @ 0 mm @ optional, most 0.02 kg m'\n  \
                             lanchester balance twin.toml --cancel 'force order 1' --shaft '-1 @ 0 mm, 100 mm @ 0 mm'\n  \
                             lanchester balance twin.toml --dry-run\n  lanchester balance twin.toml --write\n  \
                             lanchester balance twin.toml --search --limit 'force = 5 kN' --figures figures\n  \
@@ -264,8 +266,18 @@ pub struct BalanceArguments {
     /// Largest unbalance of every free weight on the crankshaft.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
+    /// Least unbalance of every free weight on the crankshaft that is used.
+    #[arg(long, value_name = "UNBALANCE")]
+    pub least: Option<String>,
+    /// Every free weight on the crankshaft may be left out; needs `--most`, or `most` in the file.
+    #[arg(long)]
+    pub optional: bool,
+    /// Most of the optional weights, shafts and inertias that may be used at once.
+    #[arg(long, value_name = "N")]
+    pub most_optional: Option<usize>,
     /// One more free balance shaft: `RATIO @ x, y @ z` or `RATIO @ x, y @ z1, z2`; a ratio below 0 turns against the
-    /// crank. May be given several times.
+    /// crank. A coordinate may be a stretch to find it in, `50 mm .. 100 mm`; behind one more `@` may stand `optional`,
+    /// `least 0.01 kg m`, `most 0.02 kg m` with commas between. May be given several times.
     #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
     pub shaft: Vec<String>,
     /// Write the found weights into the engine file; comments and order stay.

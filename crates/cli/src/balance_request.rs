@@ -2,11 +2,9 @@
 
 use crate::arguments::{BalanceArguments, CrankWeights};
 use crate::failure::Failure;
+use crate::shaft_option::add_shaft;
 use lanchester::model::option::{self, BadQuantity};
-use lanchester::model::{
-    BalanceTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Phase, Place, Ratio, Seat, crank_weights,
-    default_task,
-};
+use lanchester::model::{BalanceTask, CrankWeightPlaces, Engine, Seat, crank_weights, default_task};
 
 /// The task behind the options.
 pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<BalanceTask, Failure> {
@@ -17,12 +15,7 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
     for text in &arguments.shaft {
         add_shaft(&mut task, text)?;
     }
-    if let Some(most) = &arguments.most {
-        let most = option::unbalance(most, "--most").map_err(refused)?;
-        for weight in task.weights.iter_mut().filter(|w| matches!(w.seat, Seat::Crankshaft(_))) {
-            weight.most = Some(most);
-        }
-    }
+    bound_crank_weights(&mut task, arguments)?;
     if !arguments.minimise.is_empty() {
         let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(refused);
         task.stages = arguments.minimise.iter().map(stage).collect::<Result<_, Failure>>()?;
@@ -47,6 +40,37 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         ));
     }
     Ok(task)
+}
+
+/// Bounds the weights on crankshafts, and says how many optional devices may be used.
+fn bound_crank_weights(task: &mut BalanceTask, arguments: &BalanceArguments) -> Result<(), Failure> {
+    let amount = |text: &Option<String>, option: &str| {
+        text.as_ref().map(|text| option::unbalance(text, option).map_err(refused)).transpose()
+    };
+    let (least, most) = (amount(&arguments.least, "--least")?, amount(&arguments.most, "--most")?);
+    let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
+    for (index, weight) in task.weights.iter_mut().enumerate() {
+        if !matches!(weight.seat, Seat::Crankshaft(_)) {
+            continue;
+        }
+        weight.most = most.or(weight.most);
+        // A follower does what its leader does.
+        if !followers.contains(&index) {
+            weight.least = least.unwrap_or(weight.least);
+            weight.optional |= arguments.optional;
+        }
+    }
+    let Some(most) = arguments.most_optional else { return Ok(()) };
+    let shafts = task.shafts.iter().any(|shaft| shaft.optional);
+    if !shafts && !task.weights.iter().any(|w| w.optional) && !task.inertias.iter().any(|i| i.optional) {
+        return Err(Failure::input(
+            "--most-optional counts optional devices, and nothing is optional",
+            "add --optional for the weights on the crank, or write a shaft like \
+             --shaft '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m'",
+        ));
+    }
+    task.most_optional = Some(most);
+    Ok(())
 }
 
 fn refused(bad: BadQuantity) -> Failure {
@@ -92,49 +116,4 @@ fn replace_crank_weights(
     }
     task.weights.extend(weights);
     Ok(())
-}
-
-/// `RATIO @ x, y @ z1, z2`
-fn add_shaft(task: &mut BalanceTask, text: &str) -> Result<(), Failure> {
-    let wrong =
-        |what: String| Failure::input(what, "write it like --shaft \"-1 @ 0 mm, 100 mm @ -40 mm, 40 mm\"");
-    let parts: Vec<&str> = text.split('@').map(str::trim).collect();
-    let [ratio, axis, planes] = parts[..] else {
-        return Err(wrong(format!("--shaft needs ratio @ x, y @ planes, got `{text}`")));
-    };
-    let ratio = ratio_of(ratio)
-        .ok_or_else(|| wrong(format!("--shaft needs a ratio such as -1 or 1/2, got `{ratio}`")))?;
-    let length = |text: &str| option::length(text.trim(), "--shaft").map_err(refused);
-    let axis: Vec<f64> = axis.split(',').map(length).collect::<Result<_, _>>()?;
-    let [x, y] = axis[..] else {
-        return Err(wrong(format!("--shaft needs the two coordinates x, y of its axis, got {}", axis.len())));
-    };
-    let planes: Vec<f64> = planes.split(',').map(length).collect::<Result<_, _>>()?;
-    let taken = |name: &str| task.shafts.iter().any(|s| s.name == name);
-    let name =
-        (1..).map(|n| format!("shaft {n}")).find(|name| !taken(name)).expect("invariant: numbers do not end");
-    let seat = Seat::Shaft(task.shafts.len());
-    for (k, z) in planes.iter().enumerate() {
-        task.weights.push(FreeWeight {
-            name: format!("{name} {}", k + 1),
-            seat,
-            z: Place::At(*z),
-            least: 0.0,
-            most: None,
-            phase: Phase::Free,
-            optional: false,
-            radius: None,
-        });
-    }
-    task.shafts.push(FreeShaft { name, ratio, x: Place::At(x), y: Place::At(y), optional: false });
-    Ok(())
-}
-
-fn ratio_of(text: &str) -> Option<Ratio> {
-    match text.split_once('/') {
-        Some((numerator, denominator)) => {
-            Ratio::new(numerator.trim().parse().ok()?, denominator.trim().parse().ok()?)
-        }
-        None => Ratio::whole(text.trim_start_matches('+').parse().ok()?),
-    }
 }

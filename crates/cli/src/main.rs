@@ -13,6 +13,7 @@ mod published_arguments;
 mod request;
 mod search_arguments;
 mod search_request;
+mod shaft_option;
 mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};

@@ -18,7 +18,7 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
     let mut out = String::with_capacity(4096);
     let rpm = number::terminal(answer.speed * 60.0 / TAU, 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
-    let _ = writeln!(out, "{}\n", method_words(&answer.method));
+    let _ = writeln!(out, "{}\n", method_words(answer));
     push_wrapped(&mut out, "", &headline(engine, answer));
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
         let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
@@ -90,6 +90,9 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
 /// Why limits cannot hold, and what would let them.
 fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64]) -> String {
     let limits = &answer.task.limits;
+    if let (true, Outcome::Infeasible { reason, .. }) = (limits.is_empty(), &answer.outcome) {
+        return format!("What is asked for contradicts itself: {reason}.");
+    }
     let mut out: String = limits
         .iter()
         .zip(closest)
@@ -118,16 +121,33 @@ fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64])
     out
 }
 
-/// How the answer was found, in a sentence.
-pub(crate) fn method_words(method: &Method) -> String {
-    match method {
+/// How the answer was found, in a sentence or two.
+pub(crate) fn method_words(answer: &Answer) -> String {
+    match answer.method {
         Method::Convex { solves: 0 } => "Solved as linear equations.".to_owned(),
         Method::Convex { solves: 1 } => "Solved as one convex programme.".to_owned(),
         Method::Convex { solves } => {
             format!("Solved as a convex programme, its angles refined {solves} times.")
         }
         Method::BranchAndBound { nodes, solves } => {
-            format!("Choices searched by branch and bound: {nodes} boxes, {solves} convex programmes.")
+            let plural = |count: usize| if count == 1 { "" } else { "s" };
+            let mut words = format!(
+                "Solved by branch and bound, {nodes} node{}, {solves} convex programme{}.",
+                plural(nodes),
+                plural(solves)
+            );
+            let bounds = answer.stages.iter().map(|stage| {
+                let bound = number::short(stage.lower_bound, 6);
+                match stage.terms[..] {
+                    [(criterion, _)] => format!("{bound} {}", criterion_unit(&criterion)),
+                    _ => format!("{bound} (weighted sum)"),
+                }
+            });
+            let bounds: Vec<String> = bounds.collect();
+            if !bounds.is_empty() {
+                let _ = write!(words, " No choice goes below {}.", bounds.join(", then "));
+            }
+            words
         }
     }
 }

@@ -39,7 +39,7 @@ pub(crate) struct OptimumSection {
 impl OptimumSection {
     pub fn of(engine: &Engine, input: &OptimumInput<'_>) -> OptimumSection {
         let answer = input.answer;
-        let (headline, method) = (headline(engine, answer), method_words(&answer.method));
+        let (headline, method) = (headline(engine, answer), method_words(answer));
         if let Outcome::Infeasible { closest, .. } = &answer.outcome {
             let tables = vec![closest_table(engine, answer, closest)];
             return OptimumSection { headline, method, tables, figures: Vec::new(), left: String::new() };

@@ -8,6 +8,8 @@
 //!
 //! Later stages search the boxes that are left of the earlier ones. They hold an earlier stage within the other half of
 //! the gap; where the earlier optimum does not depend on the choices that are left they hold it exactly.
+//!
+//! Source: book, "Choices: branch and bound", eqs. (18.1) to (18.4).
 
 mod alike;
 mod choices;

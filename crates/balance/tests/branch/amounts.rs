@@ -35,7 +35,7 @@ fn a_least_amount_beyond_the_optimum_holds_it_there() {
         let got = answer.weights[0].unbalance.norm();
         let want = amount * f64::max(factor, 1.0);
         assert!((got - want).abs() < 1e-6 * want, "{factor}: {got} against {want}");
-        let grid = best_direction(&engine, &task, 0, 360);
+        let grid = best_direction(&engine, &task, 0, 60);
         assert!(answer.stages[0].value <= grid * (1.0 + 1e-9), "{factor}");
     }
 }
@@ -65,7 +65,7 @@ fn given_amounts_find_their_phase() {
         assert!(matches!(answer.method, Method::BranchAndBound { .. }));
         let got = answer.weights[0].unbalance.norm();
         assert!((got - factor * amount).abs() < 1e-12 * amount, "{got}");
-        let grid = best_direction(&engine, &task, 0, 720);
+        let grid = best_direction(&engine, &task, 0, 360);
         let value = answer.stages[0].value;
         assert!(value <= grid * (1.0 + 1e-9) && value > grid * (1.0 - 1e-3), "{value} {grid}");
     }

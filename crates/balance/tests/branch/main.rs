@@ -5,4 +5,7 @@ mod support;
 
 mod amounts;
 mod choices;
+mod example;
+mod limits;
 mod places;
+mod properties;

@@ -132,6 +132,37 @@ fn the_tables_of_an_optimum_are_comma_separated_values() {
     assert!(fs::read_dir(figures).unwrap().all(|f| f.unwrap().path().extension().unwrap() == "svg"));
 }
 
+/// One of two shafts, its height found: the text says how, the bound stands, and the other shaft is left out.
+#[test]
+fn choices_are_searched_and_told() {
+    let folder = folder("balance-choices");
+    let file = template(&folder, "twin-360");
+    let arguments = [
+        "balance",
+        &file,
+        "--minimise",
+        "force",
+        "--most-optional",
+        "1",
+        "--shaft",
+        "-1 @ 0 mm, 50 mm .. 100 mm @ 0 mm @ optional, most 0.05 kg m",
+        "--shaft",
+        "2 @ 0 mm, -90 mm @ 0 mm @ optional, most 0.05 kg m",
+    ];
+    let said = output(&folder, 0, &arguments);
+    assert!(said.contains("branch and bound, ") && said.contains("No choice goes below"), "{said}");
+    let json = output_json(&folder, 0, &[&arguments[..], &["--format", "json"]].concat());
+    assert_eq!(json["method"]["kind"], "branch-and-bound");
+    let used = |k: usize| json["shafts"][k]["used"].as_bool().unwrap();
+    assert!(used(0) && !used(1), "{json}");
+    let least = output_json(&folder, 0, &["balance", &file, "--least", "0.05 kg m", "--format", "json"]);
+    let amount = |weight: &serde_json::Value| {
+        let part = |k: usize| weight["unbalance"][k].as_f64().unwrap();
+        part(0).hypot(part(1))
+    };
+    assert!(least["weights"].as_array().unwrap().iter().all(|w| amount(w) > 0.05 * (1.0 - 1e-9)), "{least}");
+}
+
 #[test]
 fn wrong_wishes_say_what_is_needed() {
     let folder = folder("balance-options");
@@ -143,6 +174,11 @@ fn wrong_wishes_say_what_is_needed() {
         (&["--shaft", "-1"], "@"),
         (&["--shaft", "0 @ 0 mm, 0 mm @ 0 mm"], "0"),
         (&["--most", "-3 g mm"], "-3 g mm"),
+        (&["--shaft", "-1 @ 0 mm, 50 mm .. 90 mm @ 0 mm"], "largest"),
+        (&["--shaft", "-1 @ 0 mm, 90 mm .. 50 mm @ 0 mm @ most 0.01 kg m"], "smaller"),
+        (&["--shaft", "-1 @ 0 mm, 90 mm @ 0 mm @ maybe"], "optional"),
+        (&["--most-optional", "1"], "nothing is optional"),
+        (&["--optional"], "most"),
         (&["--minimise", "mount force 7"], "mount"),
         (&["--table", "weights"], "--format csv"),
     ] {
