@@ -48,6 +48,6 @@ pub struct PublishedArguments {
     #[arg(long, value_name = "SHARE", allow_hyphen_values = true)]
     pub balance_factor: Option<String>,
     /// matrix, half: with what the source prints wrongly: the V engine's shafts, the phase of the three's balancer.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "balance_factor")]
     pub as_printed: bool,
 }

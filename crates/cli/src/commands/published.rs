@@ -160,7 +160,7 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
     };
     let four = FourCylinderRule { forward_at: [0.0, distance], backward_at: [0.0, -distance] };
     // The rules know one engine each; any other has the share alone.
-    Ok(match engine.cylinders.len() {
+    let found = match engine.cylinders.len() {
         3 if !matches!(three.fit(engine), Err(BalanceError::Unsuited { .. })) => {
             PublishedMethod::ThreeCylinder(three)
         }
@@ -168,7 +168,14 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
             PublishedMethod::FourCylinder(four)
         }
         _ => PublishedMethod::Factor(BalanceFactor::BEST),
-    })
+    };
+    if options.as_printed && !matches!(found, PublishedMethod::ThreeCylinder(_)) {
+        return Err(Failure::input(
+            "--as-printed is for the balancer of an in-line three, and this engine has another rule",
+            "leave it out",
+        ));
+    }
+    Ok(found)
 }
 
 /// Distance of the outermost throws [m]; of a single throw its diameter.
