@@ -72,7 +72,10 @@ pub fn balance(data: &[u8]) {
     }
     for stage in &answer.stages {
         let terms: f64 = stage.terms.iter().map(|(_, value)| value.abs()).sum();
-        assert!(stage.value.is_finite() && stage.bound <= stage.value + 1e-6 * terms, "{stage:?} of\n{text}");
+        assert!(
+            stage.value.is_finite() && stage.lower_bound <= stage.value + 1e-6 * terms,
+            "{stage:?} of\n{text}"
+        );
     }
 }
 
