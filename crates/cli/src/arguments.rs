@@ -92,7 +92,7 @@ pub enum Command {
                             lanchester balance three.toml --method half --figures figures\n\n\
                             Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
     )]
-    Balance(BalanceArguments),
+    Balance(Box<BalanceArguments>),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \

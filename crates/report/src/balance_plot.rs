@@ -2,36 +2,46 @@
 
 use crate::figure::{Figure, Panel};
 use crate::plot::{AnglePlot, Series};
-use lanchester_balance::{Answer, FoundStage};
+use lanchester_balance::{Active, Answer};
 use lanchester_mechanism::{Loads, Trace};
 use lanchester_model::{Criterion, Engine, Load, criterion_name};
 
 /// Every stage's load over the crank angle, as the file stands and with the answer, with dots where it stands at its
-/// peak and holds the optimum up. Criteria that are no force, couple or roll moment of the block are left out.
+/// peak and holds the optimum up; where orders had to vanish, the loads that they are part of. Criteria that are no force,
+/// couple or roll moment of the block are left out.
 pub fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &Loads) -> Option<Figure> {
+    let of_stages = answer.stages.iter().flat_map(|s| s.terms.iter().map(move |t| (t.0, &s.active[..])));
+    let of_orders = answer.cancellation.iter().flat_map(|c| &c.orders).filter_map(|o| match o.criterion {
+        Criterion::Order(load, _) => Some((Criterion::Peak(load), &[][..])),
+        _ => None,
+    });
     let mut drawn: Vec<Criterion> = Vec::new();
     let mut panels = Vec::new();
-    for stage in &answer.stages {
-        for (criterion, _) in &stage.terms {
-            let Criterion::Peak(load) = criterion else { continue };
-            if drawn.contains(criterion) {
-                continue;
-            }
-            if let (Some(old), Some(new)) =
-                (amount(*load, &before.total.trace), amount(*load, &after.total.trace))
-            {
-                drawn.push(*criterion);
-                panels.push(panel(engine, stage, *criterion, (before, &old), (after, &new)));
-            }
+    for (criterion, active) in of_stages.chain(of_orders) {
+        let Criterion::Peak(load) = criterion else { continue };
+        if drawn.contains(&criterion) {
+            continue;
+        }
+        if let (Some(old), Some(new)) = (amount(load, &before.total.trace), amount(load, &after.total.trace))
+        {
+            drawn.push(criterion);
+            panels.push(panel(engine, active, criterion, (before, &old), (after, &new)));
         }
     }
     (!panels.is_empty()).then(|| Figure {
         id: "optimum".to_owned(),
         title: "The optimum over the cycle".to_owned(),
-        caption:
-            "Amount of the load as the file stands and with the answer. Dots: the crank angles that hold the \
-                  optimum up; lowering the load at one of them raises it at another."
-                .to_owned(),
+        caption: match answer.cancellation {
+            None => {
+                "Amount of the load as the file stands and with the answer. Dots: the crank angles that hold the \
+                 optimum up; lowering the load at one of them raises it at another."
+            }
+            Some(_) => {
+                "Amount of the load as the file stands and with the answer, all orders together: those that were not \
+                 to vanish stay."
+            }
+        }
+        .to_owned(),
         columns: panels.len().min(2),
         panels,
     })
@@ -39,7 +49,7 @@ pub fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &L
 
 fn panel(
     engine: &Engine,
-    stage: &FoundStage,
+    active: &[Active],
     criterion: Criterion,
     (before, old): (&Loads, &[f64]),
     (after, new): (&Loads, &[f64]),
@@ -48,7 +58,7 @@ fn panel(
     let theta = &after.total.trace.theta;
     let repeated: Vec<f64> = (0..theta.len()).map(|k| old[k % old.len().max(1)]).collect();
     let unit = lanchester_model::criterion_unit(&criterion);
-    let active = stage.active.iter().filter(|a| a.criterion == criterion && a.multiplier > 0.0);
+    let active = active.iter().filter(|a| a.criterion == criterion && a.multiplier > 0.0);
     let step = after.period / theta.len() as f64;
     let marks: Vec<(f64, f64)> = active
         .map(|a| {
