@@ -31,6 +31,10 @@ pub struct Answer {
     pub inertias: Vec<FoundInertia>,
     /// What each stage reached, with its proof.
     pub stages: Vec<FoundStage>,
+    /// What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
+    /// moment where a device acts on it (unless a stage asks for the least weights), each without giving up any before
+    /// it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+    pub among_equals: Vec<FoundStage>,
     /// What each limit costs.
     pub limits: Vec<FoundLimit>,
     /// Criteria before and after: force, couple and roll moment always, then those that the task names.

@@ -6,6 +6,7 @@ use crate::cancellation::cancel;
 use crate::check::check;
 use crate::convex::Failure;
 use crate::convex::curve::length;
+use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
 use crate::infeasible::obstacle;
@@ -25,7 +26,7 @@ use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_na
 /// [`Outcome::Infeasible`], orders that cannot vanish an [`Outcome::CannotVanish`].
 ///
 /// # Source
-/// Book, "Balancing", eqs. (12.1) to (12.9).
+/// Book, "The optimum and its proof", eqs. (12.1) to (12.9).
 pub fn optimise(engine: &Engine, task: &BalanceTask) -> Result<Answer, BalanceError> {
     optimise_with(engine, task, Kinematics::Exact)
 }
@@ -53,7 +54,7 @@ pub fn optimise_with(
     let mut answer = empty(engine, task);
     let x = match run(&problem, &mut solves) {
         Ok(reached) => {
-            answer.outcome = outcome(&found_stages(&problem, &reached), &reached.stages);
+            answer.outcome = outcome(&asked_stages(&problem, &reached), &reached.stages);
             let stand = Stand::given(task, &places);
             fill(&mut answer, engine, task, &problem, &reached, &stand);
             reached.x
@@ -76,8 +77,8 @@ fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Resu
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
     match ending {
         Ending::Chosen(best) => {
-            let reached = Reached { x: best.x, stages: best.proofs };
-            let stages = found_stages(&best.problem, &reached);
+            let reached = best.reached;
+            let stages = asked_stages(&best.problem, &reached);
             answer.outcome = match (outcome(&stages, &reached.stages), best.stopped) {
                 (Outcome::Stopped { reason }, Some(stopped)) => {
                     Outcome::Stopped { reason: format!("{stopped}: {reason}") }
@@ -123,6 +124,7 @@ fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
         shafts: Vec::new(),
         inertias: Vec::new(),
         stages: Vec::new(),
+        among_equals: Vec::new(),
         limits: Vec::new(),
         effects: Vec::new(),
         cancellation: None,
@@ -182,7 +184,11 @@ fn fill(
     reached: &Reached,
     stand: &Stand,
 ) {
-    answer.stages = found_stages(problem, reached);
+    answer.stages = asked_stages(problem, reached);
+    let implied = reached.among_equals.iter();
+    answer.among_equals = implied
+        .map(|(place, proof)| found_stage(problem, &problem.implied[*place], proof, &reached.x))
+        .collect();
     answer.weights = found_weights(problem, task, &reached.x, &stand.planes);
     answer.shafts = found_shafts(task, &answer.weights, &stand.axes);
     answer.inertias = found_inertias(problem, task, &reached.x, stand.inertia);
@@ -242,27 +248,28 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
     reason
 }
 
-fn found_stages(problem: &Problem, reached: &Reached) -> Vec<FoundStage> {
-    let mut stages = Vec::new();
-    for (terms, proof) in problem.stages.iter().zip(&reached.stages) {
-        let values: Vec<(Criterion, f64)> =
-            terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, &reached.x))).collect();
-        let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
-        // Both are exact to rounding; the bound may end above the value by that much.
-        let lower_bound = proof.bound.min(value);
-        stages.push(FoundStage {
-            value,
-            lower_bound,
-            gap: value - lower_bound,
-            terms: values,
-            active: active(problem, terms, proof),
-        });
+fn asked_stages(problem: &Problem, reached: &Reached) -> Vec<FoundStage> {
+    let stages = problem.stages.iter().zip(&reached.stages);
+    stages.map(|(terms, proof)| found_stage(problem, terms, proof, &reached.x)).collect()
+}
+
+fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
+    let values: Vec<(Criterion, f64)> =
+        terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
+    let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
+    // Both are exact to rounding; the bound may end above the value by that much.
+    let lower_bound = proof.bound.min(value);
+    FoundStage {
+        value,
+        lower_bound,
+        gap: value - lower_bound,
+        terms: values,
+        active: active(problem, terms, proof),
     }
-    stages
 }
 
 /// Angles that hold a stage up.
-fn active(problem: &Problem, terms: &[(f64, crate::criterion::Judged)], proof: &StageProof) -> Vec<Active> {
+fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec<Active> {
     let revolutions = f64::from(problem.programme.grid.revolutions);
     let mut active = Vec::new();
     for one in &proof.solution.support {

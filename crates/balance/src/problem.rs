@@ -30,6 +30,8 @@ pub(crate) struct Problem {
     pub rules: Vec<(Rule, f64)>,
     /// The stages' terms.
     pub stages: Vec<Vec<(f64, Judged)>>,
+    /// What is minimised after them without being asked.
+    pub implied: Vec<Vec<(f64, Judged)>>,
     /// The task's limits.
     pub limits: Vec<Judged>,
     /// Groups of the amounts of every weight's corners.
@@ -48,6 +50,19 @@ pub(crate) fn stages(task: &BalanceTask) -> Vec<Stage> {
     [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
 }
 
+/// What decides among answers that the stages leave equal, before the weights do: of force and couple what the stages do
+/// not name, then the roll moment. Whoever asks for the least weights has them before the roll moment.
+fn implied(stages: &[Stage]) -> Vec<Criterion> {
+    let named = stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
+    let weighs = named.clone().any(|c| matches!(c, Criterion::AddedMass | Criterion::AddedUnbalance));
+    let mut implied = vec![Load::Force, Load::Couple];
+    if !weighs {
+        implied.push(Load::RollMoment);
+    }
+    let implied = implied.into_iter().map(Criterion::Peak);
+    implied.filter(|criterion| named.clone().all(|named| named != *criterion)).collect()
+}
+
 impl Problem {
     pub fn new(engine: &Engine, task: &BalanceTask, operator: Operator) -> Result<Problem, BalanceError> {
         let mut groups: Vec<Group> = Vec::new();
@@ -64,7 +79,12 @@ impl Problem {
         for load in [Load::Force, Load::Couple, Load::RollMoment] {
             find(Criterion::Peak(load), &mut groups)?;
         }
-        let stages = stages(task)
+        let asked = stages(task);
+        let implied = implied(&asked)
+            .into_iter()
+            .map(|criterion| Ok(vec![(1.0, find(criterion, &mut groups)?)]))
+            .collect::<Result<Vec<Vec<_>>, BalanceError>>()?;
+        let stages = asked
             .iter()
             .map(|stage| stage.terms.iter().map(|&(w, c)| Ok((w, find(c, &mut groups)?))).collect())
             .collect::<Result<Vec<Vec<_>>, BalanceError>>()?;
@@ -87,6 +107,7 @@ impl Problem {
             rules: Vec::new(),
             operator,
             stages,
+            implied,
             limits,
             amounts,
             radii: task.weights.iter().map(|w| w.radius).collect(),

@@ -56,6 +56,8 @@ pub(crate) struct StageProof {
 pub(crate) struct Reached {
     pub x: Vec<f64>,
     pub stages: Vec<StageProof>,
+    /// What decided among equals, by its place in [`Problem::implied`].
+    pub among_equals: Vec<(usize, StageProof)>,
 }
 
 /// All stages and the lightest answer. `Err`: the first stage has no solution.
@@ -64,8 +66,7 @@ pub(crate) fn run(problem: &Problem, solves: &mut usize) -> Result<Reached, Fail
     for terms in &problem.stages {
         walk.stage(terms, solves)?;
     }
-    walk.lighten(solves);
-    Ok(Reached { x: walk.x, stages: walk.proofs })
+    Ok(walk.settle(solves))
 }
 
 /// An earlier stage that later ones hold: its value and how far it may be passed, in the unit of the stage.
@@ -215,14 +216,34 @@ impl<'a> Walk<'a> {
         Ok((local, kept))
     }
 
+    /// Decides among equals: by the loads that the task does not name, then by the weights.
+    pub fn settle(mut self, solves: &mut usize) -> Reached {
+        let stages = std::mem::take(&mut self.proofs);
+        let mut among_equals = Vec::new();
+        for (place, terms) in self.problem.implied.iter().enumerate() {
+            let local = self.programme.restricted(&self.x, &self.open);
+            if !terms.iter().flat_map(|t| &t.1.groups).any(|g| local.groups[g.0].moves()) {
+                continue;
+            }
+            // What was asked stands whether or not this has a solution.
+            if self.stage(terms, solves).is_err() {
+                self.programme.cost.iter_mut().for_each(|c| *c = 0.0);
+                break;
+            }
+            among_equals.extend(self.proofs.pop().map(|proof| (place, proof)));
+        }
+        self.lighten(solves);
+        Reached { x: self.x, stages, among_equals }
+    }
+
     /// Among equals the lightest: the sums that every load sees stay exactly as they are.
-    pub fn lighten(&mut self, solves: &mut usize) {
+    fn lighten(&mut self, solves: &mut usize) {
         if self.problem.operator.weights.is_empty() {
             return;
         }
         let mut seen = Matrix::zeros(0, self.open.columns);
         let Ok((local, _)) = self.local() else { return };
-        let stages = self.problem.stages.iter().flatten().map(|t| &t.1);
+        let stages = self.problem.stages.iter().chain(&self.problem.implied).flatten().map(|t| &t.1);
         for judged in stages.chain(&self.problem.limits) {
             for &(group, _) in judged.groups.iter().filter(|g| self.problem.is_load(g.0)) {
                 local.groups[group].add_directions(&mut seen);

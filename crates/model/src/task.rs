@@ -19,7 +19,8 @@ pub struct BalanceTask {
     /// Weights that depend on one another.
     pub ties: Vec<Tie>,
     /// What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
-    /// couple.
+    /// couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
+    /// names them, and then roll moment are least, and of those the lightest.
     pub stages: Vec<Stage>,
     /// What must hold.
     pub limits: Vec<Limit>,

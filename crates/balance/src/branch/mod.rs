@@ -21,7 +21,7 @@ use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::operator::EngineLoads;
 use crate::problem::{Problem, stages};
-use crate::stages::{Held, StageProof, Walk};
+use crate::stages::{Held, Reached, Walk};
 use choices::Choices;
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Engine, FreeWeight, Limit, Phase, Place, Stage};
@@ -31,10 +31,8 @@ use search::{Found, Goal, Search};
 /// The best choice with its convex programme.
 pub(crate) struct Chosen {
     pub problem: Problem,
-    /// A point of the programme.
-    pub x: Vec<f64>,
-    /// Proofs of the stages with these choices given; the bounds are those over all choices.
-    pub proofs: Vec<StageProof>,
+    /// Where the stages led with these choices given; their bounds are those over all choices.
+    pub reached: Reached,
     /// Plane of every weight [m].
     pub planes: Vec<f64>,
     /// Axis of every shaft [m].
@@ -124,16 +122,15 @@ fn ending(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> 
     }
     let Some(choices) = known else { return Ok(Ending::Nothing) };
     let Some(problem) = ground.problem(&choices)? else { return Ok(Ending::Nothing) };
-    let Some((x, mut proofs)) = reached(&problem, &held, &mut search.solves) else {
+    let Some(mut reached) = reached(&problem, &held, &mut search.solves) else {
         return Ok(Ending::Nothing);
     };
-    for (proof, (bound, target)) in proofs.iter_mut().zip(bounds) {
+    for (proof, (bound, target)) in reached.stages.iter_mut().zip(bounds) {
         (proof.bound, proof.target) = (bound, target);
     }
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
     Ok(Ending::Chosen(Box::new(Chosen {
-        x,
-        proofs,
+        reached,
         planes: choices.weights.iter().map(|w| middle(w.z)).collect(),
         axes: choices.shafts.iter().map(|s| [middle(s.x), middle(s.y)]).collect(),
         inertia: choices.inertia,
@@ -143,7 +140,7 @@ fn ending(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> 
 }
 
 /// The point of a choice, the earlier stages held as in the search, and the proof of each stage.
-fn reached(problem: &Problem, held: &[Held], solves: &mut usize) -> Option<(Vec<f64>, Vec<StageProof>)> {
+fn reached(problem: &Problem, held: &[Held], solves: &mut usize) -> Option<Reached> {
     let mut walk = Walk::new(problem);
     let mut proofs = Vec::new();
     for (stage, one) in held.iter().enumerate() {
@@ -157,8 +154,7 @@ fn reached(problem: &Problem, held: &[Held], solves: &mut usize) -> Option<(Vec<
             walk.hold(stage, *one, solves).ok()?;
         }
     }
-    walk.lighten(solves);
-    Some((walk.x, proofs))
+    Some(Reached { stages: proofs, ..walk.settle(solves) })
 }
 
 /// How far the limits are from holding together, and how close each alone can be reached.

@@ -2,6 +2,7 @@
 mod bending;
 mod closed_forms;
 mod conditions;
+mod equals;
 mod gallery;
 mod limits;
 mod support;

@@ -1,0 +1,65 @@
+//! How long an optimum takes, on one thread: the counterweights of a twin, and four balance shafts of a V6.
+use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_balance::optimise;
+use lanchester_model::{
+    BalanceTask, Engine, FreeShaft, FreeWeight, Phase, Place, Ratio, Seat, read, template,
+};
+use std::hint::black_box;
+
+/// The engine without counterweights and shafts.
+fn bare(name: &str) -> Engine {
+    let mut engine = read(template(name).expect("it is in the gallery").text).engine.expect("it is valid");
+    engine.counterweights.clear();
+    engine.shafts.clear();
+    engine
+}
+
+fn weight(name: String, seat: Seat, z: f64) -> FreeWeight {
+    FreeWeight {
+        name,
+        seat,
+        z: Place::At(z),
+        least: 0.0,
+        most: None,
+        phase: Phase::Free,
+        optional: false,
+        radius: None,
+    }
+}
+
+/// A weight at each end of the crankshaft, and two on each shaft of these ratios.
+fn task(engine: &Engine, ratios: &[i32]) -> BalanceTask {
+    let reach = engine.throws.iter().map(|t| t.z.abs()).fold(0.05, f64::max);
+    let ends = [("front", -reach), ("rear", reach)];
+    let mut task = BalanceTask::default();
+    task.weights.extend(ends.map(|(end, z)| weight(format!("crank {end}"), Seat::Crankshaft(0), z)));
+    for (index, ratio) in ratios.iter().enumerate() {
+        let side = if index % 2 == 0 { 0.1 } else { -0.1 };
+        task.shafts.push(FreeShaft {
+            name: format!("shaft {ratio}"),
+            ratio: Ratio::whole(*ratio).expect("it is not 0"),
+            x: Place::At(0.0),
+            y: Place::At(side),
+            optional: false,
+        });
+        task.weights
+            .extend(ends.map(|(end, z)| weight(format!("shaft {ratio} {end}"), Seat::Shaft(index), 0.8 * z)));
+    }
+    task
+}
+
+fn bench(criterion: &mut Criterion) {
+    let twin = bare("twin-270");
+    let crank = task(&twin, &[]);
+    criterion.bench_function("counterweights of a twin", |b| b.iter(|| optimise(black_box(&twin), &crank)));
+    let six = bare("v6-60");
+    let shafts = task(&six, &[1, -1, 2, -2]);
+    criterion.bench_function("four shafts of a V6", |b| b.iter(|| optimise(black_box(&six), &shafts)));
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(20).measurement_time(std::time::Duration::from_secs(3));
+    targets = bench
+}
+criterion_main!(benches);
