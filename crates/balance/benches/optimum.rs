@@ -55,6 +55,14 @@ fn bench(criterion: &mut Criterion) {
     let six = bare("v6-60");
     let shafts = task(&six, &[1, -1, 2, -2]);
     criterion.bench_function("four shafts of a V6", |b| b.iter(|| optimise(black_box(&six), &shafts)));
+    let mut limited = shafts;
+    let free = optimise(&six, &limited).expect("the task has a meaning");
+    for (weight, found) in limited.weights.iter_mut().zip(&free.weights) {
+        weight.most = Some(0.7 * found.unbalance.norm()).filter(|most| *most > 0.0);
+    }
+    criterion.bench_function("four shafts of a V6, each weight at most 0.7 of its best", |b| {
+        b.iter(|| optimise(black_box(&six), &limited));
+    });
 }
 
 criterion_group! {
