@@ -153,6 +153,12 @@ impl Problem {
         }
     }
 
+    /// All criteria that decide: of the stages, of what is implied, and of the limits.
+    pub fn judged(&self) -> impl Iterator<Item = &Judged> {
+        let stages = self.stages.iter().chain(&self.implied).flatten().map(|term| &term.1);
+        stages.chain(&self.limits)
+    }
+
     /// True value of a criterion at `x`, in its own unit.
     pub fn value(&self, judged: &Judged, x: &[f64]) -> f64 {
         judged.value(|group| level(&self.programme.groups[group], &self.programme.grid, x))

@@ -241,20 +241,21 @@ impl<'a> Walk<'a> {
         if self.problem.operator.weights.is_empty() {
             return;
         }
-        let mut seen = Matrix::zeros(0, self.open.columns);
-        let Ok((local, _)) = self.local() else { return };
-        let stages = self.problem.stages.iter().chain(&self.problem.implied).flatten().map(|t| &t.1);
-        for judged in stages.chain(&self.problem.limits) {
-            for &(group, _) in judged.groups.iter().filter(|g| self.problem.is_load(g.0)) {
-                local.groups[group].add_directions(&mut seen);
-            }
+        // Open directions are known to the accuracy of the optima behind them only; of loads that do not change nothing
+        // is given up, so that all directions count again, unless the stages judge amounts.
+        let judged: Vec<&Judged> = self.problem.judged().collect();
+        let amounts = judged.iter().any(|j| j.groups.iter().any(|g| !self.problem.is_load(g.0)));
+        let start = if amounts { self.open.clone() } else { Walk::new(self.problem).open };
+        let whole = self.problem.programme.restricted(&self.x, &start);
+        let mut seen = Matrix::zeros(0, start.columns);
+        for (group, _) in judged.iter().flat_map(|j| &j.groups).filter(|g| self.problem.is_load(g.0)) {
+            whole.groups[*group].add_directions(&mut seen);
         }
         let (_, free) = RowFactors::of(&seen, UNSEEN).bases();
         if free.columns == 0 {
             return;
         }
-        let open = std::mem::take(&mut self.open);
-        self.open = open.product(&free);
+        self.open = start.product(&free);
         let factors: Vec<f64> = self.lightness();
         for (groups, factor) in self.problem.amounts.iter().zip(factors) {
             groups.iter().for_each(|&group| self.programme.cost[group] = factor);

@@ -70,3 +70,32 @@ fn roll_moment_comes_before_the_weights_unless_they_are_asked_for() {
     let (a, b) = (effect(&free, Load::Force), effect(&lightest, Load::Force));
     assert!((a.after - b.after).abs() < 1e-8 * b.after, "{a:?} {b:?}");
 }
+
+/// A shaft that takes nothing off any load stays empty: crank and shaft at the same order share a couple in many ways,
+/// of which the crank alone, with the longer lever, is the lightest.
+#[test]
+fn what_changes_no_load_is_decided_by_the_weights() {
+    let engine = stripped("v6-60");
+    let reach = engine.throws.iter().map(|t| t.z.abs()).fold(0.05, f64::max);
+    let mut task = BalanceTask::default();
+    for (index, ratio) in [1, -1, 2, -2].into_iter().enumerate() {
+        task.shafts.push(shaft(&format!("{ratio}"), ratio, 0.0, if index % 2 == 0 { 0.1 } else { -0.1 }));
+    }
+    for (end, z) in [("front", -reach), ("rear", reach)] {
+        task.weights.push(on_crank(&format!("crank {end}"), z));
+        for (index, shaft) in task.shafts.iter().enumerate() {
+            task.weights.push(weight(&format!("{} {end}", shaft.name), Seat::Shaft(index), 0.8 * z));
+        }
+    }
+    let free = optimise(&engine, &task).unwrap();
+    let peaks = [Load::Force, Load::Couple].map(|load| least(Criterion::Peak(load)));
+    task.stages = [peaks.as_slice(), &[least(Criterion::AddedUnbalance)]].concat();
+    let lightest = optimise(&engine, &task).unwrap();
+    assert_proved(&engine, &free);
+    assert_proved(&engine, &lightest);
+    let (a, b) = (effect(&free, Load::RollMoment), effect(&lightest, Load::RollMoment));
+    assert!((a.after - b.after).abs() < 1e-9 * a.without, "no weight helps the roll moment: {a:?} {b:?}");
+    let amount = |a: &Answer| a.weights.iter().map(|w| w.unbalance.norm()).sum::<f64>();
+    let (free, lightest) = (amount(&free), amount(&lightest));
+    assert!((free - lightest).abs() < 1e-6 * lightest, "{free} {lightest}");
+}
