@@ -57,8 +57,8 @@ pub fn engines(program: &Path) -> Result<String> {
                     shown += 1;
                 }
                 ("sh", _) => {
-                    let mut ours = block.text.lines().filter(|line| line.starts_with("lanchester "));
-                    last_command = ours.next_back().map(str::to_owned).or(last_command);
+                    let ours = block.text.lines().rfind(|line| line.starts_with("lanchester "));
+                    last_command = ours.map(str::to_owned).or(last_command);
                 }
                 ("text", _) if block.tag.starts_with("says") => {
                     let (_, said) = match block.tag.strip_prefix("says-") {
@@ -89,6 +89,21 @@ fn shipped(word: &String) -> String {
         true => root().join(word).display().to_string(),
         false => word.clone(),
     }
+}
+
+/// A file as a page shows it, with all that goes to its end.
+pub fn file_of(page: &str, name: &str) -> Result<String> {
+    let text = text(page)?.with_context(|| format!("{page} is not UTF-8"))?;
+    let mut file = String::new();
+    for block in blocks(&text) {
+        match block.tag.split_once('=') {
+            Some(("file", of)) if of == name => file = block.text,
+            Some(("append", of)) if of == name => file += &block.text,
+            _ => {}
+        }
+    }
+    ensure!(!file.is_empty(), "{page} shows no file {name}");
+    Ok(file)
 }
 
 /// The words of a command line, quoted ones whole, without a comment.

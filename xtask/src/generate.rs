@@ -1,16 +1,18 @@
 //! Pages and pictures that the program writes.
 
 use crate::command::quiet;
+use crate::documents::file_of;
 use crate::workspace::{program, root, scratch};
 use anyhow::{Context, Result, bail};
 use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 6] = [
+const WRITTEN: [Written; 9] = [
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
+        input: None,
         arguments: &["schema", "--markdown"],
         figure: None,
     },
@@ -18,34 +20,53 @@ const WRITTEN: [Written; 6] = [
         file: "docs/src/workshop-sheet.md",
         head: "# The workshop sheet\n\nEvery table and key. `lanchester schema --sheet` gives the same to an editor; the guide shows one [step by \
                step](guide/workshop.md).\n\n",
+        input: None,
         arguments: &["schema", "--sheet", "--markdown"],
         figure: None,
     },
     Written {
         file: "docs/src/validation.md",
         head: "",
+        input: None,
         arguments: &["validate", "--markdown"],
         figure: None,
     },
     Written {
         file: "docs/images/twin-spectrum.svg",
         head: "",
+        input: None,
         arguments: &["report", "examples/twin-in-line-in-phase.toml", "--output", "-"],
         figure: Some("force-spectrum.svg"),
     },
     Written {
         file: "docs/src/images/arrangements.svg",
         head: "",
+        input: None,
         arguments: &TWIN_SEARCH,
         figure: Some("arrangements.svg"),
     },
     Written {
         file: "docs/src/images/arrangement-drives.svg",
         head: "",
+        input: None,
         arguments: &TWIN_SEARCH,
         figure: Some("drives.svg"),
     },
+    story("docs/src/images/balanced-twin.svg", "twin.toml"),
+    story("docs/src/images/balanced-three.svg", "three.toml"),
+    story("docs/src/images/balanced-v6.svg", "v6.toml"),
 ];
+
+/// The optimum of an engine of the guide's page on balancing.
+const fn story(file: &'static str, engine: &'static str) -> Written {
+    Written {
+        file,
+        head: "",
+        input: Some(("docs/src/guide/balancing.md", engine)),
+        arguments: &["balance", "-"],
+        figure: Some("optimum.svg"),
+    }
+}
 
 /// The guide's choice among the arrangements of an in-line twin.
 const TWIN_SEARCH: [&str; 11] = [
@@ -67,6 +88,8 @@ struct Written {
     file: &'static str,
     /// What stands above it.
     head: &'static str,
+    /// The page and the file on it that the program reads on standard input.
+    input: Option<(&'static str, &'static str)>,
     /// What makes the program print it.
     arguments: &'static [&'static str],
     /// The figure of the report that it is, where it is one.
@@ -77,6 +100,11 @@ impl Written {
     fn text(&self, program: &Path) -> Result<String> {
         let mut command = Command::new(program);
         command.args(self.arguments).current_dir(root());
+        if let Some((page, name)) = self.input {
+            let input = scratch("input")?.join(name);
+            std::fs::write(&input, file_of(page, name)?)?;
+            command.stdin(std::fs::File::open(&input)?);
+        }
         let body = match self.figure {
             None => quiet(&mut command)?,
             Some(figure) => {

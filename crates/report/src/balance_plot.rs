@@ -6,6 +6,9 @@ use lanchester_balance::{Active, Answer};
 use lanchester_mechanism::{Loads, Trace};
 use lanchester_model::{Criterion, Engine, Load, criterion_name};
 
+/// A force or moment below this [N], [N m] is rounding, and no curve is drawn of it.
+const FELT: f64 = 1e-6;
+
 /// Every stage's load over the crank angle, as the file stands and with the answer, with dots where it stands at its
 /// peak and holds the optimum up; where orders had to vanish, the loads that they are part of. Criteria that are no force,
 /// couple or roll moment of the block are left out.
@@ -25,6 +28,10 @@ pub fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &L
         if let (Some(old), Some(new)) = (amount(load, &before.total.trace), amount(load, &after.total.trace))
         {
             drawn.push(criterion);
+            let highest = old.iter().chain(&new).fold(0.0f64, |most, value| most.max(*value));
+            if highest < FELT {
+                continue;
+            }
             panels.push(panel(engine, active, criterion, (before, &old), (after, &new)));
         }
     }
@@ -54,27 +61,29 @@ fn panel(
     (before, old): (&Loads, &[f64]),
     (after, new): (&Loads, &[f64]),
 ) -> Panel {
-    // A device of another speed ratio may lengthen the period: the shorter curve repeats.
-    let theta = &after.total.trace.theta;
-    let repeated: Vec<f64> = (0..theta.len()).map(|k| old[k % old.len().max(1)]).collect();
+    // Shafts of another speed ratio change the period: the shorter curve repeats.
+    let longer = if before.period > after.period { before } else { after };
+    let theta = &longer.total.trace.theta;
+    let repeated =
+        |curve: &[f64]| -> Vec<f64> { (0..theta.len()).map(|k| curve[k % curve.len().max(1)]).collect() };
+    let (old, new) = (repeated(old), repeated(new));
     let unit = lanchester_model::criterion_unit(&criterion);
     let active = active.iter().filter(|a| a.criterion == criterion && a.multiplier > 0.0);
-    let step = after.period / theta.len() as f64;
+    let step = longer.period / theta.len() as f64;
     let marks: Vec<(f64, f64)> = active
         .map(|a| {
-            let angle = a.theta.rem_euclid(after.period);
+            let angle = a.theta.rem_euclid(longer.period);
             (angle, new[((angle / step).round() as usize) % new.len()])
         })
         .collect();
-    debug_assert!(before.period <= after.period);
     AnglePlot {
         quantity: &criterion_name(&criterion, engine),
         unit,
         theta,
-        period: after.period,
+        period: longer.period,
         series: vec![
-            Series { name: "with the answer".to_owned(), style: 0, values: new },
-            Series { name: "as the file stands".to_owned(), style: 2, values: &repeated },
+            Series { name: "with the answer".to_owned(), style: 0, values: &new },
+            Series { name: "as the file stands".to_owned(), style: 2, values: &old },
         ],
     }
     .panel_with_marks(&marks)
