@@ -3,11 +3,13 @@
 
 use crate::crank_sweep::CrankLoad;
 use crate::error::BalanceError;
-use crate::twin_arrangement::{ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load};
+use crate::twin_arrangement::{
+    ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load, rotating_unbalance,
+};
 use lanchester_model::{
     BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie,
 };
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Share of an amount below which two weights count as equal, or their sum as nothing.
 const EQUAL: f64 = 1e-9;
@@ -97,6 +99,24 @@ pub fn crank_task(
     task.shafts.clear();
     task.stages = vec![Stage { terms: vec![(1.0, Criterion::Peak(judged.load()))] }];
     Ok(task)
+}
+
+/// What a sweep of the crank of `engine` for `load` looks for, over the continuous cycle: one amount, opposite every
+/// throw. Throws that do not stand in line, or have unlike rotating masses, are free of one another, for a tie holds
+/// amounts of one line: then the optimum may lie below that of the sweep's one amount.
+pub fn swept_task(engine: &Engine, load: CrankLoad) -> BalanceTask {
+    let mut task = BalanceTask {
+        stages: vec![Stage { terms: vec![(1.0, Criterion::Peak(load.load()))] }],
+        ..BalanceTask::default()
+    };
+    let mut free = Free::default();
+    for (k, (throw, own)) in engine.throws.iter().zip(rotating_unbalance(engine)).enumerate() {
+        let angle = engine.crankshafts[throw.crankshaft].phase + throw.angle + PI;
+        let name = format!("throw {}", k + 1);
+        free.add(&mut task, &name, Seat::Crankshaft(throw.crankshaft), throw.z, own, angle);
+        free.tie_to(&mut task, k);
+    }
+    task
 }
 
 /// The weights of one crank or shaft, and what all of them act on.

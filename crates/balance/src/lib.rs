@@ -23,18 +23,21 @@ mod optimum;
 mod problem;
 pub mod published;
 mod stages;
+mod swept;
 mod twin_arrangement;
 mod wave;
 pub mod workshop;
 
 pub use answer::*;
 pub use arrangement::*;
-pub use arrangement_task::{arrangement_task, crank_task};
+pub use arrangement_task::{arrangement_task, crank_task, swept_task};
 pub use cancellation::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
 pub use optimum::{optimise, optimise_with};
+pub use swept::{SWEPT_VERSION, Swept, swept};
 pub use twin_arrangement::{
     ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,
+    with_even_crank,
 };

@@ -240,9 +240,20 @@ pub fn arranged(
             }
         },
     };
+    Ok(with_crank(&with_shafts, &crank))
+}
+
+/// `engine` with these counterweights, one complex amount along each throw, in the place of its own.
+fn with_crank(engine: &Engine, crank: &[Complex64]) -> Engine {
     let counterweights =
         crank.iter().enumerate().map(|(k, &unbalance)| weight(engine, k, unbalance)).collect();
-    Ok(Engine { counterweights, ..with_shafts })
+    Engine { counterweights, ..engine.clone() }
+}
+
+/// `engine` with a counterweight of this unbalance [kg m] opposite throw 1 in the place of its own, and as much more or
+/// less than the rotating masses opposite every other throw: the crank of one step of a sweep. Shafts stay.
+pub fn with_even_crank(engine: &Engine, unbalance: f64) -> Engine {
+    with_crank(engine, &even_crank(engine, unbalance))
 }
 
 /// The sweep behind the crank of an arrangement: the criterion over the unbalance of the crank, with the arrangement's

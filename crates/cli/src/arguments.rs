@@ -89,7 +89,8 @@ pub enum Command {
                             lanchester balance twin.toml --search --mount-spacing '176 mm' --reference four.toml --share 1/2\n  \
                             lanchester balance twin.toml --search --choose 'crank -1' --write\n  \
                             lanchester balance four.toml --method matrix --webs 11000011 --shafts second\n  \
-                            lanchester balance three.toml --method half --figures figures\n\n\
+                            lanchester balance three.toml --method half --figures figures\n  \
+                            lanchester balance twin.toml --method sweep --figures figures\n\n\
                             Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
     )]
     Balance(Box<BalanceArguments>),
@@ -314,6 +315,9 @@ pub enum BalanceMethod {
     /// two second-order shafts; for other engines, or with --balance-factor, counterweights for the rotating masses and a share
     /// of the reciprocating ones.
     Half,
+    /// Sweep of the crank of the twin-cylinder thesis (Louvigny 2008): one amount opposite every throw, in steps, on a grid of
+    /// angles; shafts of the file stay.
+    Sweep,
 }
 
 /// Free weights on the crankshaft.

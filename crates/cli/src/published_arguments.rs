@@ -50,4 +50,13 @@ pub struct PublishedArguments {
     /// matrix, half: with what the source prints wrongly: the V engine's shafts, the phase of the three's balancer.
     #[arg(long, conflicts_with = "balance_factor")]
     pub as_printed: bool,
+    /// sweep: step of the unbalance; default: 1e-5 kg m, more for a much larger engine.
+    #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
+    pub step: Option<String>,
+    /// sweep: equally spaced angles a revolution at which the load is looked at; default: 360.
+    #[arg(long, value_name = "ANGLES", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub grid: Option<u32>,
+    /// sweep: motion of the pistons, as for `loads`; the thesis has `power:4:5`.
+    #[arg(long, value_name = "SERIES")]
+    pub series: Option<String>,
 }

@@ -49,7 +49,8 @@ fn point(text: &str) -> Result<[f64; 3], Failure> {
     Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
 }
 
-fn series(text: &str) -> Result<Kinematics, Failure> {
+/// Motion of the pistons as `--series` says it.
+pub fn series(text: &str) -> Result<Kinematics, Failure> {
     let parts: Vec<&str> = text.split(':').collect();
     let number = |part: &str| part.parse::<u32>().ok();
     let kinematics = match parts[..] {

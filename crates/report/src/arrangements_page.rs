@@ -167,6 +167,7 @@ fn section(arrangements: &[ArrangementResult], index: usize) -> Section {
     let mut curve = Vec::new();
     if let Some(sweep) = &result.sweep {
         curve.push(crank_curve::panel(sweep, result.optimal_crank()));
+        curve.extend(crank_curve::close_up(sweep, result.optimal_crank()));
     }
     let names = over_angle::vanishing(&result.loads);
     let mut vanishing = String::new();

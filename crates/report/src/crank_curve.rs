@@ -34,8 +34,8 @@ pub fn crank_curve(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Figure {
         id: "crank-sweep".to_owned(),
         title: format!("Largest {load} over the unbalance of the crank"),
         caption,
-        panels: vec![panel(sweep, optimum)],
-        columns: 1,
+        panels: std::iter::once(panel(sweep, optimum)).chain(close_up(sweep, optimum)).collect(),
+        columns: 2,
     }
 }
 
@@ -53,24 +53,71 @@ pub(crate) fn load_unit(load: CrankLoad) -> &'static str {
     }
 }
 
-/// The curve alone, as a drawing.
+/// The whole curve, as a drawing.
 pub(crate) fn panel(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Panel {
-    let most = sweep.steps.iter().map(|s| s.criterion).fold(sweep.basic.criterion, f64::max);
-    let scale = Scale::of(most, load_unit(sweep.load));
-    let values = Axis::of(0.0, most / scale.divisor, 6);
-    let widest = sweep.steps.last().map_or(sweep.basic.unbalance, |s| s.unbalance);
-    let amounts = Axis::of(0.0, widest.max(sweep.basic.unbalance), 5);
-    let mut marks = vec![("basic crank", sweep.basic, "s2"), ("sweep", sweep.best(), "s1")];
-    marks.extend(optimum.map(|o| ("true optimum", o, "s3")));
-    let mut names = vec![(format!("largest {}", load_name(sweep.load)), 0)];
-    names.extend(marks.iter().zip([2, 1, 3]).map(|((name, ..), style)| ((*name).to_owned(), style)));
+    let mut marks = vec![("basic crank", sweep.basic, 2), ("sweep", sweep.best(), 1)];
+    marks.extend(optimum.map(|o| ("true optimum", o, 3)));
+    // More points than pixels would not be seen; the corner at the optimum always is.
+    let stride = (sweep.steps.len() / 400).max(1);
+    let mut points: Vec<SweptCrank> = sweep.steps.iter().step_by(stride).copied().collect();
+    points.extend(sweep.steps.last());
+    points.push(sweep.best());
+    points.sort_by(|a, b| a.unbalance.total_cmp(&b.unbalance));
+    let most = points.iter().map(|s| s.criterion).fold(sweep.basic.criterion, f64::max);
+    let widest = points.last().map_or(0.0, |s| s.unbalance).max(sweep.basic.unbalance);
+    draw(sweep.load, &points, &marks, [0.0, widest], [0.0, most], false)
+}
+
+/// Steps on each side of the best one in the close-up.
+const BESIDE: usize = 8;
+/// Furthest that the close-up reaches for the true optimum.
+const FURTHEST: usize = 60;
+
+/// The curve around its lowest point, step by step; `None` where the whole curve shows that already, or the true optimum
+/// stands too far off.
+pub(crate) fn close_up(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Option<Panel> {
+    let best = sweep.best();
+    let middle = (best.unbalance / sweep.step).round() as usize;
+    let apart = optimum.map_or(0, |o| ((o.unbalance - best.unbalance).abs() / sweep.step).ceil() as usize);
+    let reach = BESIDE.max(apart + apart / 4 + 1);
+    if apart > FURTHEST || sweep.steps.len() < 4 * reach {
+        return None;
+    }
+    let end = (middle + reach).min(sweep.steps.len() - 1);
+    let points = &sweep.steps[middle.saturating_sub(reach)..=end];
+    let mut marks = vec![("sweep", best, 1)];
+    marks.extend(optimum.map(|o| ("true optimum", o, 3)));
+    let criteria = || points.iter().chain(&optimum).map(|s| s.criterion);
+    let low = criteria().fold(f64::INFINITY, f64::min);
+    let high = criteria().fold(f64::NEG_INFINITY, f64::max);
+    let ends = [points.first()?.unbalance, points.last()?.unbalance];
+    Some(draw(sweep.load, points, &marks, ends, [low, high], true))
+}
+
+/// Points of the curve with marked cranks: name, place and line style.
+fn draw(
+    load: CrankLoad,
+    points: &[SweptCrank],
+    marks: &[(&str, SweptCrank, usize)],
+    [narrowest, widest]: [f64; 2],
+    [least, most]: [f64; 2],
+    dots: bool,
+) -> Panel {
+    let scale = Scale::of(most, load_unit(load));
+    let values = Axis::of(least / scale.divisor, most / scale.divisor, 6);
+    let amounts = if dots { Axis::of(narrowest, widest, 4) } else { Axis::of(narrowest, widest, 5) };
+    let curve = if dots { "every step" } else { "every crank" };
+    let mut names = vec![(curve.to_owned(), 0)];
+    names.extend(marks.iter().map(|(name, _, style)| ((*name).to_owned(), *style)));
     let legend = Legend::of(&names, 4.0, WIDTH + 10.0);
     let top = 26.0 + legend.height;
     let mut svg = Svg::new(WIDTH, HEIGHT + legend.height);
     let (right, bottom) = (WIDTH - RIGHT, svg.height - BOTTOM);
-    let quantity = match sweep.load {
-        CrankLoad::Force => "largest |F|",
-        CrankLoad::Couple => "largest |M|",
+    let quantity = match (load, dots) {
+        (CrankLoad::Force, false) => "Largest |F|",
+        (CrankLoad::Couple, false) => "Largest |M|",
+        (CrankLoad::Force, true) => "Largest |F| near the optimum",
+        (CrankLoad::Couple, true) => "Largest |M| near the optimum",
     };
     svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{quantity} [{}]", scale.unit));
     legend.draw(&mut svg);
@@ -92,18 +139,14 @@ pub(crate) fn panel(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Panel {
             values.place(crank.criterion / scale.divisor, bottom, top),
         )
     };
-    // More points than pixels would not be seen; the corner at the optimum always is.
-    let stride = (sweep.steps.len() / 400).max(1);
-    let best = sweep.best();
-    let mut points: Vec<&SweptCrank> = sweep.steps.iter().step_by(stride).collect();
-    points.extend(sweep.steps.last());
-    points.push(&best);
-    points.sort_by(|a, b| a.unbalance.total_cmp(&b.unbalance));
-    svg.path("s0", &Path::through(points.into_iter().map(place)));
-    for (_, crank, style) in &marks {
+    svg.path("s0", &Path::through(points.iter().map(place)));
+    if dots {
+        points.iter().for_each(|step| svg.circle("dot", place(step), 1.8));
+    }
+    for (_, crank, style) in marks {
         let (x, y) = place(crank);
-        svg.line(style, (x, y), (x, bottom));
-        svg.circle("dot", (x, y), 3.2);
+        svg.line(&format!("s{style}"), (x, y), (x, bottom));
+        svg.circle("dot", (x, y), 3.4);
     }
     let said: Vec<String> = marks
         .iter()
@@ -116,8 +159,7 @@ pub(crate) fn panel(sweep: &CrankSweep, optimum: Option<SweptCrank>) -> Panel {
             )
         })
         .collect();
-    let description =
-        format!("Largest {} over the counterweight of throw 1: {}.", load_name(sweep.load), said.join("; "));
+    let description = format!("{quantity}, over the counterweight of throw 1: {}.", said.join("; "));
     Panel::new(svg, description)
 }
 
@@ -140,5 +182,9 @@ mod tests {
         );
         let both = crank_curve(&swept, Some(swept.best()));
         assert!(both.caption.contains("continuous") && both.panels[0].description.contains("true optimum"));
+        assert!(both.panels.len() == 2 && both.panels[1].description.contains("near the optimum"));
+        // An optimum half the axis away is no matter for a close-up.
+        let far = SweptCrank { unbalance: 0.0, ..swept.best() };
+        assert_eq!(crank_curve(&swept, Some(far)).panels.len(), 1);
     }
 }

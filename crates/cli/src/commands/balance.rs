@@ -1,8 +1,8 @@
 //! `lanchester balance`: the best weights and shafts, their proof and their price, written back if asked for.
 
-use crate::arguments::{BalanceArguments, BalanceTable, Format};
+use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable, Format};
 use crate::balance_request::balance_task;
-use crate::commands::{Opened, json, open, published, search};
+use crate::commands::{Opened, json, open, published, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED, WRONG_INPUT};
 use crate::files::{print, rewrite, write_result};
 use lanchester::balance::{Answer, BalanceError, Outcome, fitted, optimise};
@@ -30,6 +30,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.search.search {
         return search::run(arguments, colour);
     }
+    sweep::check(arguments)?;
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.engine;
     if published::asked_for(arguments)? {
@@ -38,6 +39,9 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             true => Ok(DONE),
             false => published::tell(&opened, arguments, &answer),
         };
+    }
+    if arguments.method == BalanceMethod::Sweep {
+        return sweep::run(arguments, &opened, colour);
     }
     let task = balance_task(engine, arguments)?;
     if matches!(arguments.table, Some(BalanceTable::Orders | BalanceTable::Proof)) && task.cancel.is_empty() {
@@ -54,7 +58,8 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         && found
     {
         let before = loads_of(engine)?;
-        if let Some(figure) = optimum_plots(engine, &answer, &before, &loads_after) {
+        let over_the_cycle = optimum_plots(engine, &answer, &before, &loads_after);
+        for figure in over_the_cycle.into_iter().chain(sweep::curve(&after, &answer)) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }

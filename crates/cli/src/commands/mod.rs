@@ -9,6 +9,7 @@ pub mod report;
 pub mod schema;
 pub mod search;
 pub mod show;
+pub mod sweep;
 pub mod validate;
 pub mod workshop;
 

@@ -6,3 +6,4 @@ mod balance;
 mod engine;
 mod program;
 mod search;
+mod sweep;

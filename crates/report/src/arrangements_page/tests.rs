@@ -57,7 +57,8 @@ fn the_sweep_is_drawn_where_there_is_one() {
     let swept: Vec<usize> =
         arrangements.iter().filter(|a| a.sweep.is_some()).map(|a| a.arrangement.number()).collect();
     assert_eq!(swept, [2, 5]);
-    assert_eq!(page("twin-360").matches("over the counterweight of throw 1").count(), 2);
+    // The whole curve and the close-up, each.
+    assert_eq!(page("twin-360").matches("over the counterweight of throw 1").count(), 4);
 }
 
 #[test]
