@@ -391,7 +391,7 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
     loop {
         let request = LoadRequest { kinematics, max_order, ..LoadRequest::default() };
         let mechanism = Mechanism::new(engine, &request)?;
-        let orders = mechanism.orders();
+        let mut orders = mechanism.orders();
         let revolutions = (mechanism.period() / std::f64::consts::TAU).round() as u32;
         let amounts =
             |o: &OrderLoads| [o.force_peak(), o.couple_peak(), o.roll_moment.norm(), o.shaft_torque.norm()];
@@ -401,6 +401,10 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
         };
         let (all, tail) = (largest(-1.0), largest(0.75 * f64::from(max_order)));
         if max_order >= 1000 || (0..4).all(|m| tail[m] <= (TAIL * all[m]).max(rounding[m])) {
+            let counts =
+                |o: &OrderLoads| amounts(o).iter().zip(&rounding).any(|(amount, least)| amount > least);
+            let end = orders.iter().rposition(counts).map_or(1, |last| last + 1);
+            orders.truncate(end);
             return Ok((orders, revolutions));
         }
         max_order = (2 * max_order).min(1000);

@@ -242,7 +242,8 @@ impl Fixed<'_> {
         jet(&self.harmonics, angle)
     }
 
-    /// All local maxima of the amount that reach `floor`, the largest first; at least the largest of all.
+    /// All local maxima of the amount that reach `floor`, the largest first; at least the largest of all, and with an
+    /// infinite floor hardly any other.
     ///
     /// Where the amount is the same over a stretch (to rounding) the grid's own angles stand for it.
     pub fn summits(&self, grid: &Grid, floor: f64) -> Vec<Summit> {

@@ -6,7 +6,9 @@ use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, write_result};
 use crate::request::series;
-use lanchester::balance::{Answer, BalanceError, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
+use lanchester::balance::{
+    Answer, BalanceError, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank,
+};
 use lanchester::mechanism::Kinematics;
 use lanchester::model::{Criterion, Engine, Load, option};
 use lanchester::report::{Figure, crank_curve, sweep_steps_table, swept_text};
