@@ -147,10 +147,7 @@ fn peak(
     };
     let nothing = vec![0.0; operator.variables];
     let largest = |members: &[Member]| {
-        members
-            .iter()
-            .map(|m| m.summits(&operator.grid, &nothing, f64::INFINITY)[0].amount)
-            .fold(0.0, f64::max)
+        members.iter().map(|m| m.summits(&operator.grid, &nothing, 0.0)[0].amount).fold(0.0, f64::max)
     };
     let members: Vec<Member> = curves(natural).collect();
     let unbalanced = largest(&members) * natural;
@@ -206,5 +203,5 @@ pub(crate) fn amounts(operator: &Operator, groups: &mut Vec<Group>) -> Vec<Vec<u
 
 /// Level of a group whether or not the programme judges it.
 pub(crate) fn level(group: &Group, grid: &Grid, x: &[f64]) -> f64 {
-    group.members.iter().map(|m| m.summits(grid, x, f64::INFINITY)[0].amount).fold(0.0, f64::max)
+    group.members.iter().map(|m| m.summits(grid, x, 0.0)[0].amount).fold(0.0, f64::max)
 }

@@ -23,9 +23,6 @@ const ANGLES: usize = 720;
 /// Orders above the last kept one are below this share of the largest.
 const TAIL: f64 = 1e-14;
 
-/// Share of all moving masses' loads below which an order is rounding.
-const ROUNDS: f64 = 1e-15;
-
 /// Longest common period of all shafts [revolutions of crankshaft 1].
 const MOST_REVOLUTIONS: u32 = 120;
 
@@ -384,14 +381,11 @@ fn torque(orders: &[OrderLoads], revolutions: u32) -> Wave {
 
 /// Loads by order up to where nothing is left, and the period in revolutions.
 fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u32), BalanceError> {
-    // Where a load cancels, its highest orders are as large as its lowest: rounding of what the masses do.
-    let (force, moment) = natural(engine, engine.speed.highest);
-    let rounding = [force, moment, moment, moment].map(|natural| ROUNDS * natural);
     let mut max_order = 24;
     loop {
         let request = LoadRequest { kinematics, max_order, ..LoadRequest::default() };
         let mechanism = Mechanism::new(engine, &request)?;
-        let mut orders = mechanism.orders();
+        let orders = mechanism.orders();
         let revolutions = (mechanism.period() / std::f64::consts::TAU).round() as u32;
         let amounts =
             |o: &OrderLoads| [o.force_peak(), o.couple_peak(), o.roll_moment.norm(), o.shaft_torque.norm()];
@@ -400,11 +394,7 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
             far.fold([0.0f64; 4], |a, b| std::array::from_fn(|m| a[m].max(b[m])))
         };
         let (all, tail) = (largest(-1.0), largest(0.75 * f64::from(max_order)));
-        if max_order >= 1000 || (0..4).all(|m| tail[m] <= (TAIL * all[m]).max(rounding[m])) {
-            let counts =
-                |o: &OrderLoads| amounts(o).iter().zip(&rounding).any(|(amount, least)| amount > least);
-            let end = orders.iter().rposition(counts).map_or(1, |last| last + 1);
-            orders.truncate(end);
+        if max_order >= 1000 || (0..4).all(|m| tail[m] <= TAIL * all[m]) {
             return Ok((orders, revolutions));
         }
         max_order = (2 * max_order).min(1000);

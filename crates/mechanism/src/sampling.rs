@@ -25,8 +25,7 @@ pub(crate) fn sampled_orders<const M: usize>(
     let mut count = (highest + band + 1).max(32).next_power_of_two();
     let mut values: Vec<[f64; M]> = (0..count).map(|j| function(TAU * j as f64 / count as f64)).collect();
     let mut orders = transform(&values, highest);
-    // More angles would only shuffle the rounding of a band-limited function, and never agree.
-    while band == 0 && count < MAX_ANGLES {
+    while count < MAX_ANGLES {
         let between = (0..count).map(|j| function(TAU * (j as f64 + 0.5) / count as f64));
         values = values.into_iter().zip(between).flat_map(|(a, b)| [a, b]).collect();
         count *= 2;

@@ -15,12 +15,6 @@ pub(crate) const WIDTH: usize = 3;
 /// A slope below this share of the amount, per radian, is none.
 const FLAT: f64 = 1e-14;
 
-/// An amount below this share of the programme's unit is rounding all around.
-const NOTHING: f64 = 1e-13;
-
-/// Most steps of the grid from one of its own maxima to the top: more is rounding, without a hill.
-const NEAR: usize = 2;
-
 /// A vector of a curve; components beyond its own are 0.
 pub(crate) type Vector = [f64; WIDTH];
 
@@ -242,8 +236,7 @@ impl Fixed<'_> {
         jet(&self.harmonics, angle)
     }
 
-    /// All local maxima of the amount that reach `floor`, the largest first; at least the largest of all, and with an
-    /// infinite floor hardly any other.
+    /// All local maxima of the amount that reach `floor`, the largest first; at least the largest of all.
     ///
     /// Where the amount is the same over a stretch (to rounding) the grid's own angles stand for it.
     pub fn summits(&self, grid: &Grid, floor: f64) -> Vec<Summit> {
@@ -262,8 +255,7 @@ impl Fixed<'_> {
         let highest = squares.iter().copied().fold(0.0, f64::max);
         let threshold = (floor.max(0.0).powi(2)).min(highest);
         let mut summits = Vec::new();
-        let hilly = if highest > NOTHING * NOTHING { count } else { 0 };
-        for j in 0..hilly {
+        for j in 0..count {
             let (before, here, after) =
                 (squares[(j + count - 1) % count], squares[j], squares[(j + 1) % count]);
             // A parabola rises by an eighth of the second difference between grid angles; half of it is ample where
@@ -272,7 +264,7 @@ impl Fixed<'_> {
             if here < before || here <= after || here + reach < threshold {
                 continue;
             }
-            let angle = self.climb(grid.step() * j as f64, grid.step(), NEAR);
+            let angle = self.climb(grid.step() * j as f64, grid.step());
             let amount = length(&self.jet(angle).value).max(here.sqrt());
             summits.push(Summit { angle: angle.rem_euclid(TAU), amount });
         }
@@ -284,9 +276,9 @@ impl Fixed<'_> {
         summits
     }
 
-    /// The top of the hill that `angle` stands on: uphill in at most so many steps of `step` until the slope turns, then
-    /// Newton's method on the derivative, kept in the bracket. Where it is flat to rounding the angle stays.
-    pub fn climb(&self, angle: f64, step: f64, most_steps: usize) -> f64 {
+    /// The top of the hill that `angle` stands on: uphill in steps of `step` until the slope turns, then Newton's method
+    /// on the derivative, kept in the bracket. Where it is flat to rounding the angle stays.
+    pub fn climb(&self, angle: f64, step: f64) -> f64 {
         let slope = |at: f64| self.jet(at).square_slope();
         let (first, second) = slope(angle);
         let size = self.jet(angle).square();
@@ -295,7 +287,7 @@ impl Fixed<'_> {
         }
         let onward = if first > 0.0 { step } else { -step };
         let (mut near, mut far) = (angle, angle + onward);
-        let mut left = most_steps;
+        let mut left = (TAU / step) as usize;
         while (slope(far).0 > 0.0) == (first > 0.0) {
             (near, far) = (far, far + onward);
             left -= 1;

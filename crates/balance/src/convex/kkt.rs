@@ -121,9 +121,7 @@ impl<'a> State<'a> {
                 let (first, second) = here.jet(peak.angle).square_slope();
                 let size = here.jet(peak.angle).square();
                 if first.abs().max(second.abs()) > STEADY * size {
-                    peak.angle = here
-                        .climb(peak.angle, step, (std::f64::consts::TAU / step) as usize)
-                        .rem_euclid(std::f64::consts::TAU);
+                    peak.angle = here.climb(peak.angle, step).rem_euclid(std::f64::consts::TAU);
                 }
             }
             let twin = kept.iter_mut().find(|k| {

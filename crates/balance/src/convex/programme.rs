@@ -159,7 +159,7 @@ impl Programme {
             }
             let mut level = 0.0f64;
             for member in &self.groups[group].members {
-                level = level.max(member.summits(&self.grid, x, f64::INFINITY)[0].amount);
+                level = level.max(member.summits(&self.grid, x, level)[0].amount);
             }
             level
         };
