@@ -148,8 +148,8 @@ pub fn commands() -> Result<String> {
 
 /// One command line: our own commands run, that task is known to exist, getting the source is left out.
 fn run_one(command: &str) -> Result<()> {
-    let words: Vec<&str> = command.split_whitespace().collect();
-    match words.as_slice() {
+    let words = arguments(command);
+    match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
         ["git", "clone", ..] | ["cd", ..] => Ok(()),
         // This is that task; running it here would never end.
         ["cargo", "xtask", "ci"] => Ok(()),
