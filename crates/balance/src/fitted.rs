@@ -41,8 +41,9 @@ pub(crate) fn taken_over(engine: &Engine, task: &BalanceTask, criterion: Criteri
 
 /// The engine with the weights and shafts of `answer` in place of those with the same names.
 ///
-/// Weights that are not used are left out, and shafts without weights. An engine for which there is no answer comes
-/// back as it was.
+/// Weights that are not used are left out, and shafts without weights. A direction that is a round one but for what
+/// the solver leaves uncertain ([`DIRECTION`]) becomes it: 180 deg, not 180.00000008. An engine for which there is no
+/// answer comes back as it was.
 pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
     if answer.weights.is_empty() {
         return engine.clone();
@@ -62,7 +63,7 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
         })
         .collect();
     for (free, found) in task.weights.iter().zip(&answer.weights).filter(|(_, found)| found.used) {
-        let (unbalance, phase) = found.unbalance.to_polar();
+        let (unbalance, phase) = (found.unbalance.norm(), round_direction(found.unbalance.arg()));
         match free.seat {
             Seat::Crankshaft(crankshaft) => fitted.counterweights.push(Counterweight {
                 name: found.name.clone(),
@@ -76,4 +77,34 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
     }
     fitted.shafts.extend(shafts.into_iter().filter(|shaft| !shaft.weights.is_empty()));
     fitted
+}
+
+/// What the directions of found weights are uncertain by [rad]: the conic solver closes its gap to about 1e-9.
+const DIRECTION: f64 = 3e-9;
+
+/// The direction [rad], or the whole thousandth of a degree that it cannot be told from.
+fn round_direction(direction: f64) -> f64 {
+    let thousandths = (direction.to_degrees() * 1e3).round();
+    let round = (thousandths / 1e3).to_radians();
+    if (round - direction).abs() > DIRECTION {
+        return direction;
+    }
+    // The half turn has one name.
+    if thousandths == -180_000.0 { -round } else { round }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn round_directions_lose_what_the_solver_leaves() {
+        assert_eq!(round_direction(PI - 1.4e-9), PI);
+        assert_eq!(round_direction(-PI + 1.4e-9), PI);
+        assert_eq!(round_direction(1e-10), 0.0);
+        assert_eq!(round_direction(12.345_f64.to_radians() + 1e-9), 12.345_f64.to_radians());
+        let own = 12.345_3_f64.to_radians();
+        assert_eq!(round_direction(own), own);
+    }
 }

@@ -221,6 +221,15 @@ fn crank_planes(engine: &Engine, request: &ArrangementRequest) -> Vec<f64> {
     }
 }
 
+/// Crank weights of an arrangement are called this and a number.
+const CRANK_WEIGHT: &str = "crank weight ";
+
+/// Whether a counterweight has the name of one that a search adds: then a search put it into the file.
+pub(crate) fn is_searched(name: &str) -> bool {
+    name.strip_prefix(CRANK_WEIGHT)
+        .is_some_and(|number| !number.is_empty() && number.chars().all(|c| c.is_ascii_digit()))
+}
+
 /// The task of balancing `engine` with the devices of `candidate`; shafts at `places` (on the crank axis where they
 /// have no place yet).
 pub(crate) fn task(
@@ -242,12 +251,7 @@ pub(crate) fn task(
     };
     if candidate.crank {
         for (index, z) in crank_planes(engine, request).into_iter().enumerate() {
-            let mut name = format!("crank weight {}", index + 1);
-            // A weight of that name would be replaced.
-            while engine.counterweights.iter().any(|w| w.name == name) {
-                name.push('\'');
-            }
-            task.weights.push(weight(name, Seat::Crankshaft(0), z));
+            task.weights.push(weight(format!("{CRANK_WEIGHT}{}", index + 1), Seat::Crankshaft(0), z));
         }
     }
     for (index, shaft) in candidate.shafts.iter().enumerate() {

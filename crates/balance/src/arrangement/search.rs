@@ -1,7 +1,7 @@
 //! The search: every candidate's best weights, its place, drive, bearings and price.
 
 use crate::arrangement::bearing::bearing_loads;
-use crate::arrangement::candidate::{Candidate, candidates, components, load_scale, task};
+use crate::arrangement::candidate::{Candidate, candidates, components, is_searched, load_scale, task};
 use crate::arrangement::drive::DriveLoad;
 use crate::arrangement::envelope::Envelope;
 use crate::arrangement::front::{mark_front, simplest};
@@ -33,7 +33,8 @@ const BEARING_GAP: f64 = 0.01;
 /// Every arrangement of crank weights and balance shafts that the request allows and the engine can use, each at its
 /// best, with drive and price, and the front of those that nothing beats.
 ///
-/// Balance shafts of the engine file are taken out first: the search is about which ones to fit. Its counterweights stay.
+/// Balance shafts of the engine file are taken out first, and crank weights that an earlier search put into it: the
+/// search is about which ones to fit. Its other counterweights stay.
 ///
 /// # Errors
 /// [`BalanceError`] where a number of the request has no meaning, the mounts are missing, the reference has nothing
@@ -67,6 +68,7 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
 pub fn searched_engine(engine: &Engine, request: &ArrangementRequest, scale: f64) -> Engine {
     let mut searched = scaled_along(engine, scale);
     searched.shafts.clear();
+    searched.counterweights.retain(|weight| !is_searched(&weight.name));
     searched.mounts = mounts(engine, request);
     searched
 }

@@ -1,5 +1,6 @@
 //! What the search says in words.
 
+use crate::arrangement::candidate::is_searched;
 use crate::arrangement::request::{ArrangementRequest, DriveRule, MountPlaces, Positions};
 use crate::arrangement::result::Clearance;
 use lanchester_model::Engine;
@@ -43,6 +44,10 @@ pub(crate) fn assumptions(engine: &Engine, request: &ArrangementRequest) -> Vec<
     }
     if !engine.shafts.is_empty() {
         out.push(format!("balance shafts of the file are taken out: {}", engine.shafts.len()));
+    }
+    let searched = engine.counterweights.iter().filter(|w| is_searched(&w.name)).count();
+    if searched > 0 {
+        out.push(format!("crank weights that an earlier search put into the file are taken out: {searched}"));
     }
     out.push("gears run in planes beyond the end of the crank and are solid discs".to_owned());
     out.push(

@@ -2,8 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod bad_runs;
 mod balance;
+mod crank_workshop;
 mod engine;
+mod methods;
 mod program;
 mod search;
 mod sweep;

@@ -91,6 +91,26 @@ fn a_chosen_arrangement_is_written_and_does_what_was_said() {
     assert!(after.starts_with(before.trim_end()), "what was there stays\n{after}");
     let (said, is) = (chosen["residual"].as_f64().unwrap(), mount_force(&folder, "in-line.toml"));
     assert!((is - said).abs() < 1e-6 * said, "said {said} N, is {is} N");
+    // Half a turn is half a turn, not 180.00000008 degrees.
+    assert!(!after.contains(".9999999") && !after.contains(".0000000"), "{after}");
+}
+
+#[test]
+fn a_search_takes_out_what_an_earlier_one_wrote() {
+    let folder = engines("search-again");
+    let table = |file: &str| -> Vec<String> {
+        let csv = output(&folder, 0, &search(file, &["--format", "csv"]));
+        csv.lines().map(str::to_owned).collect()
+    };
+    let fresh = table("in-line.toml");
+    output(&folder, 0, &search("in-line.toml", &["--choose", "crank -1", "--write"]));
+    assert_eq!(fresh, table("in-line.toml"));
+    // Another choice replaces the first one.
+    output(&folder, 0, &search("in-line.toml", &["--choose", "+1 -1", "--write"]));
+    let written = fs::read_to_string(folder.join("in-line.toml")).unwrap();
+    assert!(!written.contains("crank weight") && written.contains("shaft +1"), "{written}");
+    let text = output(&folder, 0, &search("in-line.toml", &[]));
+    assert!(text.contains("balance shafts of the file are taken out: 2"), "{text}");
 }
 
 #[test]

@@ -1,23 +1,15 @@
 //! The commands of the workshop that are about a crank: factor, bobweight, crank, external, internal.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
+use crate::program::{examples, folder, lanchester};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
-fn sheets() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/workshop")
-}
 
 fn sheet(name: &str) -> String {
-    sheets().join(name).display().to_string()
+    examples().join("workshop").join(name).display().to_string()
 }
 
 /// Standard output and standard error of a run that must end with `status`.
 fn run(status: i32, arguments: &[&str]) -> (String, String) {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_lanchester")).arg("workshop").args(arguments).output().unwrap();
+    let output = lanchester(&examples(), &[&["workshop"], arguments].concat());
     let (out, err) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     assert_eq!(output.status.code(), Some(status), "{arguments:?}\n{out}\n{err}");
     (out, err)
@@ -62,7 +54,7 @@ fn factors_convert_on_the_command_line() {
 
 #[test]
 fn the_ellipse_is_written_and_an_engine_file_never() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ellipse");
+    let folder = folder("ellipse");
     let _ = fs::remove_dir_all(&folder);
     let figure = folder.join("ellipse.svg").display().to_string();
     run(0, &["factor", &sheet(V8), "--figure", &figure]);
@@ -99,8 +91,8 @@ fn weights_outside_and_slugs_inside() {
     // asin(28.4/136) = 12.05 deg off: 9331 / (2 cos 12.05 deg) = 4771 of the 6621 g mm that 21 mm gain: 15.13 mm.
     let text = run(0, &["internal", &sheet("v8-slugs.toml")]).0;
     assert!(text.contains("all of it") && text.contains("15.13"), "{text}");
-    let small = fs::read_to_string(sheets().join("v8-slugs.toml")).unwrap().replace("25.4 mm", "9 mm");
-    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("small-slugs.toml");
+    let small = fs::read_to_string(sheet("v8-slugs.toml")).unwrap().replace("25.4 mm", "9 mm");
+    let file = folder("small-slugs").join("sheet.toml");
     fs::write(&file, small).unwrap();
     let text = run(1, &["internal", &file.display().to_string()]).0;
     assert!(text.contains("not enough room") && text.contains("static unbalance left"), "{text}");
@@ -128,11 +120,11 @@ fn bad_input_says_what_to_do() {
     }
     // What a sheet alone looks right, and its engine or its metal does not allow.
     let changed = |name: &str, from: &str, to: &str| {
-        let text = fs::read_to_string(sheets().join(name)).unwrap();
+        let text = fs::read_to_string(sheet(name)).unwrap();
         assert!(text.contains(from), "{from}");
-        let engines = format!("engine = \"{}/", sheets().join("engines").display());
+        let engines = format!("engine = \"{}/", sheet("engines"));
         let text = text.replace(from, to).replace("engine = \"engines/", &engines);
-        let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("changed-sheet.toml");
+        let file = folder("changed-sheet").join("sheet.toml");
         fs::write(&file, text).unwrap();
         file.display().to_string()
     };

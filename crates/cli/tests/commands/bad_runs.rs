@@ -1,10 +1,8 @@
 //! Runs that tell nothing, too little or the contrary: what `workshop correct` says of each sheet in `bad-runs/`.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
+use crate::program::lanchester;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 #[test]
 fn snap_bad_runs() {
@@ -18,17 +16,13 @@ fn snap_bad_runs() {
     assert!(sheets.len() > 10, "bad runs are missing");
     for sheet in sheets {
         let name = sheet.file_stem().and_then(|name| name.to_str()).unwrap();
-        let output = Command::new(env!("CARGO_BIN_EXE_lanchester"))
-            .args(["workshop", "correct", &format!("{name}.toml")])
-            .current_dir(&folder)
-            .output()
-            .unwrap();
+        let output = lanchester(&folder, &["workshop", "correct", &format!("{name}.toml")]);
         let out = String::from_utf8(output.stdout).unwrap();
         let status = output.status.code().unwrap();
         // What cannot be told is refused; what is doubtful is told with its doubt, and not to be acted upon.
         assert!(status == 2 && out.is_empty() || out.contains("\ndoubt: "), "{name}: {status}\n{out}");
         let said = format!("status {status}\n{}{out}", String::from_utf8(output.stderr).unwrap());
-        insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false, snapshot_path => "bad-runs" }, {
+        insta::with_settings!({ omit_expression => true, prepend_module_to_snapshot => false, snapshot_path => "../bad-runs" }, {
             insta::assert_snapshot!(name, said);
         });
     }
