@@ -4,9 +4,10 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 7] = [
+const ARROWS: [(&str, &[&str]); 8] = [
     ("lanchester-model", &[]),
     ("lanchester-mechanism", &["lanchester-model"]),
+    ("lanchester-geometry", &["lanchester-model"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-report", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
     ("lanchester", &["lanchester-model", "lanchester-mechanism", "lanchester-balance", "lanchester-report"]),

@@ -1,0 +1,122 @@
+//! What is wrong with an outline, a part or a question about them.
+
+use crate::point::Point;
+
+/// Which closed line of an outline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContourPlace {
+    /// The outer one.
+    Outer,
+    /// A hole, counted from 1.
+    Hole(usize),
+}
+
+impl std::fmt::Display for ContourPlace {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ContourPlace::Outer => write!(f, "the outer contour"),
+            ContourPlace::Hole(number) => write!(f, "hole {number}"),
+        }
+    }
+}
+
+/// A point in the words of a message.
+fn place(point: &Point) -> String {
+    format!("({:.4} mm, {:.4} mm)", 1e3 * point.x, 1e3 * point.y)
+}
+
+/// A shape or a part that cannot be. Edges are counted from 1, in the order in which they were given.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum GeometryError {
+    /// Fewer edges than enclose an area.
+    #[error(
+        "a contour needs three edges, or two of which one is an arc, got {edges}\nhint: give every corner once"
+    )]
+    TooFewEdges {
+        /// Edges that there are.
+        edges: usize,
+    },
+    /// A coordinate or a bulge that is no finite number.
+    #[error("edge {edge} has a coordinate or bulge that is not finite\nhint: give finite lengths")]
+    NotFinite {
+        /// The edge.
+        edge: usize,
+    },
+    /// An edge without length.
+    #[error("edge {edge} has no length: it begins and ends at {}\nhint: leave the repeated point out", place(.at))]
+    ZeroLength {
+        /// The edge.
+        edge: usize,
+        /// Where.
+        at: Point,
+    },
+    /// Two edges that do not meet.
+    #[error(
+        "the contour is open: edge {edge} ends at {}, edge {next} begins at {}, {:.3e} mm apart\nhint: join the ends, or allow a larger gap", place(.end), place(.begin), 1e3 * .gap
+    )]
+    Open {
+        /// The edge before the gap.
+        edge: usize,
+        /// The edge after the gap.
+        next: usize,
+        /// Where the one ends.
+        end: Point,
+        /// Where the other begins.
+        begin: Point,
+        /// Distance between them [m].
+        gap: f64,
+    },
+    /// A contour that crosses or touches itself.
+    #[error(
+        "the contour crosses or touches itself at {}: edges {first} and {second}\nhint: take the loop out there", place(.at)
+    )]
+    Crossing {
+        /// One edge.
+        first: usize,
+        /// The other edge.
+        second: usize,
+        /// Where.
+        at: Point,
+    },
+    /// A contour that runs clockwise.
+    #[error(
+        "the contour is inside out: it runs clockwise round {:.4} mm2\nhint: give its points in the other order; every contour, of a hole too, runs anticlockwise", 1e6 * .area
+    )]
+    InsideOut {
+        /// Area that it encloses [m^2].
+        area: f64,
+    },
+    /// Two contours of an outline that cross or touch.
+    #[error("{first} and {second} cross or touch at {}\nhint: leave material between them", place(.at))]
+    ContoursCross {
+        /// One contour.
+        first: ContourPlace,
+        /// The other contour.
+        second: ContourPlace,
+        /// Where.
+        at: Point,
+    },
+    /// A hole that is not in the material.
+    #[error("hole {hole} with its point {} lies {}\nhint: a hole is inside the outer contour and beside the other holes", place(.at), match .within { ContourPlace::Outer => "outside the outer contour".to_string(), other => format!("within {other}") })]
+    HoleOutside {
+        /// The hole, counted from 1.
+        hole: usize,
+        /// A point of it.
+        at: Point,
+        /// The outer contour that it is not within, or the hole that it is within.
+        within: ContourPlace,
+    },
+    /// A number that is not possible.
+    #[error("{quantity} must be {needed}, got {got}\nhint: {hint}")]
+    Number {
+        /// Which number, with its unit.
+        quantity: &'static str,
+        /// What is possible.
+        needed: &'static str,
+        /// What was given.
+        got: f64,
+        /// What to do.
+        hint: &'static str,
+    },
+}

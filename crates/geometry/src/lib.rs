@@ -1,0 +1,32 @@
+//! Counterweights, webs and crankshafts as real parts: shapes, mass properties, the best shape.
+//!
+//! Plane across the crank: origin on the crank axis, `x` along the unbalance of the part (a counterweight: away
+//! from its crankpin), `y` a quarter turn further in the sense in which the crank turns. SI units.
+//!
+//! ```
+//! use lanchester_geometry::{Contour, Outline, Point};
+//!
+//! let disc = Contour::circle(Point::new(0.03, 0.0), 0.05)?;
+//! let bore = Contour::circle(Point::new(0.05, 0.0), 0.01)?;
+//! let web = Outline::new(disc, vec![bore])?;
+//! assert!((web.swept_radius() - 0.08).abs() < 1e-15);
+//! assert!((web.moments().area - std::f64::consts::PI * (0.05f64.powi(2) - 0.01f64.powi(2))).abs() < 1e-15);
+//! # Ok::<(), lanchester_geometry::GeometryError>(())
+//! ```
+#![forbid(unsafe_code)]
+
+mod area_moments;
+mod circular_segment;
+mod contour;
+mod crossing;
+mod edge;
+mod error;
+mod outline;
+mod point;
+
+pub use area_moments::AreaMoments;
+pub use contour::{Contour, Corner};
+pub use edge::Edge;
+pub use error::{ContourPlace, GeometryError};
+pub use outline::Outline;
+pub use point::Point;
