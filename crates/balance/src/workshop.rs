@@ -48,7 +48,7 @@ pub use crank_unbalance::{
 pub use displayed::displayed;
 pub use drilling::{DrilledPlane, Drilling, drilling};
 pub use error::WorkshopError;
-pub use external::{ExternalBalance, external_balance};
+pub use external::{ExternalBalance, RadiusAndMass, external_balance};
 pub use factor_answer::{FactorAnswer, factor_answer};
 pub use grade::{Grade, GradedBearing, GradedPlane, grade};
 pub use history::SAME_SPEED;

@@ -28,18 +28,31 @@ pub struct ExternalBalance {
     pub couple_unbalance: Complex64,
     /// The weights outside that bring both to 0.
     pub weights: [PlaneUnbalance; 2],
+    /// Distance of each weight's centre of gravity from the axis [m], and its mass [kg] there, where the distance is given.
+    pub masses: [Option<RadiusAndMass>; 2],
+}
+
+/// A weight by its mass at a radius: their product is its unbalance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RadiusAndMass {
+    /// Distance of the centre of gravity from the axis [m].
+    pub radius: f64,
+    /// Mass [kg].
+    pub mass: f64,
 }
 
 /// What weights in the two planes bring crankshaft `crankshaft` (by index) into balance with its bobweights (one a
-/// throw of the engine [kg]), if the share `kept_share` of every counterweight of the file stays.
+/// throw of the engine [kg]), if the share `kept_share` of every counterweight of the file stays. `radii` [m]: where
+/// the centres of gravity of the two weights stand, for their masses.
 ///
 /// # Errors
-/// As [`super::crank_unbalance`], and for a share outside 0 to 1.
+/// As [`super::crank_unbalance`], for a share outside 0 to 1 and for a radius that is not above 0.
 pub fn external_balance(
     engine: &Engine,
     crankshaft: usize,
     bobweights: &[f64],
     planes: &[Plane; 2],
+    radii: [Option<f64>; 2],
     kept_share: f64,
 ) -> Result<ExternalBalance, WorkshopError> {
     if !(0.0..=1.0).contains(&kept_share) {
@@ -50,6 +63,17 @@ pub fn external_balance(
             got: kept_share,
             hint: "a share is written 60% or 0.6",
         });
+    }
+    for (plane, radius) in planes.iter().zip(radii) {
+        if let Some(radius) = radius.filter(|radius| !(radius.is_finite() && *radius > 0.0)) {
+            return Err(WorkshopError::Number {
+                quantity: "radius [m] of the weight",
+                part: format!("plane `{}`", plane.name),
+                needed: "above 0".into(),
+                got: radius,
+                hint: "it is the distance of the weight's centre of gravity from the crank axis",
+            });
+        }
     }
     let mut engine = engine.clone();
     for weight in &mut engine.counterweights {
@@ -63,6 +87,10 @@ pub fn external_balance(
         weight.unbalance =
             if weight.unbalance.norm() <= 1e-12 * size { Complex64::ZERO } else { -weight.unbalance };
     }
+    let mass = |k: usize| {
+        radii[k].map(|radius| RadiusAndMass { radius, mass: weights[k].unbalance.norm() / radius })
+    };
+    let masses = [mass(0), mass(1)];
     Ok(ExternalBalance {
         version: super::WORKSHOP_VERSION,
         engine: engine.name.clone(),
@@ -71,6 +99,7 @@ pub fn external_balance(
         static_unbalance: parts.iter().map(|p| p.unbalance).sum(),
         couple_unbalance: parts.iter().map(|p| p.z * p.unbalance).sum(),
         weights,
+        masses,
     })
 }
 
@@ -91,12 +120,14 @@ mod tests {
             let mut engine = read(template(name).unwrap().text).engine.unwrap();
             let factors = balance_factors(&engine, &FactorRequest::default()).unwrap();
             let bobs: Vec<f64> = factors.iter().map(|f| f.bobweight).collect();
-            let all = external_balance(&engine, 0, &bobs, &planes(), 1.0).unwrap();
+            let all = external_balance(&engine, 0, &bobs, &planes(), [None; 2], 1.0).unwrap();
             assert!(all.weights.iter().all(|w| w.unbalance == Complex64::ZERO), "{name}");
-            let external = external_balance(&engine, 0, &bobs, &planes(), 0.7).unwrap();
+            let external = external_balance(&engine, 0, &bobs, &planes(), [Some(0.08), None], 0.7).unwrap();
             if name == "single" {
                 let missing = 0.3 * factors[0].opposite;
                 assert!((external.weights[0].unbalance + missing * 0.31 / 0.57).norm() < 1e-15);
+                let [Some(damper), None] = external.masses else { panic!("{:?}", external.masses) };
+                assert!((damper.mass - missing * 0.31 / 0.57 / 0.08).abs() < 1e-13);
             }
             for weight in &mut engine.counterweights {
                 weight.unbalance *= 0.7;
@@ -120,7 +151,10 @@ mod tests {
     #[test]
     fn a_share_beyond_all_is_refused() {
         let engine = read(template("single").unwrap().text).engine.unwrap();
-        let error = external_balance(&engine, 0, &[0.5], &planes(), 1.4).unwrap_err().to_string();
+        let error = external_balance(&engine, 0, &[0.5], &planes(), [None; 2], 1.4).unwrap_err().to_string();
         assert!(error.contains("from 0 to 1, got 1.4"), "{error}");
+        let error =
+            external_balance(&engine, 0, &[0.5], &planes(), [None, Some(0.0)], 0.5).unwrap_err().to_string();
+        assert!(error.contains("`flywheel`") && error.contains("above 0, got 0"), "{error}");
     }
 }

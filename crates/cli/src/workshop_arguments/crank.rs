@@ -112,7 +112,7 @@ pub struct ExternalArguments {
     /// The crank.
     #[command(flatten)]
     pub crank: CrankInput,
-    /// The two planes outside, `name=z, name=z`.
+    /// The two planes outside, `name=z, name=z`; with `name=z @ radius` the mass of the weight at that radius is told too.
     #[arg(long, value_name = "PLANES", allow_hyphen_values = true)]
     pub planes: String,
     /// Share of every counterweight of the file that stays.

@@ -87,10 +87,21 @@ fn weights_outside_and_slugs_inside() {
     // By hand: 30 % of 104 544 g mm (V8 by formula sqrt(10) * 111 mm) over 620 mm.
     assert!((0.3 * 104_544.0 * 10f64.sqrt() * 111.0 / 620.0 - 17_756.0).abs() < 1.0);
     assert!(text.contains("17 756"), "{text}");
+    // 17 756 g mm at 71 mm are 250.1 g.
+    let planes = "damper=-290 mm @ 71 mm, flywheel=330 mm";
+    let text = run(0, &["external", &sheet(V8), "--planes", planes, "--keep", "70%"]).0;
+    assert!(text.contains("71.0  250.1"), "{text}");
     // By hand: 6005 g mm * 620 mm / 399 mm = 9331 g mm in each counterweight; two slugs side by side stand
     // asin(28.4/136) = 12.05 deg off: 9331 / (2 cos 12.05 deg) = 4771 of the 6621 g mm that 21 mm gain: 15.13 mm.
     let text = run(0, &["internal", &sheet("v8-slugs.toml")]).0;
     assert!(text.contains("all of it") && text.contains("15.13"), "{text}");
+    // A sheet about another engine is used, and told of.
+    let of_v8 = ["crank", &sheet(V8), "--sheet", &sheet("v8-bobweight.toml")];
+    assert_eq!(run(0, &of_v8).1, "");
+    let other = sheet("engines/v6-90-odd.toml");
+    let said =
+        lanchester(&examples(), &["workshop", "crank", &other, "--sheet", &sheet("v8-bobweight.toml")]);
+    assert!(String::from_utf8(said.stderr).unwrap().contains("v8-crossplane.toml, and the engine given is"));
     let small = fs::read_to_string(sheet("v8-slugs.toml")).unwrap().replace("25.4 mm", "9 mm");
     let file = folder("small-slugs").join("sheet.toml");
     fs::write(&file, small).unwrap();
@@ -110,6 +121,8 @@ fn bad_input_says_what_to_do() {
         (vec!["crank", &v8, "--planes", "a=10 mm, b=10 mm"], "different from 0"),
         (vec!["crank", &v8, "--crankshaft", "2"], "there is no crankshaft 2"),
         (vec!["crank", &v8, "--crankshaft", "0"], "there is no crankshaft 0"),
+        (vec!["external", &v8, "--planes", "a=-1 m @ 0 mm, b=1 m"], "above 0, got 0"),
+        (vec!["crank", &v8, "--planes", "a=-1 m @ 10 mm, b=1 m"], "has no radii"),
         (vec!["external", &v8, "--planes", "a=-1 m, b=1 m", "--keep", "1.5"], "from 0 to 1, got 1.5"),
         (vec!["bobweight", &v8], "unknown key"),
         (vec!["internal", &sheet("v8-bobweight.toml")], "an external weight is needed"),

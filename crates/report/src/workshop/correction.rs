@@ -1,7 +1,7 @@
 //! What to do about the unbalance of a rotor, as tables.
 
 use super::grade::{grade_tables, plain};
-use super::mass::{grams, on_rotor};
+use super::mass::{grams, on_rotor, rotor_angle, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::{
@@ -15,7 +15,7 @@ const REFERENCE: f64 = 1e-4;
 
 /// Corrections, vibration now and after, influence coefficients, the log of the runs; empty ones are left out.
 pub fn correction_tables(correction: &Correction) -> Vec<Table> {
-    let mut tables = vec![planes_table(&correction.planes)];
+    let mut tables = vec![planes_table(&correction.planes, correction.next == NextStep::Finished)];
     if let Some(runs) = &correction.runs {
         tables.extend([sensors_table(runs), influence_table(runs), log_table(runs)]);
     }
@@ -26,6 +26,9 @@ pub fn correction_tables(correction: &Correction) -> Vec<Table> {
 /// The correction for a terminal.
 pub fn correction_text(correction: &Correction) -> String {
     let mut out = format!("{}\n", correction.name);
+    if correction.next == NextStep::Finished {
+        out += &format!("{}\n", next_words(correction));
+    }
     for table in correction_tables(correction) {
         out += "\n";
         out += &table.text();
@@ -49,7 +52,9 @@ pub fn correction_text(correction: &Correction) -> String {
         }
     }
     out += &remarks_text(&correction.remarks);
-    out += &format!("\n{}\n", next_words(correction));
+    if correction.next != NextStep::Finished {
+        out += &format!("\n{}\n", next_words(correction));
+    }
     out
 }
 
@@ -82,7 +87,7 @@ fn next_words(correction: &Correction) -> String {
     }
 }
 
-fn planes_table(planes: &[PlaneCorrection]) -> Table {
+fn planes_table(planes: &[PlaneCorrection], finished: bool) -> Table {
     let mut rows = Vec::new();
     for plane in planes {
         let action = if plane.action == Action::Add { "add" } else { "remove" };
@@ -99,7 +104,7 @@ fn planes_table(planes: &[PlaneCorrection]) -> Table {
                 Cell::text(plane.plane.clone()),
                 Cell::text(action),
                 Cell::number(1e6 * placement.unbalance, 4),
-                Cell::Number { value: placement.angle.to_degrees(), decimals: 1 },
+                rotor_angle(placement.angle, 1),
                 placement.mass.map_or(Cell::Empty, grams_fine),
             ];
             row.extend(if index == 0 { left.clone() } else { [Cell::Empty, Cell::Empty] });
@@ -108,7 +113,7 @@ fn planes_table(planes: &[PlaneCorrection]) -> Table {
     }
     Table {
         id: "corrections",
-        title: "Corrections".to_owned(),
+        title: if finished { "What would take the rest" } else { "Corrections" }.to_owned(),
         note: "Angles count on the rotor. What allowed angles cannot give is left.".to_owned(),
         remark: String::new(),
         columns: vec![
@@ -147,10 +152,7 @@ fn amplitude(quantity: VibrationQuantity, value: f64) -> Cell {
 
 fn shown(vibration: Option<ShownVibration>) -> [Cell; 2] {
     vibration.map_or([Cell::Empty, Cell::Empty], |vibration| {
-        [
-            amplitude(vibration.quantity, vibration.amplitude),
-            Cell::Number { value: vibration.phase.to_degrees(), decimals: 0 },
-        ]
+        [amplitude(vibration.quantity, vibration.amplitude), rotor_angle(vibration.phase, 0)]
     })
 }
 
@@ -214,7 +216,7 @@ fn influence_table(runs: &RunFindings) -> Table {
             rpm(influence.speed),
             Cell::text(unit(influence.quantity).0),
             amplitude(influence.quantity, influence.shown * REFERENCE),
-            Cell::Number { value: lag.to_degrees(), decimals: 0 },
+            rotor_angle(lag, 0),
             influence.deviation.map_or(Cell::Empty, |deviation| Cell::Number {
                 value: 100.0 * deviation / influence.response.norm(),
                 decimals: 1,
@@ -248,7 +250,7 @@ fn log_table(runs: &RunFindings) -> Table {
             .weights
             .iter()
             .map(|(plane, unbalance)| {
-                let angle = number::plain(unbalance.arg().to_degrees().rem_euclid(360.0), 0);
+                let angle = number::plain(rotor_degrees(unbalance.arg(), 0), 0);
                 format!("{plane} {} g mm at {angle}", plain(1e6 * unbalance.norm(), 4))
             })
             .collect();

@@ -1,6 +1,6 @@
 //! Unbalance of a crank with its bobweights, weights outside and slugs inside, as tables.
 
-use super::mass::{on_rotor, rotor_degrees};
+use super::mass::{grams, on_rotor, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::{
@@ -111,13 +111,21 @@ fn line(what: &str, value: Complex64, factor: f64, unit: &str, noise: f64) -> St
     format!(
         "{what:<40}{} {unit} at {} deg\n",
         number::terminal(amount, number::decimals(amount, 4)),
-        number::plain(rotor_degrees(value.arg()), 1)
+        number::plain(rotor_degrees(value.arg(), 1), 1)
     )
 }
 
 /// Weights that flywheel and damper must carry.
 pub fn external_tables(answer: &ExternalBalance) -> Vec<Table> {
-    vec![of_planes("external-weights", "Weights outside", "plane", &answer.weights, (0.0, OF_THE_CRANK))]
+    let mut table =
+        of_planes("external-weights", "Weights outside", "plane", &answer.weights, (0.0, OF_THE_CRANK));
+    if answer.masses.iter().any(Option::is_some) {
+        table.columns.extend([Column::numbers("radius", "mm"), Column::numbers("mass", "g")]);
+        for (row, weight) in table.rows.iter_mut().zip(&answer.masses) {
+            row.extend(weight.map_or([Cell::Empty, Cell::Empty], |w| [millimetres(w.radius), grams(w.mass)]));
+        }
+    }
+    vec![table]
 }
 
 /// Internal to external balance for a terminal.
@@ -146,7 +154,7 @@ pub fn internal_tables(answer: &InternalBalance) -> Vec<Table> {
         .map(|plane| {
             let plan = &plane.plan;
             let directions: Vec<String> =
-                plan.directions.iter().map(|d| number::plain(rotor_degrees(*d), 1)).collect();
+                plan.directions.iter().map(|d| number::plain(rotor_degrees(*d, 1), 1)).collect();
             let mut row = vec![Cell::text(&plane.name), millimetres(plane.z)];
             row.extend(on_rotor(plan.wanted, 0.0));
             row.extend([

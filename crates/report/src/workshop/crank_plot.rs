@@ -172,7 +172,7 @@ fn amount(unbalance: Complex64, noise: f64) -> String {
         return "none".to_owned();
     }
     let (unit, divisor) = unit(unbalance.norm());
-    let degrees = super::mass::rotor_degrees(unbalance.arg());
+    let degrees = super::mass::rotor_degrees(unbalance.arg(), 1);
     format!("{} {unit} at {}\u{b0}", number::short(unbalance.norm() / divisor, 4), number::fixed(degrees, 1))
 }
 

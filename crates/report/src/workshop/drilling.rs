@@ -2,7 +2,7 @@
 
 use super::correction::remarks_text;
 use super::grade::{grade_tables, plain};
-use super::mass::on_rotor;
+use super::mass::{on_rotor, rotor_angle};
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::{Drilling, NextStep};
 
@@ -56,7 +56,7 @@ fn holes_table(drilling: &Drilling) -> Table {
         for hole in &plane.holes {
             rows.push(vec![
                 Cell::text(plane.plane.clone()),
-                Cell::Number { value: hole.angle.to_degrees(), decimals: 1 },
+                rotor_angle(hole.angle, 1),
                 millimetres(hole.diameter, 1),
                 millimetres(hole.depth, 2),
                 millimetres(hole.tip, 2),

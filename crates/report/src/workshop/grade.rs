@@ -1,6 +1,6 @@
 //! What a balance quality grade allows, as tables.
 
-use super::mass::on_rotor;
+use super::mass::{on_rotor, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::Grade;
@@ -73,7 +73,7 @@ pub fn grade_text(grade: &Grade) -> String {
         plain(1e6 * grade.eccentricity, 4),
     );
     if let Some(resultant) = grade.resultant {
-        let at = number::plain(resultant.arg().to_degrees().rem_euclid(360.0), 1);
+        let at = number::plain(rotor_degrees(resultant.arg(), 1), 1);
         out += &format!(
             "resultant of what is measured   {} g mm at {at} deg\n",
             plain(1e6 * resultant.norm(), 4)

@@ -21,12 +21,31 @@ pub(super) fn on_rotor(value: Complex64, noise: f64) -> [Cell; 2] {
     }
     [
         Cell::Number { value: 1e6 * value.norm(), decimals: number::decimals(1e6 * value.norm(), 4) },
-        Cell::Number { value: rotor_degrees(value.arg()), decimals: 1 },
+        rotor_angle(value.arg(), 1),
     ]
 }
 
-/// An angle on the rotor in degrees from 0 to 360; what would be printed as 360.0 is 0.
-pub(super) fn rotor_degrees(angle: f64) -> f64 {
+/// An angle on the rotor in degrees from 0 to 360; what would be printed as 360 is 0.
+pub(super) fn rotor_degrees(angle: f64, decimals: usize) -> f64 {
     let degrees = angle.to_degrees().rem_euclid(360.0);
-    if degrees >= 359.95 { 0.0 } else { degrees }
+    if degrees >= 360.0 - 0.5 * 0.1_f64.powi(decimals as i32) { 0.0 } else { degrees }
+}
+
+/// The same as a cell.
+pub(super) fn rotor_angle(angle: f64, decimals: usize) -> Cell {
+    Cell::Number { value: rotor_degrees(angle, decimals), decimals }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_turn_is_printed_as_none() {
+        for (degrees, decimals, shown) in
+            [(359.96, 1, 0.0), (359.94, 1, 359.94), (359.6, 0, 0.0), (-90.0, 0, 270.0)]
+        {
+            assert!((rotor_degrees(f64::to_radians(degrees), decimals) - shown).abs() < 1e-9, "{degrees}");
+        }
+    }
 }

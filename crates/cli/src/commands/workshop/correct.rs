@@ -6,7 +6,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::workshop_arguments::CorrectArguments;
-use lanchester::balance::workshop::correction;
+use lanchester::balance::workshop::{NextStep, correction};
 use lanchester::report::Table;
 use lanchester::report::workshop::{correction_tables, correction_text, vibration_figure};
 
@@ -27,5 +27,6 @@ pub fn run(arguments: &CorrectArguments, colour: bool) -> Result<u8, Failure> {
         Format::Json => json(&correction)?,
         Format::Csv => correction_tables(&correction).iter().map(Table::csv).collect::<Vec<_>>().join("\r\n"),
     })?;
-    Ok(if correction.holds == Some(false) { NOT_AS_EXPECTED } else { DONE })
+    let unsettled = correction.next == NextStep::Settle;
+    Ok(if correction.holds == Some(false) || unsettled { NOT_AS_EXPECTED } else { DONE })
 }

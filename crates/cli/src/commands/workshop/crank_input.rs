@@ -10,6 +10,7 @@ use lanchester::balance::workshop::{
 };
 use lanchester::model::workshop::{Rotor, Sheet};
 use lanchester::model::{Engine, option};
+use std::path::Path;
 
 /// What the commands about a crank work on.
 pub struct Crank {
@@ -45,6 +46,9 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
         Some(path) => Some(open_sheet(path, colour)?),
         None => None,
     };
+    if let (Some(path), Some(sheet)) = (&input.sheet, &sheet) {
+        warn_of_another_engine(path, sheet, &input.engine);
+    }
     let of_sheet = sheet.as_ref().filter(|sheet| sheet.bobweight.is_some() && given == FactorGiven::AsBuilt);
     let bobweights = match of_sheet {
         Some(_) if input.oil.is_some() => {
@@ -75,8 +79,33 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
     Ok(Crank { engine, sheet, crankshaft, bobweights })
 }
 
+/// A sheet may name its engine; the one given here is used, and the user told where they differ.
+fn warn_of_another_engine(path: &Path, sheet: &Sheet, given: &Path) {
+    let Some(named) = sheet.engine.as_ref().map(|name| path.with_file_name(name)) else { return };
+    let whole = |path: &Path| path.canonicalize().ok();
+    if whole(&named) != whole(given) {
+        eprintln!(
+            "warning: the sheet {} is about {}, and the engine given is {}\nhint: the engine given is used",
+            path.display(),
+            named.display(),
+            given.display()
+        );
+    }
+}
+
 /// `front=-180 mm, rear=200 mm`
 pub fn planes(text: &str) -> Result<[Plane; 2], Failure> {
+    match weights_in_planes(text)? {
+        ([first, second], [None, None]) => Ok([first, second]),
+        _ => Err(Failure::input(
+            format_args!("--planes of this command has no radii, got `{text}`"),
+            "leave out the `@` and what follows it",
+        )),
+    }
+}
+
+/// `damper=-290 mm @ 70 mm, flywheel=330 mm @ 110 mm`: two planes, and the radius of the weight in each where it is given [m].
+pub fn weights_in_planes(text: &str) -> Result<([Plane; 2], [Option<f64>; 2]), Failure> {
     let wrong = || {
         Failure::input(
             format_args!("--planes needs two planes with names, got `{text}`"),
@@ -84,12 +113,17 @@ pub fn planes(text: &str) -> Result<[Plane; 2], Failure> {
         )
     };
     let plane = |part: &str| {
-        let (name, z) = part.split_once('=').ok_or_else(wrong)?;
-        let z = option::length(z.trim(), name.trim()).map_err(bad)?;
-        Ok::<_, Failure>(Plane { name: name.trim().to_owned(), z })
+        let (name, place) = part.split_once('=').ok_or_else(wrong)?;
+        let (z, radius) = place.split_once('@').map_or((place, None), |(z, radius)| (z, Some(radius)));
+        let length = |text: &str| option::length(text.trim(), name.trim()).map_err(bad);
+        let plane = Plane { name: name.trim().to_owned(), z: length(z)? };
+        Ok::<_, Failure>((plane, radius.map(length).transpose()?))
     };
     match text.split(',').collect::<Vec<_>>()[..] {
-        [first, second] => Ok([plane(first)?, plane(second)?]),
+        [first, second] => {
+            let ((first, one), (second, two)) = (plane(first)?, plane(second)?);
+            Ok(([first, second], [one, two]))
+        }
         _ => Err(wrong()),
     }
 }

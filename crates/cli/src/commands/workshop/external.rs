@@ -1,6 +1,6 @@
 //! `lanchester workshop external`: weights on damper and flywheel.
 
-use super::crank_input::{crank, planes};
+use super::crank_input::{crank, weights_in_planes};
 use super::given_factor::bad;
 use super::refused;
 use crate::arguments::Format;
@@ -14,10 +14,10 @@ use lanchester::report::Table;
 use lanchester::report::workshop::{external_tables, external_text};
 
 pub fn run(arguments: &ExternalArguments, colour: bool) -> Result<u8, Failure> {
-    let planes = planes(&arguments.planes)?;
+    let (planes, radii) = weights_in_planes(&arguments.planes)?;
     let keep = option::share(&arguments.keep, "--keep").map_err(bad)?;
     let crank = crank(&arguments.crank, colour)?;
-    let answer = external_balance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, keep)
+    let answer = external_balance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, radii, keep)
         .map_err(refused)?;
     print(&match arguments.format {
         Format::Text => external_text(&answer),
