@@ -2,7 +2,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::optimise;
 use lanchester_model::{
-    BalanceTask, Criterion as Judged, Engine, FreeWeight, Load, Phase, Place, Seat, Stage, read, template,
+    BalanceTask, Criterion as Judged, Engine, FreeWeight, Load, Place, Seat, Stage, read, template,
 };
 use std::hint::black_box;
 
@@ -15,16 +15,7 @@ fn engine(name: &str) -> Engine {
 }
 
 fn weight(name: &str, z: Place) -> FreeWeight {
-    FreeWeight {
-        name: name.into(),
-        seat: Seat::Crankshaft(0),
-        z,
-        least: 0.0,
-        most: Some(0.03),
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
-    }
+    FreeWeight { most: Some(0.03), ..FreeWeight::new(name, Seat::Crankshaft(0), z) }
 }
 
 fn bench(criterion: &mut Criterion) {

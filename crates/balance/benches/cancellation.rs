@@ -2,7 +2,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{Outcome, optimise};
 use lanchester_model::{
-    BalanceTask, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Ratio, Seat, read, template,
+    BalanceTask, Engine, FreeShaft, FreeWeight, Load, Place, Ratio, Seat, read, template,
 };
 use std::hint::black_box;
 
@@ -16,16 +16,7 @@ fn engine(name: &str) -> Engine {
 
 /// A weight on every throw and shafts (ratio and y) with weights 150 mm either side of the middle.
 fn task(engine: &Engine, shafts: &[(i32, f64)], cancel: &[(Load, f64)]) -> BalanceTask {
-    let weight = |name: String, seat: Seat, z: f64| FreeWeight {
-        name,
-        seat,
-        z: Place::At(z),
-        least: 0.0,
-        most: None,
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
-    };
+    let weight = |name: String, seat: Seat, z: f64| FreeWeight::new(name, seat, Place::At(z));
     let mut task = BalanceTask { cancel: cancel.to_vec(), ..BalanceTask::default() };
     for (k, throw) in engine.throws.iter().enumerate() {
         if engine.throws[..k].iter().all(|t| t.z != throw.z) {

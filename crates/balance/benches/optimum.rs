@@ -1,9 +1,7 @@
 //! How long an optimum takes, on one thread: the counterweights of a twin, and four balance shafts of a V6.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::optimise;
-use lanchester_model::{
-    BalanceTask, Engine, FreeShaft, FreeWeight, Phase, Place, Ratio, Seat, read, template,
-};
+use lanchester_model::{BalanceTask, Engine, FreeShaft, FreeWeight, Place, Ratio, Seat, read, template};
 use std::hint::black_box;
 
 /// The engine without counterweights and shafts.
@@ -15,16 +13,7 @@ fn bare(name: &str) -> Engine {
 }
 
 fn weight(name: String, seat: Seat, z: f64) -> FreeWeight {
-    FreeWeight {
-        name,
-        seat,
-        z: Place::At(z),
-        least: 0.0,
-        most: None,
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
-    }
+    FreeWeight::new(name, seat, Place::At(z))
 }
 
 /// A weight at each end of the crankshaft, and two on each shaft of these ratios.

@@ -1,6 +1,6 @@
 //! What balancing answers: plain data, SI units and radians, the same for every front end.
 
-use crate::cancellation::Cancellation;
+use crate::cancellation::answer::Cancellation;
 use lanchester_model::{BalanceTask, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;

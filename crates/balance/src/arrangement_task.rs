@@ -3,9 +3,7 @@
 
 use crate::crank_sweep::CrankLoad;
 use crate::error::BalanceError;
-use crate::twin_arrangement::{
-    ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load, rotating_unbalance,
-};
+use crate::twin_arrangement::{ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load};
 use lanchester_model::{
     BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie,
 };
@@ -110,7 +108,8 @@ pub fn swept_task(engine: &Engine, load: CrankLoad) -> BalanceTask {
         ..BalanceTask::default()
     };
     let mut free = Free::default();
-    for (k, (throw, own)) in engine.throws.iter().zip(rotating_unbalance(engine)).enumerate() {
+    for (k, throw) in engine.throws.iter().enumerate() {
+        let own = engine.rotating_unbalance(k);
         let angle = engine.crankshafts[throw.crankshaft].phase + throw.angle + PI;
         let name = format!("throw {}", k + 1);
         free.add(&mut task, &name, Seat::Crankshaft(throw.crankshaft), throw.z, own, angle);
@@ -139,14 +138,8 @@ impl Free {
         }
         self.seat.push((z, amount, angle));
         task.weights.push(FreeWeight {
-            name: name.to_string(),
-            seat,
-            z: Place::At(z),
-            least: 0.0,
-            most: None,
             phase: Phase::Line(angle.rem_euclid(TAU)),
-            optional: false,
-            radius: None,
+            ..FreeWeight::new(name, seat, Place::At(z))
         });
     }
 

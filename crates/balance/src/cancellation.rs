@@ -1,7 +1,7 @@
 //! Exact cancellation: the lightest weights that make chosen orders vanish, or the proof that none can (book, "Exact
 //! cancellation", eqs. (20.1) to (20.5)).
 
-mod answer;
+pub(crate) mod answer;
 mod equations;
 mod functional;
 mod lightest;

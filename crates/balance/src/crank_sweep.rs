@@ -16,7 +16,6 @@
 //! are not printed there, and follow from its tables.
 
 use crate::error::BalanceError;
-use crate::twin_arrangement::rotating_unbalance;
 use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism};
 use lanchester_model::{Engine, Load};
 use num_complex::Complex64;
@@ -105,6 +104,11 @@ impl CrankSweep {
     }
 }
 
+/// Unbalance of throw 1 with its big ends [kg m]; nothing without throws.
+fn first_throw(engine: &Engine) -> f64 {
+    if engine.throws.is_empty() { 0.0 } else { engine.rotating_unbalance(0) }
+}
+
 /// Counterweight of throw 1 that balances all of its rotating and the largest reciprocating masses of any throw.
 fn largest_amount(engine: &Engine) -> f64 {
     let reciprocating = (0..engine.throws.len()).map(|k| {
@@ -112,7 +116,7 @@ fn largest_amount(engine: &Engine) -> f64 {
             engine.cylinders.iter().filter(|c| c.throw == k).map(|c| c.reciprocating_mass()).sum();
         mass * engine.throws[k].radius
     });
-    rotating_unbalance(engine).next().unwrap_or(0.0).max(0.0) + reciprocating.fold(0.0, f64::max)
+    first_throw(engine).max(0.0) + reciprocating.fold(0.0, f64::max)
 }
 
 /// Sweeps the crank of `engine`, whose counterweights are left out and whose shafts are kept, for the smallest largest
@@ -158,7 +162,7 @@ pub fn sweep(
         .collect();
     let best =
         (0..steps.len()).fold(0, |best, k| if steps[k].criterion < steps[best].criterion { k } else { best });
-    let unbalance = rotating_unbalance(engine).next().unwrap_or(0.0);
+    let unbalance = first_throw(engine);
     let basic = SweptCrank { unbalance, criterion: turning.largest(unbalance) };
     Ok(CrankSweep { load, step: options.step, steps, best, basic })
 }
@@ -199,9 +203,9 @@ impl Turning {
                 hint: "sweep the other load, or free the weights one by one",
             });
         }
-        let first = rotating_unbalance(engine).next().unwrap_or(0.0);
+        let first = first_throw(engine);
         let unlike: Complex64 =
-            rotating_unbalance(engine).enumerate().map(|(k, own)| (own - first) * weight(k)).sum();
+            (0..engine.throws.len()).map(|k| (engine.rotating_unbalance(k) - first) * weight(k)).sum();
         let (x, y) = match load {
             CrankLoad::Force => (&trace.force_x, &trace.force_y),
             CrankLoad::Couple => (&trace.couple_x, &trace.couple_y),

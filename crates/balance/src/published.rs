@@ -9,6 +9,7 @@
 //! None of these methods seeks an optimum: they cancel one chosen resultant. All work with unbalances, so that one
 //! [`Resultant`] serves for every speed.
 
+mod basis;
 mod comparison;
 mod half_rules;
 mod matrices;
@@ -18,6 +19,7 @@ mod remark;
 mod resultant;
 mod shaft_pair;
 
+pub use basis::Basis;
 pub use comparison::{
     METHOD_ANSWER_VERSION, MethodAnswer, MethodFound, MethodWeight, OrderLeft, PublishedMethod,
 };
@@ -26,7 +28,7 @@ pub use half_rules::{
     ThreeCylinderRule,
 };
 pub use matrices::{Matrix, MethodMatrices};
-pub use matrix_method::{Alpha, Basis, Equilibrium, MatrixBalance, MatrixMethod};
+pub use matrix_method::{Alpha, Equilibrium, MatrixBalance, MatrixMethod};
 pub use printed_v::{AngleRule, PrintedV};
 pub use remark::Remark;
 pub use resultant::{EngineResidual, OrderResultant, Resultant};

@@ -323,20 +323,15 @@ fn shafts_fitted(
     Ok(Engine { counterweights: Vec::new(), shafts, ..engine.clone() })
 }
 
-/// Unbalance along every throw [kg m] that the crank's own counterweights must answer: webs, pin and big ends.
-pub(crate) fn rotating_unbalance(engine: &Engine) -> impl Iterator<Item = f64> + '_ {
-    engine.throws.iter().enumerate().map(|(k, throw)| throw.unbalance + engine.rod_unbalance(k))
-}
-
 /// Counterweights, opposite their throws, that balance the rotating masses: one complex amount along each throw.
 fn basic_crank(engine: &Engine) -> Vec<Complex64> {
-    rotating_unbalance(engine).map(Complex64::from).collect()
+    (0..engine.throws.len()).map(|k| engine.rotating_unbalance(k).into()).collect()
 }
 
 /// Counterweights of this amount on throw 1, and as much more or less than the rotating masses on every other throw.
 fn even_crank(engine: &Engine, amount: f64) -> Vec<Complex64> {
-    let first = rotating_unbalance(engine).next().unwrap_or(0.0);
-    rotating_unbalance(engine).map(|own| Complex64::from(amount + (own - first))).collect()
+    let own = basic_crank(engine);
+    own.iter().map(|unbalance| amount + (*unbalance - own[0])).collect()
 }
 
 /// Counterweights that answer the rotating masses and the forward first order of the reciprocating ones, throw by

@@ -2,8 +2,7 @@
 
 use lanchester::balance::{Outcome, optimise};
 use lanchester::model::{
-    BalanceTask, Criterion, FreeShaft, FreeWeight, Limit, Load, Phase, Place, Ratio, Seat, Stage, read,
-    template,
+    BalanceTask, Criterion, FreeShaft, FreeWeight, Limit, Load, Place, Ratio, Seat, Stage, read, template,
 };
 use serde_json::Value;
 
@@ -42,14 +41,8 @@ fn task(case: &Value) -> BalanceTask {
             }
         };
         task.weights.push(FreeWeight {
-            name: format!("added weight {k}"),
-            seat,
-            z: Place::At(number(&weight["z"])),
-            least: 0.0,
             most: weight["most"].as_f64(),
-            phase: Phase::Free,
-            optional: false,
-            radius: None,
+            ..FreeWeight::new(format!("added weight {k}"), seat, Place::At(number(&weight["z"])))
         });
     }
     let minimise = case["minimise"].as_str().expect("a criterion");

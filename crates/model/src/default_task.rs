@@ -1,7 +1,7 @@
 //! What may be done where the engine file does not say it.
 
 use crate::engine::Engine;
-use crate::task::{BalanceTask, FreeWeight, Phase, Place, Seat};
+use crate::task::{BalanceTask, FreeWeight, Place, Seat};
 
 /// The task of an engine without a `[balance]` section: the resultant force, then the couple, made as small as free
 /// weights on the crankshafts can make them.
@@ -44,7 +44,7 @@ pub fn crank_weights(engine: &Engine, places: CrankWeightPlaces) -> Vec<FreeWeig
         } else {
             name.to_string()
         };
-        weights.push(free_weight(name, seat, Place::At(z)));
+        weights.push(FreeWeight::new(name, seat, Place::At(z)));
     };
     match places {
         CrankWeightPlaces::File => {
@@ -66,11 +66,6 @@ pub fn crank_weights(engine: &Engine, places: CrankWeightPlaces) -> Vec<FreeWeig
         }
     }
     weights
-}
-
-/// A weight of any amount and direction.
-pub(crate) fn free_weight(name: String, seat: Seat, z: Place) -> FreeWeight {
-    FreeWeight { name, seat, z, least: 0.0, most: None, phase: Phase::Free, optional: false, radius: None }
 }
 
 #[cfg(test)]

@@ -296,4 +296,9 @@ impl Engine {
         let mass: f64 = self.cylinders.iter().filter(|c| c.throw == throw).map(|c| c.rod.big_end_mass).sum();
         mass * self.throws[throw].radius
     }
+
+    /// Unbalance along throw `throw` [kg m] that the crank's own counterweights must answer: webs, pin and big ends.
+    pub fn rotating_unbalance(&self, throw: usize) -> f64 {
+        self.throws[throw].unbalance + self.rod_unbalance(throw)
+    }
 }

@@ -86,6 +86,23 @@ pub struct FreeWeight {
     pub radius: Option<f64>,
 }
 
+impl FreeWeight {
+    /// A weight of any amount and direction.
+    pub fn new(name: impl Into<String>, seat: Seat, z: Place) -> FreeWeight {
+        let name = name.into();
+        FreeWeight {
+            name,
+            seat,
+            z,
+            least: 0.0,
+            most: None,
+            phase: Phase::Free,
+            optional: false,
+            radius: None,
+        }
+    }
+}
+
 /// Direction of a free weight at `theta = 0`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]

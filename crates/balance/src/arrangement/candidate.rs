@@ -6,7 +6,7 @@ use crate::arrangement::result::ShaftLayout;
 use crate::arrangement::spacing::extent;
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::{
-    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Ratio, Seat, Stage, Tie,
+    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Place, Ratio, Seat, Stage, Tie,
 };
 use num_complex::Complex64;
 
@@ -239,16 +239,7 @@ pub(crate) fn task(
     places: &[Complex64],
 ) -> BalanceTask {
     let mut task = BalanceTask { limits: request.limits.clone(), ..BalanceTask::default() };
-    let weight = |name: String, seat: Seat, z: f64| FreeWeight {
-        name,
-        seat,
-        z: Place::At(z),
-        least: 0.0,
-        most: None,
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
-    };
+    let weight = |name: String, seat: Seat, z: f64| FreeWeight::new(name, seat, Place::At(z));
     if candidate.crank {
         for (index, z) in crank_planes(engine, request).into_iter().enumerate() {
             task.weights.push(weight(format!("{CRANK_WEIGHT}{}", index + 1), Seat::Crankshaft(0), z));

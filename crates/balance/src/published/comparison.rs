@@ -13,7 +13,7 @@ use crate::fitted::fitted;
 use crate::optimum::optimise;
 use lanchester_mechanism::{LoadRequest, OrderLoads, loads};
 use lanchester_model::{
-    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie,
+    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Place, Seat, Stage, Tie,
 };
 use num_complex::Complex64;
 use serde::Serialize;
@@ -252,7 +252,11 @@ impl Own {
                 let unbalance = Complex64::from_polar(weight.unbalance, shaft.phase + weight.angle);
                 let mass = method.radius(None).map(|radius| weight.unbalance / radius);
                 own.add(&weight.name, None, shaft.ratio.to_string(), (weight.z, unbalance, mass));
-                own.free(free(&weight.name, Seat::Crankshaft(weight.crankshaft), weight.z));
+                own.free(FreeWeight::new(
+                    &weight.name,
+                    Seat::Crankshaft(weight.crankshaft),
+                    Place::At(weight.z),
+                ));
             }
         }
         if matches!(method, PublishedMethod::Factor(_)) {
@@ -276,7 +280,7 @@ impl Own {
                 let mass = radius.map(|radius| weight.unbalance / radius);
                 let on = Some(shaft.name.clone());
                 own.add(&name, on, shaft.ratio.to_string(), (weight.z, unbalance, mass));
-                own.free(free(&name, Seat::Shaft(index), weight.z));
+                own.free(FreeWeight::new(&name, Seat::Shaft(index), Place::At(weight.z)));
             }
         }
         own
@@ -301,19 +305,6 @@ impl Own {
     ) {
         let name = name.to_owned();
         self.weights.push(MethodWeight { name, shaft, ratio, z, unbalance, mass, optimum: Complex64::ZERO });
-    }
-}
-
-fn free(name: &str, seat: Seat, z: f64) -> FreeWeight {
-    FreeWeight {
-        name: name.to_owned(),
-        seat,
-        z: Place::At(z),
-        least: 0.0,
-        most: None,
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
     }
 }
 

@@ -16,6 +16,7 @@
 //!
 //! One mass for all counterweights and four equations: what is left over is always given, for the whole crank.
 
+use super::basis::Basis;
 use super::matrices::MethodMatrices;
 use super::remark::Remark;
 use super::resultant::{
@@ -55,22 +56,6 @@ pub enum Alpha {
     Given(f64),
     /// The one with the smallest left-over.
     Fitted,
-}
-
-/// Which resultant the counterweights are sized for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Basis {
-    /// The force of the whole crank.
-    Force,
-    /// The couple of the whole crank, where its force vanishes.
-    Couple,
-    /// The force of the front half, where both vanish for the whole.
-    HalfForce,
-    /// The moment of the front half about the middle of the crank.
-    HalfCouple,
-    /// Nothing to balance.
-    Nothing,
 }
 
 /// One of the four equations of equilibrium, Eq 10, for the whole crank at `theta = 0`.

@@ -1,7 +1,7 @@
 //! The pair of balance shafts of one order: one turns with the crank, one against it.
 
+use super::basis::Basis;
 use super::matrices::Matrix;
-use super::matrix_method::Basis;
 use super::resultant::{OrderResultant, Resultant, Scale};
 use lanchester_model::{BalanceShaft, Engine, Ratio, ShaftWeight};
 use serde::Serialize;

@@ -8,7 +8,7 @@ use crate::optimum::optimise;
 use crate::{BalanceError, Outcome};
 use lanchester_mechanism::{LoadError, LoadRequest, loads};
 use lanchester_model::workshop::{BobweightSheet, PinParts, Sheet};
-use lanchester_model::{BalanceTask, Counterweight, Engine, FreeWeight, Phase, Place, Seat};
+use lanchester_model::{BalanceTask, Counterweight, Engine, FreeWeight, Place, Seat};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -305,16 +305,11 @@ fn end_weights(engine: &Engine) -> Vec<FreeWeight> {
     let mut weights = Vec::new();
     for crankshaft in 0..engine.crankshafts.len() {
         for plane in end_planes(engine, crankshaft) {
-            weights.push(FreeWeight {
-                name: format!("{} of crankshaft {}", plane.name, crankshaft + 1),
-                seat: Seat::Crankshaft(crankshaft),
-                z: Place::At(plane.z),
-                least: 0.0,
-                most: None,
-                phase: Phase::Free,
-                optional: false,
-                radius: None,
-            });
+            weights.push(FreeWeight::new(
+                format!("{} of crankshaft {}", plane.name, crankshaft + 1),
+                Seat::Crankshaft(crankshaft),
+                Place::At(plane.z),
+            ));
         }
     }
     weights

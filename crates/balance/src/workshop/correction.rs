@@ -255,7 +255,7 @@ fn influence(history: &History<'_>, planes: &[usize], fits: &[SensorFit]) -> Vec
     let mut out = Vec::with_capacity(fits.len() * planes.len());
     for fit in fits {
         let (sensor, speed) = (&history.sheet.sensors[fit.sensor], history.speeds[fit.group]);
-        let quantity = quantity_of(history, fit.sensor);
+        let quantity = history.quantity_of(fit.sensor);
         let deviations = fit.response_deviations();
         for (k, plane) in planes.iter().enumerate() {
             let response = fit.responses[k];
@@ -304,7 +304,7 @@ fn predictions(
             let to_shown = |velocity: f64| {
                 history
                     .convention
-                    .shown(place, quantity_of(history, sensor), Complex64::from(velocity), speed)
+                    .shown(place, history.quantity_of(sensor), Complex64::from(velocity), speed)
                     .0
                     .amplitude
             };
@@ -323,17 +323,6 @@ fn predictions(
         }
     }
     out
-}
-
-/// The quantity in which a sensor is read; a sensor has one.
-pub(crate) fn quantity_of(history: &History<'_>, sensor: usize) -> VibrationQuantity {
-    history
-        .sheet
-        .runs
-        .iter()
-        .flat_map(|run| &run.readings)
-        .find(|reading| reading.sensor == sensor)
-        .map_or(VibrationQuantity::Velocity, |reading| reading.vibration.quantity)
 }
 
 fn from_displays(sheet: &Sheet) -> Result<Correction, WorkshopError> {

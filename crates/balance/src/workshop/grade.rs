@@ -1,6 +1,5 @@
 //! Permissible residual unbalance of a balance quality grade, and whether the rotor keeps it.
 
-use super::displayed::displayed;
 use super::error::WorkshopError;
 use super::plane::{Plane, PlaneUnbalance, in_two_planes};
 use lanchester_model::workshop::{Rotor, Sheet};
@@ -73,9 +72,7 @@ fn most_share(between: bool) -> f64 {
     if between { 0.7 } else { 1.3 }
 }
 
-/// What the grade of the sheet allows, and whether the measured unbalance keeps it: the displayed one, or that which the
-/// runs show in the planes with trial weights. Runs that do not tell it yet leave it unmeasured; [`correction`](super::correction)
-/// says why.
+/// What the grade of the sheet allows, and whether these unbalances keep it.
 ///
 /// ```text
 /// e_per = G/omega        U_per = m G/omega          U_per [g mm] = 9549 G [mm/s] m [kg] / n [rpm]
@@ -92,16 +89,6 @@ fn most_share(between: bool) -> f64 {
 /// # Source
 /// U_per and the shares of the bearings with their limits: `[Iso21940]` part 11. Shares of the planes: book, "Balance quality
 /// grades".
-pub fn grade(sheet: &Sheet) -> Result<Grade, WorkshopError> {
-    if !sheet.runs.is_empty() {
-        let from_runs = super::correction(sheet).ok().and_then(|found| found.grade_now);
-        return from_runs.map_or_else(|| of_unbalances(sheet, None), Ok);
-    }
-    let measured = displayed(&sheet.displays);
-    of_unbalances(sheet, (!measured.is_empty()).then_some(measured.as_slice()))
-}
-
-/// As [`grade`], for unbalances that come from elsewhere.
 pub(crate) fn of_unbalances(
     sheet: &Sheet,
     measured: Option<&[PlaneUnbalance]>,
@@ -205,6 +192,3 @@ fn plane_shares(places: &[f64], bearings: [&GradedBearing; 2]) -> Vec<f64> {
     // A lever sum of 0 limits nothing: all planes lie in the other bearing.
     vec![most(u_a, &on_a).min(most(u_b, &on_b)); places.len()]
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,7 +1,7 @@
 //! What was on the rotor in every run, and which runs belong together.
 
 use super::phasor::Convention;
-use lanchester_model::workshop::{Action, Reading, Run, Sheet};
+use lanchester_model::workshop::{Action, Reading, Run, Sheet, VibrationQuantity};
 use num_complex::Complex64;
 
 /// Speeds that differ by no more than this share are one speed: machines hardly hold theirs better, and away from
@@ -33,6 +33,13 @@ pub(crate) struct HistoryRun {
 }
 
 impl<'a> History<'a> {
+    /// The quantity in which a sensor is read; a sensor has one.
+    pub(crate) fn quantity_of(&self, sensor: usize) -> VibrationQuantity {
+        let readings = self.sheet.runs.iter().flat_map(|run| &run.readings);
+        let of_sensor = readings.into_iter().find(|reading| reading.sensor == sensor);
+        of_sensor.map_or(VibrationQuantity::Velocity, |reading| reading.vibration.quantity)
+    }
+
     /// `None` where the conventions are not stated.
     pub(crate) fn of(sheet: &'a Sheet) -> Option<History<'a>> {
         let convention = Convention::of(&sheet.rotor)?;

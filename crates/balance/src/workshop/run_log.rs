@@ -1,6 +1,5 @@
 //! The log of the runs: what each showed, and what the runs before it had predicted.
 
-use super::correction::quantity_of;
 use super::history::History;
 use super::influence::sensor_fit;
 use lanchester_model::workshop::VibrationQuantity;
@@ -54,7 +53,7 @@ impl ShownVibration {
 /// A velocity as the instrument shows it.
 pub(crate) fn shown(history: &History<'_>, sensor: usize, velocity: Complex64, speed: f64) -> ShownVibration {
     let place = &history.sheet.sensors[sensor];
-    let (vibration, phase) = history.convention.shown(place, quantity_of(history, sensor), velocity, speed);
+    let (vibration, phase) = history.convention.shown(place, history.quantity_of(sensor), velocity, speed);
     ShownVibration { quantity: vibration.quantity, amplitude: vibration.amplitude, phase }
 }
 

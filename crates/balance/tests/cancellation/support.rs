@@ -15,16 +15,7 @@ pub fn stripped(name: &str) -> Engine {
 }
 
 pub fn weight(name: &str, seat: Seat, z: f64) -> FreeWeight {
-    FreeWeight {
-        name: name.into(),
-        seat,
-        z: Place::At(z),
-        least: 0.0,
-        most: None,
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
-    }
+    FreeWeight::new(name, seat, Place::At(z))
 }
 
 /// Weights on crankshaft 1 in these planes.

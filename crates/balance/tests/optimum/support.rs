@@ -21,16 +21,7 @@ pub fn on_crank(name: &str, z: f64) -> FreeWeight {
 }
 
 pub fn weight(name: &str, seat: Seat, z: f64) -> FreeWeight {
-    FreeWeight {
-        name: name.into(),
-        seat,
-        z: Place::At(z),
-        least: 0.0,
-        most: None,
-        phase: Phase::Free,
-        optional: false,
-        radius: None,
-    }
+    FreeWeight::new(name, seat, Place::At(z))
 }
 
 pub fn shaft(name: &str, ratio: i32, x: f64, y: f64) -> FreeShaft {

@@ -3,7 +3,6 @@
 use super::Reader;
 use super::ties::Follows;
 use crate::angle;
-use crate::default_task::free_weight;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
@@ -291,7 +290,7 @@ impl<'a> Reader<'a> {
             },
             optional: draft.own.optional,
             radius: draft.own.radius,
-            ..free_weight(draft.name.clone(), seat, z)
+            ..FreeWeight::new(&draft.name, seat, z)
         })
     }
 }

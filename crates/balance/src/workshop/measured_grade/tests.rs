@@ -1,5 +1,7 @@
 use super::*;
+use crate::workshop::{Plane, PlaneUnbalance, in_two_planes};
 use lanchester_model::workshop::read_sheet;
+use num_complex::Complex64;
 
 /// Unbalances moved to two places along the shaft [kg m].
 fn moved(unbalances: &[(f64, Complex64)], places: [f64; 2]) -> [Complex64; 2] {
