@@ -1,7 +1,9 @@
 //! What an optimum does over the crank angle.
 
+use crate::crank_view::crank_view;
 use crate::figure::{Figure, Panel};
 use crate::plot::{AnglePlot, Series};
+use crate::share_plot::share_plots;
 use lanchester_balance::{Active, Answer};
 use lanchester_mechanism::{Loads, Trace};
 use lanchester_model::{Criterion, Engine, Load, criterion_name};
@@ -9,10 +11,27 @@ use lanchester_model::{Criterion, Engine, Load, criterion_name};
 /// A force or moment below this [N], [N m] is rounding, and no curve is drawn of it.
 const FELT: f64 = 1e-6;
 
+/// All pictures of an answer: its loads over the crank angle, the crank with the weights that were found, and what each
+/// throw and each device adds. `before`: loads as the file stands, `after`: those of `fitted`, the engine with the answer.
+pub fn optimum_figures(
+    engine: &Engine,
+    answer: &Answer,
+    before: &Loads,
+    fitted: &Engine,
+    after: &Loads,
+) -> Vec<Figure> {
+    let of_devices = crank_view(fitted).into_iter().chain(share_plots(fitted, after)).map(|figure| Figure {
+        id: format!("optimum-{}", figure.id),
+        title: format!("{}, at the optimum", figure.title),
+        ..figure
+    });
+    optimum_plots(engine, answer, before, after).into_iter().chain(of_devices).collect()
+}
+
 /// Every stage's load over the crank angle, as the file stands and with the answer, with dots where it stands at its
 /// peak and holds the optimum up; where orders had to vanish, the loads that they are part of. Criteria that are no force,
 /// couple or roll moment of the block are left out.
-pub fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &Loads) -> Option<Figure> {
+fn optimum_plots(engine: &Engine, answer: &Answer, before: &Loads, after: &Loads) -> Option<Figure> {
     let of_stages = answer.stages.iter().flat_map(|s| s.terms.iter().map(move |t| (t.0, &s.active[..])));
     let of_orders = answer.cancellation.iter().flat_map(|c| &c.orders).filter_map(|o| match o.criterion {
         Criterion::Order(load, _) => Some((Criterion::Peak(load), &[][..])),

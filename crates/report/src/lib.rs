@@ -59,7 +59,7 @@ pub use arrangement::{
     arrangement_figure, arrangement_parts, arrangements_text, drive_sketches, front_table, narrowest_place,
 };
 pub use arrangements_page::{ArrangementResult, ArrangementsInput, arrangements_report};
-pub use balance_plot::optimum_plots;
+pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };

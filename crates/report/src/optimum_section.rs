@@ -1,6 +1,6 @@
 //! The section of the report on what balancing found.
 
-use crate::balance_plot::optimum_plots;
+use crate::balance_plot::optimum_figures;
 use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
     limits_table, stages_table,
@@ -20,7 +20,9 @@ pub struct OptimumInput<'a> {
     pub answer: &'a Answer,
     /// Loads as the file stands, at the speed of the answer.
     pub before: &'a Loads,
-    /// Loads of the engine with the answer fitted, at the same speed.
+    /// The engine with the answer fitted.
+    pub fitted: &'a Engine,
+    /// Its loads, at the same speed.
     pub after: &'a Loads,
 }
 
@@ -62,7 +64,7 @@ impl OptimumSection {
             None => {}
         }
         tables.extend(limits_table(engine, answer));
-        let figures = optimum_plots(engine, answer, input.before, input.after).into_iter().collect();
+        let figures = optimum_figures(engine, answer, input.before, input.fitted, input.after);
         OptimumSection { headline, method, tables, figures, left: input.after.diagnosis.summary.clone() }
     }
 }

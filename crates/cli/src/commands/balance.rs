@@ -10,7 +10,7 @@ use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{Engine, WriteBackError, difference, render, write_back};
 use lanchester::report::{
     balance_text, cancellation_proof_table, cancelled_orders_table, effects_table, found_weights_table,
-    headline, limits_table, optimum_plots, stages_table,
+    headline, limits_table, optimum_figures, stages_table,
 };
 use std::path::Path;
 
@@ -58,8 +58,8 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         && found
     {
         let before = loads_of(engine)?;
-        let over_the_cycle = optimum_plots(engine, &answer, &before, &loads_after);
-        for figure in over_the_cycle.into_iter().chain(sweep::curve(&after, &answer)) {
+        let of_answer = optimum_figures(engine, &answer, &before, &after, &loads_after);
+        for figure in of_answer.into_iter().chain(sweep::curve(&after, &answer)) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }

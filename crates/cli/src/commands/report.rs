@@ -12,7 +12,7 @@ use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
 use lanchester::model::{Diagnostic, Engine};
 use lanchester::report::{
     ArrangementsInput, OptimumInput, ReportInput, arrangements_report, figures, internal_figures,
-    optimum_plots, report,
+    optimum_figures, report,
 };
 use std::path::{Path, PathBuf};
 
@@ -69,12 +69,13 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
 struct Optimum {
     answer: Answer,
     before: Loads,
+    fitted: Engine,
     after: Loads,
 }
 
 impl Optimum {
     fn input(&self) -> OptimumInput<'_> {
-        OptimumInput { answer: &self.answer, before: &self.before, after: &self.after }
+        OptimumInput { answer: &self.answer, before: &self.before, fitted: &self.fitted, after: &self.after }
     }
 }
 
@@ -90,8 +91,9 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum
         }
     };
     let loads = |engine: &Engine| loads(engine, &LoadRequest::default()).map_err(refused);
-    let (before, after) = (loads(engine)?, loads(&fitted(engine, &answer))?);
-    Ok(Some(Optimum { answer, before, after }))
+    let fitted = fitted(engine, &answer);
+    let (before, after) = (loads(engine)?, loads(&fitted)?);
+    Ok(Some(Optimum { answer, before, fitted, after }))
 }
 
 /// A warning of the engine file in one line.
@@ -110,7 +112,8 @@ fn write_figures(
     input: &ReportInput<'_>,
 ) -> Result<Vec<PathBuf>, Failure> {
     let internal = internal_figures(input.engine, input.internal);
-    let optimum = input.optimum.and_then(|o| optimum_plots(input.engine, o.answer, o.before, o.after));
+    let of_optimum = |o: OptimumInput| optimum_figures(input.engine, o.answer, o.before, o.fitted, o.after);
+    let optimum = input.optimum.map_or_else(Vec::new, of_optimum);
     figures(input.engine, input.loads)
         .iter()
         .chain(&internal)

@@ -195,7 +195,7 @@ fn report_shows_the_optimum_where_the_file_asks() {
         fs::write(folder.join(name), format!("{text}{more}")).unwrap();
         let written = output(&folder, 0, &["report", name, "--figures", name.trim_end_matches(".toml")]);
         let page = fs::read_to_string(folder.join(name.replace(".toml", ".html"))).unwrap();
-        (page, written.contains("optimum.svg"))
+        (page, written.contains("optimum.svg") && written.contains("optimum-crank-view.svg"))
     };
     let (silent, drawn) = page("silent.toml", "");
     assert!(!silent.contains("id=\"optimum\"") && !drawn);
@@ -207,6 +207,7 @@ fn report_shows_the_optimum_where_the_file_asks() {
     let section = &asking[asking.find("<section id=\"optimum\"").unwrap()..];
     let section = &section[..section.find("</section>").unwrap()];
     assert!(section.contains("The least that these devices allow") && section.contains("The proof"));
+    assert!(section.contains("First order: throws against all devices, at the optimum"));
     // As the page shows it: five digits.
     let digits = format!("{value:.0}");
     let plain: String = section.chars().filter(|letter| !letter.is_whitespace()).collect();
