@@ -4,7 +4,10 @@ use crate::arguments::{BalanceArguments, CrankWeights};
 use crate::failure::Failure;
 use crate::shaft_option::add_shaft;
 use lanchester::model::option::{self, BadQuantity};
-use lanchester::model::{BalanceTask, CrankWeightPlaces, Engine, Seat, crank_weights, default_task};
+use lanchester::model::{
+    BalanceTask, CrankWeightPlaces, Engine, RoomFaultKind, Seat, TaskDevice, crank_weights, default_task,
+    room_faults,
+};
 
 /// The task behind the options.
 pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<BalanceTask, Failure> {
@@ -12,8 +15,23 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
     if let Some(places) = arguments.counterweights {
         replace_crank_weights(engine, &mut task, places)?;
     }
+    let (own_shafts, own_weights) = (task.shafts.len(), task.weights.len());
     for text in &arguments.shaft {
         add_shaft(&mut task, text)?;
+    }
+    // Of what stands in the file its reader has told.
+    for fault in room_faults(engine, &task) {
+        let of_file = match fault.device {
+            TaskDevice::Shaft(index) => index < own_shafts,
+            TaskDevice::Weight(index) => index < own_weights,
+        };
+        if of_file {
+            continue;
+        }
+        if fault.kind == RoomFaultKind::Through {
+            return Err(Failure::input(&fault.message, fault.hint));
+        }
+        eprintln!("warning: {}\nhint: {}", fault.message, fault.hint);
     }
     bound_crank_weights(&mut task, arguments)?;
     if !arguments.minimise.is_empty() {

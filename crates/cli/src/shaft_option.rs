@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use lanchester::model::option::{self, BadQuantity};
-use lanchester::model::{BalanceTask, FreeShaft, FreeWeight, Phase, Place, Ratio, Seat};
+use lanchester::model::{BalanceTask, FreeShaft, FreeWeight, Place, Ratio, Seat};
 
 /// What may be said of a shaft beyond its places.
 #[derive(Debug, Default)]
@@ -40,14 +40,9 @@ pub fn add_shaft(task: &mut BalanceTask, text: &str) -> Result<(), Failure> {
     let seat = Seat::Shaft(task.shafts.len());
     for (k, z) in planes.iter().enumerate() {
         task.weights.push(FreeWeight {
-            name: format!("{name} {}", k + 1),
-            seat,
-            z: *z,
             least: terms.least.unwrap_or(0.0),
             most: terms.most,
-            phase: Phase::Free,
-            optional: false,
-            radius: None,
+            ..FreeWeight::new(format!("{name} {}", k + 1), seat, *z)
         });
     }
     task.shafts.push(FreeShaft { name, ratio, x, y, optional: terms.optional });

@@ -1,6 +1,6 @@
 //! Optima found, shown and written back.
 
-use crate::program::{folder, lanchester, message, output, output_json, piped};
+use crate::program::{folder, lanchester, message, output, output_json, piped, twin};
 use std::fs;
 use std::path::Path;
 
@@ -130,6 +130,27 @@ fn the_tables_of_an_optimum_are_comma_separated_values() {
     let figures = folder.join("figures");
     output(&folder, 0, &["balance", &file, "--figures", "figures"]);
     assert!(fs::read_dir(figures).unwrap().all(|f| f.unwrap().path().extension().unwrap() == "svg"));
+}
+
+#[test]
+fn a_shaft_in_the_way_of_the_crank_is_refused_and_one_too_far_out_told() {
+    let folder = folder("balance-room");
+    let shaft = |text: &str| lanchester(&folder, &["balance", &twin(), "--shaft", text]);
+    let through = shaft("-1 @ 0 mm, 20 mm @ 0 mm");
+    let said = String::from_utf8(through.stderr).unwrap();
+    assert!(through.status.code() == Some(2) && said.contains("runs through the crank"), "{said}");
+    for (text, says) in [
+        ("-1 @ 0 mm, 10 mm .. 100 mm @ 0 mm @ most 0.05 kg m", "may strike the crank"),
+        ("-1 @ 0 mm, 120 mm @ 900 mm", "stands far beyond the crank: z = 900 mm"),
+    ] {
+        let told = shaft(text);
+        let said = String::from_utf8(told.stderr).unwrap();
+        assert!(
+            told.status.code() == Some(0) && said.contains(says) && said.contains("hint:"),
+            "{text}: {said}"
+        );
+    }
+    assert!(shaft("-1 @ 0 mm, 120 mm @ 0 mm").stderr.is_empty());
 }
 
 /// One of two shafts, its height found: the text says how, the bound stands, and the other shaft is left out.

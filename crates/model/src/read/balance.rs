@@ -1,9 +1,9 @@
 //! `[balance]`: what may be done to balance the engine, and what is wanted.
 
 mod criteria;
+mod devices;
 mod free_shaft;
 mod free_weight;
-mod room;
 mod ties;
 
 use super::Reader;
