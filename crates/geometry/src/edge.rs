@@ -84,6 +84,18 @@ impl Edge {
         [along * c + along.right() * s, along * c - along.right() * s]
     }
 
+    /// The point at a part of the length between 0 and 1, and the derivative by that part, on an edge of at most half a turn.
+    pub(crate) fn at(&self, part: f64) -> (Point, Point) {
+        let chord = self.to - self.from;
+        let half = 2.0 * self.bulge.atan();
+        if half == 0.0 {
+            return (self.from + chord * part, chord);
+        }
+        let scale = 1.0 / half.sin();
+        let point = self.from + (chord * ((half * part).sin() * scale)).turned(half * (part - 1.0));
+        (point, (chord * (half * scale)).turned(half * (2.0 * part - 1.0)))
+    }
+
     /// The two halves of the edge.
     pub(crate) fn halves(&self) -> [Edge; 2] {
         let middle = self.middle();

@@ -107,6 +107,34 @@ pub enum GeometryError {
         /// The outer contour that it is not within, or the hole that it is within.
         within: ContourPlace,
     },
+    /// An insert that is not wholly in the material.
+    #[error(
+        "the insert of radius {:.4} mm at {} {what}\nhint: an insert makes its own bore, in material on all sides", 1e3 * .radius, place(.at)
+    )]
+    InsertOutside {
+        /// Centre of the insert [m].
+        at: Point,
+        /// Its radius [m].
+        radius: f64,
+        /// What is wrong with it.
+        what: &'static str,
+    },
+    /// A chamfer deeper than the part is thick.
+    #[error(
+        "the chamfer goes {:.4} mm deep, where {:.4} mm of thickness are left\nhint: begin it farther out or make it flatter", 1e3 * .deepest, 1e3 * .left
+    )]
+    ChamferTooDeep {
+        /// Its largest depth [m].
+        deepest: f64,
+        /// What is left for it: the thickness less the chamfers of the other face [m].
+        left: f64,
+    },
+    /// Two chamfers of one face that cut into each other.
+    #[error("two chamfers of one face both cut at {}\nhint: keep their lines apart on the face", place(.at))]
+    ChamfersMeet {
+        /// A point of the outline where both cut.
+        at: Point,
+    },
     /// A number that is not possible.
     #[error("{quantity} must be {needed}, got {got}\nhint: {hint}")]
     Number {

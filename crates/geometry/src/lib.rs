@@ -16,17 +16,23 @@
 #![forbid(unsafe_code)]
 
 mod area_moments;
+mod chamfer;
 mod circular_segment;
 mod contour;
 mod crossing;
 mod edge;
 mod error;
+mod mass_properties;
 mod outline;
+mod part;
 mod point;
 
 pub use area_moments::AreaMoments;
+pub use chamfer::{Chamfer, Cut, Face};
 pub use contour::{Contour, Corner};
 pub use edge::Edge;
 pub use error::{ContourPlace, GeometryError};
+pub use mass_properties::{MassMoments, MassProperties};
 pub use outline::Outline;
+pub use part::{Insert, PLAUSIBLE_DENSITY, Part};
 pub use point::Point;

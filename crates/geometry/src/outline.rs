@@ -89,6 +89,11 @@ impl Outline {
         self.outer.bounds()
     }
 
+    /// Largest extent from the crank axis along a unit vector [m].
+    pub fn reach(&self, direction: Point) -> f64 {
+        self.outer.edges().iter().map(|edge| edge.support(direction)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// Whether `point` lies in the material. Of a point on an edge rounding decides.
     pub fn contains(&self, point: Point) -> bool {
         self.outer.contains(point) && !self.holes.iter().any(|hole| hole.contains(point))
