@@ -104,6 +104,11 @@ impl Contour {
         Ok(contour)
     }
 
+    /// From edges that are known to follow each other anticlockwise without crossing.
+    pub(crate) fn of_simple_edges(edges: Vec<Edge>) -> Contour {
+        Contour { edges }
+    }
+
     fn own_crossing(&self, size: f64) -> Option<(usize, usize, Point)> {
         let count = self.edges.len();
         for first in 0..count {

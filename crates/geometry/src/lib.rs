@@ -26,6 +26,7 @@ mod mass_properties;
 mod outline;
 mod part;
 mod point;
+mod shape;
 
 pub use area_moments::AreaMoments;
 pub use chamfer::{Chamfer, Cut, Face};
@@ -36,3 +37,4 @@ pub use mass_properties::{MassMoments, MassProperties};
 pub use outline::Outline;
 pub use part::{Insert, PLAUSIBLE_DENSITY, Part};
 pub use point::Point;
+pub use shape::CounterweightShape;
