@@ -135,6 +135,9 @@ pub enum GeometryError {
         /// A point of the outline where both cut.
         at: Point,
     },
+    /// A front between an objective and itself.
+    #[error("a front needs two different objectives\nhint: ask for the optimum of one")]
+    SameObjective,
     /// A number that is not possible.
     #[error("{quantity} must be {needed}, got {got}\nhint: {hint}")]
     Number {

@@ -1,0 +1,92 @@
+//! The trade between two objectives: designs of which none is better in both.
+
+use super::optimum::{DESIGN_VERSION, Design, Search, realised, within};
+use super::problem::{Kind, Problem};
+use super::task::{DesignTask, Objective};
+use crate::error::GeometryError;
+use serde::Serialize;
+
+/// The front between two objectives, from the least of the first to the least of the second.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Front {
+    /// [`DESIGN_VERSION`].
+    pub version: u32,
+    /// The two objectives.
+    pub objectives: [Objective; 2],
+    /// The designs; empty where no shape meets all limits.
+    pub designs: Vec<Design>,
+    /// Whether for every design it is proved that the first objective cannot be less by more than
+    /// [`super::PROVED_GAP`] of it, where the second is no larger.
+    pub proved: bool,
+    /// Boxes of all searches.
+    pub boxes: usize,
+}
+
+/// What the second objective may be larger than its level: less than its own rounding.
+const SLACK: f64 = 1e-12;
+
+/// Up to `count` designs of the front between two objectives, evenly spread over the second.
+///
+/// Each is the least of the first objective where the second is at most a level, so that a front that is not convex is
+/// found whole; levels that give the same design give it once.
+///
+/// # Errors
+/// A number of the task that has no meaning, one objective twice, or fewer than two designs.
+pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Result<Front, GeometryError> {
+    task.check()?;
+    if count < 2 {
+        return Err(GeometryError::Number {
+            quantity: "number of designs of a front",
+            needed: "two or more",
+            got: count as f64,
+            hint: "one design is an optimum",
+        });
+    }
+    if objectives[0] == objectives[1] {
+        return Err(GeometryError::SameObjective);
+    }
+    let [first, second] = objectives.map(Kind::from);
+    let problem = Problem::new(task);
+    let mut search = Search::default();
+    let mut front =
+        Front { version: DESIGN_VERSION, objectives, designs: Vec::new(), proved: true, boxes: 0 };
+    // The least of one, then of the other at that level.
+    let mut ends = [None; 2];
+    for (end, (kind, other)) in ends.iter_mut().zip([(first, second), (second, first)]) {
+        let found = search.best(&problem, kind, None);
+        front.boxes += found.boxes;
+        front.proved &= found.proved;
+        let Some(best) = found.best.filter(|best| within(&problem, kind, best)) else { return Ok(front) };
+        let mut limited = problem.clone();
+        limited.levels = problem.levels.with(kind, best.level * (1.0 + SLACK));
+        let found = search.best(&limited, other, Some(best.x));
+        front.boxes += found.boxes;
+        front.proved &= found.proved;
+        *end = found.best.or(Some(best));
+    }
+    let [Some(start), Some(end)] = ends else { return Ok(front) };
+    let level = |x: &[f64; super::problem::SHAPE]| problem.attained(&problem.quantities(x), second);
+    let (most, least) = (level(&start.x), level(&end.x));
+    let mut last = start.x;
+    front.designs.push(realised(task, &problem, &start.x));
+    for at in 1..count - 1 {
+        let limit = most + (least - most) * at as f64 / (count - 1) as f64;
+        // The design before may be as good here: where the front jumps.
+        if level(&last) <= limit {
+            continue;
+        }
+        let mut limited = problem.clone();
+        limited.levels = problem.levels.with(second, limit);
+        let found = search.best(&limited, first, Some(last));
+        front.boxes += found.boxes;
+        front.proved &= found.proved;
+        if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {
+            last = best.x;
+            front.designs.push(realised(task, &problem, &last));
+        }
+    }
+    if most > least * (1.0 + 1e-9) {
+        front.designs.push(realised(task, &problem, &end.x));
+    }
+    Ok(front)
+}

@@ -1,0 +1,24 @@
+//! The best counterweight of the tool paper's family for a duty within limits, and the trade between two aims.
+//!
+//! The thickness follows from the shape; a local search finds a shape, and branch and bound over intervals proves that no
+//! other is better (book, "The counterweight as a part").
+
+mod descent;
+mod front;
+mod interval;
+mod jet;
+mod number;
+mod optimum;
+mod problem;
+mod refute;
+mod simplex;
+mod task;
+
+pub use front::{Front, front};
+pub use optimum::{
+    DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, PROVED_GAP, design,
+};
+pub use task::{DesignLimits, DesignTask, Objective, Range, Shoulder};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,323 @@
+//! The task in scaled numbers: the shape's variables and all that must not be positive.
+//!
+//! Lengths over the largest length of the ranges, unbalance over the least unbalance asked for, so that the density is one.
+//! Five variables: `r`, the distance `y = h + H` of the chord, `H`, half the chord `w = R sin(alpha/2)` and the
+//! chord's distance `d = R cos(alpha/2)` from the arc's centre. In these the ranges of `h`, `alpha` and `delta` are linear, the swept
+//! radius does not depend on `H`, and area and moments are polynomials but for the segment. The thickness is no variable: everything that is
+//! limited or made small grows with it, so that it is best as small as the unbalance and its own range allow,
+//! `t = max(t_least, U/(rho S))` (book, eq. 22.27).
+
+use super::number::Number;
+use super::task::{DesignTask, Objective, Range, Shoulder};
+use crate::shape::CounterweightShape;
+use std::f64::consts::PI;
+
+/// Variables of the shape.
+pub(super) const SHAPE: usize = 5;
+
+/// A quantity with a level that it must not pass: a limit, or what is made small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Mass,
+    SweptRadius,
+    Inertia,
+    Thickness,
+    HalfWidth,
+    /// Unbalance over the least unbalance asked for: at least its level.
+    Balance,
+}
+
+impl From<Objective> for Kind {
+    fn from(objective: Objective) -> Kind {
+        match objective {
+            Objective::Mass => Kind::Mass,
+            Objective::SweptRadius => Kind::SweptRadius,
+            Objective::Inertia => Kind::Inertia,
+            Objective::Thickness => Kind::Thickness,
+        }
+    }
+}
+
+/// The level of each kind; not finite where there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Levels<T> {
+    pub mass: Option<T>,
+    pub swept_radius: Option<T>,
+    pub inertia: Option<T>,
+    pub thickness: T,
+    pub half_width: Option<T>,
+    pub balance: T,
+}
+
+impl<T: Copy> Levels<T> {
+    pub fn with(mut self, kind: Kind, level: T) -> Levels<T> {
+        match kind {
+            Kind::Mass => self.mass = Some(level),
+            Kind::SweptRadius => self.swept_radius = Some(level),
+            Kind::Inertia => self.inertia = Some(level),
+            Kind::Thickness => self.thickness = level,
+            Kind::HalfWidth => self.half_width = Some(level),
+            Kind::Balance => self.balance = level,
+        }
+        self
+    }
+
+    pub fn of(&self, kind: Kind) -> Option<T> {
+        match kind {
+            Kind::Mass => self.mass,
+            Kind::SweptRadius => self.swept_radius,
+            Kind::Inertia => self.inertia,
+            Kind::Thickness => Some(self.thickness),
+            Kind::HalfWidth => self.half_width,
+            Kind::Balance => Some(self.balance),
+        }
+    }
+
+    pub fn mapped<U>(&self, map: impl Fn(T) -> U) -> Levels<U> {
+        Levels {
+            mass: self.mass.map(&map),
+            swept_radius: self.swept_radius.map(&map),
+            inertia: self.inertia.map(&map),
+            thickness: map(self.thickness),
+            half_width: self.half_width.map(&map),
+            balance: map(self.balance),
+        }
+    }
+}
+
+/// What a shape amounts to (book, eqs. 22.21 to 22.24).
+pub(super) struct Quantities<T> {
+    pub area: T,
+    pub first: T,
+    pub polar: T,
+    x: [T; SHAPE],
+    shoulder: T,
+    radius: T,
+    crown: T,
+}
+
+/// The scaled task.
+#[derive(Debug, Clone)]
+pub(super) struct Problem {
+    pub low: [f64; SHAPE],
+    pub high: [f64; SHAPE],
+    pub levels: Levels<f64>,
+    thinnest: f64,
+    most_balance: Option<f64>,
+    rectangle: [f64; 2],
+    arc_radius: [f64; 2],
+    half_angle: [f64; 2],
+    shoulder_angle: Option<[f64; 2]>,
+    /// Length that is one [m].
+    pub length: f64,
+    unbalance: f64,
+    density: f64,
+}
+
+/// One thing that must not be positive, and whether it holds the level that is asked for.
+pub(super) struct Term<T> {
+    pub value: T,
+    pub of_objective: bool,
+}
+
+impl Problem {
+    pub fn new(task: &DesignTask) -> Problem {
+        let height = match task.shoulder {
+            Shoulder::Height(range) => range.most,
+            Shoulder::Angle(_) => 0.0,
+        };
+        let length = [task.web_radius.most, task.rectangle_height.most, task.arc_radius.most, height]
+            .into_iter()
+            .fold(0.0, f64::max);
+        let scaled = |range: Range| [range.least / length, range.most / length];
+        let (web, rectangle, arc_radius) =
+            (scaled(task.web_radius), scaled(task.rectangle_height), scaled(task.arc_radius));
+        let half_angle = [task.arc_angle.least / 2.0, task.arc_angle.most / 2.0];
+        // Corners of the ranges of radius and angle, and the half circle between them.
+        let quarter = std::f64::consts::FRAC_PI_2.clamp(half_angle[0], half_angle[1]);
+        let mut half_width = [f64::INFINITY, 0.0f64];
+        let mut inset = [f64::INFINITY, f64::NEG_INFINITY];
+        for radius in arc_radius {
+            for angle in [half_angle[0], quarter, half_angle[1]] {
+                let (w, d) = (radius * angle.sin(), radius * angle.cos());
+                half_width = [half_width[0].min(w), half_width[1].max(w)];
+                inset = [inset[0].min(d), inset[1].max(d)];
+            }
+        }
+        half_width = [half_width[0].max(web[0]).min(half_width[1]), half_width[1]];
+        let stands_out = [(half_width[0] - web[1]).max(0.0), (half_width[1] - web[0]).max(0.0)];
+        let (mut shoulder, mut angle) = match task.shoulder {
+            Shoulder::Height(range) => (scaled(range), task.limits.shoulder_angle),
+            Shoulder::Angle(range) => {
+                ([stands_out[0] * range.least.tan(), stands_out[1] * range.most.tan()], Some(range))
+            }
+        };
+        if let (Shoulder::Angle(own), Some(limit)) = (task.shoulder, task.limits.shoulder_angle) {
+            angle = Some(Range::new(own.least.max(limit.least), own.most.min(limit.most)));
+        }
+        if let Some(limit) = task.limits.shoulder_height.map(scaled) {
+            shoulder = [shoulder[0].max(limit[0]), shoulder[1].min(limit[1])];
+        }
+        let chord = [rectangle[0] + shoulder[0], rectangle[1] + shoulder[1]];
+        let ranges = [web, chord, shoulder, half_width, inset];
+        let mut problem = Problem {
+            low: ranges.map(|range| range[0]),
+            high: ranges.map(|range| range[1]),
+            levels: Levels {
+                mass: None,
+                swept_radius: None,
+                inertia: None,
+                thickness: 0.0,
+                half_width: None,
+                balance: 1.0,
+            },
+            thinnest: 0.0,
+            most_balance: task.most_balance.map(|most| most / task.least_balance),
+            rectangle,
+            arc_radius,
+            half_angle,
+            shoulder_angle: angle.map(|range| [range.least, range.most]),
+            length,
+            unbalance: task.unbalance * task.least_balance,
+            density: task.density,
+        };
+        let scale = |kind| problem.unit(kind);
+        let limits = &task.limits;
+        problem.levels = Levels {
+            mass: limits.mass.map(|m| m / scale(Kind::Mass)),
+            swept_radius: limits.swept_radius.map(|p| p / scale(Kind::SweptRadius)),
+            inertia: limits.inertia.map(|i| i / scale(Kind::Inertia)),
+            thickness: task.thickness.most / scale(Kind::Thickness),
+            half_width: limits.half_width.map(|w| w / scale(Kind::HalfWidth)),
+            balance: 1.0,
+        };
+        problem.thinnest = task.thickness.least / problem.unit(Kind::Thickness);
+        problem
+    }
+
+    /// Whether a range is empty: then no shape is within it.
+    pub fn is_empty(&self) -> bool {
+        self.low.iter().zip(&self.high).any(|(low, high)| low > high)
+            || self.shoulder_angle.is_some_and(|[least, most]| least > most)
+    }
+
+    /// The shape of these variables, within its ranges.
+    pub fn shape(&self, x: &[f64; SHAPE]) -> CounterweightShape {
+        let [r, chord, shoulder, w, d] = *x;
+        let within = |value: f64, range: [f64; 2]| value.clamp(range[0], range[1]);
+        CounterweightShape {
+            web_radius: r * self.length,
+            rectangle_height: within(chord - shoulder, self.rectangle) * self.length,
+            shoulder_height: shoulder * self.length,
+            arc_radius: within(w.hypot(d), self.arc_radius) * self.length,
+            arc_angle: 2.0 * within(w.atan2(d), self.half_angle),
+        }
+    }
+
+    /// What one stands for, in SI units.
+    pub fn unit(&self, kind: Kind) -> f64 {
+        match kind {
+            Kind::Mass => self.unbalance / self.length,
+            Kind::SweptRadius | Kind::HalfWidth => self.length,
+            Kind::Inertia => self.unbalance * self.length,
+            Kind::Thickness => self.unbalance / (self.density * self.length.powi(3)),
+            Kind::Balance => 1.0,
+        }
+    }
+
+    /// What a shape amounts to.
+    pub fn quantities<T: Number>(&self, x: &[T; SHAPE]) -> Quantities<T> {
+        let [r, y, big_h, w, d] = *x;
+        let shoulder = w - r;
+        let (radius, segment) = (T::radius(w, d), T::segment(w, d));
+        let (r2, y2, w2) = (r.square(), y.square(), w.square());
+        let lever = (w2 * w).times(2.0 / 3.0);
+        let centre = y - d;
+        // The rectangle goes on to the chord, beside it the flanks as two triangles.
+        let area = segment + (r * y).times(2.0) + shoulder * big_h - r2.times(PI / 2.0);
+        let first = segment * centre + lever + r * y2 + shoulder * big_h * (y - big_h.times(1.0 / 3.0))
+            - (r2 * r).times(2.0 / 3.0);
+        let polar = T::segment_polar(w, d)
+            + (centre * lever).times(2.0)
+            + centre.square() * segment
+            + (r * y * (y2 + r2)).times(2.0 / 3.0)
+            + shoulder * big_h * (y2 - (y * big_h).times(2.0 / 3.0) + big_h.square().times(1.0 / 6.0))
+            + shoulder * big_h * (w2 + (w * r).times(2.0) + r2.times(3.0)).times(1.0 / 6.0)
+            - r2.square().times(PI / 4.0);
+        Quantities { area, first, polar, x: *x, shoulder, radius, crown: centre + radius }
+    }
+
+    /// All that must not be positive, for these levels.
+    pub fn terms<T: Number>(
+        &self,
+        q: &Quantities<T>,
+        levels: &Levels<T>,
+        objective: Option<Kind>,
+        out: &mut Vec<Term<T>>,
+    ) {
+        out.clear();
+        let one = T::of(1.0);
+        let is = |kind| objective == Some(kind);
+        let mut push = |value: T, of_objective: bool| out.push(Term { value, of_objective });
+        let balance = is(Kind::Balance);
+        push(levels.balance - levels.thickness * q.first, is(Kind::Thickness) || balance);
+        if is(Kind::Thickness) && self.thinnest > 0.0 {
+            push(one - levels.thickness.times(1.0 / self.thinnest), true);
+        }
+        if let Some(most) = self.most_balance {
+            push(q.first.times(self.thinnest) - T::of(most), false);
+        }
+        for (kind, level, integral) in
+            [(Kind::Mass, levels.mass, q.area), (Kind::Inertia, levels.inertia, q.polar)]
+        {
+            if let Some(level) = level {
+                push(integral.times(self.thinnest) - level, is(kind));
+                push(integral * levels.balance - level * q.first, is(kind) || balance);
+            }
+        }
+        let [r, y, big_h, w, d] = q.x;
+        if let Some(reach) = levels.swept_radius {
+            // The corner of the rectangle lies no farther than the corner of the chord.
+            let swept = is(Kind::SweptRadius);
+            push(r - reach, swept);
+            push(y.square() + w.square() - reach.square(), swept);
+            push(q.crown - reach, swept);
+        }
+        if let Some(most) = levels.half_width {
+            push(w.square() + d.negative_square() - most.square(), is(Kind::HalfWidth));
+        }
+        push(-q.shoulder, false);
+        push(r - q.crown, false);
+        push(T::of(self.rectangle[0]) + big_h - y, false);
+        push(y - big_h - T::of(self.rectangle[1]), false);
+        push(T::of(self.arc_radius[0]) - q.radius, false);
+        push(q.radius - T::of(self.arc_radius[1]), false);
+        for (angle, sign) in [(self.half_angle[0], 1.0), (self.half_angle[1], -1.0)] {
+            push(d.times(sign * angle.sin()) - w.times(sign * angle.cos()), false);
+        }
+        if let Some(range) = self.shoulder_angle {
+            for (angle, sign) in [(range[0], 1.0), (range[1], -1.0)] {
+                push(q.shoulder.times(sign * angle.sin()) - big_h.times(sign * angle.cos()), false);
+            }
+        }
+    }
+
+    /// The level that a shape just reaches: as small as it can be, and as large for the balance. The levels of the others hold.
+    pub fn attained(&self, q: &Quantities<f64>, kind: Kind) -> f64 {
+        let levels = &self.levels;
+        let thickness =
+            if q.first > 0.0 { self.thinnest.max(levels.balance / q.first) } else { f64::INFINITY };
+        match kind {
+            Kind::Mass => q.area * thickness,
+            Kind::Inertia => q.polar * thickness,
+            Kind::Thickness => thickness,
+            Kind::SweptRadius => q.x[0].max(q.x[1].hypot(q.x[3])).max(q.crown),
+            Kind::HalfWidth => q.x[3].hypot(q.x[4].min(0.0)),
+            Kind::Balance => {
+                let by_mass = levels.mass.map_or(f64::INFINITY, |most| most / q.area);
+                let by_inertia = levels.inertia.map_or(f64::INFINITY, |most| most / q.polar);
+                q.first * levels.thickness.min(by_mass).min(by_inertia)
+            }
+        }
+    }
+}
