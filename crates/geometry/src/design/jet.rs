@@ -19,6 +19,8 @@ pub(super) trait Base: Number {
     fn inverse(self) -> Self;
     /// `min(d, 0)`.
     fn negative_part(self) -> Self;
+    /// One below zero, zero above: the derivative of [`Base::negative_part`].
+    fn below_zero(self) -> Self;
 }
 
 impl Base for f64 {
@@ -30,6 +32,9 @@ impl Base for f64 {
     }
     fn negative_part(self) -> f64 {
         self.min(0.0)
+    }
+    fn below_zero(self) -> f64 {
+        f64::from(u8::from(self < 0.0))
     }
 }
 
@@ -45,6 +50,29 @@ impl Base for Interval {
     }
     fn negative_part(self) -> Interval {
         Interval { low: self.low.min(0.0), high: self.high.min(0.0) }
+    }
+    fn below_zero(self) -> Interval {
+        Interval { low: self.high.below_zero(), high: self.low.below_zero() }
+    }
+}
+
+impl<T: Base, const N: usize> Base for Jet<T, N> {
+    fn half_angle(w: Self, d: Self) -> Self {
+        let inverse = (w.value.square() + d.value.square()).inverse();
+        let angle = T::half_angle(w.value, d.value);
+        Jet::chain(w, d, angle, d.value * inverse, -(w.value * inverse))
+    }
+    fn inverse(self) -> Self {
+        let inverse = self.value.inverse();
+        let slope = -inverse.square();
+        Jet { value: inverse, by: self.by.map(|d| d * slope) }
+    }
+    fn negative_part(self) -> Self {
+        let slope = self.value.below_zero();
+        Jet { value: self.value.negative_part(), by: self.by.map(|d| d * slope) }
+    }
+    fn below_zero(self) -> Self {
+        Jet { value: self.value.below_zero(), by: [T::of(0.0); N] }
     }
 }
 

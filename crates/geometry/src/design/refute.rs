@@ -15,6 +15,7 @@ use super::jet::Jet;
 use super::number::Number;
 use super::problem::{Kind, Levels, Problem, SHAPE, Term};
 use super::simplex::{COLUMNS, End, Row, Simplex};
+use std::rc::Rc;
 
 /// What rounding may make of a scaled term.
 pub(super) const ROUNDING: f64 = 1e-12;
@@ -24,7 +25,12 @@ const MOST_BOXES: usize = 200_000;
 /// Boxes from which a better shape is looked for.
 const SEARCHED: usize = 24;
 
-type Enclosure = Jet<Interval, SHAPE>;
+/// A term with its first derivatives, at the middle of a box.
+type Slopes = Jet<f64, SHAPE>;
+/// A term with its second derivatives, over a box.
+type Curvatures = Jet<Jet<Interval, SHAPE>, SHAPE>;
+/// A box halved this often has its second derivatives enclosed anew.
+const FRESH: u32 = 5;
 
 /// What came of the proof.
 #[derive(Debug, Clone, Copy)]
@@ -37,10 +43,36 @@ pub(super) struct Refutation {
     pub boxes: usize,
 }
 
-#[derive(Debug, Clone, Copy)]
+/// A box.
+#[derive(Debug, Clone)]
 struct Cell {
     low: [f64; SHAPE],
     high: [f64; SHAPE],
+    /// Second derivatives of the terms over a box that holds this one.
+    bends: Rc<Vec<Bend>>,
+    /// How often the box of these was halved.
+    age: u32,
+}
+
+/// Second derivatives of a term over a box: from `low` on the diagonal, up to `size` in absolute value beside it.
+#[derive(Debug, Clone, Copy)]
+struct Bend {
+    low: [f64; SHAPE],
+    size: [[f64; SHAPE]; SHAPE],
+}
+
+impl Bend {
+    /// What a term may lie below its tangent at the middle of a box of these half widths.
+    fn drop(&self, half: &[f64; SHAPE]) -> f64 {
+        let mut sum = 0.0;
+        for j in 0..SHAPE {
+            sum += 0.5 * self.low[j].min(0.0) * half[j] * half[j];
+            for k in 0..j {
+                sum -= self.size[j][k] * half[j] * half[k];
+            }
+        }
+        sum
+    }
 }
 
 enum Verdict {
@@ -54,8 +86,8 @@ enum Verdict {
 pub(super) struct Refuter {
     simplex: Simplex,
     rows: Vec<Row>,
-    terms: Vec<Term<Enclosure>>,
-    corners: [Vec<Term<f64>>; 2],
+    terms: Vec<Term<Slopes>>,
+    curved: Vec<Term<Curvatures>>,
 }
 
 impl Refuter {
@@ -69,16 +101,20 @@ impl Refuter {
         gap: f64,
         descent: &mut Descent,
     ) -> Refutation {
-        let mut stack = vec![Cell { low: problem.low, high: problem.high }];
+        let mut stack = vec![Cell { low: problem.low, high: problem.high, bends: Rc::default(), age: FRESH }];
         let (mut boxes, mut searched, mut left) = (0, 0, false);
-        while let Some(cell) = stack.pop() {
+        while let Some(mut cell) = stack.pop() {
             boxes += 1;
             if boxes > MOST_BOXES {
                 left = true;
                 break;
             }
             let target = best.map(|best| best.level * (1.0 - sense(kind) * gap));
-            let Verdict::Left(cell, point) = self.examine(problem, kind, target, cell) else { continue };
+            if cell.age >= FRESH || cell.bends.is_empty() {
+                cell.bends = Rc::new(self.bends(problem, kind, target, &cell));
+                cell.age = 0;
+            }
+            let Verdict::Left(mut cell, point) = self.examine(problem, kind, target, cell) else { continue };
             let widest = self.widest(problem, &cell);
             let is_small = widest.is_none_or(|(_, width)| width < SMALLEST);
             if searched < SEARCHED || best.is_none() || is_small {
@@ -86,6 +122,11 @@ impl Refuter {
                 let found = descent.run(problem, kind, point);
                 let is_better = |old: Reached| sense(kind) * found.level < sense(kind) * old.level;
                 if found.is_feasible() && best.is_none_or(is_better) {
+                    // A target brings terms of its own, and a better one smaller levels in their derivatives.
+                    cell.age = FRESH;
+                    for other in &mut stack {
+                        other.age = FRESH;
+                    }
                     best = Some(found);
                     stack.push(cell);
                     continue;
@@ -94,7 +135,8 @@ impl Refuter {
             match widest {
                 Some((k, _)) if !is_small => {
                     let middle = (cell.low[k] + cell.high[k]) / 2.0;
-                    let (mut first, mut second) = (cell, cell);
+                    cell.age += 1;
+                    let (mut first, mut second) = (cell.clone(), cell);
                     first.high[k] = middle;
                     second.low[k] = middle;
                     stack.extend([first, second]);
@@ -121,22 +163,32 @@ impl Refuter {
         }
     }
 
-    fn cut(&mut self, problem: &Problem, kind: Kind, target: Option<f64>, cell: Cell) -> Verdict {
-        let levels = match target {
-            Some(target) => problem.levels.with(kind, target),
-            None => problem.levels,
+    /// Second derivatives of the terms over a box.
+    fn bends(&mut self, problem: &Problem, kind: Kind, target: Option<f64>, cell: &Cell) -> Vec<Bend> {
+        let x: [Curvatures; SHAPE] = std::array::from_fn(|k| {
+            let inner = Jet::variable(Interval::new(cell.low[k], cell.high[k]), k);
+            Jet::variable(inner, k)
+        });
+        let (levels, objective) = aim(problem, kind, target);
+        problem.terms(&problem.quantities(&x), &levels.mapped(Curvatures::of), objective, &mut self.curved);
+        let bend = |term: &Term<Curvatures>| {
+            let by = |j: usize, k: usize| term.value.by[j].by[k];
+            let size = |j: usize, k: usize| by(j, k).low.abs().max(by(j, k).high.abs());
+            Bend {
+                low: std::array::from_fn(|j| by(j, j).low),
+                size: std::array::from_fn(|j| std::array::from_fn(|k| size(j, k))),
+            }
         };
-        // Without a target what is made small has no level, whatever the task says of it.
-        let objective = target.map(|_| kind);
-        let x: [Enclosure; SHAPE] =
-            std::array::from_fn(|k| Jet::variable(Interval::new(cell.low[k], cell.high[k]), k));
+        self.curved.iter().map(bend).collect()
+    }
+
+    fn cut(&mut self, problem: &Problem, kind: Kind, target: Option<f64>, cell: Cell) -> Verdict {
+        let (levels, objective) = aim(problem, kind, target);
+        let middle: [f64; SHAPE] = std::array::from_fn(|k| (cell.low[k] + cell.high[k]) / 2.0);
+        let half: [f64; SHAPE] = std::array::from_fn(|k| (cell.high[k] - cell.low[k]) / 2.0);
+        let x: [Slopes; SHAPE] = std::array::from_fn(|k| Jet::variable(middle[k], k));
         let q = problem.quantities(&x);
-        problem.terms(&q, &levels.mapped(Enclosure::of), objective, &mut self.terms);
-        if self.terms.iter().any(|term| term.value.value.low > ROUNDING) {
-            return Verdict::Refuted;
-        }
-        self.corner(problem, objective, &levels, cell.low, 0);
-        self.corner(problem, objective, &levels, cell.high, 1);
+        problem.terms(&q, &levels.mapped(Slopes::of), objective, &mut self.terms);
         let mut free = [0; SHAPE];
         let mut count = 0;
         for k in 0..SHAPE {
@@ -147,42 +199,43 @@ impl Refuter {
         }
         let free = &free[..count];
         // The objective's terms may be positive by v, which is at least `floor`.
-        let of_objective = self.terms.iter().filter(|term| term.of_objective);
-        let floor = of_objective.map(|term| term.value.value.low).fold(f64::NEG_INFINITY, f64::max);
-        let floor = if floor.is_finite() { floor } else { 0.0 };
+        let mut floor = f64::NEG_INFINITY;
         self.rows.clear();
-        for (at, term) in self.terms.iter().enumerate() {
-            // Terms that cannot be positive in the box say nothing.
-            if term.value.value.high <= 0.0 && !term.of_objective {
-                continue;
+        for (term, bend) in self.terms.iter().zip(cell.bends.iter()) {
+            let Slopes { value, by } = term.value;
+            let spread: f64 = by.iter().zip(&half).map(|(slope, half)| slope.abs() * half).sum();
+            let rise: f64 = by.iter().zip(&half).map(|(slope, half)| slope * half).sum();
+            let drop = bend.drop(&half);
+            let least = value - spread + drop;
+            if least > ROUNDING {
+                return Verdict::Refuted;
             }
-            let offset = if term.of_objective { floor } else { 0.0 };
-            let mut lower = Row { a: [0.0; COLUMNS], b: offset - self.corners[0][at].value };
-            let mut upper = Row { a: [0.0; COLUMNS], b: offset - self.corners[1][at].value };
+            let mut row = Row { a: [0.0; COLUMNS], b: rise - value - drop };
             for (column, k) in free.iter().enumerate() {
-                let width = cell.high[*k] - cell.low[*k];
-                let slope = term.value.by[*k];
-                lower.a[column] = slope.low * width;
-                upper.a[column] = slope.high * width;
-                upper.b += slope.high * width;
+                row.a[column] = by[*k] * 2.0 * half[*k];
             }
             if term.of_objective {
-                lower.a[count] = -1.0;
-                upper.a[count] = -1.0;
+                row.a[count] = -1.0;
+                floor = floor.max(least);
             }
-            self.rows.extend([lower, upper]);
+            self.rows.push(row);
+        }
+        let floor = if floor.is_finite() { floor } else { 0.0 };
+        for row in &mut self.rows {
+            // v counts from the floor.
+            row.b -= row.a[count] * floor;
         }
         let mut bounds = [1.0; COLUMNS];
         bounds[count] = f64::INFINITY;
         let limit = ROUNDING - floor;
         let end = self.simplex.solve(&self.rows, &bounds[..=count], limit);
-        let mut point: [f64; SHAPE] = std::array::from_fn(|k| (cell.low[k] + cell.high[k]) / 2.0);
+        let mut point = middle;
         match end {
             End::Infeasible | End::Beyond => Verdict::Refuted,
             End::Stopped => Verdict::Left(cell, point),
             End::Optimal => {
                 let (least, tightened) = (self.simplex.point(), self.simplex.tightened(limit));
-                let mut cut = cell;
+                let mut cut = cell.clone();
                 for (column, k) in free.iter().enumerate() {
                     let width = cell.high[*k] - cell.low[*k];
                     point[*k] = cell.low[*k] + least[column].clamp(0.0, 1.0) * width;
@@ -199,35 +252,32 @@ impl Refuter {
         }
     }
 
-    fn corner(
-        &mut self,
-        problem: &Problem,
-        objective: Option<Kind>,
-        levels: &Levels<f64>,
-        x: [f64; SHAPE],
-        at: usize,
-    ) {
-        let q = problem.quantities(&x);
-        problem.terms(&q, levels, objective, &mut self.corners[at]);
-    }
-
     /// The variable whose width moves the terms most, and the largest width as a part of the ranges.
     fn widest(&self, problem: &Problem, cell: &Cell) -> Option<(usize, f64)> {
         let mut best: Option<(usize, f64)> = None;
         let mut largest = 0.0f64;
+        let widths: [f64; SHAPE] = std::array::from_fn(|k| cell.high[k] - cell.low[k]);
         for k in 0..SHAPE {
             let (width, range) = (cell.high[k] - cell.low[k], problem.high[k] - problem.low[k]);
             if width <= 0.0 {
                 continue;
             }
             largest = largest.max(width / range);
-            let spread = self.terms.iter().map(|term| term.value.by[k].width()).fold(0.0, f64::max);
-            let smear = spread * width;
+            let bend = |bend: &Bend| -> f64 { bend.size[k].iter().zip(&widths).map(|(b, w)| b * w).sum() };
+            let smear = cell.bends.iter().map(bend).fold(0.0, f64::max) * width;
             if best.is_none_or(|(_, most)| smear > most) {
                 best = Some((k, smear));
             }
         }
         best.map(|(k, _)| (k, largest))
+    }
+}
+
+/// Levels with the target in them, and what they are the objective of. Without a target what is made small keeps its limit.
+fn aim(problem: &Problem, kind: Kind, target: Option<f64>) -> (Levels<f64>, Option<Kind>) {
+    match target {
+        Some(target) => (problem.levels.with(kind, target), Some(kind)),
+        None => (problem.levels, None),
     }
 }
 
