@@ -18,10 +18,6 @@ impl Interval {
         Interval { low, high }
     }
 
-    pub fn width(self) -> f64 {
-        self.high - self.low
-    }
-
     /// Smallest and largest absolute value.
     fn sizes(self) -> [f64; 2] {
         let (a, b) = (self.low.abs(), self.high.abs());

@@ -9,6 +9,7 @@
 //! and likewise from the upper corner. If the linear programme of these lower bounds has no solution, the box has no shape that
 //! satisfies all terms. What the programme leaves of the box is cut to it; the rest is halved.
 
+use super::bend::Bend;
 use super::descent::{Descent, Reached, sense};
 use super::interval::Interval;
 use super::jet::Jet;
@@ -52,27 +53,6 @@ struct Cell {
     bends: Rc<Vec<Bend>>,
     /// How often the box of these was halved.
     age: u32,
-}
-
-/// Second derivatives of a term over a box: from `low` on the diagonal, up to `size` in absolute value beside it.
-#[derive(Debug, Clone, Copy)]
-struct Bend {
-    low: [f64; SHAPE],
-    size: [[f64; SHAPE]; SHAPE],
-}
-
-impl Bend {
-    /// What a term may lie below its tangent at the middle of a box of these half widths.
-    fn drop(&self, half: &[f64; SHAPE]) -> f64 {
-        let mut sum = 0.0;
-        for j in 0..SHAPE {
-            sum += 0.5 * self.low[j].min(0.0) * half[j] * half[j];
-            for k in 0..j {
-                sum -= self.size[j][k] * half[j] * half[k];
-            }
-        }
-        sum
-    }
 }
 
 enum Verdict {
@@ -171,14 +151,7 @@ impl Refuter {
         });
         let (levels, objective) = aim(problem, kind, target);
         problem.terms(&problem.quantities(&x), &levels.mapped(Curvatures::of), objective, &mut self.curved);
-        let bend = |term: &Term<Curvatures>| {
-            let by = |j: usize, k: usize| term.value.by[j].by[k];
-            let size = |j: usize, k: usize| by(j, k).low.abs().max(by(j, k).high.abs());
-            Bend {
-                low: std::array::from_fn(|j| by(j, j).low),
-                size: std::array::from_fn(|j| std::array::from_fn(|k| size(j, k))),
-            }
-        };
+        let bend = |term: &Term<Curvatures>| Bend(term.value.by.map(|row| row.by));
         self.curved.iter().map(bend).collect()
     }
 
@@ -234,7 +207,18 @@ impl Refuter {
             End::Infeasible | End::Beyond => Verdict::Refuted,
             End::Stopped => Verdict::Left(cell, point),
             End::Optimal => {
-                let (least, tightened) = (self.simplex.point(), self.simplex.tightened(limit));
+                // The sum of the terms with their multipliers bends as a whole, often upwards where each alone bends down.
+                let mut whole = Bend::none();
+                let mut drops = 0.0;
+                for (row, multiplier) in self.simplex.multipliers() {
+                    whole = whole + cell.bends[row].times(multiplier);
+                    drops += multiplier * cell.bends[row].drop(&half);
+                }
+                let gain = (whole.drop_of_whole(&half) - drops).max(0.0);
+                if self.simplex.least() + gain > limit {
+                    return Verdict::Refuted;
+                }
+                let (least, tightened) = (self.simplex.point(), self.simplex.tightened(limit, gain));
                 let mut cut = cell.clone();
                 for (column, k) in free.iter().enumerate() {
                     let width = cell.high[*k] - cell.low[*k];
@@ -263,7 +247,9 @@ impl Refuter {
                 continue;
             }
             largest = largest.max(width / range);
-            let bend = |bend: &Bend| -> f64 { bend.size[k].iter().zip(&widths).map(|(b, w)| b * w).sum() };
+            let bend = |bend: &Bend| -> f64 {
+                bend.0[k].iter().zip(&widths).map(|(b, w)| b.low.abs().max(b.high.abs()) * w).sum()
+            };
             let smear = cell.bends.iter().map(bend).fold(0.0, f64::max) * width;
             if best.is_none_or(|(_, most)| smear > most) {
                 best = Some((k, smear));

@@ -171,15 +171,29 @@ impl Simplex {
         point
     }
 
-    /// Bounds on each variable that no point with `v <= limit` leaves, from the reduced costs and the rows of the tableau.
-    pub fn tightened(&self, limit: f64) -> [[f64; 2]; COLUMNS] {
+    /// Rows with a multiplier that is not zero, and their multipliers.
+    pub fn multipliers(&self) -> impl Iterator<Item = (usize, f64)> {
+        let columns = self.outside[..self.columns].iter().zip(&self.cost);
+        columns
+            .filter(|(variable, cost)| **variable >= self.columns && **cost > TINY)
+            .map(|(variable, cost)| (variable - self.columns, *cost))
+    }
+
+    /// Bounds on each variable that no point with `v <= limit` leaves, from the reduced costs and the rows of the tableau;
+    /// `gain` is what is known of the sum of the rows with their multipliers beyond this programme.
+    pub fn tightened(&self, limit: f64, gain: f64) -> [[f64; 2]; COLUMNS] {
         let room = (limit - self.least).max(0.0);
+        let room_of_variables = (room - gain).max(0.0);
         let most: [f64; COLUMNS] = std::array::from_fn(|j| {
             if j >= self.columns {
                 return 0.0;
             }
             let variable = self.outside[j];
-            let upper = if variable < self.columns { self.upper[variable] } else { f64::INFINITY };
+            let (upper, room) = if variable < self.columns {
+                (self.upper[variable], room_of_variables)
+            } else {
+                (f64::INFINITY, room)
+            };
             if self.cost[j] > TINY { upper.min(room / self.cost[j]) } else { upper }
         });
         let mut bounds: [[f64; 2]; COLUMNS] =
@@ -230,7 +244,7 @@ mod tests {
         assert_eq!((end, simplex.least()), (End::Optimal, 1.0));
         assert_eq!(simplex.point()[..3], [1.0, 1.0, 1.0]);
         // With v <= 1.25 neither may be below 0.75.
-        let bounds = simplex.tightened(1.25);
+        let bounds = simplex.tightened(1.25, 0.0);
         assert!((bounds[0][0] - 0.75).abs() < 1e-15 && (bounds[1][0] - 0.75).abs() < 1e-15, "{bounds:?}");
         assert_eq!(
             simplex.solve(&[row(&[-1.0, -1.0, -1.0], -3.0)], &[1.0, 1.0, f64::INFINITY], 0.5),
@@ -272,7 +286,7 @@ mod tests {
             }
             // A grid can only be worse, by no more than its step times the steepest rows.
             assert!(best >= simplex.least() - 1e-9 && best - simplex.least() < 0.02);
-            let bounds = simplex.tightened(simplex.least() + 0.1);
+            let bounds = simplex.tightened(simplex.least() + 0.1, 0.0);
             for k in 0..400 {
                 let (x, y) = (f64::from(k % 20) / 19.0, f64::from(k / 20) / 19.0);
                 if violation(x, y) <= simplex.least() + 0.1 {
