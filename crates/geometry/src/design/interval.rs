@@ -4,6 +4,7 @@
 //! [`super::refute::ROUNDING`] for it.
 
 use super::number::Number;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// All numbers from `low` to `high`.
@@ -63,23 +64,21 @@ impl Number for Interval {
     fn of(value: f64) -> Interval {
         Interval { low: value, high: value }
     }
-    fn radius(w: Interval, d: Interval) -> Interval {
-        let ([w0, w1], [d0, d1]) = (w.sizes(), d.sizes());
-        Interval { low: w0.hypot(d0), high: w1.hypot(d1) }
+    fn sin(self) -> Interval {
+        let (a, b) = (self.low.sin(), self.high.sin());
+        let top = self.low <= FRAC_PI_2 && self.high >= FRAC_PI_2;
+        Interval { low: a.min(b), high: if top { 1.0 } else { a.max(b) } }
     }
-    // Derivatives 2 w a and 2 (d a - w): it grows with w and shrinks with d.
-    fn segment(w: Interval, d: Interval) -> Interval {
-        Interval { low: f64::segment(w.low, d.high), high: f64::segment(w.high, d.low) }
+    fn cos(self) -> Interval {
+        Interval { low: self.high.cos(), high: self.low.cos() }
     }
-    // It grows with w; with d by no more than the derivative at the ends of the range of angles allows.
-    fn segment_polar(w: Interval, d: Interval) -> Interval {
-        let middle = (d.low + d.high) / 2.0;
-        let slope = super::jet::polar_slope(w, d);
-        let spread = (slope * Interval { low: d.low - middle, high: d.high - middle }).sizes()[1];
-        Interval {
-            low: f64::segment_polar(w.low, middle) - spread,
-            high: f64::segment_polar(w.high, middle) + spread,
-        }
+    // Derivative 2 sin^2 a.
+    fn excess(self) -> Interval {
+        Interval { low: self.low.excess(), high: self.high.excess() }
+    }
+    // Derivative sin^2 a (2 - (4/3) sin^2 a), positive.
+    fn segment_polar(self) -> Interval {
+        Interval { low: self.low.segment_polar(), high: self.high.segment_polar() }
     }
     fn negative_square(self) -> Interval {
         Interval { low: self.high.negative_square(), high: self.low.negative_square() }

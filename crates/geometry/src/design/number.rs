@@ -1,7 +1,6 @@
 //! What the shape's formulas compute with: numbers, intervals, and either with derivatives.
 //!
-//! A circular segment is given by half its chord `w > 0` and the distance `d` of the chord from the circle's centre, negative for more
-//! than half a disc; its half angle is `a = atan2(w, d)`, its radius `hypot(w, d)`.
+//! A circular segment is given by its radius `R`, its half angle `a` within [0, pi].
 
 use crate::circular_segment::excess;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -12,12 +11,14 @@ pub(super) trait Number:
 {
     /// A constant.
     fn of(value: f64) -> Self;
-    /// Radius `sqrt(w^2 + d^2)`.
-    fn radius(w: Self, d: Self) -> Self;
-    /// Area of the segment, `R^2 a - w d`.
-    fn segment(w: Self, d: Self) -> Self;
-    /// Polar moment of the segment about the circle's centre, `R^4 a/2 - w d^3/2 - w^3 d/6`.
-    fn segment_polar(w: Self, d: Self) -> Self;
+    /// Sine of an angle within [0, pi].
+    fn sin(self) -> Self;
+    /// Cosine of an angle within [0, pi].
+    fn cos(self) -> Self;
+    /// `a - sin a cos a`: the area of a segment over the square of its radius.
+    fn excess(self) -> Self;
+    /// `a/2 - sin a cos^3 a/2 - sin^3 a cos a/6`: its polar moment about the circle's centre over the fourth power.
+    fn segment_polar(self) -> Self;
     /// `min(d, 0)^2`.
     fn negative_square(self) -> Self;
 
@@ -35,15 +36,18 @@ impl Number for f64 {
     fn of(value: f64) -> f64 {
         value
     }
-    fn radius(w: f64, d: f64) -> f64 {
-        w.hypot(d)
+    fn sin(self) -> f64 {
+        f64::sin(self)
     }
-    fn segment(w: f64, d: f64) -> f64 {
-        (w * w + d * d) * excess(w.atan2(d))
+    fn cos(self) -> f64 {
+        f64::cos(self)
     }
-    fn segment_polar(w: f64, d: f64) -> f64 {
-        let square = w * w + d * d;
-        square * square * w.atan2(d) / 2.0 - w * d * (d * d / 2.0 + w * w / 6.0)
+    fn excess(self) -> f64 {
+        excess(self)
+    }
+    fn segment_polar(self) -> f64 {
+        let (s, c) = self.sin_cos();
+        self / 2.0 - s * c * (c * c / 2.0 + s * s / 6.0)
     }
     fn negative_square(self) -> f64 {
         self.min(0.0).powi(2)

@@ -1,12 +1,11 @@
 //! The task in scaled numbers: the shape's variables and all that must not be positive.
 //!
 //! Lengths over the largest length of the ranges, unbalance over the least unbalance asked for, so that the density is one.
-//! Five variables: `r`, the distance `y = h + H` of the chord, `H`, half the chord `w = R sin(alpha/2)` and the
-//! chord's distance `d = R cos(alpha/2)` from the arc's centre. In these the ranges of `h`, `alpha` and `delta` are linear, the swept
-//! radius does not depend on `H`, and area and moments are polynomials but for the segment. The thickness is no variable: everything that is
-//! limited or made small grows with it, so that it is best as small as the unbalance and its own range allow,
-//! `t = max(t_least, U/(rho S))` (book, eq. 22.27).
+//! Five variables: `r`, `h`, `H`, `R` and `a = alpha/2`. The thickness is no variable: everything that is limited or made small grows
+//! with it, so that it is best as small as the unbalance and its own range allow, `t = max(t_least, U/(rho S))`
+//! (book, eq. 22.27).
 
+use super::interval::Interval;
 use super::number::Number;
 use super::task::{DesignTask, Objective, Range, Shoulder};
 use crate::shape::CounterweightShape;
@@ -90,9 +89,12 @@ pub(super) struct Quantities<T> {
     pub area: T,
     pub first: T,
     pub polar: T,
-    x: [T; SHAPE],
+    web_radius: T,
+    shoulder_height: T,
+    chord: T,
+    half_width: T,
+    inset: T,
     shoulder: T,
-    radius: T,
     crown: T,
 }
 
@@ -104,9 +106,6 @@ pub(super) struct Problem {
     pub levels: Levels<f64>,
     thinnest: f64,
     most_balance: Option<f64>,
-    rectangle: [f64; 2],
-    arc_radius: [f64; 2],
-    half_angle: [f64; 2],
     shoulder_angle: Option<[f64; 2]>,
     /// Length that is one [m].
     pub length: f64,
@@ -133,18 +132,8 @@ impl Problem {
         let (web, rectangle, arc_radius) =
             (scaled(task.web_radius), scaled(task.rectangle_height), scaled(task.arc_radius));
         let half_angle = [task.arc_angle.least / 2.0, task.arc_angle.most / 2.0];
-        // Corners of the ranges of radius and angle, and the half circle between them.
-        let quarter = std::f64::consts::FRAC_PI_2.clamp(half_angle[0], half_angle[1]);
-        let mut half_width = [f64::INFINITY, 0.0f64];
-        let mut inset = [f64::INFINITY, f64::NEG_INFINITY];
-        for radius in arc_radius {
-            for angle in [half_angle[0], quarter, half_angle[1]] {
-                let (w, d) = (radius * angle.sin(), radius * angle.cos());
-                half_width = [half_width[0].min(w), half_width[1].max(w)];
-                inset = [inset[0].min(d), inset[1].max(d)];
-            }
-        }
-        half_width = [half_width[0].max(web[0]).min(half_width[1]), half_width[1]];
+        let sines = Interval::new(half_angle[0], half_angle[1]).sin();
+        let half_width = [arc_radius[0] * sines.low, arc_radius[1] * sines.high];
         let stands_out = [(half_width[0] - web[1]).max(0.0), (half_width[1] - web[0]).max(0.0)];
         let (mut shoulder, mut angle) = match task.shoulder {
             Shoulder::Height(range) => (scaled(range), task.limits.shoulder_angle),
@@ -158,8 +147,7 @@ impl Problem {
         if let Some(limit) = task.limits.shoulder_height.map(scaled) {
             shoulder = [shoulder[0].max(limit[0]), shoulder[1].min(limit[1])];
         }
-        let chord = [rectangle[0] + shoulder[0], rectangle[1] + shoulder[1]];
-        let ranges = [web, chord, shoulder, half_width, inset];
+        let ranges = [web, rectangle, shoulder, arc_radius, half_angle];
         let mut problem = Problem {
             low: ranges.map(|range| range[0]),
             high: ranges.map(|range| range[1]),
@@ -173,9 +161,6 @@ impl Problem {
             },
             thinnest: 0.0,
             most_balance: task.most_balance.map(|most| most / task.least_balance),
-            rectangle,
-            arc_radius,
-            half_angle,
             shoulder_angle: angle.map(|range| [range.least, range.most]),
             length,
             unbalance: task.unbalance * task.least_balance,
@@ -201,16 +186,14 @@ impl Problem {
             || self.shoulder_angle.is_some_and(|[least, most]| least > most)
     }
 
-    /// The shape of these variables, within its ranges.
+    /// The shape of these variables.
     pub fn shape(&self, x: &[f64; SHAPE]) -> CounterweightShape {
-        let [r, chord, shoulder, w, d] = *x;
-        let within = |value: f64, range: [f64; 2]| value.clamp(range[0], range[1]);
         CounterweightShape {
-            web_radius: r * self.length,
-            rectangle_height: within(chord - shoulder, self.rectangle) * self.length,
-            shoulder_height: shoulder * self.length,
-            arc_radius: within(w.hypot(d), self.arc_radius) * self.length,
-            arc_angle: 2.0 * within(w.atan2(d), self.half_angle),
+            web_radius: x[0] * self.length,
+            rectangle_height: x[1] * self.length,
+            shoulder_height: x[2] * self.length,
+            arc_radius: x[3] * self.length,
+            arc_angle: 2.0 * x[4],
         }
     }
 
@@ -227,9 +210,11 @@ impl Problem {
 
     /// What a shape amounts to.
     pub fn quantities<T: Number>(&self, x: &[T; SHAPE]) -> Quantities<T> {
-        let [r, y, big_h, w, d] = *x;
+        let [r, h, big_h, radius, a] = *x;
+        let (y, w, d) = (h + big_h, radius * a.sin(), radius * a.cos());
         let shoulder = w - r;
-        let (radius, segment) = (T::radius(w, d), T::segment(w, d));
+        let square = radius.square();
+        let segment = square * a.excess();
         let (r2, y2, w2) = (r.square(), y.square(), w.square());
         let lever = (w2 * w).times(2.0 / 3.0);
         let centre = y - d;
@@ -237,14 +222,25 @@ impl Problem {
         let area = segment + (r * y).times(2.0) + shoulder * big_h - r2.times(PI / 2.0);
         let first = segment * centre + lever + r * y2 + shoulder * big_h * (y - big_h.times(1.0 / 3.0))
             - (r2 * r).times(2.0 / 3.0);
-        let polar = T::segment_polar(w, d)
+        let polar = square.square() * a.segment_polar()
             + (centre * lever).times(2.0)
             + centre.square() * segment
             + (r * y * (y2 + r2)).times(2.0 / 3.0)
             + shoulder * big_h * (y2 - (y * big_h).times(2.0 / 3.0) + big_h.square().times(1.0 / 6.0))
             + shoulder * big_h * (w2 + (w * r).times(2.0) + r2.times(3.0)).times(1.0 / 6.0)
             - r2.square().times(PI / 4.0);
-        Quantities { area, first, polar, x: *x, shoulder, radius, crown: centre + radius }
+        Quantities {
+            area,
+            first,
+            polar,
+            web_radius: r,
+            shoulder_height: big_h,
+            chord: y,
+            half_width: w,
+            inset: d,
+            shoulder,
+            crown: centre + radius,
+        }
     }
 
     /// All that must not be positive, for these levels.
@@ -275,7 +271,7 @@ impl Problem {
                 push(integral * levels.balance - level * q.first, is(kind) || balance);
             }
         }
-        let [r, y, big_h, w, d] = q.x;
+        let (r, y, w) = (q.web_radius, q.chord, q.half_width);
         if let Some(reach) = levels.swept_radius {
             // The corner of the rectangle lies no farther than the corner of the chord.
             let swept = is(Kind::SweptRadius);
@@ -284,20 +280,16 @@ impl Problem {
             push(q.crown - reach, swept);
         }
         if let Some(most) = levels.half_width {
-            push(w.square() + d.negative_square() - most.square(), is(Kind::HalfWidth));
+            push(w.square() + q.inset.negative_square() - most.square(), is(Kind::HalfWidth));
         }
         push(-q.shoulder, false);
         push(r - q.crown, false);
-        push(T::of(self.rectangle[0]) + big_h - y, false);
-        push(y - big_h - T::of(self.rectangle[1]), false);
-        push(T::of(self.arc_radius[0]) - q.radius, false);
-        push(q.radius - T::of(self.arc_radius[1]), false);
-        for (angle, sign) in [(self.half_angle[0], 1.0), (self.half_angle[1], -1.0)] {
-            push(d.times(sign * angle.sin()) - w.times(sign * angle.cos()), false);
-        }
         if let Some(range) = self.shoulder_angle {
             for (angle, sign) in [(range[0], 1.0), (range[1], -1.0)] {
-                push(q.shoulder.times(sign * angle.sin()) - big_h.times(sign * angle.cos()), false);
+                push(
+                    q.shoulder.times(sign * angle.sin()) - q.shoulder_height.times(sign * angle.cos()),
+                    false,
+                );
             }
         }
     }
@@ -311,8 +303,8 @@ impl Problem {
             Kind::Mass => q.area * thickness,
             Kind::Inertia => q.polar * thickness,
             Kind::Thickness => thickness,
-            Kind::SweptRadius => q.x[0].max(q.x[1].hypot(q.x[3])).max(q.crown),
-            Kind::HalfWidth => q.x[3].hypot(q.x[4].min(0.0)),
+            Kind::SweptRadius => q.web_radius.max(q.chord.hypot(q.half_width)).max(q.crown),
+            Kind::HalfWidth => q.half_width.hypot(q.inset.min(0.0)),
             Kind::Balance => {
                 let by_mass = levels.mass.map_or(f64::INFINITY, |most| most / q.area);
                 let by_inertia = levels.inertia.map_or(f64::INFINITY, |most| most / q.polar);

@@ -41,8 +41,7 @@ fn points(problem: &Problem, count: usize) -> Vec<[f64; SHAPE]> {
     while found.len() < count {
         let x: [f64; SHAPE] =
             std::array::from_fn(|k| problem.low[k] + next() * (problem.high[k] - problem.low[k]));
-        let (radius, height) = (x[3].hypot(x[4]), x[1] - x[2]);
-        if x[3] >= x[0] && height >= 0.0 && x[1] - x[4] + radius >= x[0] {
+        if x[3] * x[4].sin() >= x[0] && x[1] + x[2] + x[3] * (1.0 - x[4].cos()) >= x[0] {
             found.push(x);
         }
     }
@@ -53,11 +52,7 @@ fn points(problem: &Problem, count: usize) -> Vec<[f64; SHAPE]> {
 fn scaled_quantities_are_those_of_the_outline() {
     let problem = Problem::new(&task());
     for x in points(&problem, 300) {
-        // Straight from the variables, without the ranges.
-        let mut shape = problem.shape(&x);
-        shape.arc_radius = x[3].hypot(x[4]) * problem.length;
-        shape.arc_angle = 2.0 * x[3].atan2(x[4]);
-        shape.rectangle_height = (x[1] - x[2]) * problem.length;
+        let shape = problem.shape(&x);
         let (q, exact) = (problem.quantities(&x), shape.moments());
         let l = problem.length;
         // Rounding of the web's disc that both take away.
