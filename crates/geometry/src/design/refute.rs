@@ -23,6 +23,8 @@ pub(super) const ROUNDING: f64 = 1e-12;
 /// A box smaller than this in every variable is left as it is.
 const SMALLEST: f64 = 1e-7;
 const MOST_BOXES: usize = 200_000;
+/// How fast, as a part of its steepest derivative, every term must shrink along a direction that leads to a better design.
+const SLOPE: f64 = 1e-4;
 /// Boxes from which a better shape is looked for.
 const SEARCHED: usize = 24;
 
@@ -66,6 +68,7 @@ enum Verdict {
 pub(super) struct Refuter {
     simplex: Simplex,
     rows: Vec<Row>,
+    directions: Vec<Row>,
     terms: Vec<Term<Slopes>>,
     curved: Vec<Term<Curvatures>>,
 }
@@ -193,6 +196,11 @@ impl Refuter {
             }
             self.rows.push(row);
         }
+        if let Some(target) = target
+            && self.can_be_improved(problem, kind, target, &cell, &half)
+        {
+            return Verdict::Refuted;
+        }
         let floor = if floor.is_finite() { floor } else { 0.0 };
         for row in &mut self.rows {
             // v counts from the floor.
@@ -234,6 +242,71 @@ impl Refuter {
                 Verdict::Left(cut, point)
             }
         }
+    }
+
+    /// Whether from every design of the box one direction leads to a better design: then the best is not in it.
+    ///
+    /// A term that may be zero in the box must shrink along the direction, whatever its derivatives in the box are. Where the
+    /// box lies at the end of a range, the direction does not lead out of it.
+    fn can_be_improved(
+        &mut self,
+        problem: &Problem,
+        kind: Kind,
+        target: f64,
+        cell: &Cell,
+        half: &[f64; SHAPE],
+    ) -> bool {
+        // Unbalance over the scaled density is at least this in any design of the box, and its derivatives these.
+        let (duty, thickest) = (&self.terms[0], problem.levels.thickness);
+        let duty_turn = cell.bends[0].turn(half);
+        self.directions.clear();
+        for (term, bend) in self.terms.iter().zip(cell.bends.iter()) {
+            let Slopes { value, by } = term.value;
+            let turn = bend.turn(half);
+            let spread: f64 = (0..SHAPE).map(|k| (by[k].abs() + 0.5 * turn[k]) * half[k]).sum();
+            if value + spread < 0.0 {
+                continue;
+            }
+            // The level of a better design lies below the target, by as much as the term can lie below zero.
+            let below = match kind {
+                Kind::Mass | Kind::Inertia if term.of_objective => {
+                    (spread - value).max(0.0).min(target / thickest)
+                }
+                _ => 0.0,
+            };
+            let mut row = Row { a: [0.0; COLUMNS], b: 0.0 };
+            let mut column = 0;
+            let mut scale = 0.0f64;
+            for k in 0..SHAPE {
+                if problem.high[k] <= problem.low[k] {
+                    continue;
+                }
+                let range = problem.high[k] - problem.low[k];
+                let (mut low, mut high) = (by[k] - turn[k], by[k] + turn[k]);
+                // grad(A - z S) = grad(A - target S) + (target - z) grad S, and grad S = -grad(duty)/thickest.
+                let first = [duty.value.by[k] - duty_turn[k], duty.value.by[k] + duty_turn[k]];
+                low += below * (-first[1]).min(0.0);
+                high += below * (-first[0]).max(0.0);
+                let (up, down) = (high * range, -low * range);
+                row.a[column] = if cell.high[k] < problem.high[k] { up } else { 0.0 };
+                row.a[column + 1] = if cell.low[k] > problem.low[k] { down } else { 0.0 };
+                scale = scale.max(up.abs()).max(down.abs());
+                column += 2;
+            }
+            if scale == 0.0 {
+                return false;
+            }
+            for entry in &mut row.a[..column] {
+                *entry /= scale;
+            }
+            row.a[column] = -1.0;
+            row.b = -SLOPE;
+            self.directions.push(row);
+        }
+        let columns = 1 + 2 * problem.low.iter().zip(&problem.high).filter(|(low, high)| low < high).count();
+        let mut bounds = [1.0; COLUMNS];
+        bounds[columns - 1] = f64::INFINITY;
+        self.simplex.solve(&self.directions, &bounds[..columns], 0.5 * SLOPE) == End::Optimal
     }
 
     /// The variable whose width moves the terms most, and the largest width as a part of the ranges.
