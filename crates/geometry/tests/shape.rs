@@ -89,7 +89,7 @@ proptest! {
         // Widths are smooth between these places.
         let crown = shape.crown().max(shape.web_radius);
         let (r, h, y_s) = (shape.web_radius, shape.rectangle_height, shape.chord_distance());
-        let mut places = vec![0.0, h, y_s, shape.crown(), r, crown];
+        let mut places = [0.0, h, y_s, shape.crown(), r, crown];
         places.sort_by(f64::total_cmp);
         let (mut area, mut first) = (PI * r * r / 2.0, -2.0 / 3.0 * r.powi(3));
         for pair in places.windows(2) {

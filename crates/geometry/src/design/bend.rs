@@ -33,11 +33,6 @@ impl Bend {
         sum
     }
 
-    /// How far each first derivative can be from that at the middle of a box of these half widths.
-    pub fn turn(&self, half: &[f64; SHAPE]) -> [f64; SHAPE] {
-        self.0.map(|row| row.iter().zip(half).map(|(h, half)| h.low.abs().max(h.high.abs()) * half).sum())
-    }
-
     /// Lower bound of the same by the whole matrix: zero where it is positive definite over the box.
     ///
     /// In units of the half widths the matrix is its middle, less the sum of the radii of each row on the diagonal. Its

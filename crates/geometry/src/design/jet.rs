@@ -84,6 +84,7 @@ impl<T: Base, const N: usize> Neg for Jet<T, N> {
 
 impl<T: Base, const N: usize> Mul for Jet<T, N> {
     type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl, reason = "the derivative of a product is a sum")]
     fn mul(self, other: Self) -> Self {
         Jet {
             value: self.value * other.value,

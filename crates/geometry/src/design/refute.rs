@@ -23,8 +23,6 @@ pub(super) const ROUNDING: f64 = 1e-12;
 /// A box smaller than this in every variable is left as it is.
 const SMALLEST: f64 = 1e-7;
 const MOST_BOXES: usize = 200_000;
-/// How fast, as a part of its steepest derivative, every term must shrink along a direction that leads to a better design.
-const SLOPE: f64 = 1e-4;
 /// Boxes from which a better shape is looked for.
 const SEARCHED: usize = 24;
 
@@ -68,7 +66,8 @@ enum Verdict {
 pub(super) struct Refuter {
     simplex: Simplex,
     rows: Vec<Row>,
-    directions: Vec<Row>,
+    /// Second derivatives of the terms with their multipliers, from the last programme.
+    whole: Option<Bend>,
     terms: Vec<Term<Slopes>>,
     curved: Vec<Term<Curvatures>>,
 }
@@ -103,7 +102,8 @@ impl Refuter {
             if searched < SEARCHED || best.is_none() || is_small {
                 searched += 1;
                 let found = descent.run(problem, kind, point);
-                let is_better = |old: Reached| sense(kind) * found.level < sense(kind) * old.level;
+                // Steps of rounding would go on for ever.
+                let is_better = |old: Reached| sense(kind) * (old.level - found.level) > 1e-10 * old.level;
                 if found.is_feasible() && best.is_none_or(is_better) {
                     // A target brings terms of its own, and a better one smaller levels in their derivatives.
                     cell.age = FRESH;
@@ -196,11 +196,6 @@ impl Refuter {
             }
             self.rows.push(row);
         }
-        if let Some(target) = target
-            && self.can_be_improved(problem, kind, target, &cell, &half)
-        {
-            return Verdict::Refuted;
-        }
         let floor = if floor.is_finite() { floor } else { 0.0 };
         for row in &mut self.rows {
             // v counts from the floor.
@@ -222,6 +217,7 @@ impl Refuter {
                     whole = whole + cell.bends[row].times(multiplier);
                     drops += multiplier * cell.bends[row].drop(&half);
                 }
+                self.whole = (drops < 0.0).then_some(whole);
                 let gain = (whole.drop_of_whole(&half) - drops).max(0.0);
                 if self.simplex.least() + gain > limit {
                     return Verdict::Refuted;
@@ -244,71 +240,6 @@ impl Refuter {
         }
     }
 
-    /// Whether from every design of the box one direction leads to a better design: then the best is not in it.
-    ///
-    /// A term that may be zero in the box must shrink along the direction, whatever its derivatives in the box are. Where the
-    /// box lies at the end of a range, the direction does not lead out of it.
-    fn can_be_improved(
-        &mut self,
-        problem: &Problem,
-        kind: Kind,
-        target: f64,
-        cell: &Cell,
-        half: &[f64; SHAPE],
-    ) -> bool {
-        // Unbalance over the scaled density is at least this in any design of the box, and its derivatives these.
-        let (duty, thickest) = (&self.terms[0], problem.levels.thickness);
-        let duty_turn = cell.bends[0].turn(half);
-        self.directions.clear();
-        for (term, bend) in self.terms.iter().zip(cell.bends.iter()) {
-            let Slopes { value, by } = term.value;
-            let turn = bend.turn(half);
-            let spread: f64 = (0..SHAPE).map(|k| (by[k].abs() + 0.5 * turn[k]) * half[k]).sum();
-            if value + spread < 0.0 {
-                continue;
-            }
-            // The level of a better design lies below the target, by as much as the term can lie below zero.
-            let below = match kind {
-                Kind::Mass | Kind::Inertia if term.of_objective => {
-                    (spread - value).max(0.0).min(target / thickest)
-                }
-                _ => 0.0,
-            };
-            let mut row = Row { a: [0.0; COLUMNS], b: 0.0 };
-            let mut column = 0;
-            let mut scale = 0.0f64;
-            for k in 0..SHAPE {
-                if problem.high[k] <= problem.low[k] {
-                    continue;
-                }
-                let range = problem.high[k] - problem.low[k];
-                let (mut low, mut high) = (by[k] - turn[k], by[k] + turn[k]);
-                // grad(A - z S) = grad(A - target S) + (target - z) grad S, and grad S = -grad(duty)/thickest.
-                let first = [duty.value.by[k] - duty_turn[k], duty.value.by[k] + duty_turn[k]];
-                low += below * (-first[1]).min(0.0);
-                high += below * (-first[0]).max(0.0);
-                let (up, down) = (high * range, -low * range);
-                row.a[column] = if cell.high[k] < problem.high[k] { up } else { 0.0 };
-                row.a[column + 1] = if cell.low[k] > problem.low[k] { down } else { 0.0 };
-                scale = scale.max(up.abs()).max(down.abs());
-                column += 2;
-            }
-            if scale == 0.0 {
-                return false;
-            }
-            for entry in &mut row.a[..column] {
-                *entry /= scale;
-            }
-            row.a[column] = -1.0;
-            row.b = -SLOPE;
-            self.directions.push(row);
-        }
-        let columns = 1 + 2 * problem.low.iter().zip(&problem.high).filter(|(low, high)| low < high).count();
-        let mut bounds = [1.0; COLUMNS];
-        bounds[columns - 1] = f64::INFINITY;
-        self.simplex.solve(&self.directions, &bounds[..columns], 0.5 * SLOPE) == End::Optimal
-    }
-
     /// The variable whose width moves the terms most, and the largest width as a part of the ranges.
     fn widest(&self, problem: &Problem, cell: &Cell) -> Option<(usize, f64)> {
         let mut best: Option<(usize, f64)> = None;
@@ -323,7 +254,11 @@ impl Refuter {
             let bend = |bend: &Bend| -> f64 {
                 bend.0[k].iter().zip(&widths).map(|(b, w)| b.low.abs().max(b.high.abs()) * w).sum()
             };
-            let smear = cell.bends.iter().map(bend).fold(0.0, f64::max) * width;
+            let most = match &self.whole {
+                Some(whole) => bend(whole),
+                None => cell.bends.iter().map(bend).fold(0.0, f64::max),
+            };
+            let smear = most * width;
             if best.is_none_or(|(_, most)| smear > most) {
                 best = Some((k, smear));
             }

@@ -8,7 +8,7 @@
 //! be left as soon as it is too large.
 
 /// Most variables, with `v`.
-pub(super) const COLUMNS: usize = 11;
+pub(super) const COLUMNS: usize = 7;
 /// A coefficient below this is none, in rows scaled to about one.
 const TINY: f64 = 1e-11;
 const MOST_PIVOTS: usize = 80;
