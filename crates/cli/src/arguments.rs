@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::format::Format;
 use crate::published_arguments::PublishedArguments;
 use crate::search_arguments::SearchArguments;
 use crate::workshop_arguments::WorkshopArguments;
@@ -34,17 +35,6 @@ pub enum Colour {
     Always,
     /// Never.
     Never,
-}
-
-/// The form of the output on stdout.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    /// For people.
-    Text,
-    /// Every field of the result, SI units and radians.
-    Json,
-    /// Tables for a spreadsheet.
-    Csv,
 }
 
 /// The commands.

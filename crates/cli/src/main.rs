@@ -8,6 +8,7 @@ mod balance_request;
 mod commands;
 mod failure;
 mod files;
+mod format;
 mod provenance;
 mod published_arguments;
 mod request;

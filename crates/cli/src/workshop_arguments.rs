@@ -7,7 +7,7 @@ pub use crank::{
     InternalArguments,
 };
 
-use crate::arguments::Format;
+use crate::format::Format;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 

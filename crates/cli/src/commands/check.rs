@@ -1,9 +1,10 @@
 //! `lanchester check`: every mistake of the files given.
 
-use crate::arguments::{CheckArguments, Format};
+use crate::arguments::CheckArguments;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, read_source};
+use crate::format::Format;
 use lanchester::model::{Diagnostic, Severity, read, render};
 use serde::Serialize;
 

@@ -1,9 +1,10 @@
 //! `lanchester loads`: what shakes the engine.
 
-use crate::arguments::{Format, LoadsArguments, LoadsTable};
+use crate::arguments::{LoadsArguments, LoadsTable};
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
+use crate::format::Format;
 use crate::request::{internal_request, load_request};
 use lanchester::mechanism::{InternalMoments, Loads, internal_cases, loads};
 use lanchester::report::{internal_csv, internal_text, loads_text, motion_csv, orders_csv, trace_csv};

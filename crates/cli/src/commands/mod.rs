@@ -2,6 +2,7 @@
 
 pub mod balance;
 pub mod check;
+mod found;
 pub mod loads;
 pub mod new;
 pub mod published;

@@ -1,9 +1,10 @@
 //! `lanchester new`: an engine file to start from.
 
-use crate::arguments::{Format, NewArguments};
+use crate::arguments::NewArguments;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_new};
+use crate::format::Format;
 use lanchester::model::{nearest_template, template, templates};
 
 pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {

@@ -1,9 +1,10 @@
 //! `lanchester balance --method`: a published method, what it leaves, and the true optimum beside it.
 
-use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable, Format};
+use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::published_arguments::MatrixShafts;
 use lanchester::balance::BalanceError;
 use lanchester::balance::published::{

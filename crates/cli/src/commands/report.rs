@@ -1,9 +1,10 @@
 //! `lanchester report`: the page, and its figures as files.
 
-use crate::arguments::{Format, ReportArguments};
+use crate::arguments::ReportArguments;
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::provenance::provenance;
 use crate::request::{internal_request, load_request};
 use lanchester::arrangements;

@@ -1,10 +1,11 @@
 //! `lanchester balance --search`: which arrangement of crank weights and balance shafts, and one of them in full.
 
-use crate::arguments::{BalanceArguments, BalanceTable, Format};
-use crate::commands::balance::{csv, loads_of, put_into_file, refused};
+use crate::arguments::{BalanceArguments, BalanceTable};
+use crate::commands::found::{csv, loads_of, put_into_file, refused};
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::search_request::arrangement_request;
 use lanchester::balance::{
     Arrangement, ArrangementRequest, Arrangements, SpacingArrangements, arrangements, fitted, searched_engine,

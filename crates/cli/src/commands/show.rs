@@ -1,9 +1,10 @@
 //! `lanchester show`: the expanded form and the drawing.
 
-use crate::arguments::{Format, ShowArguments};
+use crate::arguments::ShowArguments;
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{Engine, Rotation, expanded};
 use lanchester::report::{articulation_table, drawing, motion_table, rod_inertia_table};

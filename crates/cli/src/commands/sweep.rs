@@ -1,10 +1,11 @@
 //! `lanchester balance --method sweep`: the crank by the sweep of the twin-cylinder thesis, the true optimum beside it.
 
-use crate::arguments::{BalanceArguments, BalanceMethod, Format};
-use crate::commands::balance::put_into_file;
+use crate::arguments::{BalanceArguments, BalanceMethod};
+use crate::commands::found::put_into_file;
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::request::series;
 use lanchester::balance::{
     Answer, BalanceError, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank,

@@ -1,9 +1,10 @@
 //! `lanchester validate`: printed against computed.
 
-use crate::arguments::{Format, ValidateArguments};
+use crate::arguments::ValidateArguments;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
+use crate::format::Format;
 use lanchester::validate::{csv, markdown, text, validate};
 
 pub fn run(arguments: &ValidateArguments) -> Result<u8, Failure> {

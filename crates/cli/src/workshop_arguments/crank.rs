@@ -1,6 +1,6 @@
 //! The commands of the workshop that are about a crank, its counterweights and its bobweights.
 
-use crate::arguments::Format;
+use crate::format::Format;
 use clap::Args;
 use std::path::PathBuf;
 

@@ -1,10 +1,10 @@
 //! `lanchester workshop bobweight`: bobweights from weighed parts.
 
 use super::{open as open_sheet, refused};
-use crate::arguments::Format;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
+use crate::format::Format;
 use crate::workshop_arguments::BobweightArguments;
 use lanchester::balance::workshop::bobweight_answer;
 use lanchester::report::Table;

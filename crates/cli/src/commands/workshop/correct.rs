@@ -1,10 +1,10 @@
 //! `lanchester workshop correct`: where to add or remove how much.
 
 use super::{open, refused};
-use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::workshop_arguments::CorrectArguments;
 use lanchester::balance::workshop::{NextStep, correction};
 use lanchester::report::Table;

@@ -2,10 +2,10 @@
 
 use super::crank_input::crank;
 use super::refused;
-use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::workshop_arguments::CrankArguments;
 use lanchester::balance::workshop::crank_unbalance;
 use lanchester::report::Table;

@@ -1,10 +1,10 @@
 //! `lanchester workshop drill`: which holes to drill, and what they leave.
 
 use super::{open, refused};
-use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
+use crate::format::Format;
 use crate::workshop_arguments::DrillArguments;
 use lanchester::balance::workshop::drilling;
 use lanchester::report::Table;

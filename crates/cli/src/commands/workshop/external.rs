@@ -3,10 +3,10 @@
 use super::crank_input::{crank, weights_in_planes};
 use super::given_factor::bad;
 use super::refused;
-use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::print;
+use crate::format::Format;
 use crate::workshop_arguments::ExternalArguments;
 use lanchester::balance::workshop::external_balance;
 use lanchester::model::option;

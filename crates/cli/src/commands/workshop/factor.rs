@@ -2,10 +2,10 @@
 
 use super::given_factor::{bad, given_factor};
 use super::refused;
-use crate::arguments::Format;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
+use crate::format::Format;
 use crate::workshop_arguments::FactorArguments;
 use lanchester::balance::workshop::{FactorRequest, factor_answer};
 use lanchester::model::option;

@@ -1,10 +1,10 @@
 //! `lanchester workshop grade`: what a balance quality grade allows.
 
 use super::{open, refused};
-use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
+use crate::format::Format;
 use crate::workshop_arguments::GradeArguments;
 use lanchester::balance::workshop::grade;
 use lanchester::report::Table;

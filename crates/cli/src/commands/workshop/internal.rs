@@ -1,10 +1,10 @@
 //! `lanchester workshop internal`: slugs that take over from weights outside.
 
 use super::{open as open_sheet, refused};
-use crate::arguments::Format;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
+use crate::format::Format;
 use crate::workshop_arguments::InternalArguments;
 use lanchester::balance::workshop::internal_balance;
 use lanchester::report::Table;
