@@ -127,6 +127,12 @@ impl Bit {
         (0..count).map(|k| (first + k as f64) * step).collect()
     }
 
+    /// Depths from the least to the largest, so many and evenly apart [m].
+    pub(crate) fn even_depths(&self, count: usize) -> Vec<f64> {
+        let [least, most] = self.range;
+        (0..count).map(|k| least + (most - least) * k as f64 / (count - 1) as f64).collect()
+    }
+
     /// Mass that a hole of this depth removes [kg].
     pub(crate) fn mass(&self, depth: f64) -> f64 {
         let (a, r) = (self.diameter / 2.0, self.radius);

@@ -4,16 +4,20 @@
 //! drilled, the best lengths of a set of holes are a box-constrained least-squares problem in the plane, solved exactly: its
 //! solution for two holes is the crossing or lies on an edge of the box, and more than two holes always have a solution with
 //! one of them at its bound. Where depths go by steps, all steps of all holes but the last are tried, and the last takes the
-//! nearest steps to what remains.
+//! nearest steps to what remains. Where the wall between the best of any depth would be too thin, shallower ones are tried
+//! so, by even steps.
 
 use super::allowed::is_allowed;
 use super::hole::{Bit, Hole, wall};
-use lanchester_model::workshop::{Allowed, Drill};
+use lanchester_model::workshop::{Allowed, Drill, DrillDirection};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Sets of depths looked at before the search gives up: about a second where every set has three holes.
 const MOST_TRIALS: usize = 2_000_000;
+
+/// Depths tried of each hole where the wall between the best ones would be too thin.
+const SHALLOWER: usize = 25;
 
 /// What a search found.
 #[derive(Debug, Clone, PartialEq)]
@@ -163,10 +167,27 @@ impl State<'_> {
                 .zip(&lengths)
                 .map(|(candidate, length)| candidate.bit.hole(candidate.angle, candidate.bit.depth(*length)))
                 .collect();
-            self.offer(holes);
+            if self.thick(&holes) {
+                self.offer(holes);
+            } else if self.drill.direction == DrillDirection::Radial {
+                self.shallower(chosen);
+            }
         } else {
             self.steps(self.target, chosen, &mut Vec::new());
         }
+    }
+
+    /// Radial holes run together at depth: the best of shallower ones whose walls are thick enough.
+    fn shallower(&mut self, chosen: &[&Candidate]) {
+        let stepped: Vec<Candidate> = chosen
+            .iter()
+            .map(|candidate| {
+                let depths = candidate.bit.even_depths(SHALLOWER).into_iter();
+                let steps = depths.map(|depth| (candidate.bit.unbalance(depth), depth)).collect();
+                Candidate { steps, ..(*candidate).clone() }
+            })
+            .collect();
+        self.steps(self.target, &stepped.iter().collect::<Vec<_>>(), &mut Vec::new());
     }
 
     /// All steps of all holes but the last, for which the steps nearest to what remains are taken.
@@ -207,6 +228,11 @@ impl State<'_> {
             && wall(self.drill.direction, self.radius, one, other) >= self.drill.land - 1e-12
     }
 
+    /// Whether all walls and distances are large enough.
+    fn thick(&self, holes: &[Hole]) -> bool {
+        holes.iter().enumerate().all(|(k, one)| holes[..k].iter().all(|other| self.apart(one, other)))
+    }
+
     /// Takes a set of holes if it leaves less than the best so far and its walls are thick enough. More holes than before
     /// must be worth it: a set within the tolerance ends the search before another hole is tried.
     fn offer(&mut self, holes: Vec<Hole>) {
@@ -216,10 +242,8 @@ impl State<'_> {
         if left >= self.best_left - self.rounding() {
             return;
         }
-        let thick =
-            holes.iter().enumerate().all(|(k, one)| holes[..k].iter().all(|other| self.apart(one, other)));
         let more = holes.len() > self.best.len();
-        if thick && !(more && self.best_left <= self.tolerance) {
+        if self.thick(&holes) && !(more && self.best_left <= self.tolerance) {
             (self.best, self.best_left) = (holes, left);
         }
     }

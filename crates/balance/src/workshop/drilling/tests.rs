@@ -135,3 +135,21 @@ fn holes_keep_their_spacing() {
     assert!(far.windows(2).all(|pair| pair[1] - pair[0] > 30.5), "{far:?}");
     assert!(nothing < 1e-15 && left >= nothing);
 }
+
+/// Two 12 mm holes 30 degrees apart keep a wall of 8 mm down to 60 - (8 + 6 + 6 cos 30)/sin 30 = 21.61 mm: what 25 mm would
+/// break through is drilled less deep, not given up.
+#[test]
+fn holes_whose_walls_would_be_thin_are_drilled_less_deep() {
+    let text = plane("only", 10.0, "angles = [\"60 deg\", \"90 deg\"]", "land = \"8 mm\", most_holes = 2")
+        .replace("[\"8 mm\", \"12 mm\"]", "[\"12 mm\"]");
+    let found = drilling(&sheet(&text, &display(10.0, 5000.0, 75.0))).unwrap();
+    let plane = &found.planes[0];
+    let deepest = 60.0 - (14.0 + 6.0 * 30f64.to_radians().cos()) / 0.5;
+    assert_eq!(plane.holes.len(), 2);
+    for hole in &plane.holes {
+        // Depths are tried in steps of a twenty-fourth of what may be drilled.
+        assert!(1e3 * hole.depth <= deepest && 1e3 * hole.depth > deepest - 1.0, "{}", hole.depth);
+    }
+    let one = plane.holes[0].unbalance;
+    assert!((removed(plane).norm() - 2.0 * one * 15f64.to_radians().cos()).abs() < 0.05 * one);
+}
