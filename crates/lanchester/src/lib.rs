@@ -21,6 +21,7 @@ pub mod validate;
 
 pub use arrangements::arrangements;
 pub use lanchester_balance as balance;
+pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;

@@ -19,6 +19,7 @@ mod fitting;
 mod method;
 mod quantity;
 mod render;
+mod shape;
 mod source;
 #[cfg(test)]
 mod tests;

@@ -10,7 +10,16 @@ const ARROWS: [(&str, &[&str]); 8] = [
     ("lanchester-geometry", &["lanchester-model"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-report", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
-    ("lanchester", &["lanchester-model", "lanchester-mechanism", "lanchester-balance", "lanchester-report"]),
+    (
+        "lanchester",
+        &[
+            "lanchester-model",
+            "lanchester-mechanism",
+            "lanchester-geometry",
+            "lanchester-balance",
+            "lanchester-report",
+        ],
+    ),
     ("lanchester-cli", &["lanchester"]),
     ("xtask", &[]),
 ];

@@ -2,6 +2,7 @@
 
 use super::files::Source;
 use super::fitting::Fitting;
+use super::shape::ShapeFit;
 use super::source::{Change, Edit, KinematicsName, NewValue};
 use lanchester_mechanism::{LoadRequest, Loads, PeakMode, loads};
 use lanchester_model::{Engine, read};
@@ -12,6 +13,7 @@ use std::rc::Rc;
 pub(super) struct Run {
     pub engine: Engine,
     pub loads: Loads,
+    pub shape: ShapeFit,
 }
 
 /// Keeps what was computed, for a table asks for the same engine many times.
@@ -49,7 +51,7 @@ impl Bench {
             request.reference = reference_point(&engine, about)?;
         }
         let loads = loads(&engine, &request).map_err(|error| error.to_string())?;
-        let run = Rc::new(Run { engine, loads });
+        let run = Rc::new(Run { engine, loads, shape: fitting.shape });
         self.runs.insert(id, run.clone());
         Ok(run)
     }

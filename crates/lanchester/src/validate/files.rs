@@ -85,6 +85,7 @@ pub(super) const FILES: &[(&str, &str)] = embedded![
     "balancing-tool-paper/in-line-three.toml",
     "balancing-tool-paper/v4-90.toml",
     "balancing-tool-paper/table-2.json",
+    "balancing-tool-paper/table-3.json",
     "balancing-tool-paper/table-5.json",
     "balancing-tool-paper/text.json",
 ];

@@ -1,5 +1,5 @@
 //! Changes of an engine that no line of its file can say: the arrangements of the twin-cylinder thesis, and the other
-//! published methods ([`MethodFit`]).
+//! published methods ([`MethodFit`]); and the shape of a counterweight ([`ShapeFit`]).
 //!
 //! | place in a change | value |
 //! |---|---|
@@ -7,6 +7,7 @@
 //! | `arrangement.crank`, `arrangement.first order`, `arrangement.second order` | an amount of it, "0.04116 kg m", in place of the found one |
 
 use super::method::MethodFit;
+use super::shape::ShapeFit;
 use super::source::NewValue;
 use lanchester_balance::{ArrangementOptions, GivenAmounts, SweepOptions, TwinArrangement, arranged};
 use lanchester_mechanism::{LoadRequest, PeakMode};
@@ -18,12 +19,13 @@ pub(super) struct Fitting {
     arrangement: Option<TwinArrangement>,
     given: GivenAmounts,
     method: MethodFit,
+    pub shape: ShapeFit,
 }
 
 impl Fitting {
     /// Takes a change that is its own; `false`: it is one of the file.
     pub fn take(&mut self, place: &str, value: &NewValue) -> Result<bool, String> {
-        if self.method.take(place, value)? {
+        if self.method.take(place, value)? || self.shape.take(place, value)? {
             return Ok(true);
         }
         let slot = match place {

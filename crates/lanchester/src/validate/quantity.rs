@@ -13,10 +13,12 @@
 //! | `any F order n`, `any F above order n` | Yes if it is more than a millionth of one cylinder's first order |
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
-//! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`].
+//! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
+//! [`ShapeKey`].
 
 use super::case::Run;
 use super::method::DeviceKey;
+use super::shape::ShapeKey;
 use lanchester_mechanism::{Extremes, LoadSet, Part};
 use lanchester_model::Engine;
 use num_complex::Complex64;
@@ -50,6 +52,8 @@ pub(super) enum Key {
     PistonAcceleration,
     /// Of a device of the engine.
     Device(DeviceKey),
+    /// Of a counterweight's shape.
+    Shape(ShapeKey),
 }
 
 /// A datum of the engine as it was read.
@@ -170,6 +174,9 @@ impl Key {
         if let Some(device) = DeviceKey::parse(text) {
             return Ok(Key::Device(device));
         }
+        if let Some(shape) = ShapeKey::parse(text) {
+            return Ok(Key::Shape(shape));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -191,6 +198,7 @@ impl Key {
             }
             Key::Loads(key, selection) => key.of(run, selection),
             Key::Device(device) => device.of(&run.engine).map(Value::Number),
+            Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
         }
     }
 
