@@ -23,6 +23,7 @@ mod crossing;
 mod design;
 mod edge;
 mod error;
+pub mod export;
 mod mass_properties;
 mod outline;
 mod part;

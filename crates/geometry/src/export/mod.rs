@@ -1,0 +1,49 @@
+//! Parts as files that a CAD program, a printer or a viewer opens: STEP, STL, glTF.
+//!
+//! [`PlacedPart`]s, each with a name, a place along the crank and a turn about it, become [`Solid`]s: closed shells of planes
+//! and cylinders between lines and arcs. An insert with a material is a solid of its own, in the bore of its part. The writers
+//! touch no file: they give the text or the bytes, the same ones for the same solids.
+//!
+//! | writer | what | how exact |
+//! |---|---|---|
+//! | [`step`] | AP214, the analytic surfaces, millimetres, names and colours | rounding; lengths below [`RESOLUTION`] are not told apart |
+//! | [`stl`] | binary, triangles, millimetres | chords within the facet error of the arcs; 32-bit floats |
+//! | [`glb`] | binary glTF 2.0, triangles with normals, metres, names and colours | as STL |
+//!
+//! Frame: as the parts, with z along the crank axis. In glTF the outermost node turns it so that x points up.
+//!
+//! Chamfers are refused ([`ExportError::Chamfer`]): a part without them would be another part.
+//!
+//! ```
+//! use lanchester_geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
+//! use lanchester_geometry::{Contour, Part, Point};
+//!
+//! let disc = Contour::circle(Point::ORIGIN, 0.05)?;
+//! let web = PlacedPart::new("web 1", Part::new(disc.into(), 0.02, 7850.0)?);
+//! let solids = solids(&[web.moved(0.1)])?;
+//! assert!(step(&solids, &StepHeader::default()).starts_with("ISO-10303-21;"));
+//! assert_eq!(stl(&solids, 1e-5)?.len() % 50, 84 % 50);
+//! assert_eq!(&glb(&solids, 1e-5)?[..4], b"glTF");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod bore;
+mod error;
+mod gltf;
+mod mesh;
+mod placed_part;
+mod solid;
+mod step;
+mod stl;
+mod triangulation;
+
+pub use error::ExportError;
+pub use gltf::glb;
+pub use placed_part::{PlacedPart, solids};
+pub use solid::Solid;
+pub use step::{StepHeader, step};
+pub use stl::stl;
+
+/// Lengths below this are not told apart in an exported file [m]: arcs that stand out less over their chord are written as
+/// lines, and walls that are thinner are refused.
+pub const RESOLUTION: f64 = 1e-8;
