@@ -1,7 +1,8 @@
 //! STEP files (ISO 10303-21) of AP214, with the analytic surfaces.
 //!
-//! One product with one `ADVANCED_BREP_SHAPE_REPRESENTATION` that holds every solid: a `MANIFOLD_SOLID_BREP`, or a
-//! `BREP_WITH_VOIDS` where it has cavities within. Faces are planes and cylinders, edges lines and circles; each edge and each
+//! Each solid is a product of its own name with an `ADVANCED_BREP_SHAPE_REPRESENTATION` of a `MANIFOLD_SOLID_BREP`, or of a
+//! `BREP_WITH_VOIDS` where it has cavities within. Several are the components of one more product, the assembly, each at its
+//! place already: names stand in the tree of the CAD program, which forgets them of bodies within one product. Faces are planes and cylinders, edges lines and circles; each edge and each
 //! vertex is written once and used by both faces, so that shells are watertight by construction. Lengths are millimetres.
 
 use super::Solid;
@@ -13,7 +14,7 @@ use std::fmt::Write;
 /// What the head of a STEP file says beside the solids.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StepHeader {
-    /// Name of the file and of the product.
+    /// Name of the file, and of the assembly where there are several solids.
     pub title: String,
     /// When it was made, as ISO 8601 has it. The library reads no clock: who wants the time of the day gives it.
     pub time: String,
@@ -28,34 +29,42 @@ impl Default for StepHeader {
 
 /// The text of a STEP file of solids ([`super::solids`]), in millimetres.
 pub fn step(solids: &[Solid], header: &StepHeader) -> String {
-    let (title, time) = (text(&header.title), text(&header.time));
-    let mut file = File { data: String::new(), last: 0 };
-    let context = file.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
-    file.add(&format!(
-        "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#{context})"
-    ));
-    let product_context = file.add(&format!("PRODUCT_CONTEXT('',#{context},'mechanical')"));
-    let product = file.add(&format!("PRODUCT({title},{title},'',(#{product_context}))"));
-    file.add(&format!("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#{product}))"));
-    let formation = file.add(&format!("PRODUCT_DEFINITION_FORMATION('','',#{product})"));
-    let design = file.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',#{context},'design')"));
-    let definition = file.add(&format!("PRODUCT_DEFINITION('design','',#{formation},#{design})"));
-    let shape = file.add(&format!("PRODUCT_DEFINITION_SHAPE('','',#{definition})"));
-    let units = file.units();
-
+    let mut file = File::new();
     let origin = file.placement([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]);
-    let (mut items, mut styles) = (vec![origin], Vec::new());
+    let mut components = Vec::new();
+    let mut styles = Vec::new();
     for solid in solids {
-        let brep = file.solid(solid);
-        items.push(brep);
-        styles.push(file.style(brep, solid.colour()));
+        let body = file.solid(solid);
+        styles.push(file.style(body, solid.colour()));
+        let name = text(solid.name());
+        let units = file.units;
+        let shape =
+            file.add(&format!("ADVANCED_BREP_SHAPE_REPRESENTATION({name},(#{origin},#{body}),#{units})"));
+        components.push((name, file.product(solid.name(), shape), shape));
     }
-    let items = references(&items);
-    let representation = file.add(&format!("ADVANCED_BREP_SHAPE_REPRESENTATION({title},{items},#{units})"));
-    file.add(&format!("SHAPE_DEFINITION_REPRESENTATION(#{shape},#{representation})"));
+    let units = file.units;
+    if solids.len() != 1 {
+        let title = text(&header.title);
+        let whole = file.add(&format!("SHAPE_REPRESENTATION({title},(#{origin}),#{units})"));
+        let assembly = file.product(&header.title, whole);
+        for (number, (name, definition, shape)) in components.iter().enumerate() {
+            let usage = file.add(&format!(
+                "NEXT_ASSEMBLY_USAGE_OCCURRENCE('{}',{name},'',#{assembly},#{definition},$)",
+                number + 1
+            ));
+            let place = file.add(&format!("PRODUCT_DEFINITION_SHAPE('',$,#{usage})"));
+            let identity = file.add(&format!("ITEM_DEFINED_TRANSFORMATION('','',#{origin},#{origin})"));
+            let relation = file.add(&format!(
+                "(REPRESENTATION_RELATIONSHIP('','',#{shape},#{whole})\
+                 REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#{identity})SHAPE_REPRESENTATION_RELATIONSHIP())"
+            ));
+            file.add(&format!("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#{relation},#{place})"));
+        }
+    }
     let styles = references(&styles);
     file.add(&format!("MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',{styles},#{units})"));
 
+    let (title, time) = (text(&header.title), text(&header.time));
     format!(
         "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('solids of crankshaft parts'),'2;1');\n\
          FILE_NAME({title},{time},(''),(''),'lanchester','lanchester','');\n\
@@ -64,13 +73,42 @@ pub fn step(solids: &[Solid], header: &StepHeader) -> String {
     )
 }
 
-/// The entities written so far.
+/// The entities written so far, and the numbers of those that many use.
 struct File {
     data: String,
     last: usize,
+    units: usize,
+    product_context: usize,
+    design_context: usize,
 }
 
 impl File {
+    fn new() -> File {
+        let mut file = File { data: String::new(), last: 0, units: 0, product_context: 0, design_context: 0 };
+        let context = file.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
+        file.add(&format!(
+            "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#{context})"
+        ));
+        file.product_context = file.add(&format!("PRODUCT_CONTEXT('',#{context},'mechanical')"));
+        file.design_context =
+            file.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',#{context},'design')"));
+        file.units = file.shared_units();
+        file
+    }
+
+    /// A product with its shape: the number of its definition.
+    fn product(&mut self, name: &str, shape: usize) -> usize {
+        let (name, number) = (text(name), self.last + 1);
+        let (context, design) = (self.product_context, self.design_context);
+        let product = self.add(&format!("PRODUCT('{number}',{name},'',(#{context}))"));
+        self.add(&format!("PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#{product}))"));
+        let formation = self.add(&format!("PRODUCT_DEFINITION_FORMATION('','',#{product})"));
+        let definition = self.add(&format!("PRODUCT_DEFINITION('design','',#{formation},#{design})"));
+        let of_shape = self.add(&format!("PRODUCT_DEFINITION_SHAPE('',$,#{definition})"));
+        self.add(&format!("SHAPE_DEFINITION_REPRESENTATION(#{of_shape},#{shape})"));
+        definition
+    }
+
     /// Writes an entity and gives its number.
     fn add(&mut self, entity: &str) -> usize {
         self.last += 1;
@@ -79,7 +117,7 @@ impl File {
     }
 
     /// Millimetre, radian, steradian, and how far points may lie apart that are one: the number of the context.
-    fn units(&mut self) -> usize {
+    fn shared_units(&mut self) -> usize {
         let length = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
         let angle = self.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");
         let solid_angle = self.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");

@@ -261,9 +261,20 @@ impl StepFile {
         let of = |kind: &str| {
             self.entities.values().filter(|e| e[0].0 == kind).map(|e| e[0].1.clone()).collect::<Vec<_>>()
         };
+        // Every component stands in the assembly where it is.
+        for transformation in of("ITEM_DEFINED_TRANSFORMATION") {
+            assert_eq!(self.frame(&transformation[2]), self.frame(&transformation[3]));
+        }
         let representations = of("ADVANCED_BREP_SHAPE_REPRESENTATION");
-        assert_eq!(representations.len(), 1);
-        let Value::List(items) = &representations[0][1] else { panic!("no items") };
+        let count = representations.len();
+        let components = if count == 1 { 0 } else { count };
+        assert_eq!(of("NEXT_ASSEMBLY_USAGE_OCCURRENCE").len(), components);
+        assert_eq!(of("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION").len(), components);
+        assert_eq!(of("SHAPE_DEFINITION_REPRESENTATION").len(), count + usize::from(count > 1));
+        let items = representations.iter().flat_map(|values| {
+            let Value::List(items) = &values[1] else { panic!("no items") };
+            items
+        });
         let mut solids = Vec::new();
         for item in items {
             let (kind, values) = self.get(item);
