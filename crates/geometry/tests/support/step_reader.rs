@@ -153,6 +153,9 @@ pub struct ReadSolid {
     pub centroid: Vector,
 }
 
+/// Point and derivative by a parameter from 0 to 1.
+type Parametric = dyn Fn(f64) -> (Vector, Vector);
+
 enum Curve {
     Line(Vector, Vector),
     Circle(Frame, f64),
@@ -168,7 +171,7 @@ impl StepFile {
         assert!(text.starts_with("ISO-10303-21;") && text.trim_end().ends_with("END-ISO-10303-21;"));
         assert!(text.is_ascii());
         let data = &text[text.find("DATA;").unwrap() + 5..];
-        let mut reader = Reader { rest: data[..data.rfind("ENDSEC;").unwrap()].as_bytes() };
+        let mut reader = Reader { rest: &data.as_bytes()[..data.rfind("ENDSEC;").unwrap()] };
         let mut entities = BTreeMap::new();
         while reader.take(b'#') {
             let number = reader.while_true(|b| b.is_ascii_digit()).parse().unwrap();
@@ -362,7 +365,7 @@ impl StepFile {
 fn edge_integral(surface: &Surface, curve: &Curve, [start, end]: [Vector; 2], slack: f64) -> [f64; 5] {
     let near = |a: Vector, b: Vector| dot(minus(a, b), minus(a, b)).sqrt() < slack;
     // Pieces of the curve: point and derivative by a parameter from 0 to 1.
-    let (point, pieces): (Box<dyn Fn(f64) -> (Vector, Vector)>, usize) = match curve {
+    let (point, pieces): (Box<Parametric>, usize) = match curve {
         Curve::Line(origin, direction) => {
             let (from, to) = (dot(minus(start, *origin), *direction), dot(minus(end, *origin), *direction));
             assert!(to > from, "a line runs against its direction");
