@@ -45,5 +45,5 @@ pub use step::{StepHeader, step};
 pub use stl::stl;
 
 /// Lengths below this are not told apart in an exported file [m]: arcs that stand out less over their chord are written as
-/// lines, and walls that are thinner are refused.
+/// lines; shorter edges, thinner parts and bores that leave a thinner wall are refused.
 pub const RESOLUTION: f64 = 1e-8;
