@@ -6,8 +6,8 @@
 //!   torque    T_n = -1/2 i n rate ( m W^2 (s'^2)_n + J W^2 (beta'^2)_n ) e^{i n phi_0}
 //!   roll      M_n = -T_n + R a_n + J W^2 (beta'')_n e^{i n phi_0}
 //! ```
-//! Symbols as in [`crate::train`]; the coefficients of the motion are closed forms ([`crate::series`]) for plain rods
-//! and a spectral quadrature ([`crate::sampling`]) for articulated rods and truncated motions. A crankshaft that
+//! Symbols as in [`crate::train`]; the coefficients of the motion are closed forms ([`crate::series`]) for plain rods,
+//! finite sums for their truncated motions, and a spectral quadrature ([`crate::sampling`]) for articulated rods. A crankshaft that
 //! turns the other way exchanges the two senses.
 
 use crate::drive::{Drive, Linkage};
@@ -139,8 +139,12 @@ struct PistonOrders {
 
 impl Piston {
     fn motion_orders(&self, highest: usize) -> PistonOrders {
-        if let Drive::Exact(Linkage::Plain(slider)) = &self.drive {
-            let orders = slider_orders(slider, highest);
+        let closed = match &self.drive {
+            Drive::Exact(Linkage::Plain(slider)) => Some(slider_orders(slider, highest)),
+            Drive::Series { own, master: None } => Some(own.of_finite(highest)),
+            Drive::Exact(Linkage::Articulated(_)) | Drive::Series { .. } => None,
+        };
+        if let Some(orders) = closed {
             let by_phi = |n: usize| Complex64::new(0.0, n as f64);
             let squares = orders.travel_rate_squared.iter().zip(&orders.swing_rate_squared);
             return PistonOrders {

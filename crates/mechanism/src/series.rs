@@ -96,6 +96,37 @@ pub(crate) struct MotionOrders {
     pub swing_rate_squared: Vec<Complex64>,
 }
 
+impl MotionOrders {
+    /// Orders 0..=highest of a motion that has these orders of travel and rod rate and no others: the squares are
+    /// finite sums of their products.
+    ///
+    /// ```text
+    /// (f'^2)_n = SUM over k of f'_k f'_{n-k}        f'_k = i k f_k,  f_{-k} = conj(f_k)
+    /// ```
+    pub fn of_finite(&self, highest: usize) -> MotionOrders {
+        let padded = |orders: &[Complex64]| {
+            let all = orders.iter().copied().chain(std::iter::repeat(Complex64::ZERO));
+            all.take(highest + 1).collect::<Vec<_>>()
+        };
+        let speed: Vec<Complex64> =
+            self.travel.iter().enumerate().map(|(n, s)| Complex64::new(0.0, n as f64) * s).collect();
+        MotionOrders {
+            travel: padded(&self.travel),
+            swing_rate: padded(&self.swing_rate),
+            travel_rate_squared: padded(&square(&speed)),
+            swing_rate_squared: padded(&square(&self.swing_rate)),
+        }
+    }
+}
+
+/// Orders of the square of a real function with these orders.
+fn square(orders: &[Complex64]) -> Vec<Complex64> {
+    let highest = orders.len() as i64 - 1;
+    let order = |n: i64| if n < 0 { orders[-n as usize].conj() } else { orders[n as usize] };
+    let product = |n: i64| (n - highest..=highest).map(|k| order(k) * order(n - k)).sum();
+    (0..=2 * highest).map(product).collect()
+}
+
 /// Orders of a plain rod's exact motion, n = 0..=highest, phases counted in `phi`.
 ///
 /// ```text
