@@ -5,7 +5,7 @@
 //! that knows the loads.
 
 use crate::bending;
-use crate::convex::curve::{Grid, Member, WIDTH};
+use crate::convex::curve::{Curve, Grid, Member, WIDTH};
 use crate::convex::dense::Matrix;
 use crate::convex::programme::Group;
 use crate::error::BalanceError;
@@ -142,17 +142,14 @@ fn peak(
     groups: &mut Vec<Group>,
 ) -> Judged {
     let natural = if force { operator.natural_force } else { operator.natural_moment };
-    let curves = |scale: f64| {
-        vectors.iter().map(move |v| Member::Curve(curve(v, scale, operator.variables, &operator.grid)))
-    };
+    let curves: Vec<Curve> =
+        vectors.iter().map(|v| curve(v, natural, operator.variables, &operator.grid)).collect();
     let nothing = vec![0.0; operator.variables];
-    let largest = |members: &[Member]| {
-        members.iter().map(|m| m.summits(&operator.grid, &nothing, 0.0)[0].amount).fold(0.0, f64::max)
-    };
-    let members: Vec<Member> = curves(natural).collect();
-    let unbalanced = largest(&members) * natural;
-    let scale = if unbalanced > 1e-7 * natural { unbalanced } else { natural };
-    let members = if scale == natural { members } else { curves(scale).collect() };
+    let largest = |curve: &Curve| curve.at(&nothing).summits(&operator.grid, 0.0)[0].amount;
+    let unbalanced = curves.iter().map(largest).fold(0.0, f64::max);
+    let unit = if unbalanced > 1e-7 { unbalanced } else { 1.0 };
+    let (unbalanced, scale) = (unbalanced * natural, unit * natural);
+    let members = curves.iter().map(|curve| Member::Curve(curve.in_unit(unit))).collect();
     groups.push(Group::new(members));
     Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
 }

@@ -22,6 +22,7 @@ mod operator;
 mod optimum;
 mod problem;
 pub mod published;
+mod rounding;
 mod stages;
 mod swept;
 mod twin_arrangement;

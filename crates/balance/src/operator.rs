@@ -11,6 +11,7 @@
 use crate::convex::curve::Grid;
 use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
+use crate::rounding::clear_rounding;
 use crate::wave::Wave;
 use lanchester_mechanism::{Kinematics, LoadError, LoadRequest, Mechanism, OrderLoads};
 use lanchester_model::{BalanceTask, Engine, FreeInertia, Phase, Place, Ratio, Seat};
@@ -385,7 +386,8 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
     loop {
         let request = LoadRequest { kinematics, max_order, ..LoadRequest::default() };
         let mechanism = Mechanism::new(engine, &request)?;
-        let orders = mechanism.orders();
+        let mut orders = mechanism.orders();
+        clear_rounding(engine, &request, &mut orders)?;
         let revolutions = (mechanism.period() / std::f64::consts::TAU).round() as u32;
         let amounts =
             |o: &OrderLoads| [o.force_peak(), o.couple_peak(), o.roll_moment.norm(), o.shaft_torque.norm()];

@@ -54,9 +54,9 @@ pub fn optimise_with(
     let mut answer = empty(engine, task);
     let x = match run(&problem, &mut solves) {
         Ok(reached) => {
-            answer.outcome = outcome(&asked_stages(&problem, &reached), &reached.stages);
             let stand = Stand::given(task, &places);
             fill(&mut answer, engine, task, &problem, &reached, &stand);
+            answer.outcome = outcome(&answer.stages, &reached.stages);
             reached.x
         }
         Err(failure) => {
@@ -78,16 +78,15 @@ fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Resu
     match ending {
         Ending::Chosen(best) => {
             let reached = best.reached;
-            let stages = asked_stages(&best.problem, &reached);
-            answer.outcome = match (outcome(&stages, &reached.stages), best.stopped) {
+            let stand =
+                Stand { planes: best.planes, axes: best.axes, inertia: best.inertia, priced: !chosen };
+            fill(&mut answer, engine, task, &best.problem, &reached, &stand);
+            answer.outcome = match (outcome(&answer.stages, &reached.stages), best.stopped) {
                 (Outcome::Stopped { reason }, Some(stopped)) => {
                     Outcome::Stopped { reason: format!("{stopped}: {reason}") }
                 }
                 (outcome, _) => outcome,
             };
-            let stand =
-                Stand { planes: best.planes, axes: best.axes, inertia: best.inertia, priced: !chosen };
-            fill(&mut answer, engine, task, &best.problem, &reached, &stand);
             answer.effects = effects(engine, task, kinematics, &best.problem, &reached.x)?;
             return Ok(answer);
         }
@@ -184,7 +183,8 @@ fn fill(
     reached: &Reached,
     stand: &Stand,
 ) {
-    answer.stages = asked_stages(problem, reached);
+    let asked = problem.stages.iter().zip(&reached.stages);
+    answer.stages = asked.map(|(terms, proof)| found_stage(problem, terms, proof, &reached.x)).collect();
     let implied = reached.among_equals.iter();
     answer.among_equals = implied
         .map(|(place, proof)| found_stage(problem, &problem.implied[*place], proof, &reached.x))
@@ -246,11 +246,6 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
         reason += &format!("; all limits must be relaxed by a factor of {relaxation:.6} together");
     }
     reason
-}
-
-fn asked_stages(problem: &Problem, reached: &Reached) -> Vec<FoundStage> {
-    let stages = problem.stages.iter().zip(&reached.stages);
-    stages.map(|(terms, proof)| found_stage(problem, terms, proof, &reached.x)).collect()
 }
 
 fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {

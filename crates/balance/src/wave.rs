@@ -16,9 +16,11 @@ pub(crate) struct Wave {
 
 impl Wave {
     pub fn add_base(&mut self, key: u32, cos: f64, sin: f64) {
-        let entry = self.base.entry(key).or_insert([0.0; 2]);
-        entry[0] += cos;
-        entry[1] += sin;
+        if cos != 0.0 || sin != 0.0 {
+            let entry = self.base.entry(key).or_insert([0.0; 2]);
+            entry[0] += cos;
+            entry[1] += sin;
+        }
     }
 
     pub fn add_part(&mut self, variable: usize, key: u32, cos: f64, sin: f64) {
@@ -55,10 +57,9 @@ pub(crate) fn curve(waves: &[Wave], scale: f64, variables: usize, grid: &Grid) -
     let d = waves.len();
     assert!((1..=WIDTH).contains(&d), "invariant: a load has one to three components");
     let mut base: BTreeMap<u32, Harmonic> = BTreeMap::new();
-    let empty = |key| Harmonic { key, cos: [0.0; WIDTH], sin: [0.0; WIDTH] };
     for (m, wave) in waves.iter().enumerate() {
         for (&key, [cos, sin]) in &wave.base {
-            let harmonic = base.entry(key).or_insert_with(|| empty(key));
+            let harmonic = base.entry(key).or_insert_with(|| Harmonic::empty(key));
             harmonic.cos[m] = cos / scale;
             harmonic.sin[m] = sin / scale;
         }
@@ -69,7 +70,7 @@ pub(crate) fn curve(waves: &[Wave], scale: f64, variables: usize, grid: &Grid) -
     keys.sort_unstable();
     keys.dedup();
     for &key in &keys {
-        base.entry(key).or_insert_with(|| empty(key));
+        base.entry(key).or_insert_with(|| Harmonic::empty(key));
     }
     let mut columns = Matrix::zeros(keys.len() * 2 * d, variables);
     for (m, wave) in waves.iter().enumerate() {

@@ -17,6 +17,9 @@ use super::programme::{Programme, Support};
 /// Levels below this vanish.
 const VANISHES: f64 = 1e-6;
 
+/// Conditions that differ from the others by less than this share are theirs: what they ask beyond is rounding, and charged.
+const DEPENDENT: f64 = 1e-10;
+
 /// Multipliers made admissible, and what they prove.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Certificate {
@@ -118,7 +121,7 @@ fn project(
         let short = programme.weight(group, prices) - sum;
         right.push(if levels[group] < VANISHES { short.min(0.0) } else { short });
     }
-    let change = RowFactors::of(&matrix, 1e-13).shortest(&right);
+    let change = RowFactors::of(&matrix, DEPENDENT).shortest(&right);
     // A change that is not small would turn multipliers round.
     if change.iter().any(|c| !c.is_finite() || c.abs() > 0.5) {
         return;

@@ -1,7 +1,8 @@
 //! One cone programme with finitely many angles, solved by Clarabel. Nothing that it says is believed: values, bounds
 //! and feasibility are computed again from its point and its multipliers.
 
-use super::curve::Vector;
+use super::curve::{FixedMember, Vector};
+use super::dense::dot;
 use super::programme::{Programme, Support};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -23,8 +24,16 @@ pub(crate) struct ConePoint {
     pub infeasible: bool,
 }
 
+/// Where the unknowns are counted from, and in what unit: an optimum much smaller than 1 is known to as many digits as
+/// one of 1.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Frame {
+    pub origin: Vec<f64>,
+    pub unit: f64,
+}
+
 /// Solves the programme with the members judged at `touches` alone.
-pub(crate) fn solve(programme: &Programme, touches: &[Touch]) -> Option<ConePoint> {
+pub(crate) fn solve(programme: &Programme, touches: &[Touch], frame: &Frame) -> Option<ConePoint> {
     let n = programme.variables;
     // One level for each group that is judged.
     let mut place = vec![usize::MAX; programme.groups.len()];
@@ -35,20 +44,26 @@ pub(crate) fn solve(programme: &Programme, touches: &[Touch]) -> Option<ConePoin
             unknowns += 1;
         }
     }
+    let members: Vec<Vec<FixedMember>> = (0..programme.groups.len())
+        .map(
+            |group| {
+                if programme.judged(group) { programme.groups[group].at(&frame.origin) } else { Vec::new() }
+            },
+        )
+        .collect();
     let mut triplets = Triplets::default();
     let mut right = Vec::new();
     let mut cones = Vec::new();
     for touch in touches {
-        let member = &programme.groups[touch.group].members[touch.member];
-        let directions = member.directions(touch.angle);
-        let constant = member.constant(touch.angle);
+        let directions = programme.groups[touch.group].members[touch.member].directions(touch.angle);
+        let constant = members[touch.group][touch.member].value(touch.angle);
         triplets.add(right.len(), place[touch.group], -1.0);
         right.push(0.0);
         for m in 0..directions.rows {
             for (j, value) in directions.row(m).iter().enumerate() {
                 triplets.add(right.len(), j, -value);
             }
-            right.push(constant[m]);
+            right.push(constant[m] / frame.unit);
         }
         cones.push(SupportedConeT::SecondOrderConeT(directions.rows + 1));
     }
@@ -59,7 +74,7 @@ pub(crate) fn solve(programme: &Programme, touches: &[Touch]) -> Option<ConePoin
         for (j, value) in row.directions.iter().enumerate() {
             triplets.add(right.len(), j, *value);
         }
-        right.push(row.most);
+        right.push((row.most - dot(&row.directions, &frame.origin)) / frame.unit);
     }
     if !programme.rows.is_empty() {
         cones.push(SupportedConeT::NonnegativeConeT(programme.rows.len()));
@@ -79,6 +94,9 @@ pub(crate) fn solve(programme: &Programme, touches: &[Touch]) -> Option<ConePoin
         tol_gap_abs: 1e-11,
         tol_gap_rel: 1e-11,
         tol_feas: 1e-11,
+        // With many peaks that are nearly level the steps must be known to the last digits.
+        iterative_refinement_reltol: 1e-15,
+        iterative_refinement_abstol: 1e-15,
         presolve_enable: false,
         max_threads: 1,
         ..DefaultSettings::default()
@@ -106,7 +124,8 @@ pub(crate) fn solve(programme: &Programme, touches: &[Touch]) -> Option<ConePoin
         })
         .collect();
     let prices = solution.z[at..].iter().map(|z| z.max(0.0)).collect();
-    Some(ConePoint { x: solution.x[..n].to_vec(), support, prices, infeasible })
+    let x = frame.origin.iter().zip(&solution.x).map(|(origin, step)| origin + frame.unit * step).collect();
+    Some(ConePoint { x, support, prices, infeasible })
 }
 
 #[derive(Default)]

@@ -8,12 +8,19 @@
 
 use super::dense::{Matrix, dot};
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 /// Most components of a curve.
 pub(crate) const WIDTH: usize = 3;
 
 /// A slope below this share of the amount, per radian, is none.
 const FLAT: f64 = 1e-14;
+
+/// A step of Newton's method below this [rad] is the last one.
+const CLOSE: f64 = 1e-9;
+
+/// Rounding of a sum of harmonics, as a share of the sum of their amounts.
+const GRAIN: f64 = 4.0 * f64::EPSILON;
 
 /// A vector of a curve; components beyond its own are 0.
 pub(crate) type Vector = [f64; WIDTH];
@@ -85,23 +92,28 @@ pub(crate) struct Harmonic {
     pub sin: Vector,
 }
 
-/// A curve, its constant part also on the grid.
+/// A curve, what no variable touches of it also on the grid.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Curve {
     /// Components.
     pub dimension: usize,
     base: Vec<Harmonic>,
-    /// Places in `base` of the harmonics that depend on the variables.
+    /// Places in `base` of the harmonics that depend on the variables, rising.
     touched: Vec<usize>,
     /// For each touched harmonic the rows of `C_k`, then those of `S_k`.
     pub columns: Matrix,
-    on_grid: Vec<Vector>,
+    /// Sum of the untouched harmonics at every angle of the grid.
+    on_grid: Rc<Vec<Vector>>,
+    /// What rounding may have made of an amount, of the sums behind `base` too.
+    grain: f64,
 }
 
 /// A curve at one choice of the variables.
 pub(crate) struct Fixed<'a> {
     curve: &'a Curve,
     harmonics: Vec<Harmonic>,
+    /// What rounding may make of an amount.
+    grain: f64,
 }
 
 /// A local maximum of the amount of a curve.
@@ -134,8 +146,55 @@ impl Jet {
     }
 }
 
+impl Harmonic {
+    pub fn empty(key: u32) -> Harmonic {
+        Harmonic { key, cos: [0.0; WIDTH], sin: [0.0; WIDTH] }
+    }
+
+    /// No less than its amount at any angle.
+    fn most(&self) -> f64 {
+        length(&self.cos) + length(&self.sin)
+    }
+
+    fn add(&mut self, other: &Harmonic) {
+        for m in 0..WIDTH {
+            self.cos[m] += other.cos[m];
+            self.sin[m] += other.sin[m];
+        }
+    }
+}
+
+/// Cosine and sine of rising multiples of an angle, each from the one before.
+struct Turns {
+    angle: f64,
+    key: u32,
+    gap: u32,
+    /// Of `gap` and of `key` times the angle.
+    step: (f64, f64),
+    turn: (f64, f64),
+}
+
+impl Turns {
+    fn of(angle: f64) -> Turns {
+        Turns { angle, key: 0, gap: 0, step: (1.0, 0.0), turn: (1.0, 0.0) }
+    }
+
+    /// Of `key` times the angle; `key` is no less than the one before.
+    fn at(&mut self, key: u32) -> (f64, f64) {
+        let gap = key - self.key;
+        if gap != self.gap {
+            let (sin, cos) = (f64::from(gap) * self.angle).sin_cos();
+            (self.gap, self.step) = (gap, (cos, sin));
+        }
+        let ((c, s), (cos, sin)) = (self.turn, self.step);
+        self.turn = (c * cos - s * sin, c * sin + s * cos);
+        self.key = key;
+        self.turn
+    }
+}
+
 impl Curve {
-    /// A curve of `base` harmonics (keys rising, each once) of which those at `touched` depend on the variables.
+    /// A curve of `base` harmonics (keys rising, each once) of which those at `touched` (rising) depend on the variables.
     pub fn new(
         dimension: usize,
         base: Vec<Harmonic>,
@@ -145,32 +204,45 @@ impl Curve {
     ) -> Curve {
         assert_eq!(columns.rows, touched.len() * 2 * dimension, "invariant: a row for each coefficient");
         let mut on_grid = vec![[0.0; WIDTH]; grid.len()];
-        for harmonic in &base {
+        for (_, harmonic) in base.iter().enumerate().filter(|(place, _)| !touched.contains(place)) {
             grid.add(harmonic, &mut on_grid);
         }
-        Curve { dimension, base, touched, columns, on_grid }
+        let grain = GRAIN * base.iter().map(Harmonic::most).sum::<f64>();
+        Curve { dimension, base, touched, columns, on_grid: Rc::new(on_grid), grain }
     }
 
     /// The same curve with `x = origin + directions z` put in.
-    pub fn restricted(&self, origin: &[f64], directions: &Matrix, grid: &Grid) -> Curve {
-        let mut curve = self.clone();
-        let shift = self.columns.times(origin);
-        for (place, harmonic) in self.changes(&shift) {
-            grid.add(&harmonic, &mut curve.on_grid);
-            for m in 0..WIDTH {
-                curve.base[place].cos[m] += harmonic.cos[m];
-                curve.base[place].sin[m] += harmonic.sin[m];
-            }
+    pub fn restricted(&self, origin: &[f64], directions: &Matrix) -> Curve {
+        let Fixed { harmonics, grain, .. } = self.at(origin);
+        Curve {
+            base: harmonics,
+            touched: self.touched.clone(),
+            columns: self.columns.product(directions),
+            on_grid: Rc::clone(&self.on_grid),
+            grain,
+            ..*self
         }
-        curve.columns = self.columns.product(directions);
-        curve
+    }
+
+    /// The same curve in a unit so many times as large.
+    pub fn in_unit(&self, unit: f64) -> Curve {
+        let divided = |v: &Vector| v.map(|value| value / unit);
+        let base = self.base.iter();
+        Curve {
+            base: base.map(|h| Harmonic { key: h.key, cos: divided(&h.cos), sin: divided(&h.sin) }).collect(),
+            touched: self.touched.clone(),
+            columns: self.columns.scaled(1.0 / unit),
+            on_grid: Rc::new(self.on_grid.iter().map(divided).collect()),
+            grain: self.grain / unit,
+            ..*self
+        }
     }
 
     /// The harmonics that coefficients of the touched ones add, with their places.
     fn changes<'a>(&'a self, coefficients: &'a [f64]) -> impl Iterator<Item = (usize, Harmonic)> + 'a {
         let d = self.dimension;
         self.touched.iter().enumerate().map(move |(k, &place)| {
-            let mut harmonic = Harmonic { key: self.base[place].key, cos: [0.0; WIDTH], sin: [0.0; WIDTH] };
+            let mut harmonic = Harmonic::empty(self.base[place].key);
             harmonic.cos[..d].copy_from_slice(&coefficients[2 * k * d..(2 * k + 1) * d]);
             harmonic.sin[..d].copy_from_slice(&coefficients[(2 * k + 1) * d..(2 * k + 2) * d]);
             (place, harmonic)
@@ -180,14 +252,13 @@ impl Curve {
     /// The curve at `x`.
     pub fn at(&self, x: &[f64]) -> Fixed<'_> {
         let mut harmonics = self.base.clone();
+        let mut grain = self.grain;
         let shift = self.columns.times(x);
         for (place, change) in self.changes(&shift) {
-            for m in 0..WIDTH {
-                harmonics[place].cos[m] += change.cos[m];
-                harmonics[place].sin[m] += change.sin[m];
-            }
+            harmonics[place].add(&change);
+            grain += GRAIN * change.most();
         }
-        Fixed { curve: self, harmonics }
+        Fixed { curve: self, harmonics, grain }
     }
 
     /// `g(phi; 0)`.
@@ -199,9 +270,11 @@ impl Curve {
     pub fn directions(&self, angle: f64) -> (Matrix, Matrix) {
         let (d, n) = (self.dimension, self.columns.columns);
         let (mut value, mut slope) = (Matrix::zeros(d, n), Matrix::zeros(d, n));
+        let mut turns = Turns::of(angle);
         for (k, &place) in self.touched.iter().enumerate() {
-            let key = f64::from(self.base[place].key);
-            let (sin, cos) = (key * angle).sin_cos();
+            let key = self.base[place].key;
+            let (cos, sin) = turns.at(key);
+            let key = f64::from(key);
             for m in 0..d {
                 for (row, of_value, of_slope) in
                     [(2 * k * d + m, cos, -key * sin), ((2 * k + 1) * d + m, sin, key * cos)]
@@ -227,7 +300,7 @@ impl Curve {
     /// Sum of the amounts of the harmonics that no variable touches.
     pub fn untouched(&self) -> f64 {
         let outside = self.base.iter().enumerate().filter(|(place, _)| !self.touched.contains(place));
-        outside.map(|(_, h)| length(&h.cos) + length(&h.sin)).sum()
+        outside.map(|(_, h)| h.most()).sum()
     }
 }
 
@@ -240,79 +313,83 @@ impl Fixed<'_> {
     ///
     /// Where the amount is the same over a stretch (to rounding) the grid's own angles stand for it.
     pub fn summits(&self, grid: &Grid, floor: f64) -> Vec<Summit> {
-        let mut values = self.curve.on_grid.clone();
+        let mut values = (*self.curve.on_grid).clone();
         for &place in &self.curve.touched {
-            let (now, base) = (&self.harmonics[place], &self.curve.base[place]);
-            let mut change = *now;
-            for m in 0..WIDTH {
-                change.cos[m] -= base.cos[m];
-                change.sin[m] -= base.sin[m];
-            }
-            grid.add(&change, &mut values);
+            grid.add(&self.harmonics[place], &mut values);
         }
         let squares: Vec<f64> = values.iter().map(square).collect();
-        let count = squares.len();
+        let (count, step) = (squares.len(), grid.step());
         let highest = squares.iter().copied().fold(0.0, f64::max);
         let threshold = (floor.max(0.0).powi(2)).min(highest);
         let mut summits = Vec::new();
-        for j in 0..count {
-            let (before, here, after) =
-                (squares[(j + count - 1) % count], squares[j], squares[(j + 1) % count]);
+        let mut before = squares[count - 1];
+        for (j, &here) in squares.iter().enumerate() {
+            let after = squares[if j + 1 == count { 0 } else { j + 1 }];
+            let left = std::mem::replace(&mut before, here);
             // A parabola rises by an eighth of the second difference between grid angles; half of it is ample where
             // the grid resolves the curve.
-            let reach = 0.5 * (2.0 * here - before - after).abs();
-            if here < before || here <= after || here + reach < threshold {
+            let bend = 2.0 * here - left - after;
+            if here < left || here <= after || here + 0.5 * bend < threshold {
                 continue;
             }
-            let angle = self.climb(grid.step() * j as f64, grid.step());
-            let amount = length(&self.jet(angle).value).max(here.sqrt());
+            let (mut angle, mut amount) = (step * j as f64, here.sqrt());
+            if bend > self.grain * (4.0 * amount + self.grain) {
+                let top = 0.5 * (after - left) / bend;
+                angle = self.top(angle - step, angle + step, angle + top * step);
+                amount = amount.max(length(&self.jet(angle).value));
+            }
             summits.push(Summit { angle: angle.rem_euclid(TAU), amount });
         }
         if summits.is_empty() {
             let place = (0..count).find(|&j| squares[j] == highest).unwrap_or(0);
-            summits.push(Summit { angle: grid.step() * place as f64, amount: highest.sqrt() });
+            summits.push(Summit { angle: step * place as f64, amount: highest.sqrt() });
         }
         summits.sort_by(|a, b| b.amount.total_cmp(&a.amount).then(a.angle.total_cmp(&b.angle)));
         summits
     }
 
-    /// The top of the hill that `angle` stands on: uphill in steps of `step` until the slope turns, then Newton's method
-    /// on the derivative, kept in the bracket. Where it is flat to rounding the angle stays.
+    /// The top of the hill that `angle` stands on: uphill in steps of `step` until the slope turns. Where it is flat to
+    /// rounding the angle stays.
     pub fn climb(&self, angle: f64, step: f64) -> f64 {
-        let slope = |at: f64| self.jet(at).square_slope();
-        let (first, second) = slope(angle);
-        let size = self.jet(angle).square();
-        if first.abs() <= FLAT * size {
+        let here = self.jet(angle);
+        let first = here.square_slope().0;
+        if first.abs() <= FLAT * here.square() {
             return angle;
         }
+        let rises = |at: f64| self.jet(at).square_slope().0 > 0.0;
         let onward = if first > 0.0 { step } else { -step };
         let (mut near, mut far) = (angle, angle + onward);
         let mut left = (TAU / step) as usize;
-        while (slope(far).0 > 0.0) == (first > 0.0) {
+        while rises(far) == (first > 0.0) {
             (near, far) = (far, far + onward);
             left -= 1;
             if left == 0 {
                 return angle;
             }
         }
-        let (mut low, mut high) = if onward > 0.0 { (near, far) } else { (far, near) };
-        let (first, second) = if near == angle { (first, second) } else { slope(near) };
-        let angle = near;
-        let (mut at, mut first, mut second) = (angle, first, second);
+        if near < far { self.top(near, far, near) } else { self.top(far, near, near) }
+    }
+
+    /// The top between two angles: Newton's method on the derivative from `at`, kept in the bracket.
+    fn top(&self, mut low: f64, mut high: f64, mut at: f64) -> f64 {
         for _ in 0..60 {
-            let step = if second < 0.0 { -first / second } else { f64::NAN };
-            let trial = at + step;
-            let next = if trial > low && trial < high { trial } else { 0.5 * (low + high) };
-            let moved = (next - at).abs();
-            at = next;
-            (first, second) = slope(at);
-            if first == 0.0 || moved <= 1e-15 * (1.0 + at.abs()) {
+            let (first, second) = self.jet(at).square_slope();
+            if first == 0.0 {
                 break;
             }
             if first > 0.0 {
                 low = at;
             } else {
                 high = at;
+            }
+            let trial = if second < 0.0 { at - first / second } else { f64::NAN };
+            let inside = trial > low && trial < high;
+            let next = if inside { trial } else { 0.5 * (low + high) };
+            let moved = (next - at).abs();
+            at = next;
+            // The error of a step of Newton's method is of the order of its square.
+            if moved <= if inside { CLOSE } else { 1e-15 * (1.0 + at.abs()) } {
+                break;
             }
         }
         at
@@ -321,9 +398,10 @@ impl Fixed<'_> {
 
 fn jet(harmonics: &[Harmonic], angle: f64) -> Jet {
     let mut jet = Jet { value: [0.0; WIDTH], slope: [0.0; WIDTH], bend: [0.0; WIDTH] };
+    let mut turns = Turns::of(angle);
     for harmonic in harmonics {
+        let (cos, sin) = turns.at(harmonic.key);
         let key = f64::from(harmonic.key);
-        let (sin, cos) = (key * angle).sin_cos();
         for m in 0..WIDTH {
             let value = harmonic.cos[m] * cos + harmonic.sin[m] * sin;
             jet.value[m] += value;
@@ -345,6 +423,30 @@ pub(crate) enum Member {
     },
 }
 
+/// A member at one choice of the variables.
+pub(crate) enum FixedMember<'a> {
+    Curve(Fixed<'a>),
+    Vector(Vector),
+}
+
+impl FixedMember<'_> {
+    /// Value at an angle.
+    pub fn value(&self, angle: f64) -> Vector {
+        match self {
+            FixedMember::Curve(curve) => curve.jet(angle).value,
+            FixedMember::Vector(value) => *value,
+        }
+    }
+
+    /// Local maxima that reach `floor`, at least the largest.
+    pub fn summits(&self, grid: &Grid, floor: f64) -> Vec<Summit> {
+        match self {
+            FixedMember::Curve(curve) => curve.summits(grid, floor),
+            FixedMember::Vector(value) => vec![Summit { angle: 0.0, amount: length(value) }],
+        }
+    }
+}
+
 impl Member {
     pub fn dimension(&self) -> usize {
         match self {
@@ -353,9 +455,9 @@ impl Member {
         }
     }
 
-    pub fn restricted(&self, origin: &[f64], directions: &Matrix, grid: &Grid) -> Member {
+    pub fn restricted(&self, origin: &[f64], directions: &Matrix) -> Member {
         match self {
-            Member::Curve(curve) => Member::Curve(curve.restricted(origin, directions, grid)),
+            Member::Curve(curve) => Member::Curve(curve.restricted(origin, directions)),
             Member::Vector { columns, .. } => {
                 Member::Vector { base: self.value(0.0, origin), columns: columns.product(directions) }
             }
@@ -370,18 +472,22 @@ impl Member {
         }
     }
 
-    /// Value at an angle.
-    pub fn value(&self, angle: f64, x: &[f64]) -> Vector {
+    pub fn at(&self, x: &[f64]) -> FixedMember<'_> {
         match self {
-            Member::Curve(curve) => curve.at(x).jet(angle).value,
+            Member::Curve(curve) => FixedMember::Curve(curve.at(x)),
             Member::Vector { base, columns } => {
                 let mut value = *base;
                 for m in 0..columns.rows {
                     value[m] += dot(columns.row(m), x);
                 }
-                value
+                FixedMember::Vector(value)
             }
         }
+    }
+
+    /// Value at an angle.
+    pub fn value(&self, angle: f64, x: &[f64]) -> Vector {
+        self.at(x).value(angle)
     }
 
     /// Value at an angle where all variables are 0.
@@ -402,9 +508,6 @@ impl Member {
 
     /// Local maxima that reach `floor`, at least the largest.
     pub fn summits(&self, grid: &Grid, x: &[f64], floor: f64) -> Vec<Summit> {
-        match self {
-            Member::Curve(curve) => curve.at(x).summits(grid, floor),
-            Member::Vector { .. } => vec![Summit { angle: 0.0, amount: length(&self.value(0.0, x)) }],
-        }
+        self.at(x).summits(grid, floor)
     }
 }

@@ -64,6 +64,12 @@ impl Matrix {
         result
     }
 
+    /// `factor M`.
+    pub fn scaled(&self, factor: f64) -> Matrix {
+        let data = self.data.iter().map(|value| factor * value).collect();
+        Matrix { rows: self.rows, columns: self.columns, data }
+    }
+
     pub fn transposed(&self) -> Matrix {
         let mut result = Matrix::zeros(self.columns, self.rows);
         for i in 0..self.rows {

@@ -29,9 +29,9 @@ const LEVEL: f64 = 2e-13;
 /// Rounds in which peaks and rows may come and go.
 const MOST_ROUNDS: usize = 60;
 
-/// Improves the point of the interior-point method; `None` where Newton's method does not settle.
-pub(crate) fn polish(programme: &Programme, point: &ConePoint) -> Option<Polished> {
-    let mut state = State::of(programme, point);
+/// Improves the point of the interior-point method, with its true levels; `None` where Newton's method does not settle.
+pub(crate) fn polish(programme: &Programme, point: &ConePoint, levels: Vec<f64>) -> Option<Polished> {
+    let mut state = State::of(programme, point, levels);
     let mut before = f64::INFINITY;
     for _ in 0..MOST_ROUNDS {
         let step = state.step()?;
@@ -53,8 +53,7 @@ pub(crate) fn polish(programme: &Programme, point: &ConePoint) -> Option<Polishe
 }
 
 impl<'a> State<'a> {
-    fn of(programme: &'a Programme, point: &ConePoint) -> State<'a> {
-        let levels = programme.levels(&point.x);
+    fn of(programme: &'a Programme, point: &ConePoint, levels: Vec<f64>) -> State<'a> {
         let mut state = State {
             programme,
             x: point.x.clone(),
@@ -93,6 +92,14 @@ impl<'a> State<'a> {
                 });
             }
         }
+        // Nor does a row hold anything up whose groups are all fixed.
+        let acts = |group: usize| {
+            state.peaks.iter().any(|p| p.group == group) || state.pinned.iter().any(|p| p.0 == group)
+        };
+        state.rows.retain(|&(r, _)| {
+            let row = &programme.rows[r];
+            row.directions.iter().any(|h| *h != 0.0) || row.shares.iter().any(|s| acts(s.0))
+        });
         state.follow_peaks();
         state
     }

@@ -8,7 +8,7 @@
 //! `t_g` is the largest amount of its members: the peak of a load over the cycle is a group of one curve, added mass a
 //! sum of groups of one vector each, a largest amount a group with a row of its own.
 
-use super::curve::{Grid, Member};
+use super::curve::{FixedMember, Grid, Member};
 use super::dense::{Matrix, RowFactors, add_scaled, dot};
 use std::rc::Rc;
 
@@ -32,16 +32,22 @@ impl Group {
         Group { members, reach: if reach > 0.0 { reach } else { 1.0 } }
     }
 
+    /// Its members at one choice of the variables.
+    pub fn at(&self, x: &[f64]) -> Vec<FixedMember<'_>> {
+        self.members.iter().map(|m| m.at(x)).collect()
+    }
+
     /// Whether the variables still move it.
     pub fn moves(&self) -> bool {
         self.members.iter().any(|m| largest(m.columns()) > UNSEEN * self.reach)
     }
 
-    /// Adds how its coefficients depend on the variables, one row each, to `rows`.
+    /// Adds how its coefficients depend on the variables, one row each, to `rows`; what it does not see counts as 0.
     pub fn add_directions(&self, rows: &mut Matrix) {
         for columns in self.members.iter().map(Member::columns) {
             for i in 0..columns.rows {
-                let row: Vec<f64> = columns.row(i).iter().map(|c| c / self.reach).collect();
+                let seen = |c: &f64| if c.abs() > UNSEEN * self.reach { c / self.reach } else { 0.0 };
+                let row: Vec<f64> = columns.row(i).iter().map(seen).collect();
                 rows.push(&row);
             }
         }
@@ -111,7 +117,7 @@ impl Programme {
     /// The programme with `x = origin + directions z` put in. Groups that the `z` do not touch become numbers.
     pub fn restricted(&self, origin: &[f64], directions: &Matrix) -> Programme {
         let group = |group: &Group| Group {
-            members: group.members.iter().map(|m| m.restricted(origin, directions, &self.grid)).collect(),
+            members: group.members.iter().map(|m| m.restricted(origin, directions)).collect(),
             reach: group.reach,
         };
         let into = |row: &[f64]| {
