@@ -1,10 +1,10 @@
-//! How long the twin-cylinder thesis takes: five engines, two strokes, nine arrangements, each with its sizes, its loads
-//! on the 1-degree grid of the tables, and its true optima, on one thread.
+//! How long the twin-cylinder thesis takes: five engines, two strokes, nine arrangements, each with its sizes, the
+//! engine's loads on the 1-degree grid of the tables, and its true optima, on one thread.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{
     Answer, ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task, optimise_with,
 };
-use lanchester_mechanism::{LoadRequest, Loads, PeakMode, loads};
+use lanchester_mechanism::{LoadRequest, LoadSet, PeakMode, total_loads};
 use lanchester_model::{Engine, read};
 use std::hint::black_box;
 
@@ -44,14 +44,14 @@ fn fitted(engine: &Engine, arrangement: TwinArrangement, options: &ArrangementOp
     arranged(engine, arrangement, options).expect("the engine has one crankshaft")
 }
 
-fn on_the_grid(fitted: &Engine, options: &ArrangementOptions) -> Loads {
+fn on_the_grid(fitted: &Engine, options: &ArrangementOptions) -> LoadSet {
     let request = LoadRequest {
         kinematics: options.kinematics,
         peaks: PeakMode::Grid(360),
         samples: 360,
         ..LoadRequest::default()
     };
-    loads(fitted, &request).expect("its loads can be computed")
+    total_loads(fitted, &request).expect("its loads can be computed")
 }
 
 /// The crank alone, then all devices; none where an arrangement has nothing to choose.

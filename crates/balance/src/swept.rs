@@ -6,7 +6,7 @@ use crate::crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep}
 use crate::error::BalanceError;
 use crate::optimum::optimise_with;
 use crate::twin_arrangement::{ArrangementOptions, crank_load, with_even_crank};
-use lanchester_mechanism::{Kinematics, LoadRequest, loads};
+use lanchester_mechanism::{Kinematics, LoadRequest, total_loads};
 use lanchester_model::Engine;
 use serde::Serialize;
 
@@ -83,7 +83,7 @@ pub fn swept(
     let task = swept_task(&bare, load);
     let request = LoadRequest { kinematics, ..LoadRequest::default() };
     let true_peak = |unbalance: f64| -> Result<SweptCrank, BalanceError> {
-        let peaks = loads(&with_even_crank(engine, unbalance), &request)?.total.peaks;
+        let peaks = total_loads(&with_even_crank(engine, unbalance), &request)?.peaks;
         let criterion = match load {
             CrankLoad::Force => peaks.force.max.value,
             CrankLoad::Couple => peaks.couple.max.value,

@@ -32,7 +32,7 @@ mod wording;
 
 pub use beam::{Beam, BeamModel};
 pub use internal::*;
-pub use loads::loads;
+pub use loads::{loads, total_loads};
 pub use motion::motion;
 pub use request::{Kinematics, LoadError, LoadRequest, PeakMode};
 pub use result::*;

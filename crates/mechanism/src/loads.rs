@@ -51,6 +51,15 @@ pub fn loads(engine: &Engine, request: &LoadRequest) -> Result<Loads, LoadError>
     })
 }
 
+/// The loads of the whole engine alone, without parts and cylinders: [`Loads::total`] of [`loads`].
+///
+/// # Errors
+/// As [`loads`].
+pub fn total_loads(engine: &Engine, request: &LoadRequest) -> Result<LoadSet, LoadError> {
+    let whole = Mechanism::new(engine, request)?;
+    Ok(load_set(&whole, request, whole.resolution(), whole.scale()))
+}
+
 /// Trace, orders and extremes of some masses.
 fn load_set(mechanism: &Mechanism, request: &LoadRequest, resolution: usize, scale: Scale) -> LoadSet {
     let trace = mechanism.trace(request.samples);

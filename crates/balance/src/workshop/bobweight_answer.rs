@@ -6,7 +6,7 @@ use super::error::WorkshopError;
 use super::plane::end_planes;
 use crate::optimum::optimise;
 use crate::{BalanceError, Outcome};
-use lanchester_mechanism::{LoadError, LoadRequest, loads};
+use lanchester_mechanism::{LoadError, LoadRequest, total_loads};
 use lanchester_model::workshop::{BobweightSheet, PinParts, Sheet};
 use lanchester_model::{BalanceTask, Counterweight, Engine, FreeWeight, Place, Seat};
 use serde::Serialize;
@@ -242,7 +242,7 @@ fn machine_balanced(engine: &Engine, bobs: &[Bobweight]) -> Engine {
 }
 
 fn peaks(engine: &Engine, how: &str) -> Result<ComparedBalance, LoadError> {
-    let peaks = loads(engine, &LoadRequest { samples: 1, ..LoadRequest::default() })?.total.peaks;
+    let peaks = total_loads(engine, &LoadRequest { samples: 1, ..LoadRequest::default() })?.peaks;
     Ok(ComparedBalance { how: how.to_owned(), force: peaks.force.max.value, couple: peaks.couple.max.value })
 }
 
