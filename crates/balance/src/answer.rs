@@ -32,12 +32,13 @@ pub struct Answer {
     /// What each stage reached, with its proof.
     pub stages: Vec<FoundStage>,
     /// What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
-    /// moment where a device acts on it (unless a stage asks for the least weights), each without giving up any before
+    /// moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), each without giving up any before
     /// it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
     pub among_equals: Vec<FoundStage>,
     /// What each limit costs.
     pub limits: Vec<FoundLimit>,
-    /// Criteria before and after: force, couple and roll moment always, then those that the task names.
+    /// Criteria before and after: force, couple and roll moment always, then those that the task names. Empty where no
+    /// answer was found.
     pub effects: Vec<Effect>,
     /// Where orders had to vanish exactly: whether they do, and the proof.
     pub cancellation: Option<Cancellation>,
@@ -140,7 +141,7 @@ pub struct FoundStage {
     pub gap: f64,
     /// Each term's criterion and true value.
     pub terms: Vec<(Criterion, f64)>,
-    /// The parts of the cycle that hold the optimum up.
+    /// The parts of the cycle that hold the optimum up; none where the stage vanishes.
     pub active: Vec<Active>,
 }
 
@@ -168,8 +169,9 @@ pub struct FoundLimit {
     /// What was reached.
     pub value: f64,
     /// Price: how much the first stage that this limit holds up would fall if the limit were one SI unit wider, e.g.
-    /// N per kg m; 0 for a limit that does not matter. `None` where a choice was branched on.
-    pub price: Option<f64>,
+    /// N per kg m; 0 for a limit that does not matter. Of a choice that was searched for it is the price with that
+    /// choice kept: devices used, places, directions of given and least amounts.
+    pub price: f64,
 }
 
 /// A criterion before and after.

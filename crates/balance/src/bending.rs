@@ -7,6 +7,10 @@
 //! ```text
 //! |M(z_s)| = | i SUM over loads of g(z_s, z_k) w^2 U_k |        g: influence of a load at z_k ([`Beam::moment_influence`])
 //! ```
+//!
+//! `g` is straight in `z_k` but for a kink at `z_s`. A weight somewhere in a stretch acts on every plane outside it as its
+//! two shares at the ends do; planes inside are not judged, so that what is left is a lower bound for the stretch. Once
+//! its place is given all planes count.
 
 use crate::convex::curve::{Member, WIDTH, length};
 use crate::convex::dense::Matrix;
@@ -16,7 +20,7 @@ use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::operator::Operator;
 use lanchester_mechanism::{Beam, BeamModel, turning_loads};
-use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat};
+use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
 use num_complex::Complex64;
 
 /// Planes closer than this are one [m].
@@ -42,24 +46,20 @@ pub(crate) fn judge(
     };
     let loads = turning_loads(&bare, 0, operator.speed);
     let mut weights = Vec::new();
-    for (index, weight) in task.weights.iter().enumerate() {
-        match (weight.seat, weight.z) {
-            (Seat::Crankshaft(0), Place::At(z)) => weights.push((index, z)),
-            // Influence is not straight in the weight's own plane: two weights at the ends are not one between them.
-            (Seat::Crankshaft(0), Place::Between(..)) => {
-                return Err(missing(
-                    "bending moment",
-                    "the plane of every free weight on crankshaft 1",
-                    "give its z as one place",
-                ));
+    let mut stretches = Vec::new();
+    for (columns, weight) in operator.weights.iter().zip(&task.weights) {
+        if weight.seat == Seat::Crankshaft(0) {
+            weights.extend(&columns.corners);
+            if let [first, last] = &columns.corners[..] {
+                stretches.push((first.z, last.z));
             }
-            _ => {}
         }
     }
     let mut planes: Vec<f64> =
-        loads.iter().map(|l| l.0).chain(weights.iter().map(|w| w.1)).chain(mains.iter().copied()).collect();
+        loads.iter().map(|l| l.0).chain(weights.iter().map(|w| w.z)).chain(mains.iter().copied()).collect();
     planes.sort_by(f64::total_cmp);
     planes.dedup_by(|later, kept| *later - *kept < SAME_PLACE);
+    planes.retain(|plane| stretches.iter().all(|(low, high)| plane <= low || plane >= high));
 
     let natural = operator.natural_moment;
     let member = |plane: f64, scale: f64| {
@@ -69,9 +69,9 @@ pub(crate) fn judge(
         let mut base = [0.0; WIDTH];
         (base[0], base[1]) = (constant.re, constant.im);
         let mut columns = Matrix::zeros(2, operator.variables);
-        for &(weight, z) in &weights {
-            for (variable, unbalance) in operator.weights[weight].corners.iter().flat_map(|c| &c.terms) {
-                let part = moment(z, operator.speed * operator.speed * unbalance);
+        for corner in &weights {
+            for (variable, unbalance) in &corner.terms {
+                let part = moment(corner.z, operator.speed * operator.speed * unbalance);
                 columns[(0, *variable)] += part.re;
                 columns[(1, *variable)] += part.im;
             }

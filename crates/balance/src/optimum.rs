@@ -16,6 +16,9 @@ use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
 
+/// Share of what a stage is without the devices below which it vanishes.
+const VANISHES: f64 = 1e-9;
+
 /// Finds the best unbalances for `task`, from the exact motion of the engine.
 ///
 /// All loads grow with the square of the speed, so the highest speed of the engine decides. What the task takes over
@@ -52,20 +55,16 @@ pub fn optimise_with(
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
     let mut answer = empty(engine, task);
-    let x = match run(&problem, &mut solves) {
+    match run(&problem, &mut solves) {
         Ok(reached) => {
             let stand = Stand::given(task, &places);
             fill(&mut answer, engine, task, &problem, &reached, &stand);
-            answer.outcome = outcome(&answer.stages, &reached.stages);
-            reached.x
+            answer.outcome = outcome(&answer.stages, &reached.stages, None);
+            answer.effects = effects(engine, task, kinematics, &problem, &reached.x)?;
         }
-        Err(failure) => {
-            answer.outcome = refused(engine, &problem, task, failure, &mut solves);
-            vec![0.0; problem.operator.variables]
-        }
-    };
+        Err(failure) => answer.outcome = refused(engine, &problem, task, failure, &mut solves),
+    }
     answer.method = Method::Convex { solves };
-    answer.effects = effects(engine, task, kinematics, &problem, &x)?;
     Ok(answer)
 }
 
@@ -78,17 +77,10 @@ fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Resu
     match ending {
         Ending::Chosen(best) => {
             let reached = best.reached;
-            let stand =
-                Stand { planes: best.planes, axes: best.axes, inertia: best.inertia, priced: !chosen };
+            let stand = Stand { planes: best.planes, axes: best.axes, inertia: best.inertia };
             fill(&mut answer, engine, task, &best.problem, &reached, &stand);
-            answer.outcome = match (outcome(&answer.stages, &reached.stages), best.stopped) {
-                (Outcome::Stopped { reason }, Some(stopped)) => {
-                    Outcome::Stopped { reason: format!("{stopped}: {reason}") }
-                }
-                (outcome, _) => outcome,
-            };
+            answer.outcome = outcome(&answer.stages, &reached.stages, best.stopped);
             answer.effects = effects(engine, task, kinematics, &best.problem, &reached.x)?;
-            return Ok(answer);
         }
         Ending::Infeasible { relaxation, closest } => {
             let reason = if task.limits.is_empty() {
@@ -103,11 +95,6 @@ fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Resu
             answer.outcome = Outcome::Stopped { reason };
         }
     }
-    let places = middle(engine, task);
-    let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
-    let problem = Problem::new(engine, task, operator)?;
-    let nothing = vec![0.0; problem.operator.variables];
-    answer.effects = effects(engine, task, kinematics, &problem, &nothing)?;
     Ok(answer)
 }
 
@@ -155,8 +142,6 @@ struct Stand {
     axes: Vec<[f64; 2]>,
     /// The inertia that is used, by index.
     inertia: Option<usize>,
-    /// Whether a limit has a price: nothing was chosen that a change of the limit would choose again.
-    priced: bool,
 }
 
 impl Stand {
@@ -170,7 +155,6 @@ impl Stand {
             planes: places.iter().map(|corners| corners[0].1).collect(),
             axes: task.shafts.iter().map(|s| [value(s.x), value(s.y)]).collect(),
             inertia: (!task.inertias.is_empty()).then_some(0),
-            priced: true,
         }
     }
 }
@@ -195,18 +179,27 @@ fn fill(
     answer.limits = found_limits(engine, problem, task, reached, answer, stand);
 }
 
-/// Optimal where every gap is closed.
-fn outcome(stages: &[FoundStage], proofs: &[StageProof]) -> Outcome {
+/// Optimal where every gap is closed; `ended` is the first stage whose search ended because of the number of boxes.
+fn outcome(stages: &[FoundStage], proofs: &[StageProof], ended: Option<usize>) -> Outcome {
     let open = stages.iter().zip(proofs).enumerate().find(|(_, (stage, proof))| stage.gap > proof.target);
     match open {
         None => Outcome::Optimal,
-        Some((index, (stage, _))) => Outcome::Stopped {
-            reason: format!(
-                "rounding leaves a gap of {:.3e} of the value of stage {}",
-                stage.gap / stage.value.max(f64::MIN_POSITIVE),
-                index + 1
-            ),
-        },
+        Some((index, (stage, _))) => {
+            let share = stage.gap / stage.value.max(f64::MIN_POSITIVE);
+            let (most, number) = (branch::MOST_NODES, index + 1);
+            let reason = match ended {
+                Some(ended) if ended < index => format!(
+                    "after {most} boxes of choices for stage {}, which stage {number} cannot make good, a gap of \
+                     {share:.1e} of its value is left",
+                    ended + 1
+                ),
+                Some(_) => format!(
+                    "after {most} boxes of choices for stage {number} a gap of {share:.1e} of its value is left"
+                ),
+                None => format!("rounding leaves a gap of {share:.1e} of the value of stage {number}"),
+            };
+            Outcome::Stopped { reason }
+        }
     }
 }
 
@@ -252,6 +245,9 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
     let values: Vec<(Criterion, f64)> =
         terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
     let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
+    let unbalanced: f64 = terms.iter().map(|(weight, judged)| weight * judged.unbalanced).sum();
+    // Nothing holds up what is not there.
+    let vanishes = value <= proof.target.max(VANISHES * unbalanced);
     // Both are exact to rounding; the bound may end above the value by that much.
     let lower_bound = proof.bound.min(value);
     FoundStage {
@@ -259,7 +255,7 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
         lower_bound,
         gap: value - lower_bound,
         terms: values,
-        active: active(problem, terms, proof),
+        active: if vanishes { Vec::new() } else { active(problem, terms, proof) },
     }
 }
 
@@ -346,7 +342,6 @@ fn found_limits(
         // The first stage that it holds up; a price is the stage's unit over the limit's.
         let price =
             reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
-        let price = stand.priced.then_some(price);
         let limit = match rule {
             Rule::Limit(index) => {
                 let judged = &problem.limits[index];
@@ -378,7 +373,7 @@ fn found_limits(
                     criterion: None,
                     most,
                     value: answer.inertias[index].inertia,
-                    price: price.map(|price| price * slope),
+                    price: price * slope,
                 }
             }
             Rule::Plain => continue,

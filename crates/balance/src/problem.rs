@@ -1,10 +1,11 @@
 //! A balancing task as a convex programme.
 
+use crate::convex::HOLDS;
 use crate::convex::programme::{Group, Programme, Row};
 use crate::criterion::{Judged, amounts, judge, level};
 use crate::error::BalanceError;
 use crate::operator::Operator;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Stage};
+use lanchester_model::{BalanceTask, Criterion, Engine, Load, Place, Stage};
 use std::rc::Rc;
 
 /// What a row of the programme stands for.
@@ -51,16 +52,24 @@ pub(crate) fn stages(task: &BalanceTask) -> Vec<Stage> {
 }
 
 /// What decides among answers that the stages leave equal, before the weights do: of force and couple what the stages do
-/// not name, then the roll moment. Whoever asks for the least weights has them before the roll moment.
-fn implied(stages: &[Stage]) -> Vec<Criterion> {
+/// not name, then the roll moment if a device is free that is there for its sake: an inertia, or the axis of a shaft.
+/// Whoever asks for the least weights has them before the roll moment.
+pub(crate) fn implied(task: &BalanceTask) -> Vec<Criterion> {
+    let stages = stages(task);
     let named = stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
     let weighs = named.clone().any(|c| matches!(c, Criterion::AddedMass | Criterion::AddedUnbalance));
     let mut implied = vec![Load::Force, Load::Couple];
-    if !weighs {
+    if !weighs && (!task.inertias.is_empty() || has_free_axis(task)) {
         implied.push(Load::RollMoment);
     }
     let implied = implied.into_iter().map(Criterion::Peak);
     implied.filter(|criterion| named.clone().all(|named| named != *criterion)).collect()
+}
+
+/// Whether the axis of a shaft is to be found.
+pub(crate) fn has_free_axis(task: &BalanceTask) -> bool {
+    let open = |place: Place| matches!(place, Place::Between(..));
+    task.shafts.iter().any(|shaft| open(shaft.x) || open(shaft.y))
 }
 
 impl Problem {
@@ -80,7 +89,7 @@ impl Problem {
             find(Criterion::Peak(load), &mut groups)?;
         }
         let asked = stages(task);
-        let implied = implied(&asked)
+        let implied = implied(task)
             .into_iter()
             .map(|criterion| Ok(vec![(1.0, find(criterion, &mut groups)?)]))
             .collect::<Result<Vec<Vec<_>>, BalanceError>>()?;
@@ -101,6 +110,7 @@ impl Problem {
                 cost: vec![0.0; groups.len()],
                 linear: vec![0.0; operator.variables],
                 offset: 0.0,
+                holds: HOLDS,
                 rows: Vec::new(),
                 groups,
             },

@@ -13,7 +13,7 @@
 use crate::convex::curve::{Member, length};
 use crate::convex::dense::{Matrix, RowFactors};
 use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
-use crate::convex::{Failure, HOLDS, solve};
+use crate::convex::{Failure, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
 use lanchester_model::criterion_unit;
@@ -208,7 +208,7 @@ impl<'a> Walk<'a> {
             }
             let level = |group: usize| crate::criterion::level(&local.groups[group], &local.grid, &zero);
             let sum: f64 = row.shares.iter().map(|&(g, share)| share * level(g)).sum();
-            if sum - row.most > 10.0 * HOLDS * row.most.abs().max(1.0) {
+            if sum - row.most > 10.0 * self.programme.holds * row.most.abs().max(1.0) {
                 return Err(Failure::Infeasible);
             }
         }
@@ -353,7 +353,7 @@ fn idle_rows(programme: &Programme, floor: f64, solves: &mut usize) -> Option<So
     }
     solution.levels = programme.levels(&solution.x);
     let value = programme.value(&solution.x, &solution.levels);
-    let holds = programme.violation(&solution.x, &solution.levels) <= HOLDS;
+    let holds = programme.violation(&solution.x, &solution.levels) <= programme.holds;
     if !holds || value - solution.bound > GAP * value.max(floor) {
         return None;
     }
@@ -389,7 +389,7 @@ fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
         return None;
     }
     let levels = programme.levels(&x);
-    if programme.violation(&x, &levels) > HOLDS {
+    if programme.violation(&x, &levels) > programme.holds {
         // Somewhere else in the directions that keep the costs at nothing, if anywhere.
         let (_, free) = factors.bases();
         let inside = programme.restricted(&x, &free);
@@ -397,7 +397,7 @@ fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
         x = x.iter().zip(free.times(&step)).map(|(x, s)| x + s).collect();
     }
     let levels = programme.levels(&x);
-    (programme.violation(&x, &levels) <= HOLDS).then(|| Solution {
+    (programme.violation(&x, &levels) <= programme.holds).then(|| Solution {
         value: programme.value(&x, &levels),
         bound: programme.offset,
         levels,

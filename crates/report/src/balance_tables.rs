@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::{Answer, Effect, FoundStage, FoundWeight};
+use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, Method};
 use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
 
 /// Every free weight: where it stands, how much it is, in which direction.
@@ -35,17 +35,50 @@ pub fn found_weights_table(answer: &Answer) -> Table {
         };
         columns.push((Column::numbers("mass", "g"), weights.iter().map(mass).collect()));
     }
-    let unused: Vec<&str> = weights.iter().filter(|w| !w.used).map(|w| w.name.as_str()).collect();
     let mut table = Table::of_columns(
         "found-weights",
         "The weights",
         "Directions at θ = 0 in the engine's frame, from +x towards +y.",
         columns,
     );
-    if !unused.is_empty() {
-        table.remark = format!("Left out, because it is better without: {}.", unused.join(", "));
+    if weights.iter().any(|w| !w.used) {
+        table.remark = left_out(answer);
     }
     table
+}
+
+/// Which weights are left out, and why: those that may be, where no more devices may be used, because of that; any other
+/// because it is better without.
+fn left_out(answer: &Answer) -> String {
+    let task = &answer.task;
+    let may_be = |weight: usize| {
+        let weight = &task.weights[weight];
+        weight.optional || matches!(weight.seat, Seat::Shaft(shaft) if task.shafts[shaft].optional)
+    };
+    let weights = task.weights.iter().zip(&answer.weights).filter(|(free, w)| free.optional && w.used);
+    let shafts = task.shafts.iter().zip(&answer.shafts).filter(|(free, s)| free.optional && s.used);
+    let inertias =
+        task.inertias.iter().zip(&answer.inertias).filter(|(free, i)| free.optional && i.inertia > 0.0);
+    let used = weights.count() + shafts.count() + inertias.count();
+    let full = task.most_optional.filter(|most| used >= *most);
+    let unused = (0..answer.weights.len()).filter(|&k| !answer.weights[k].used);
+    let (crowded, better): (Vec<usize>, Vec<usize>) = unused.partition(|&k| full.is_some() && may_be(k));
+    let names = |list: &[usize]| {
+        let names: Vec<&str> = list.iter().map(|&k| answer.weights[k].name.as_str()).collect();
+        names.join(", ")
+    };
+    let mut words = Vec::new();
+    if let (Some(most), false) = (full, crowded.is_empty()) {
+        let devices = if most == 1 { "device" } else { "devices" };
+        words.push(format!(
+            "Left out, because at most {most} optional {devices} may be used: {}.",
+            names(&crowded)
+        ));
+    }
+    if !better.is_empty() {
+        words.push(format!("Left out, because it is better without: {}.", names(&better)));
+    }
+    words.join(" ")
 }
 
 /// Where the free shafts stand; `None` without any.
@@ -145,15 +178,22 @@ pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
         .first()
         .and_then(|s| s.terms.first())
         .map_or("", |(criterion, _)| criterion_unit(criterion));
-    let unit = |l: &lanchester_balance::FoundLimit| l.criterion.map_or("kg m", |c| criterion_unit(&c));
-    let price = |l: &lanchester_balance::FoundLimit| match l.price {
-        Some(price) if price.abs() > 0.0 => {
-            Cell::text(format!("{} {stage_unit} per {}", number::short(price, 4), unit(l)))
-        }
-        Some(_) => Cell::text("nothing"),
-        None => Cell::text("a choice, not a price"),
+    let unit = |l: &FoundLimit| l.criterion.map_or("kg m", |c| criterion_unit(&c));
+    let price = |l: &FoundLimit| match l.price.abs() > 0.0 {
+        true => Cell::text(format!("{} {stage_unit} per {}", number::short(l.price, 4), unit(l))),
+        false => Cell::text("nothing"),
     };
-    let name = |l: &lanchester_balance::FoundLimit| match l.criterion {
+    let note =
+        "The price tells how much the first stage that the limit holds up would fall if the limit were wider";
+    let note = match answer.method {
+        Method::Convex { .. } => format!("{note}."),
+        Method::BranchAndBound { .. } => {
+            format!(
+                "{note}, with the choices as they were found: devices, places, directions of given and least amounts."
+            )
+        }
+    };
+    let name = |l: &FoundLimit| match l.criterion {
         Some(criterion) => criterion_name(&criterion, engine),
         None => l.what.clone(),
     };
@@ -161,7 +201,7 @@ pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
     Some(Table::of_columns(
         "limits",
         "What the limits cost",
-        "The price tells how much the first stage that the limit holds up would fall if the limit were wider.",
+        note,
         vec![
             (Column::words("limit"), limits.iter().map(|l| Cell::text(name(l))).collect()),
             (Column::words("unit"), limits.iter().map(|l| Cell::text(unit(l))).collect()),

@@ -20,6 +20,10 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(answer));
     push_wrapped(&mut out, "", &headline(engine, answer));
+    let equals = equals_words(engine, answer);
+    if !equals.is_empty() {
+        push_wrapped(&mut out, "", &equals);
+    }
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
         let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
         return out;
@@ -81,9 +85,25 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
         Outcome::CannotVanish { reason } => format!("{reason}."),
         Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
+        Outcome::Stopped { reason } if answer.stages.is_empty() => format!("No answer was found: {reason}."),
         Outcome::Stopped { reason } => {
             format!("The search stopped early ({reason}); the best so far: {}.", reached())
         }
+    }
+}
+
+/// What decided among answers that are equally good; empty where nothing but the weights did.
+pub fn equals_words(engine: &Engine, answer: &Answer) -> String {
+    let terms = answer.among_equals.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
+        let without = answer.effects.iter().find(|e| e.criterion == *criterion).map_or(0.0, |e| e.without);
+        let value = if value.abs() <= 1e-9 * without.max(1e-3) { 0.0 } else { *value };
+        let unit = criterion_unit(criterion);
+        format!("the least {} ({} {unit})", criterion_name(criterion, engine), number::short(value, 5))
+    });
+    let terms: Vec<String> = terms.collect();
+    match terms.is_empty() {
+        true => String::new(),
+        false => format!("Of all answers as good as that: {}, then the lightest.", terms.join(", then ")),
     }
 }
 

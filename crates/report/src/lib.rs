@@ -63,7 +63,7 @@ pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
-pub use balance_text::{balance_text, headline};
+pub use balance_text::{balance_text, equals_words, headline};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use crank_curve::crank_curve;
 pub use crank_view::crank_view;

@@ -5,7 +5,7 @@ use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
     limits_table, stages_table,
 };
-use crate::balance_text::{headline, method_words};
+use crate::balance_text::{equals_words, headline, method_words};
 use crate::cancellation::{cancellation_proof_table, cancelled_orders_table};
 use crate::figure::Figure;
 use crate::table::Table;
@@ -42,6 +42,8 @@ impl OptimumSection {
     pub fn of(engine: &Engine, input: &OptimumInput<'_>) -> OptimumSection {
         let answer = input.answer;
         let (headline, method) = (headline(engine, answer), method_words(answer));
+        let equals = equals_words(engine, answer);
+        let headline = if equals.is_empty() { headline } else { format!("{headline} {equals}") };
         if let Outcome::Infeasible { closest, .. } = &answer.outcome {
             let tables = vec![closest_table(engine, answer, closest)];
             return OptimumSection { headline, method, tables, figures: Vec::new(), left: String::new() };

@@ -217,6 +217,12 @@ impl Choices {
         if self.undecided() < undecided { self.settled(task) } else { Some(self) }
     }
 
+    /// The one weight on a shaft: its direction is that of the shaft.
+    pub fn only_weight(&self, task: &BalanceTask, shaft: usize) -> Option<usize> {
+        let mut own = on_shaft(task, shaft).filter(|&w| self.usage(task, w) != Use::No);
+        own.next().filter(|_| own.next().is_none())
+    }
+
     /// Where a box can be divided about which nothing is known.
     pub fn widest(&self, task: &BalanceTask) -> Option<Split> {
         if let Some(shaft) = self.shafts.iter().position(|s| s.usage == Use::Open) {
@@ -230,18 +236,30 @@ impl Choices {
         };
         let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
         let mut all = Vec::new();
+        let divisible = |heading: Heading| {
+            let share = heading.width() / (2.0 * PI);
+            if matches!(heading, Heading::Ray(_) | Heading::Tangent(_)) { 0.0 } else { share }
+        };
         for (index, (choice, weight)) in self.weights.iter().zip(&task.weights).enumerate() {
-            if self.usage(task, index) == Use::No {
+            let usage = self.usage(task, index);
+            if usage == Use::No {
                 continue;
             }
             all.push((share(choice.z, stretch(weight.z)), Split::Plane(index, middle(choice.z))));
-            if let Heading::Any | Heading::Sector { .. } | Heading::Line(_) = choice.heading {
-                all.push((choice.heading.width() / (2.0 * PI), Split::Heading(index, 0.0)));
+            if open(choice.z) || weight.least > 0.0 && usage == Use::Yes {
+                all.push((divisible(choice.heading), Split::Heading(index, 0.0)));
             }
         }
         for (index, (choice, shaft)) in self.shafts.iter().zip(&task.shafts).enumerate() {
+            if choice.usage == Use::No || !(open(choice.x) || open(choice.y)) {
+                continue;
+            }
             all.push((share(choice.x, stretch(shaft.x)), Split::AxisX(index, middle(choice.x))));
             all.push((share(choice.y, stretch(shaft.y)), Split::AxisY(index, middle(choice.y))));
+            all.push(match self.only_weight(task, index) {
+                Some(only) => (divisible(self.weights[only].heading), Split::Heading(only, 0.0)),
+                None => (divisible(choice.heading), Split::ShaftHeading(index, 0.0)),
+            });
         }
         let widest = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
         (widest.0 > 1e-9).then_some(widest.1)

@@ -17,14 +17,16 @@ mod reading;
 mod relaxed;
 mod search;
 
+pub(crate) use search::MOST_NODES;
+
 use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::operator::EngineLoads;
-use crate::problem::{Problem, stages};
+use crate::problem::{Problem, has_free_axis, implied, stages};
 use crate::stages::{Held, Reached, Walk};
 use choices::Choices;
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Engine, FreeWeight, Limit, Phase, Place, Stage};
+use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
 use relaxed::Ground;
 use search::{Found, Goal, Search};
 
@@ -39,8 +41,23 @@ pub(crate) struct Chosen {
     pub axes: Vec<[f64; 2]>,
     /// The inertia that is used.
     pub inertia: Option<usize>,
-    /// Why the search ended before the gap was closed.
-    pub stopped: Option<String>,
+    /// The first stage whose search ended because of the number of boxes.
+    pub stopped: Option<usize>,
+}
+
+impl Chosen {
+    /// Takes what was searched beyond the stages that were asked for as what decides among equals.
+    fn part(&mut self, asked: usize) {
+        let Chosen { problem, reached, .. } = self;
+        let mut implied = problem.stages.split_off(asked);
+        let proofs = reached.stages.split_off(asked).into_iter().enumerate();
+        let later = std::mem::take(&mut reached.among_equals).into_iter();
+        let count = implied.len();
+        reached.among_equals = proofs.chain(later.map(|(place, proof)| (place + count, proof))).collect();
+        implied.append(&mut problem.implied);
+        problem.implied = implied;
+        self.stopped = self.stopped.filter(|stage| *stage < asked);
+    }
 }
 
 /// How a search ended.
@@ -66,7 +83,7 @@ pub(crate) struct Searched {
 pub(crate) fn is_needed(task: &BalanceTask) -> bool {
     let place = |place: Place| matches!(place, Place::Between(..));
     task.weights.iter().any(|w| w.least > 0.0 || place(w.z))
-        || task.shafts.iter().any(|s| place(s.x) || place(s.y))
+        || has_free_axis(task)
         || task.inertias.len() > 1
         || task.most_optional.is_some()
 }
@@ -74,12 +91,21 @@ pub(crate) fn is_needed(task: &BalanceTask) -> bool {
 /// Whether one of the choices cannot be said by a convex programme.
 pub(crate) fn is_choice(task: &BalanceTask) -> bool {
     let place = |place: Place| matches!(place, Place::Between(..));
-    let on_free_axis = task.shafts.iter().any(|s| place(s.x) || place(s.y));
+    let bends = |criterion: &Criterion| {
+        matches!(criterion, Criterion::Peak(Load::BendingMoment) | Criterion::Order(Load::BendingMoment, _))
+    };
+    let bending = stages(task).iter().flat_map(|stage| &stage.terms).any(|term| bends(&term.1))
+        || task.limits.iter().any(|limit| bends(&limit.criterion));
     let open = |w: &FreeWeight| {
         !matches!(w.phase, Phase::Direction(_)) && (w.least > 0.0 || place(w.z))
             || w.least > 0.0 && w.optional
+            // A crankshaft bends otherwise on either side of a plane.
+            || bending && place(w.z) && w.seat == Seat::Crankshaft(0)
     };
-    on_free_axis || task.weights.iter().any(open) || task.inertias.len() > 1 || task.most_optional.is_some()
+    has_free_axis(task)
+        || task.weights.iter().any(open)
+        || task.inertias.len() > 1
+        || task.most_optional.is_some()
 }
 
 /// Searches all choices of a task.
@@ -90,9 +116,18 @@ pub(crate) fn search(
 ) -> Result<Searched, BalanceError> {
     let bare = bare(engine, task);
     let loads = EngineLoads::of(&bare, kinematics)?;
+    let asked = stages(task);
+    let asked_count = asked.len();
+    // An axis that is to be found is not left to chance by those who do not name the roll moment.
+    let decisive = if has_free_axis(task) { implied(task) } else { Vec::new() };
+    let decisive = decisive.into_iter().map(|criterion| Stage { terms: vec![(1.0, criterion)] });
+    let task = &BalanceTask { stages: asked.into_iter().chain(decisive).collect(), ..task.clone() };
     let ground = Ground { engine, bare, loads, task };
     let mut search = Search::new(&ground);
-    let ending = ending(&mut search, &ground)?;
+    let mut ending = ending(&mut search, &ground)?;
+    if let Ending::Chosen(chosen) = &mut ending {
+        chosen.part(asked_count);
+    }
     Ok(Searched { ending, nodes: search.nodes, solves: search.solves })
 }
 
@@ -109,11 +144,7 @@ fn ending(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> 
             return if found.left.is_empty() { refusal(search, ground) } else { Ok(Ending::Nothing) };
         };
         if found.stopped {
-            stopped.get_or_insert(format!(
-                "stage {} ended after {} boxes of choices",
-                stage + 1,
-                search::MOST_NODES
-            ));
+            stopped.get_or_insert(stage);
         }
         bounds.push((found.bound, 2.0 * best.target));
         held.push(Held { value: best.value, slack: best.target, exact: found.exact });

@@ -221,13 +221,11 @@ impl<'a> Reading<'a> {
         };
         let x = share(choice.x, super::choices::stretch(free.x));
         let y = share(choice.y, super::choices::stretch(free.y));
-        let own: Vec<usize> =
-            on_shaft(self.task, shaft).filter(|&w| self.choices.usage(self.task, w) != Use::No).collect();
         let angle = self.shafts[shaft].sum.arg();
         // The sector of a single weight is that of the shaft.
-        let (heading, split) = match own[..] {
-            [only] => (self.choices.weights[only].heading, Split::Heading(only, angle)),
-            _ => (choice.heading, Split::ShaftHeading(shaft, angle)),
+        let (heading, split) = match self.choices.only_weight(self.task, shaft) {
+            Some(only) => (self.choices.weights[only].heading, Split::Heading(only, angle)),
+            None => (choice.heading, Split::ShaftHeading(shaft, angle)),
         };
         let divisible = !matches!(heading, Heading::Ray(_) | Heading::Tangent(_));
         if divisible && heading.width() / (2.0 * PI) > 0.5 * x.max(y) {

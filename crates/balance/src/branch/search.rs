@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 /// Most boxes examined for one stage.
-pub(super) const MOST_NODES: usize = 2000;
+pub(crate) const MOST_NODES: usize = 2000;
 
 /// Share of the promised gap that a search uses up; the rest is what later stages may give up of earlier ones.
 const SEARCHED: f64 = 0.5;
@@ -24,6 +24,12 @@ const SAME: f64 = 1e-3;
 
 /// Rounds in which a new best choice is moved along its places and phases in turn.
 const MOVES: usize = 4;
+
+/// How far the point of a box may pass a limit: it is read for the next choice, and only its bound counts.
+const BOUNDED: f64 = 1e-5;
+
+/// A box is not divided any more after so many on end whose bounds were spoiled by rounding.
+const MOST_SPOILED: usize = 4;
 
 /// What is minimised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,6 +73,15 @@ struct Examined {
     value: f64,
     /// Where to divide it.
     split: Option<Split>,
+    /// How many boxes on end, this one the last, have most of what is open because of rounding.
+    spoiled: usize,
+}
+
+/// What a box has from the one that it is a part of.
+#[derive(Debug, Clone, Copy)]
+struct Parent {
+    bound: f64,
+    spoiled: usize,
 }
 
 impl PartialEq for Examined {
@@ -125,7 +140,7 @@ impl<'a> Search<'a> {
         }
         let limit = self.nodes + MOST_NODES;
         for choices in start {
-            self.examine(&mut hunt, choices, f64::NEG_INFINITY)?;
+            self.examine(&mut hunt, choices, Parent { bound: f64::NEG_INFINITY, spoiled: 0 })?;
         }
         let mut stopped = false;
         while let Some(lowest) = hunt.queue.pop() {
@@ -142,9 +157,10 @@ impl<'a> Search<'a> {
                 hunt.aside.push(lowest);
                 continue;
             };
+            let parent = Parent { bound: lowest.bound, spoiled: lowest.spoiled };
             for part in lowest.choices.divided(self.ground.task, split) {
                 if self.alike.in_order(self.ground.task, &part) {
-                    self.examine(&mut hunt, part, lowest.bound)?;
+                    self.examine(&mut hunt, part, parent)?;
                 }
             }
         }
@@ -153,32 +169,37 @@ impl<'a> Search<'a> {
     }
 
     /// Bounds a box, tries the choice nearest to its optimum, and keeps the box if it may hold something better.
-    fn examine(&mut self, hunt: &mut Hunt, choices: Choices, parent: f64) -> Result<(), BalanceError> {
+    fn examine(&mut self, hunt: &mut Hunt, choices: Choices, parent: Parent) -> Result<(), BalanceError> {
         self.nodes += 1;
-        let Some(problem) = self.ground.problem(&choices)? else { return Ok(()) };
+        let Some(mut problem) = self.ground.problem(&choices)? else { return Ok(()) };
+        problem.programme.holds = BOUNDED;
         let optimum = match self.optimum(&problem, hunt.goal, hunt.held) {
             Ok(optimum) => optimum,
             Err(Failure::Infeasible) => return Ok(()),
             Err(Failure::NoPoint) => {
                 // Nothing is known about it but what holds for the box that it came from.
                 let split = choices.widest(self.ground.task);
-                let unknown = Examined { choices, bound: parent, value: f64::NEG_INFINITY, split };
+                let (bound, spoiled) = (parent.bound, parent.spoiled);
+                let unknown = Examined { choices, bound, value: f64::NEG_INFINITY, split, spoiled };
                 hunt.queue.push(unknown);
                 return Ok(());
             }
         };
-        let bound = optimum.bound.max(parent);
+        let bound = optimum.bound.max(parent.bound);
         if hunt.is_worse(bound) {
             return Ok(());
         }
         let reading = Reading::of(self.ground.task, &choices, &problem, &optimum.x);
-        // Where rounding spoils a certificate the parts of the box may have better ones.
-        let open = optimum.value - optimum.bound > optimum.target;
-        let split = reading.split().or_else(|| choices.widest(self.ground.task).filter(|_| open));
         if !hunt.closes(bound) {
             self.attempt(hunt, &reading.nearest())?;
         }
-        hunt.queue.push(Examined { choices, bound, value: optimum.value, split });
+        // Where rounding spoils a certificate or a point the parts of the box may have better ones, but not for ever.
+        let rounding = optimum.value - optimum.bound;
+        let open = hunt.best.as_ref().map_or(f64::INFINITY, |best| best.value - bound);
+        let spoiled = if rounding > 0.5 * open { parent.spoiled + 1 } else { 0 };
+        let split = reading.split().or_else(|| choices.widest(self.ground.task));
+        let split = split.filter(|_| spoiled < MOST_SPOILED);
+        hunt.queue.push(Examined { choices, bound, value: optimum.value, split, spoiled });
         Ok(())
     }
 

@@ -146,6 +146,7 @@ pub(super) fn bounded(equations: &Equations, costs: &[f64], grid: &Rc<Grid>) -> 
         cost: costs.to_vec(),
         linear: vec![0.0; n],
         offset: 0.0,
+        holds: HOLDS,
         groups,
         rows,
     }

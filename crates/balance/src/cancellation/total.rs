@@ -62,7 +62,7 @@ impl Total {
                     criterion: None,
                     most: most * device.natural,
                     value: size * device.natural,
-                    price: Some(price / device.natural),
+                    price: price / device.natural,
                 }),
                 (None, Some(inertia)) => {
                     let Some(most) = inertia.most else { continue };
@@ -74,7 +74,7 @@ impl Total {
                         criterion: None,
                         most,
                         value: inertia_of(inertia, size),
-                        price: Some(price * slope),
+                        price: price * slope,
                     });
                 }
                 (None, None) => {}

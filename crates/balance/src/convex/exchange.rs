@@ -16,6 +16,9 @@ const MOST_ROUNDS: usize = 25;
 /// Rounds in which the gap must halve.
 const PATIENCE: usize = 10;
 
+/// Halvings of the way from a point that holds to one that passes a row.
+const HALVINGS: usize = 30;
+
 /// An optimum below this share of the unit is solved in a smaller one, and the smallest unit.
 const SMALL: f64 = 0.1;
 const SMALLEST: f64 = 1e-8;
@@ -43,13 +46,13 @@ pub(crate) fn solve(
     floor: f64,
     solves: &mut usize,
 ) -> Result<Solution, Failure> {
-    let done = |best: &Option<Solution>| best.as_ref().is_some_and(|b| proved(b, relative, floor));
+    let done = |found: &Found| found.best.as_ref().is_some_and(|b| proved(b, relative, floor));
     let mut touches = first_touches(programme);
-    let mut best: Option<Solution> = None;
+    let mut found = Found::default();
     // Where all variables are 0 is a point like any other: of a later stage, what the earlier ones reached.
     let nothing = vec![0.0; programme.variables];
     let levels = add_summits(programme, &nothing, &mut touches);
-    consider(programme, &nothing, &levels, &[], &vec![0.0; programme.rows.len()], &mut best);
+    consider(programme, &nothing, &levels, &[], &vec![0.0; programme.rows.len()], &mut found);
     let mut infeasible = false;
     let mut frame = Frame { origin: nothing, unit: 1.0 };
     let (mut narrowest, mut waited) = (f64::INFINITY, 0);
@@ -63,23 +66,23 @@ pub(crate) fn solve(
         let before = touches.len();
         let levels = add_summits(programme, &point.x, &mut touches);
         let added = touches.len() > before;
-        consider(programme, &point.x, &levels, &point.support, &point.prices, &mut best);
-        if done(&best) {
+        consider(programme, &point.x, &levels, &point.support, &point.prices, &mut found);
+        if done(&found) {
             break;
         }
         if let Some(better) = polish(programme, &point, levels) {
             let levels = add_summits(programme, &better.x, &mut touches);
-            consider(programme, &better.x, &levels, &better.support, &better.prices, &mut best);
-            if done(&best) {
+            consider(programme, &better.x, &levels, &better.support, &better.prices, &mut found);
+            if done(&found) {
                 break;
             }
         }
-        let small = best.as_ref().filter(|b| b.value < SMALL * frame.unit && frame.unit > SMALLEST);
+        let small = found.best.as_ref().filter(|b| b.value < SMALL * frame.unit && frame.unit > SMALLEST);
         let finer = small.is_some();
         if let Some(best) = small {
             frame = Frame { origin: best.x.clone(), unit: best.value.max(floor).max(SMALLEST) };
         }
-        let gap = best.as_ref().map_or(f64::INFINITY, |b| b.value - b.bound);
+        let gap = found.closest(programme.holds).map_or(f64::INFINITY, |b| b.value - b.bound);
         if gap < 0.5 * narrowest {
             (narrowest, waited) = (gap, 0);
         } else if gap.is_finite() {
@@ -89,55 +92,124 @@ pub(crate) fn solve(
             break;
         }
     }
-    best.ok_or(if infeasible { Failure::Infeasible } else { Failure::NoPoint })
+    let whole = done(&found);
+    found.taken(programme, whole).ok_or(if infeasible { Failure::Infeasible } else { Failure::NoPoint })
 }
 
 fn proved(solution: &Solution, relative: f64, floor: f64) -> bool {
     solution.value - solution.bound <= relative * solution.value.max(floor)
 }
 
-/// Keeps the better of the points and the better of the bounds; `levels` are those at `x`.
+/// The best so far.
+#[derive(Default)]
+struct Found {
+    /// The best point that holds the rows.
+    best: Option<Solution>,
+    /// Of the points that pass a row the one that does so least, and by how much.
+    nearly: Option<(f64, Solution)>,
+}
+
+impl Found {
+    /// The best point that passes no row by more than `holds`.
+    fn closest(&self, holds: f64) -> Option<&Solution> {
+        self.best.as_ref().or(self.nearly.as_ref().filter(|one| one.0 <= holds).map(|one| &one.1))
+    }
+
+    /// The solution; unless it is `proved`, a point that passed a row may be a better one once it is drawn in.
+    fn taken(self, programme: &Programme, proved: bool) -> Option<Solution> {
+        match (self.best, self.nearly) {
+            (None, Some((violation, nearly))) if violation <= programme.holds => Some(nearly),
+            (None, Some((_, nearly))) => drawn_in(programme, nearly),
+            (Some(best), Some((_, nearly))) if !proved && nearly.value < best.value => {
+                Some(match drawn_in(programme, nearly) {
+                    Some(inside) => better(best, inside),
+                    None => best,
+                })
+            }
+            (best, _) => best,
+        }
+    }
+
+    /// Takes in a point that passes the rows by `violation`.
+    fn add(&mut self, violation: f64, mut found: Solution) {
+        let known = [self.best.as_ref(), self.nearly.as_ref().map(|one| &one.1)];
+        if let Some(bound) = known.into_iter().flatten().max_by(|a, b| a.bound.total_cmp(&b.bound)) {
+            raise(&mut found, bound);
+        }
+        for one in [self.best.as_mut(), self.nearly.as_mut().map(|one| &mut one.1)].into_iter().flatten() {
+            raise(one, &found);
+        }
+        if violation <= HOLDS {
+            self.best = Some(match self.best.take() {
+                Some(before) => better(before, found),
+                None => found,
+            });
+        } else if self.nearly.as_ref().is_none_or(|(least, _)| violation < *least) {
+            self.nearly = Some((violation, found));
+        }
+    }
+}
+
+/// Draws a point that passes a row towards 0 until it holds, if 0 itself does: what earlier stages left is kept at 0, and
+/// what is allowed is convex.
+fn drawn_in(programme: &Programme, nearly: Solution) -> Option<Solution> {
+    let at = |share: f64| -> Vec<f64> { nearly.x.iter().map(|x| share * x).collect() };
+    let holds = |share: f64| {
+        let x = at(share);
+        programme.violation(&x, &programme.levels(&x)) <= HOLDS
+    };
+    if !holds(0.0) {
+        return None;
+    }
+    let (mut inside, mut outside) = (0.0, 1.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (inside + outside);
+        *(if holds(middle) { &mut inside } else { &mut outside }) = middle;
+    }
+    let x = at(inside);
+    let levels = programme.levels(&x);
+    let value = programme.value(&x, &levels);
+    Some(Solution { x, levels, value, ..nearly })
+}
+
+/// Adds a point with the bound that its multipliers prove; `levels` are those at `x`.
 fn consider(
     programme: &Programme,
     x: &[f64],
     levels: &[f64],
     support: &[super::programme::Support],
     prices: &[f64],
-    best: &mut Option<Solution>,
+    found: &mut Found,
 ) {
     let value = programme.value(x, levels);
-    let feasible = programme.violation(x, levels) <= HOLDS && value.is_finite();
-    let reach = programme.radius(best.as_ref().map_or(value, |b| b.value.max(value)));
+    if !value.is_finite() {
+        return;
+    }
+    let violation = programme.violation(x, levels);
+    let reach = programme.radius(found.best.as_ref().map_or(value, |b| b.value.max(value)));
     let radius = if reach.is_finite() { reach } else { FARTHEST };
     let certificate = certify(programme, levels, support, prices, radius);
     // Amounts are never negative.
     let floor = if programme.linear.iter().all(|p| *p == 0.0) { programme.offset } else { f64::NEG_INFINITY };
-    match best {
-        None if feasible => {
-            let (bound, support, prices) = certificate
-                .map_or((floor, Vec::new(), vec![0.0; programme.rows.len()]), |c| {
-                    (c.bound, c.support, c.prices)
-                });
-            *best = Some(Solution {
-                x: x.to_vec(),
-                levels: levels.to_vec(),
-                value,
-                bound: bound.max(floor),
-                support,
-                prices,
-            });
-        }
-        None => {}
-        Some(best) => {
-            if feasible && value < best.value {
-                (best.x, best.levels, best.value) = (x.to_vec(), levels.to_vec(), value);
-            }
-            if let Some(certificate) = certificate.filter(|c| c.bound > best.bound) {
-                best.bound = certificate.bound;
-                best.support = certificate.support;
-                best.prices = certificate.prices;
-            }
-        }
+    let (bound, support, prices) = certificate
+        .map_or((floor, Vec::new(), vec![0.0; programme.rows.len()]), |c| (c.bound, c.support, c.prices));
+    let (x, levels) = (x.to_vec(), levels.to_vec());
+    found.add(violation, Solution { x, levels, value, bound: bound.max(floor), support, prices });
+}
+
+/// The better point of two with the better bound.
+fn better(before: Solution, found: Solution) -> Solution {
+    let (mut kept, other) = if found.value < before.value { (found, before) } else { (before, found) };
+    raise(&mut kept, &other);
+    kept
+}
+
+/// Takes over a better bound with what proves it.
+fn raise(kept: &mut Solution, other: &Solution) {
+    if other.bound > kept.bound {
+        kept.bound = other.bound;
+        kept.support.clone_from(&other.support);
+        kept.prices.clone_from(&other.prices);
     }
 }
 

@@ -82,6 +82,9 @@ pub(crate) struct Programme {
     pub linear: Vec<f64>,
     /// Constant part of what is minimised.
     pub offset: f64,
+    /// How far a point may pass a row, as a share of it: rounding where the point is the answer, more where only the
+    /// bound counts.
+    pub holds: f64,
 }
 
 /// A multiplier: `y` of one member at one angle.
@@ -141,6 +144,7 @@ impl Programme {
             cost: self.cost.clone(),
             linear: into(&self.linear),
             offset: self.offset + dot(&self.linear, origin),
+            holds: self.holds,
         }
     }
 

@@ -62,7 +62,16 @@ fn a_limit_that_can_just_be_reached_is_held() {
     let answer = optimise(&engine, &task).unwrap();
     assert_proved(&engine, &answer);
     assert!(answer.limits[0].value <= 1.05 * least * (1.0 + 1e-9), "{:?}", answer.limits);
-    assert_eq!(answer.limits[0].price, None);
+    // The price is that with the plane kept: it is what a little more or less of the limit brings there.
+    let at = |most: f64| {
+        let weights = vec![FreeWeight { z: Place::At(answer.weights[0].z), ..found("a", 0.01) }];
+        let task = BalanceTask { weights, limits: vec![limit(Load::Couple, most)], ..task.clone() };
+        optimise(&engine, &task).unwrap().stages[0].value
+    };
+    let (most, step) = (1.05 * least, 1e-5 * least);
+    let slope = (at(most - step) - at(most + step)) / (2.0 * step);
+    let price = answer.limits[0].price;
+    assert!(slope > 0.0 && (price - slope).abs() < 1e-4 * slope, "{price} {slope}");
 }
 
 /// The limit needs both of two optional weights, and only one may be used.

@@ -4,6 +4,7 @@
 mod support;
 
 mod amounts;
+mod axes;
 mod choices;
 mod example;
 mod limits;

@@ -1,7 +1,7 @@
 //! Planes and axes that are to be found, against grids of them.
 
 use crate::support::*;
-use lanchester_balance::optimise;
+use lanchester_balance::{Method, optimise};
 use lanchester_model::*;
 
 fn somewhere(name: &str, seat: Seat, z: (f64, f64), most: f64) -> FreeWeight {
@@ -89,4 +89,30 @@ fn the_height_of_a_shaft_pair_is_found() {
         .fold(f64::INFINITY, f64::min);
     let value = answer.stages[1].value;
     assert!(value <= grid * (1.0 + 1e-8), "{value} {grid}");
+}
+
+/// The beam bends otherwise on either side of a throw: the plane is found across them, beside a grid of planes.
+#[test]
+fn the_plane_that_leaves_the_least_bending_is_found() {
+    let engine = stripped("in-line-4");
+    let task = BalanceTask {
+        weights: vec![
+            FreeWeight { most: Some(0.02), ..on_crank("given", engine.throws[3].z) },
+            somewhere("found", Seat::Crankshaft(0), (-0.13, 0.02), 0.02),
+        ],
+        stages: vec![stage(Load::BendingMoment)],
+        ..Default::default()
+    };
+    let answer = optimise(&engine, &task).unwrap();
+    assert_proved(&engine, &answer);
+    let grid = best_plane(&engine, &task, 1, 600);
+    let value = answer.stages[0].value;
+    assert!(value <= grid * (1.0 + 1e-9) && value > grid * (1.0 - 1e-2), "{value} {grid}");
+    // With the phase given too, what remains open is the plane alone.
+    let mut along = task.clone();
+    along.weights[1].phase = Phase::Direction(answer.weights[1].unbalance.arg());
+    let same = optimise(&engine, &along).unwrap();
+    assert_proved(&engine, &same);
+    assert!(matches!(same.method, Method::BranchAndBound { .. }));
+    assert!((same.stages[0].value - value).abs() <= 1e-7 * value, "{value} {}", same.stages[0].value);
 }

@@ -118,7 +118,7 @@ fn is_allowed(task: &BalanceTask, answer: &Answer) -> Result<(), String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
     #[test]
     fn prop_nothing_allowed_goes_below_the_bound(

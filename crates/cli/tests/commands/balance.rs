@@ -184,6 +184,92 @@ fn choices_are_searched_and_told() {
     assert!(least["weights"].as_array().unwrap().iter().all(|w| amount(w) > 0.05 * (1.0 - 1e-9)), "{least}");
 }
 
+/// What was left to choose: planes and axes are written where they were found, what is left out is not, and everything
+/// else in the file stays. The file's own loads are then those of the answer, and a second run changes nothing.
+#[test]
+fn found_places_are_written_back() {
+    let folder = folder("balance-write-choices");
+    let example = include_str!("../../../../examples/twin-270-choices.toml");
+    let free_axis = example.replace("y = \"95 mm\"", "y = [\"60 mm\", \"95 mm\"]");
+    for (file, text) in [("plane.toml", example), ("axis.toml", &free_axis)] {
+        let path = folder.join(file);
+        fs::write(&path, text).unwrap();
+        let found = output_json(&folder, 0, &["balance", file, "--format", "json", "--write"]);
+        assert_eq!(found["method"]["kind"], "branch-and-bound");
+        let written = fs::read_to_string(&path).unwrap();
+        let left: Vec<&str> = text.lines().filter(|line| !written.contains(line)).collect();
+        assert!(left.is_empty(), "{file}: lines are lost: {left:?}");
+
+        let engine = output_json(&folder, 0, &["show", file, "--format", "json"]);
+        let number = |value: &serde_json::Value| value.as_f64().unwrap();
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs().max(1e-3);
+        let weight = &found["weights"].as_array().unwrap()[0];
+        let standing = &engine["counterweights"].as_array().unwrap()[0];
+        assert_eq!(weight["name"], standing["name"]);
+        assert!(near(number(&standing["z"]), number(&weight["z"])), "{file}: {standing} {weight}");
+        let shafts = engine["shafts"].as_array().unwrap();
+        assert_eq!(shafts.len(), 1, "{file}: the other is left out");
+        let used = |s: &&serde_json::Value| s["used"].as_bool().unwrap();
+        let chosen = found["shafts"].as_array().unwrap().iter().find(used).unwrap();
+        assert_eq!(shafts[0]["name"], chosen["name"]);
+        for axis in ["x", "y"] {
+            assert!(near(number(&shafts[0][axis]), number(&chosen[axis])), "{file}: {chosen} {}", shafts[0]);
+        }
+
+        let peaks = output_json(&folder, 0, &["loads", file, "--format", "json"])["total"]["peaks"].clone();
+        for (effect, peak) in [(0, "force"), (1, "couple"), (2, "roll_moment")] {
+            let want = number(&found["effects"][effect]["after"]);
+            let got = number(&peaks[peak]["max"]["value"])
+                .abs()
+                .max(peaks[peak]["min"]["value"].as_f64().map_or(0.0, f64::abs));
+            assert!((got - want).abs() <= 1e-7 * want, "{file} {peak}: {got} {want}");
+        }
+        let again = lanchester(&folder, &["balance", file, "--dry-run"]);
+        assert!(again.stdout.is_empty(), "{file}: {}", String::from_utf8_lossy(&again.stdout));
+    }
+}
+
+/// Exact cancellation knows no choices: it says which one is in the way and what to do; with places given it is written.
+#[test]
+fn cancellation_with_choices_says_what_is_in_the_way() {
+    let folder = folder("balance-cancel-choices");
+    let file = template(&folder, "twin-360");
+    let text = fs::read_to_string(folder.join(&file)).unwrap();
+    let cancel = ["balance", &file, "--cancel", "force order 1"];
+    let shaft = "-1 @ 0 mm, 100 mm @ 0 mm";
+    for (arguments, expected, hint) in [
+        (
+            &["--shaft", "-1 @ 0 mm, 50 mm .. 90 mm @ 0 mm @ most 0.1 kg m"][..],
+            "axis to be found",
+            "one place",
+        ),
+        (&["--shaft", shaft, "--least", "0.01 kg m"], "a least amount", "leave out"),
+        (
+            &["--shaft", "-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.1 kg m", "--most-optional", "1"],
+            "number of optional devices",
+            "leave out",
+        ),
+        (&["--shaft", shaft, "--limit", "couple = 10 N m"], "limits", "one after the other"),
+    ] {
+        let said = message(&folder, 2, &[&cancel[..], arguments, &["--write"]].concat());
+        assert!(said.contains(expected) && said.contains(hint), "{arguments:?}: `{expected}` in:\n{said}");
+        assert_eq!(fs::read_to_string(folder.join(&file)).unwrap(), text, "nothing is written");
+    }
+
+    let found =
+        output_json(&folder, 0, &[&cancel[..], &["--shaft", shaft, "--write", "--format", "json"]].concat());
+    assert_eq!(found["outcome"]["kind"], "optimal");
+    let orders = output_json(&folder, 0, &["loads", &file, "--format", "json"]);
+    let first = orders["orders"].as_array().unwrap().iter().find(|o| o["order"] == 1.0).unwrap();
+    let largest = |key: &str| {
+        first[key].as_array().unwrap().iter().fold(0.0f64, |m, part| m.max(part.as_f64().unwrap().abs()))
+    };
+    let before = found["effects"][0]["before"].as_f64().unwrap();
+    for key in ["force_forward", "force_backward"] {
+        assert!(largest(key) <= 1e-9 * before, "{key}: {first}");
+    }
+}
+
 #[test]
 fn wrong_wishes_say_what_is_needed() {
     let folder = folder("balance-options");
