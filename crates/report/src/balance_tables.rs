@@ -179,9 +179,9 @@ pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
         .and_then(|s| s.terms.first())
         .map_or("", |(criterion, _)| criterion_unit(criterion));
     let unit = |l: &FoundLimit| l.criterion.map_or("kg m", |c| criterion_unit(&c));
-    let price = |l: &FoundLimit| match l.price.abs() > 0.0 {
-        true => Cell::text(format!("{} {stage_unit} per {}", number::short(l.price, 4), unit(l))),
-        false => Cell::text("nothing"),
+    let price = |l: &FoundLimit| match number::short(l.price, 4).as_str() {
+        "0" => Cell::text("nothing"),
+        price => Cell::text(format!("{price} {stage_unit} per {}", unit(l))),
     };
     let note =
         "The price tells how much the first stage that the limit holds up would fall if the limit were wider";

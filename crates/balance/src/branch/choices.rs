@@ -4,7 +4,7 @@ use lanchester_model::{BalanceTask, Phase, Place, Seat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Stretches shorter than this are one place [m].
-const ONE_PLACE: f64 = 1e-12;
+pub(super) const ONE_PLACE: f64 = 1e-12;
 
 /// Amounts that differ by less than this share are one.
 const ONE_AMOUNT: f64 = 1e-12;

@@ -24,7 +24,7 @@ use crate::fitted::bare;
 use crate::operator::EngineLoads;
 use crate::problem::{Problem, has_free_axis, implied, stages};
 use crate::stages::{Held, Reached, Walk};
-use choices::Choices;
+use choices::{Choices, stretch};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
 use relaxed::Ground;
@@ -121,17 +121,36 @@ pub(crate) fn search(
     // An axis that is to be found is not left to chance by those who do not name the roll moment.
     let decisive = if has_free_axis(task) { implied(task) } else { Vec::new() };
     let decisive = decisive.into_iter().map(|criterion| Stage { terms: vec![(1.0, criterion)] });
-    let task = &BalanceTask { stages: asked.into_iter().chain(decisive).collect(), ..task.clone() };
+    let mut task = BalanceTask { stages: asked.into_iter().chain(decisive).collect(), ..task.clone() };
+    if !sees_axes(&task) {
+        let middle = |place: Place| Place::At(stretch(place).iter().sum::<f64>() / 2.0);
+        for shaft in &mut task.shafts {
+            (shaft.x, shaft.y) = (middle(shaft.x), middle(shaft.y));
+        }
+    }
+    let task = &task;
     let ground = Ground { engine, bare, loads, task };
     let mut search = Search::new(&ground);
-    let mut ending = ending(&mut search, &ground)?;
+    let mut ending = ending(&mut search, &ground, asked_count)?;
     if let Ending::Chosen(chosen) = &mut ending {
         chosen.part(asked_count);
     }
     Ok(Searched { ending, nodes: search.nodes, solves: search.solves })
 }
 
-fn ending(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> {
+/// Whether anything that is judged depends on where the axis of a shaft is.
+fn sees_axes(task: &BalanceTask) -> bool {
+    let stages = task.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
+    stages.chain(task.limits.iter().map(|limit| limit.criterion)).any(|criterion| match criterion {
+        Criterion::Peak(load) | Criterion::Order(load, _) => {
+            matches!(load, Load::RollMoment | Load::MountForce(_) | Load::LargestMountForce)
+        }
+        Criterion::AddedMass | Criterion::AddedUnbalance => false,
+    })
+}
+
+/// Searches stage after stage; of these the first `asked` were asked for.
+fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, BalanceError> {
     let count = stages(ground.task).len();
     let mut boxes = Choices::of(ground.task);
     let mut held: Vec<Held> = Vec::new();
@@ -141,6 +160,10 @@ fn ending(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError> 
     for stage in 0..count {
         let found = search.run(Goal::Stage(stage), boxes, &held, known.as_ref())?;
         let Some(best) = &found.best else {
+            // What was asked stands whether or not this has a solution.
+            if stage >= asked {
+                break;
+            }
             return if found.left.is_empty() { refusal(search, ground) } else { Ok(Ending::Nothing) };
         };
         if found.stopped {

@@ -1,6 +1,6 @@
 //! What the optimum of a box's programme says: where it goes beyond the task, and which choice lies nearest to it.
 
-use super::choices::{Choices, Heading, Split, Use, given, on_shaft, open};
+use super::choices::{Choices, Heading, ONE_PLACE, Split, Use, given, on_shaft, open};
 use super::relaxed::corners;
 use crate::problem::Problem;
 use lanchester_model::BalanceTask;
@@ -93,7 +93,7 @@ impl<'a> Reading<'a> {
         if seen.unbalance.norm() <= NOTHING * seen.unit {
             return 0.5 * (low + high);
         }
-        ((seen.unbalance.conj() * seen.moment).re / seen.unbalance.norm_sqr()).clamp(low, high)
+        rounded((seen.unbalance.conj() * seen.moment).re / seen.unbalance.norm_sqr()).clamp(low, high)
     }
 
     /// The axis that comes nearest to what a shaft does.
@@ -105,7 +105,8 @@ impl<'a> Reading<'a> {
         } else {
             (seen.moment / seen.sum).conj()
         };
-        Complex64::new(axis.re.clamp(choice.x[0], choice.x[1]), axis.im.clamp(choice.y[0], choice.y[1]))
+        let (x, y) = (rounded(axis.re), rounded(axis.im));
+        Complex64::new(x.clamp(choice.x[0], choice.x[1]), y.clamp(choice.y[0], choice.y[1]))
     }
 
     /// Amount of a weight as a share of its largest, of its natural one where that is not bounded.
@@ -313,4 +314,9 @@ impl<'a> Reading<'a> {
         }
         chosen
     }
+}
+
+/// A place without the digits that are rounding.
+fn rounded(place: f64) -> f64 {
+    (place / ONE_PLACE).round() * ONE_PLACE
 }

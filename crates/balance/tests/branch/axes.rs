@@ -21,11 +21,12 @@ fn limit(load: Load, most: f64) -> Limit {
     Limit { criterion: Criterion::Peak(load), most }
 }
 
-/// Two shafts of second order whose heights and sides are free.
+/// Two shafts of second order whose heights are free, and their sides by so much either way.
 fn pair(sides: f64) -> BalanceTask {
+    let beside = |y: f64| if sides > 0.0 { Place::Between(y - sides, y + sides) } else { Place::At(y) };
     let area = |name: &str, ratio: i32, y: f64| FreeShaft {
         x: Place::Between(-0.1, 0.2),
-        y: Place::Between(y - sides, y + sides),
+        y: beside(y),
         ..shaft(name, ratio, 0.0, y)
     };
     BalanceTask {
