@@ -4,7 +4,8 @@
 //! A box of choices has a convex programme that loses nothing of it ([`relaxed`]), whose certificate bounds everything in
 //! the box from below. The box with the lowest bound is divided; choices near the programmes' optima are tried, and the
 //! best of them bounds the optimum from above. The search ends when no box can hold anything better by more than half the
-//! promised gap, or after [`search::MOST_NODES`] boxes a stage: then the gap that is left is stated.
+//! promised gap, or after [`search::MOST_NODES`] boxes a stage: then the gap that is left is stated. What only decides among
+//! equals is searched less far ([`search::Effort::AMONG_EQUALS`]).
 //!
 //! Later stages search the boxes that are left of the earlier ones. They hold an earlier stage within the other half of
 //! the gap; where the earlier optimum does not depend on the choices that are left they hold it exactly.
@@ -28,7 +29,7 @@ use choices::{Choices, stretch};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
 use relaxed::Ground;
-use search::{Found, Goal, Search};
+use search::{Effort, Found, Goal, Search};
 
 /// The best choice with its convex programme.
 pub(crate) struct Chosen {
@@ -158,7 +159,8 @@ fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, 
     let mut bounds = Vec::new();
     let mut stopped = None;
     for stage in 0..count {
-        let found = search.run(Goal::Stage(stage), boxes, &held, known.as_ref())?;
+        let effort = if stage < asked { Effort::FULL } else { Effort::AMONG_EQUALS };
+        let found = search.run(Goal::Stage(stage), boxes, &held, known.as_ref(), effort)?;
         let Some(best) = &found.best else {
             // What was asked stands whether or not this has a solution.
             if stage >= asked {
@@ -218,7 +220,7 @@ fn refusal(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError>
         return Ok(Ending::Infeasible { relaxation: f64::INFINITY, closest: Vec::new() });
     }
     let value = |found: &Found| found.best.as_ref().map_or(f64::INFINITY, |best| best.value);
-    let relaxed = search.run(Goal::Relaxation, Choices::of(task), &[], None)?;
+    let relaxed = search.run(Goal::Relaxation, Choices::of(task), &[], None, Effort::FULL)?;
     let mut closest = Vec::new();
     for Limit { criterion, .. } in &task.limits {
         let alone = BalanceTask {
@@ -233,7 +235,7 @@ fn refusal(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError>
             task: &alone,
         };
         let mut own = Search::new(&ground);
-        let found = own.run(Goal::Stage(0), Choices::of(&alone), &[], None)?;
+        let found = own.run(Goal::Stage(0), Choices::of(&alone), &[], None, Effort::FULL)?;
         search.nodes += own.nodes;
         search.solves += own.solves;
         closest.push(value(&found));
