@@ -259,6 +259,10 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
     }
 }
 
+/// An angle with less than this share of a criterion's multipliers holds nothing up: an interior-point method leaves such
+/// shares at every angle that it was given.
+const HELD_UP: f64 = 1e-9;
+
 /// Angles that hold a stage up.
 fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec<Active> {
     let revolutions = f64::from(problem.programme.grid.revolutions);
@@ -274,6 +278,12 @@ fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec
             active.push(Active { criterion: judged.criterion, theta: one.angle * revolutions, multiplier });
         }
     }
+    let sum = |criterion: Criterion| -> f64 {
+        active.iter().filter(|one| one.criterion == criterion).map(|one| one.multiplier).sum()
+    };
+    let least: Vec<f64> = active.iter().map(|one| HELD_UP * sum(one.criterion)).collect();
+    let mut least = least.into_iter();
+    active.retain(|one| least.next().is_some_and(|least| one.multiplier > least));
     active.sort_by(|a, b| a.theta.total_cmp(&b.theta));
     active
 }

@@ -125,6 +125,32 @@ fn multipliers_prove_the_value() {
     }
 }
 
+/// With a shaft for the first order a twin's force is held up by its second order at two angles, not at those that the solver
+/// was given to begin with.
+#[test]
+fn only_true_peaks_hold_an_optimum_up() {
+    let engine = stripped("twin-360");
+    let task = BalanceTask {
+        shafts: vec![shaft("against", -1, -0.02, 0.085)],
+        weights: vec![
+            on_crank("front", -0.045),
+            on_crank("rear", 0.045),
+            weight("on the shaft", Seat::Shaft(0), 0.0),
+        ],
+        stages: vec![stage(Load::Force)],
+        ..Default::default()
+    };
+    let answer = optimise(&engine, &task).unwrap();
+    assert_proved(&engine, &answer);
+    let stage = &answer.stages[0];
+    let with = Mechanism::new(&fitted(&engine, &answer), &LoadRequest::default()).unwrap();
+    assert!((1..=4).contains(&stage.active.len()), "{:?}", stage.active);
+    for active in &stage.active {
+        let c = with.components(active.theta);
+        assert!((c.force_x.hypot(c.force_y) - stage.value).abs() < 1e-9 * stage.value, "{active:?}");
+    }
+}
+
 /// Speed, mass and length only set the scale: an engine ten times as large, or a thousand times lighter, has the same
 /// optimum in its own measure.
 #[test]
