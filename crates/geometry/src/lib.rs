@@ -21,6 +21,7 @@ mod circular_segment;
 mod contour;
 mod crossing;
 mod design;
+pub mod drawing;
 mod edge;
 mod error;
 pub mod export;

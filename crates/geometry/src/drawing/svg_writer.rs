@@ -1,0 +1,59 @@
+//! The text of an SVG file.
+
+use super::decimal::decimal;
+use crate::edge::Edge;
+use crate::outline::Outline;
+use crate::point::Point;
+use std::fmt::Write;
+
+/// Bulge of a quarter turn, and a little for rounding.
+const QUARTER: f64 = 0.414_213_562_373_1;
+/// Below this an arc is its chord: the area between them is lost in the rounding of the corners.
+const STRAIGHT: f64 = 1e-16;
+
+/// The text of an SVG file of an outline: one user unit is a millimetre, also of the `width` and `height`.
+///
+/// One path holds all contours, filled by the even-odd rule; the y axis is turned, so that the drawing looks as in a frame with y up, and the
+/// crank axis is the origin. Arcs of circles are arc commands. An arc of more than a quarter turn is written as two or four of equal length: a
+/// chord and a radius do not tell the angle of a half circle to better than the root of their last digit.
+pub fn svg(outline: &Outline) -> String {
+    let [low, high] = outline.bounds().map(|corner| corner * 1e3);
+    let margin = 0.05 * (high.x - low.x).max(high.y - low.y);
+    let [width, height] = [high.x - low.x, high.y - low.y].map(|length| decimal(length + 2.0 * margin));
+    let (left, top) = (decimal(low.x - margin), decimal(-high.y - margin));
+    let mut path = String::new();
+    for contour in outline.contours() {
+        let start = contour.edges()[0].from;
+        write!(path, "M {}", point(start)).expect("invariant: writing to a string succeeds");
+        for (at, edge) in contour.edges().iter().enumerate() {
+            let last = at + 1 == contour.edges().len();
+            if !(last && edge.bulge.abs() < STRAIGHT) {
+                path.push_str(&command(edge));
+            }
+        }
+        path.push_str(" Z ");
+    }
+    let path = path.trim_end();
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"{left} {top} {width} {height}\">\n\
+         <path fill=\"#d9d9d9\" fill-rule=\"evenodd\" stroke=\"#000000\" stroke-width=\"0.25\" d=\"{path}\"/>\n</svg>\n"
+    )
+}
+
+/// A point [m], y turned.
+fn point(at: Point) -> String {
+    format!("{} {}", decimal(1e3 * at.x), decimal(-1e3 * at.y))
+}
+
+fn command(edge: &Edge) -> String {
+    if edge.bulge.abs() < STRAIGHT {
+        return format!(" L {}", point(edge.to));
+    }
+    if edge.bulge.abs() > QUARTER {
+        return edge.halves().iter().map(command).collect();
+    }
+    let radius = decimal(1e3 * edge.radius());
+    // Positive angles of SVG run from x to its y, which points down.
+    let sense = if edge.bulge > 0.0 { 0 } else { 1 };
+    format!(" A {radius} {radius} 0 0 {sense} {}", point(edge.to))
+}
