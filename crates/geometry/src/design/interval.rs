@@ -3,6 +3,7 @@
 //! Rounding is not directed outwards: it is some 1e-15 of the scaled formulas, and the proof leaves
 //! [`super::refute::ROUNDING`] for it.
 
+use super::jet::Base;
 use super::number::Number;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -69,19 +70,15 @@ impl Number for Interval {
         let top = self.low <= FRAC_PI_2 && self.high >= FRAC_PI_2;
         Interval { low: a.min(b), high: if top { 1.0 } else { a.max(b) } }
     }
-    fn cos(self) -> Interval {
-        Interval { low: self.high.cos(), high: self.low.cos() }
+    // Falls from one beyond a quarter turn.
+    fn late_sine(self) -> Interval {
+        Interval { low: self.high.late_sine(), high: self.low.late_sine() }
     }
-    // Derivative 2 sin^2 a.
-    fn excess(self) -> Interval {
-        Interval { low: self.low.excess(), high: self.high.excess() }
+    fn half_tangent(self) -> Interval {
+        Interval { low: self.low.half_tangent(), high: self.high.half_tangent() }
     }
-    // Derivative sin^2 a (2 - (4/3) sin^2 a), positive.
-    fn segment_polar(self) -> Interval {
-        Interval { low: self.low.segment_polar(), high: self.high.segment_polar() }
-    }
-    fn negative_square(self) -> Interval {
-        Interval { low: self.high.negative_square(), high: self.low.negative_square() }
+    fn segment(self) -> [Interval; 3] {
+        self.segment_by(0)
     }
     fn times(self, factor: f64) -> Interval {
         let (a, b) = (self.low * factor, self.high * factor);

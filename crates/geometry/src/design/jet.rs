@@ -1,5 +1,6 @@
 //! A value with its first derivatives, exact by the rules of differentiation.
 
+use super::arc;
 use super::interval::Interval;
 use super::number::Number;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -13,6 +14,10 @@ pub(super) struct Jet<T, const N: usize> {
 
 /// What a jet is made of: it can be differentiated.
 pub(super) trait Base: Number {
+    /// Cosine of an angle within [0, pi].
+    fn cos(self) -> Self;
+    /// Derivatives of [`Number::segment`] by the angle, of an order from 0 to 2.
+    fn segment_by(self, order: usize) -> [Self; 3];
     /// `min(d, 0)`.
     fn negative_part(self) -> Self;
     /// One below zero, zero above: the derivative of [`Base::negative_part`].
@@ -20,6 +25,12 @@ pub(super) trait Base: Number {
 }
 
 impl Base for f64 {
+    fn cos(self) -> f64 {
+        f64::cos(self)
+    }
+    fn segment_by(self, order: usize) -> [f64; 3] {
+        arc::segment(self, order)
+    }
     fn negative_part(self) -> f64 {
         self.min(0.0)
     }
@@ -29,6 +40,14 @@ impl Base for f64 {
 }
 
 impl Base for Interval {
+    fn cos(self) -> Interval {
+        Interval { low: self.high.cos(), high: self.low.cos() }
+    }
+    // Every derivative grows.
+    fn segment_by(self, order: usize) -> [Interval; 3] {
+        let (low, high) = (arc::segment(self.low, order), arc::segment(self.high, order));
+        std::array::from_fn(|k| Interval { low: low[k], high: high[k] })
+    }
     fn negative_part(self) -> Interval {
         Interval { low: self.low.min(0.0), high: self.high.min(0.0) }
     }
@@ -38,6 +57,13 @@ impl Base for Interval {
 }
 
 impl<T: Base, const N: usize> Base for Jet<T, N> {
+    fn cos(self) -> Self {
+        self.chain(self.value.cos(), -self.value.sin())
+    }
+    fn segment_by(self, order: usize) -> [Self; 3] {
+        let (values, slopes) = (self.value.segment_by(order), self.value.segment_by(order + 1));
+        std::array::from_fn(|k| self.chain(values[k], slopes[k]))
+    }
     fn negative_part(self) -> Self {
         let slope = self.value.below_zero();
         Jet { value: self.value.negative_part(), by: self.by.map(|d| d * slope) }
@@ -100,20 +126,15 @@ impl<T: Base, const N: usize> Number for Jet<T, N> {
     fn sin(self) -> Self {
         self.chain(self.value.sin(), self.value.cos())
     }
-    fn cos(self) -> Self {
-        self.chain(self.value.cos(), -self.value.sin())
+    fn late_sine(self) -> Self {
+        self.chain(self.value.late_sine(), self.value.cos().negative_part())
     }
-    fn excess(self) -> Self {
-        self.chain(self.value.excess(), self.value.sin().square().times(2.0))
+    fn half_tangent(self) -> Self {
+        let tangent = self.value.half_tangent();
+        self.chain(tangent, (T::of(1.0) + tangent.square()).times(0.5))
     }
-    fn segment_polar(self) -> Self {
-        let square = self.value.sin().square();
-        let slope = square * (T::of(2.0) - square.times(4.0 / 3.0));
-        self.chain(self.value.segment_polar(), slope)
-    }
-    fn negative_square(self) -> Self {
-        let slope = self.value.negative_part().times(2.0);
-        Jet { value: self.value.negative_square(), by: self.by.map(|d| d * slope) }
+    fn segment(self) -> [Self; 3] {
+        self.segment_by(0)
     }
     fn times(self, factor: f64) -> Self {
         Jet { value: self.value.times(factor), by: self.by.map(|d| d.times(factor)) }

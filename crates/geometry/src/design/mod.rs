@@ -3,6 +3,7 @@
 //! The thickness follows from the shape; a local search finds a shape, and branch and bound over intervals proves that no
 //! other is better (book, "The counterweight as a part").
 
+mod arc;
 mod bend;
 mod descent;
 mod front;

@@ -1,8 +1,9 @@
 //! What the shape's formulas compute with: numbers, intervals, and either with derivatives.
 //!
-//! A circular segment is given by its radius `R`, its half angle `a` within [0, pi].
+//! A circular segment is given by half its chord `w` and half its angle `a` within ]0, pi[.
 
-use crate::circular_segment::excess;
+use super::arc;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// Arithmetic that the formulas of the shape need.
@@ -13,14 +14,12 @@ pub(super) trait Number:
     fn of(value: f64) -> Self;
     /// Sine of an angle within [0, pi].
     fn sin(self) -> Self;
-    /// Cosine of an angle within [0, pi].
-    fn cos(self) -> Self;
-    /// `a - sin a cos a`: the area of a segment over the square of its radius.
-    fn excess(self) -> Self;
-    /// `a/2 - sin a cos^3 a/2 - sin^3 a cos a/6`: its polar moment about the circle's centre over the fourth power.
-    fn segment_polar(self) -> Self;
-    /// `min(d, 0)^2`.
-    fn negative_square(self) -> Self;
+    /// Sine of an angle within [0, pi] beyond a quarter turn, one before: half the width of an arc over its radius, or over half its chord.
+    fn late_sine(self) -> Self;
+    /// Tangent of half an angle within [0, pi[: height of a segment over half its chord.
+    fn half_tangent(self) -> Self;
+    /// Area, first moment about the chord, and polar moment about its middle, of a segment whose chord is 2.
+    fn segment(self) -> [Self; 3];
 
     /// Times a constant.
     fn times(self, factor: f64) -> Self {
@@ -39,17 +38,13 @@ impl Number for f64 {
     fn sin(self) -> f64 {
         f64::sin(self)
     }
-    fn cos(self) -> f64 {
-        f64::cos(self)
+    fn late_sine(self) -> f64 {
+        if self > FRAC_PI_2 { f64::sin(self) } else { 1.0 }
     }
-    fn excess(self) -> f64 {
-        excess(self)
+    fn half_tangent(self) -> f64 {
+        (self / 2.0).tan()
     }
-    fn segment_polar(self) -> f64 {
-        let (s, c) = self.sin_cos();
-        self / 2.0 - s * c * (c * c / 2.0 + s * s / 6.0)
-    }
-    fn negative_square(self) -> f64 {
-        self.min(0.0).powi(2)
+    fn segment(self) -> [f64; 3] {
+        arc::segment(self, 0)
     }
 }

@@ -1,7 +1,8 @@
 //! The task in scaled numbers: the shape's variables and all that must not be positive.
 //!
 //! Lengths over the largest length of the ranges, unbalance over the least unbalance asked for, so that the density is one.
-//! Five variables: `r`, `h`, `H`, `R` and `a = alpha/2`. The thickness is no variable: everything that is limited or made small grows
+//! Five variables: `r`, `h`, `H`, half the chord `w = R sin a`, and `a = alpha/2`. In `w` instead of `R` the integrals over the shape are sums of
+//! products of what grows, which keeps intervals narrow. The thickness is no variable: everything that is limited or made small grows
 //! with it, so that it is best as small as the unbalance and its own range allow, `t = max(t_least, U/(rho S))`
 //! (book, eq. 22.27).
 
@@ -92,8 +93,9 @@ pub(super) struct Quantities<T> {
     web_radius: T,
     shoulder_height: T,
     chord: T,
-    half_width: T,
-    inset: T,
+    half_chord: T,
+    sine: T,
+    late_sine: T,
     shoulder: T,
     crown: T,
 }
@@ -104,6 +106,7 @@ pub(super) struct Problem {
     pub low: [f64; SHAPE],
     pub high: [f64; SHAPE],
     pub levels: Levels<f64>,
+    arc_radius: [f64; 2],
     thinnest: f64,
     most_balance: Option<f64>,
     shoulder_angle: Option<[f64; 2]>,
@@ -131,7 +134,10 @@ impl Problem {
         let scaled = |range: Range| [range.least / length, range.most / length];
         let (web, rectangle, arc_radius) =
             (scaled(task.web_radius), scaled(task.rectangle_height), scaled(task.arc_radius));
-        let half_angle = [task.arc_angle.least / 2.0, task.arc_angle.most / 2.0];
+        // The chord is at least as wide as the web; a little wider, for rounding.
+        let flattest = (web[0] / arc_radius[1] * (1.0 - 1e-9)).min(1.0).asin();
+        let half_angle =
+            [(task.arc_angle.least / 2.0).max(flattest), (task.arc_angle.most / 2.0).min(PI - flattest)];
         let sines = Interval::new(half_angle[0], half_angle[1]).sin();
         let half_width = [arc_radius[0] * sines.low, arc_radius[1] * sines.high];
         let stands_out = [(half_width[0] - web[1]).max(0.0), (half_width[1] - web[0]).max(0.0)];
@@ -147,7 +153,7 @@ impl Problem {
         if let Some(limit) = task.limits.shoulder_height.map(scaled) {
             shoulder = [shoulder[0].max(limit[0]), shoulder[1].min(limit[1])];
         }
-        let ranges = [web, rectangle, shoulder, arc_radius, half_angle];
+        let ranges = [web, rectangle, shoulder, half_width, half_angle];
         let mut problem = Problem {
             low: ranges.map(|range| range[0]),
             high: ranges.map(|range| range[1]),
@@ -159,6 +165,7 @@ impl Problem {
                 half_width: None,
                 balance: 1.0,
             },
+            arc_radius,
             thinnest: 0.0,
             most_balance: task.most_balance.map(|most| most / task.least_balance),
             shoulder_angle: angle.map(|range| [range.least, range.most]),
@@ -192,7 +199,7 @@ impl Problem {
             web_radius: x[0] * self.length,
             rectangle_height: x[1] * self.length,
             shoulder_height: x[2] * self.length,
-            arc_radius: x[3] * self.length,
+            arc_radius: (x[3] / x[4].sin()).clamp(self.arc_radius[0], self.arc_radius[1]) * self.length,
             arc_angle: 2.0 * x[4],
         }
     }
@@ -210,24 +217,28 @@ impl Problem {
 
     /// What a shape amounts to.
     pub fn quantities<T: Number>(&self, x: &[T; SHAPE]) -> Quantities<T> {
-        let [r, h, big_h, radius, a] = *x;
-        let (y, w, d) = (h + big_h, radius * a.sin(), radius * a.cos());
-        let shoulder = w - r;
-        let square = radius.square();
-        let segment = square * a.excess();
-        let (r2, y2, w2) = (r.square(), y.square(), w.square());
-        let lever = (w2 * w).times(2.0 / 3.0);
-        let centre = y - d;
-        // The rectangle goes on to the chord, beside it the flanks as two triangles.
-        let area = segment + (r * y).times(2.0) + shoulder * big_h - r2.times(PI / 2.0);
-        let first = segment * centre + lever + r * y2 + shoulder * big_h * (y - big_h.times(1.0 / 3.0))
+        let [r, h, big_h, w, a] = *x;
+        let y = h + big_h;
+        let [area, first, polar] = a.segment();
+        let (r2, w2) = (r.square(), w.square());
+        let (segment, lever) = (w2 * area, w2 * w * first);
+        let sum = r + w;
+        // Nothing is taken away but the web's disc, so that intervals stay narrow.
+        let area = segment + sum * big_h + (r * h).times(2.0) - r2.times(PI / 2.0);
+        let first = segment * y
+            + lever
+            + big_h * (h * sum + big_h * (sum + w).times(1.0 / 3.0))
+            + r * h.square()
             - (r2 * r).times(2.0 / 3.0);
-        let polar = square.square() * a.segment_polar()
-            + (centre * lever).times(2.0)
-            + centre.square() * segment
-            + (r * y * (y2 + r2)).times(2.0 / 3.0)
-            + shoulder * big_h * (y2 - (y * big_h).times(2.0 / 3.0) + big_h.square().times(1.0 / 6.0))
-            + shoulder * big_h * (w2 + (w * r).times(2.0) + r2.times(3.0)).times(1.0 / 6.0)
+        let polar = w2.square() * polar
+            + (y * lever).times(2.0)
+            + y.square() * segment
+            + (r * h * (h.square() + r2)).times(2.0 / 3.0)
+            + big_h
+                * (h.square() * sum
+                    + h * big_h * (sum + w).times(2.0 / 3.0)
+                    + big_h.square() * (sum + w.times(2.0)).times(1.0 / 6.0)
+                    + sum * (w2 + r2).times(1.0 / 6.0))
             - r2.square().times(PI / 4.0);
         Quantities {
             area,
@@ -236,10 +247,11 @@ impl Problem {
             web_radius: r,
             shoulder_height: big_h,
             chord: y,
-            half_width: w,
-            inset: d,
-            shoulder,
-            crown: centre + radius,
+            half_chord: w,
+            sine: a.sin(),
+            late_sine: a.late_sine(),
+            shoulder: w - r,
+            crown: y + w * a.half_tangent(),
         }
     }
 
@@ -271,7 +283,7 @@ impl Problem {
                 push(integral * levels.balance - level * q.first, is(kind) || balance);
             }
         }
-        let (r, y, w) = (q.web_radius, q.chord, q.half_width);
+        let (r, y, w) = (q.web_radius, q.chord, q.half_chord);
         if let Some(reach) = levels.swept_radius {
             // The corner of the rectangle lies no farther than the corner of the chord.
             let swept = is(Kind::SweptRadius);
@@ -280,8 +292,11 @@ impl Problem {
             push(q.crown - reach, swept);
         }
         if let Some(most) = levels.half_width {
-            push(w.square() + q.inset.negative_square() - most.square(), is(Kind::HalfWidth));
+            push(w - most * q.late_sine, is(Kind::HalfWidth));
         }
+        let [least, most] = self.arc_radius;
+        push(q.sine.times(least) - w, false);
+        push(w - q.sine.times(most), false);
         push(-q.shoulder, false);
         push(r - q.crown, false);
         if let Some(range) = self.shoulder_angle {
@@ -303,8 +318,8 @@ impl Problem {
             Kind::Mass => q.area * thickness,
             Kind::Inertia => q.polar * thickness,
             Kind::Thickness => thickness,
-            Kind::SweptRadius => q.web_radius.max(q.chord.hypot(q.half_width)).max(q.crown),
-            Kind::HalfWidth => q.half_width.hypot(q.inset.min(0.0)),
+            Kind::SweptRadius => q.web_radius.max(q.chord.hypot(q.half_chord)).max(q.crown),
+            Kind::HalfWidth => q.half_chord / q.late_sine,
             Kind::Balance => {
                 let by_mass = levels.mass.map_or(f64::INFINITY, |most| most / q.area);
                 let by_inertia = levels.inertia.map_or(f64::INFINITY, |most| most / q.polar);
