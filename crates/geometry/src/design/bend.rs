@@ -5,6 +5,9 @@ use super::number::Number;
 use super::problem::SHAPE;
 use std::ops::Add;
 
+/// Most rounds in search of the least of a convex bound.
+const SWEEPS: usize = 8;
+
 /// Ranges of the second derivatives of a term over a box.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bend(pub [[Interval; SHAPE]; SHAPE]);
@@ -35,9 +38,50 @@ impl Bend {
 
     /// Lower bound of the same by the whole matrix: zero where it is positive definite over the box.
     ///
-    /// In units of the half widths the matrix is its middle, less the sum of the radii of each row on the diagonal. Its
-    /// factorisation `L D L^T` is made positive by adding to `D`; what was added is lost, since `|s_k| <= 1`.
+    /// What makes the matrix positive is lost, since `|s_k| <= 1` in units of the half widths.
     pub fn drop_of_whole(&self, half: &[f64; SHAPE]) -> f64 {
+        -0.5 * self.convex(half).1
+    }
+
+    /// Lower bound of `slope . s + 1/2 SUM H_jk s_j s_k` for `|s_k| <= half_k`.
+    ///
+    /// The matrix is made positive as in [`Bend::drop_of_whole`]. What is then convex is followed down variable by variable;
+    /// its tangent there is the bound, however far that came.
+    pub fn least(&self, slope: &[f64; SHAPE], half: &[f64; SHAPE]) -> f64 {
+        let (matrix, added) = self.convex(half);
+        let start: [f64; SHAPE] = std::array::from_fn(|k| slope[k] * half[k]);
+        let (mut point, mut rise) = ([0.0f64; SHAPE], start);
+        for _ in 0..SWEEPS {
+            let mut moved = 0.0f64;
+            for k in 0..SHAPE {
+                let curve = matrix[k][k];
+                let step = if curve > 0.0 {
+                    (point[k] - rise[k] / curve).clamp(-1.0, 1.0) - point[k]
+                } else {
+                    // Straight: to the end that lies lower, which the tangent reaches anyway.
+                    0.0
+                };
+                point[k] += step;
+                for (rise, entry) in rise.iter_mut().zip(&matrix[k]) {
+                    *rise += entry * step;
+                }
+                moved = moved.max(step.abs());
+            }
+            if moved < 1e-2 {
+                break;
+            }
+        }
+        let mut least = -0.5 * added;
+        for k in 0..SHAPE {
+            // The value 1/2 (start + rise) . point, and from there the tangent's fall to the corner.
+            least += 0.5 * (start[k] - rise[k]) * point[k] - rise[k].abs();
+        }
+        least
+    }
+
+    /// The matrix in units of the half widths: its middle, less the sum of the radii of each row on the diagonal. Its
+    /// factorisation `L D L^T` is made positive by adding to `D`, which adds as much to its diagonal; with it the sum of what was added.
+    fn convex(&self, half: &[f64; SHAPE]) -> ([[f64; SHAPE]; SHAPE], f64) {
         let mut m = [[0.0; SHAPE]; SHAPE];
         for j in 0..SHAPE {
             for k in 0..SHAPE {
@@ -46,25 +90,45 @@ impl Bend {
                 m[j][j] -= 0.5 * (entry.high - entry.low) * scale;
             }
         }
+        let mut whole = m;
         let mut added = 0.0;
-        for pivot in 0..SHAPE {
-            let beside = (pivot + 1..SHAPE).map(|k| m[k][pivot].abs()).fold(0.0, f64::max);
-            let floor = 0.1 * beside;
+        let mut open = [true; SHAPE];
+        for _ in 0..SHAPE {
+            let mut pivot = SHAPE;
+            for k in 0..SHAPE {
+                if open[k] && (pivot == SHAPE || m[k][k] > m[pivot][pivot]) {
+                    pivot = k;
+                }
+            }
+            open[pivot] = false;
+            let mut beside = 0.0;
+            for k in 0..SHAPE {
+                if open[k] {
+                    beside += m[k][pivot] * m[k][pivot];
+                }
+            }
+            let floor = f64::sqrt(beside);
             if m[pivot][pivot] < floor {
                 added += floor - m[pivot][pivot];
+                whole[pivot][pivot] += floor - m[pivot][pivot];
                 m[pivot][pivot] = floor;
             }
             if beside == 0.0 {
                 continue;
             }
-            for j in pivot + 1..SHAPE {
+            for j in 0..SHAPE {
+                if !open[j] {
+                    continue;
+                }
                 let factor = m[j][pivot] / m[pivot][pivot];
-                for k in pivot + 1..SHAPE {
-                    m[j][k] -= factor * m[pivot][k];
+                for k in 0..SHAPE {
+                    if open[k] {
+                        m[j][k] -= factor * m[pivot][k];
+                    }
                 }
             }
         }
-        -0.5 * added
+        (whole, added)
     }
 }
 

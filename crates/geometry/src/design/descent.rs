@@ -11,7 +11,10 @@ type Gradient = Jet<f64, VARIABLES>;
 
 /// A violation below this is rounding, in scaled terms.
 pub(super) const FEASIBLE: f64 = 1e-12;
+thread_local! { pub static RUNS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) }; pub static LPS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) }; }
 const STEPS: usize = 120;
+/// Steps in which the distance to what is known must halve.
+const JUDGED: usize = 8;
 
 /// A shape, the level that it reaches and by how much it passes other limits.
 #[derive(Debug, Clone, Copy)]
@@ -55,13 +58,21 @@ impl Descent {
         Reached { x, level, violation }
     }
 
-    /// The best shape near `x`.
-    pub fn run(&mut self, problem: &Problem, kind: Kind, x: [f64; SHAPE]) -> Reached {
+    /// The best shape near `x`; given up where it does not get near to what is known already.
+    pub fn run(
+        &mut self,
+        problem: &Problem,
+        kind: Kind,
+        x: [f64; SHAPE],
+        known: Option<Reached>,
+    ) -> Reached {
+        RUNS.with(|r| r.set(r.get()+1));
         let mut here = self.reached(problem, kind, x);
         let mut radius = 0.25;
         let mut penalty = 10.0;
         let mut stalled = 0;
-        for _ in 0..STEPS {
+        let mut behind = f64::INFINITY;
+        for at in 1..=STEPS {
             let Some(next) = self.step(problem, kind, &here, radius) else { break };
             let next = self.reached(problem, kind, next);
             let merit =
@@ -83,6 +94,15 @@ impl Descent {
             }
             if radius < 1e-10 || stalled > 2 {
                 break;
+            }
+            if let Some(known) = known
+                && at % JUDGED == 0
+            {
+                let now = sense(kind) * (here.level - known.level) / known.level + penalty * here.violation;
+                if now > 0.5 * behind {
+                    return here;
+                }
+                behind = now.max(0.0);
             }
         }
         self.restored(problem, kind, here)
@@ -118,6 +138,7 @@ impl Descent {
         radius: f64,
         elastic: bool,
     ) -> Option<[f64; SHAPE]> {
+        LPS.with(|r| r.set(r.get()+1));
         let level = if here.level.is_finite() { here.level } else { 1.0 };
         let x: [Gradient; SHAPE] = std::array::from_fn(|k| Jet::variable(here.x[k], k));
         let q = problem.quantities(&x);

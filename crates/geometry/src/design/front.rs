@@ -1,7 +1,8 @@
 //! The trade between two objectives: designs of which none is better in both.
 
-use super::optimum::{DESIGN_VERSION, Design, Search, realised, within};
+use super::optimum::{DESIGN_VERSION, Design, PROVED_GAP, Search, realised, within};
 use super::problem::{Kind, Problem};
+use super::refute::ROUNDING;
 use super::task::{DesignTask, Objective};
 use crate::error::GeometryError;
 use serde::Serialize;
@@ -22,8 +23,9 @@ pub struct Front {
     pub boxes: usize,
 }
 
-/// What the second objective may be larger than its level: less than its own rounding.
-const SLACK: f64 = 1e-12;
+/// What an objective may be larger than its least where the other is made small: a tenth of what is proved of it. Without
+/// room the shapes that are left are too few to tell them from none.
+const SLACK: f64 = 0.1 * PROVED_GAP;
 
 /// Up to `count` designs of the front between two objectives, evenly spread over the second.
 ///
@@ -58,8 +60,10 @@ pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Res
         front.proved &= found.proved;
         let Some(best) = found.best.filter(|best| within(&problem, kind, best)) else { return Ok(front) };
         let mut limited = problem.clone();
-        limited.levels = problem.levels.with(kind, best.level * (1.0 + SLACK));
+        let own = problem.levels.of(kind).unwrap_or(f64::INFINITY).max(best.level * (1.0 + ROUNDING));
+        limited.levels = problem.levels.with(kind, own.min(best.level * (1.0 + SLACK)));
         let found = search.best(&limited, other, Some(best.x));
+        if std::env::var("DBG").is_ok() { eprintln!("end boxes {} {}", found.boxes, found.proved); }
         front.boxes += found.boxes;
         front.proved &= found.proved;
         *end = found.best.or(Some(best));
@@ -77,7 +81,9 @@ pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Res
         }
         let mut limited = problem.clone();
         limited.levels = problem.levels.with(second, limit);
+        let t0 = std::time::Instant::now();
         let found = search.best(&limited, first, Some(last));
+        if std::env::var("DBG").is_ok() { eprintln!("{at} {limit:.6} boxes {} {:?} level {:?} {}", found.boxes, t0.elapsed(), found.best.map(|b|(b.level,b.x)), found.proved); }
         front.boxes += found.boxes;
         front.proved &= found.proved;
         if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {

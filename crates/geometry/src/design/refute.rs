@@ -84,7 +84,7 @@ impl Refuter {
         descent: &mut Descent,
     ) -> Refutation {
         let mut stack = vec![Cell { low: problem.low, high: problem.high, bends: Rc::default(), age: FRESH }];
-        let (mut boxes, mut searched, mut left) = (0, 0, false);
+        let (mut boxes, mut next, mut left) = (0usize, 1usize, false);
         while let Some(mut cell) = stack.pop() {
             boxes += 1;
             if boxes > MOST_BOXES {
@@ -97,11 +97,12 @@ impl Refuter {
                 cell.age = 0;
             }
             let Verdict::Left(mut cell, point) = self.examine(problem, kind, target, cell) else { continue };
+            let is_searched = boxes >= next;
+            if is_searched { next = boxes * 2; }
             let widest = self.widest(problem, &cell);
             let is_small = widest.is_none_or(|(_, width)| width < SMALLEST);
-            if searched < SEARCHED || best.is_none() || is_small {
-                searched += 1;
-                let found = descent.run(problem, kind, point);
+            if is_searched || best.is_none() || is_small {
+                let found = descent.run(problem, kind, point, best);
                 // Steps of rounding would go on for ever.
                 let is_better = |old: Reached| sense(kind) * (old.level - found.level) > 1e-10 * old.level;
                 if found.is_feasible() && best.is_none_or(is_better) {
@@ -213,11 +214,21 @@ impl Refuter {
                 // The sum of the terms with their multipliers bends as a whole, often upwards where each alone bends down.
                 let mut whole = Bend::none();
                 let mut drops = 0.0;
+                let (mut value, mut slope, mut sum) = (0.0, [0.0; SHAPE], 1.0);
                 for (row, multiplier) in self.simplex.multipliers() {
+                    let term = &self.terms[row].value;
+                    value += multiplier * term.value;
+                    sum += multiplier;
+                    for (slope, by) in slope.iter_mut().zip(&term.by) {
+                        *slope += multiplier * by;
+                    }
                     whole = whole + cell.bends[row].times(multiplier);
                     drops += multiplier * cell.bends[row].drop(&half);
                 }
                 self.whole = (drops < 0.0).then_some(whole);
+                if value + whole.least(&slope, &half) > ROUNDING * sum {
+                    return Verdict::Refuted;
+                }
                 let gain = (whole.drop_of_whole(&half) - drops).max(0.0);
                 if self.simplex.least() + gain > limit {
                     return Verdict::Refuted;
