@@ -118,7 +118,10 @@ mod tests {
                 let exact = segment(angle, order + 1);
                 for k in 0..3 {
                     let difference = (plus[k] - minus[k]) / (2.0 * step);
-                    assert!((difference - exact[k]).abs() < 1e-5 * (1.0 + exact[k].abs()), "{order} {angle} {k}");
+                    assert!(
+                        (difference - exact[k]).abs() < 1e-5 * (1.0 + exact[k].abs()),
+                        "{order} {angle} {k}"
+                    );
                 }
             }
         }

@@ -144,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn both_bounds_lie_below_every_value() {
+    fn prop_bounds_lie_below_every_value() {
         let mut seed = 5u32;
         let mut next = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -163,6 +163,8 @@ mod tests {
             let bend = Bend(entries.map(|row| row.map(|e| Interval::new(e - 0.01, e + 0.01))));
             let half: [f64; SHAPE] = std::array::from_fn(|_| 0.1 + next().abs());
             let (by_entry, whole) = (bend.drop(&half), bend.drop_of_whole(&half));
+            let slope: [f64; SHAPE] = std::array::from_fn(|_| 2.0 * next());
+            let least = bend.least(&slope, &half);
             convex += usize::from(whole == 0.0);
             for _ in 0..100 {
                 let s: [f64; SHAPE] = std::array::from_fn(|k| next() * half[k]);
@@ -172,6 +174,8 @@ mod tests {
                         value += 0.5 * (entries[j][k] + 0.01) * s[j] * s[k];
                     }
                 }
+                let sloped = value + slope.iter().zip(&s).map(|(slope, s)| slope * s).sum::<f64>();
+                assert!(sloped >= least - 1e-12, "{sloped} {least}");
                 assert!(value >= by_entry - 1e-12 && value >= whole - 1e-12, "{value} {by_entry} {whole}");
             }
         }

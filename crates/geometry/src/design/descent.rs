@@ -11,7 +11,6 @@ type Gradient = Jet<f64, VARIABLES>;
 
 /// A violation below this is rounding, in scaled terms.
 pub(super) const FEASIBLE: f64 = 1e-12;
-thread_local! { pub static RUNS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) }; pub static LPS: std::cell::Cell<u64> = const { std::cell::Cell::new(0) }; }
 const STEPS: usize = 120;
 /// Steps in which the distance to what is known must halve.
 const JUDGED: usize = 8;
@@ -37,6 +36,8 @@ pub(super) struct Descent {
     rows: Vec<Row>,
     terms: Vec<Term<Gradient>>,
     plain: Vec<Term<f64>>,
+    /// What a unit of violation is worth in parts of the level, by the multipliers of the last programme.
+    worth: f64,
 }
 
 /// +1 where the level is made small, -1 where it is made large.
@@ -59,22 +60,17 @@ impl Descent {
     }
 
     /// The best shape near `x`; given up where it does not get near to what is known already.
-    pub fn run(
-        &mut self,
-        problem: &Problem,
-        kind: Kind,
-        x: [f64; SHAPE],
-        known: Option<Reached>,
-    ) -> Reached {
-        RUNS.with(|r| r.set(r.get()+1));
+    pub fn run(&mut self, problem: &Problem, kind: Kind, x: [f64; SHAPE], known: Option<Reached>) -> Reached {
         let mut here = self.reached(problem, kind, x);
         let mut radius = 0.25;
-        let mut penalty = 10.0;
+        let mut penalty: f64 = 10.0;
         let mut stalled = 0;
         let mut behind = f64::INFINITY;
         for at in 1..=STEPS {
             let Some(next) = self.step(problem, kind, &here, radius) else { break };
             let next = self.reached(problem, kind, next);
+            // A violation must cost more than it gains.
+            penalty = penalty.max((2.0 * self.worth).min(1e9));
             let merit =
                 |r: &Reached| sense(kind) * r.level / here.level.abs().max(1e-300) + penalty * r.violation;
             let better = match (here.level.is_finite(), next.level.is_finite()) {
@@ -99,7 +95,7 @@ impl Descent {
                 && at % JUDGED == 0
             {
                 let now = sense(kind) * (here.level - known.level) / known.level + penalty * here.violation;
-                if now > 0.5 * behind {
+                if now > 0.5 * behind || (now > 0.0 && now < 1e-8) {
                     return here;
                 }
                 behind = now.max(0.0);
@@ -138,7 +134,6 @@ impl Descent {
         radius: f64,
         elastic: bool,
     ) -> Option<[f64; SHAPE]> {
-        LPS.with(|r| r.set(r.get()+1));
         let level = if here.level.is_finite() { here.level } else { 1.0 };
         let x: [Gradient; SHAPE] = std::array::from_fn(|k| Jet::variable(here.x[k], k));
         let q = problem.quantities(&x);
@@ -185,6 +180,8 @@ impl Descent {
         if self.simplex.solve(&self.rows, &upper[..=count], f64::INFINITY) != End::Optimal {
             return None;
         }
+        let limits = self.simplex.multipliers().filter(|(row, _)| !elastic && !self.terms[*row].of_objective);
+        self.worth = limits.map(|(_, multiplier)| multiplier).sum::<f64>() / level.abs().max(1e-300);
         let point = self.simplex.point();
         let mut next = here.x;
         for (column, (k, low, width)) in free.iter().enumerate() {

@@ -63,7 +63,6 @@ pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Res
         let own = problem.levels.of(kind).unwrap_or(f64::INFINITY).max(best.level * (1.0 + ROUNDING));
         limited.levels = problem.levels.with(kind, own.min(best.level * (1.0 + SLACK)));
         let found = search.best(&limited, other, Some(best.x));
-        if std::env::var("DBG").is_ok() { eprintln!("end boxes {} {}", found.boxes, found.proved); }
         front.boxes += found.boxes;
         front.proved &= found.proved;
         *end = found.best.or(Some(best));
@@ -81,9 +80,7 @@ pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Res
         }
         let mut limited = problem.clone();
         limited.levels = problem.levels.with(second, limit);
-        let t0 = std::time::Instant::now();
         let found = search.best(&limited, first, Some(last));
-        if std::env::var("DBG").is_ok() { eprintln!("{at} {limit:.6} boxes {} {:?} level {:?} {}", found.boxes, t0.elapsed(), found.best.map(|b|(b.level,b.x)), found.proved); }
         front.boxes += found.boxes;
         front.proved &= found.proved;
         if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {

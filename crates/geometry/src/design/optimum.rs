@@ -217,21 +217,22 @@ impl Search {
             return Refutation { best: None, proved: true, boxes: 0 };
         }
         let mut best: Option<Reached> = None;
-        let starts = if hint.is_some() { 1 } else { STARTS };
-        for start in hint.into_iter().chain((0..starts).map(|at| spread(problem, at))) {
-            let found = self.descent.run(problem, kind, start, best);
+        let mut take = |found: Reached| {
             let is_better = |old: Reached| sense(kind) * found.level < sense(kind) * old.level;
             if found.is_feasible() && best.is_none_or(is_better) {
                 best = Some(found);
             }
+            best
+        };
+        let mut known = None;
+        if let Some(x) = hint {
+            take(self.descent.reached(problem, kind, x));
+            known = take(self.descent.run(problem, kind, x, None));
         }
-        let dbg = std::env::var("DBG").is_ok();
-        let show = |w: &str| if dbg { eprint!("{w} runs {} lps {}; ", super::descent::RUNS.take(), super::descent::LPS.take()) };
-        show("starts");
-        let r = self.refuter.run(problem, kind, best, PROVED_GAP, &mut self.descent);
-        show("boxes");
-        if dbg { eprintln!("{} boxes start {:?}", r.boxes, best.map(|b| b.level / r.best.map_or(1.0, |b| b.level) - 1.0)); }
-        r
+        for at in 0..if hint.is_some() { 1 } else { STARTS } {
+            known = take(self.descent.run(problem, kind, spread(problem, at), known));
+        }
+        self.refuter.run(problem, kind, best, PROVED_GAP, &mut self.descent)
     }
 
     fn infeasible(&mut self, task: &DesignTask, problem: &Problem, proved: bool) -> Infeasible {

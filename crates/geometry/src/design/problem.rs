@@ -225,11 +225,9 @@ impl Problem {
         let sum = r + w;
         // Nothing is taken away but the web's disc, so that intervals stay narrow.
         let area = segment + sum * big_h + (r * h).times(2.0) - r2.times(PI / 2.0);
-        let first = segment * y
-            + lever
-            + big_h * (h * sum + big_h * (sum + w).times(1.0 / 3.0))
-            + r * h.square()
-            - (r2 * r).times(2.0 / 3.0);
+        let first =
+            segment * y + lever + big_h * (h * sum + big_h * (sum + w).times(1.0 / 3.0)) + r * h.square()
+                - (r2 * r).times(2.0 / 3.0);
         let polar = w2.square() * polar
             + (y * lever).times(2.0)
             + y.square() * segment

@@ -1,13 +1,9 @@
 //! The proof: no shape of the ranges reaches a level better than a given one.
 //!
-//! Branch and bound over boxes of the five variables. In a box each term has a range of values and of derivatives, so that from
-//! a corner `c` of the box
-//!
-//! ```text
-//! term(x) >= term(c) + SUM over k of min(derivative_k over the box) (x_k - c_k)        c the lower corner  (book, eq. 22.29)
-//! ```
-//! and likewise from the upper corner. If the linear programme of these lower bounds has no solution, the box has no shape that
-//! satisfies all terms. What the programme leaves of the box is cut to it; the rest is halved.
+//! Branch and bound over boxes of the five variables. In a box each term has a range of second derivatives, so that it lies above its
+//! tangent at the middle less a constant (book, eq. 22.29). If the linear programme of these lower bounds has no solution, the box has no
+//! shape that satisfies all terms; nor has it where the sum of the terms with the programme's multipliers is positive throughout
+//! (eq. 22.30). What the programme leaves of the box is cut to it; the rest is halved.
 
 use super::bend::Bend;
 use super::descent::{Descent, Reached, sense};
@@ -23,8 +19,6 @@ pub(super) const ROUNDING: f64 = 1e-12;
 /// A box smaller than this in every variable is left as it is.
 const SMALLEST: f64 = 1e-7;
 const MOST_BOXES: usize = 200_000;
-/// Boxes from which a better shape is looked for.
-const SEARCHED: usize = 24;
 
 /// A term with its first derivatives, at the middle of a box.
 type Slopes = Jet<f64, SHAPE>;
@@ -84,7 +78,7 @@ impl Refuter {
         descent: &mut Descent,
     ) -> Refutation {
         let mut stack = vec![Cell { low: problem.low, high: problem.high, bends: Rc::default(), age: FRESH }];
-        let (mut boxes, mut next, mut left) = (0usize, 1usize, false);
+        let (mut boxes, mut searched, mut left) = (0usize, 1, false);
         while let Some(mut cell) = stack.pop() {
             boxes += 1;
             if boxes > MOST_BOXES {
@@ -97,12 +91,15 @@ impl Refuter {
                 cell.age = 0;
             }
             let Verdict::Left(mut cell, point) = self.examine(problem, kind, target, cell) else { continue };
-            let is_searched = boxes >= next;
-            if is_searched { next = boxes * 2; }
+            // A better shape is looked for whenever the number of boxes has doubled.
+            let is_searched = boxes >= searched;
+            if is_searched {
+                searched = 2 * boxes;
+            }
             let widest = self.widest(problem, &cell);
             let is_small = widest.is_none_or(|(_, width)| width < SMALLEST);
             if is_searched || best.is_none() || is_small {
-                let found = descent.run(problem, kind, point, best);
+                let found = descent.run(problem, kind, point, best.filter(|_| !is_small));
                 // Steps of rounding would go on for ever.
                 let is_better = |old: Reached| sense(kind) * (old.level - found.level) > 1e-10 * old.level;
                 if found.is_feasible() && best.is_none_or(is_better) {

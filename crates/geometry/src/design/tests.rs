@@ -42,7 +42,8 @@ fn points(problem: &Problem, count: usize) -> Vec<[f64; SHAPE]> {
         let x: [f64; SHAPE] =
             std::array::from_fn(|k| problem.low[k] + next() * (problem.high[k] - problem.low[k]));
         let radius = x[3] / x[4].sin() * problem.length;
-        if x[3] >= x[0] && x[1] + x[2] + x[3] * (x[4] / 2.0).tan() >= x[0] && (0.03..=0.07).contains(&radius) {
+        if x[3] >= x[0] && x[1] + x[2] + x[3] * (x[4] / 2.0).tan() >= x[0] && (0.03..=0.07).contains(&radius)
+        {
             found.push(x);
         }
     }
