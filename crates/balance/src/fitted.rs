@@ -42,7 +42,7 @@ pub(crate) fn taken_over(engine: &Engine, task: &BalanceTask, criterion: Criteri
 /// The engine with the weights and shafts of `answer` in place of those with the same names.
 ///
 /// Weights that are not used are left out, and shafts without weights. A direction that is a round one but for what
-/// the solver leaves uncertain ([`DIRECTION`]) becomes it: 180 deg, not 180.00000008. An engine for which there is no
+/// the solver leaves uncertain (3e-9 rad) becomes it: 180 deg, not 180.00000008. An engine for which there is no
 /// answer comes back as it was.
 pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
     if answer.weights.is_empty() {
