@@ -71,6 +71,7 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
                 z: found.z,
                 unbalance,
                 angle: phase - engine.crankshafts[crankshaft].phase,
+                part: None,
             }),
             Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight { z: found.z, unbalance, phase }),
         }

@@ -368,6 +368,7 @@ fn weight(engine: &Engine, throw: usize, unbalance: Complex64) -> Counterweight 
         z: own.z,
         unbalance: unbalance.norm(),
         angle: own.angle + std::f64::consts::PI + turn,
+        part: None,
     }
 }
 

@@ -15,30 +15,9 @@
 //! ```
 #![forbid(unsafe_code)]
 
-mod area_moments;
-mod chamfer;
-mod circular_segment;
-mod contour;
-mod crossing;
 mod design;
 pub mod drawing;
-mod edge;
-mod error;
 pub mod export;
-mod mass_properties;
-mod outline;
-mod part;
-mod point;
-mod shape;
 
-pub use area_moments::AreaMoments;
-pub use chamfer::{Chamfer, Cut, Face};
-pub use contour::{Contour, Corner};
 pub use design::*;
-pub use edge::Edge;
-pub use error::{ContourPlace, GeometryError};
-pub use mass_properties::{MassMoments, MassProperties};
-pub use outline::Outline;
-pub use part::{Insert, PLAUSIBLE_DENSITY, Part};
-pub use point::Point;
-pub use shape::CounterweightShape;
+pub use lanchester_shape::*;

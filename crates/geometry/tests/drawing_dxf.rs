@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[allow(dead_code, reason = "only its stars of any kind are needed here")]
-#[path = "support/random_outline.rs"]
+#[path = "../../shape/tests/support/random_outline.rs"]
 mod random_outline;
 #[path = "support/random_web.rs"]
 mod random_web;

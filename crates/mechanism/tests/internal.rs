@@ -29,6 +29,7 @@ fn weight(engine: &Engine, throw: usize, z: f64, share: f64) -> Counterweight {
         z,
         unbalance: share * (engine.throws[throw].unbalance + engine.rod_unbalance(throw)),
         angle: engine.throws[throw].angle + PI,
+        part: None,
     }
 }
 
@@ -164,8 +165,14 @@ fn a_flywheel_weight_overhangs() {
         cylinder.rod.big_end_mass = 0.0;
     }
     let z = 2.5 * SPACING;
-    engine.counterweights =
-        vec![Counterweight { name: "flywheel".into(), crankshaft: 0, z, unbalance: 0.01, angle: 0.0 }];
+    engine.counterweights = vec![Counterweight {
+        name: "flywheel".into(),
+        crankshaft: 0,
+        z,
+        unbalance: 0.01,
+        angle: 0.0,
+        part: None,
+    }];
     let force = 0.01 * 300.0f64.powi(2);
     let shaft = &moments(&engine).crankshafts[0];
     for beam in BeamModel::ALL.map(|model| shaft.of(model)) {

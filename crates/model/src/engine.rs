@@ -7,7 +7,9 @@
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
+use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
 use crate::ratio::Ratio;
+use crate::shape_task::ShapeTask;
 use crate::task::BalanceTask;
 use serde::Serialize;
 
@@ -36,6 +38,15 @@ pub struct Engine {
     pub shafts: Vec<BalanceShaft>,
     /// Engine mounts.
     pub mounts: Vec<Mount>,
+    /// Journals, pins and webs, if the file gives them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crank_body: Option<CrankBody>,
+    /// What the crankshaft must stay clear of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub envelope: Option<Envelope>,
+    /// Shapes among which counterweights are to be found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shape_task: Option<ShapeTask>,
     /// What may be done to balance it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<BalanceTask>,
@@ -113,7 +124,8 @@ pub struct Throw {
     pub z: f64,
     /// Crank radius [m].
     pub radius: f64,
-    /// Unbalance of the crank itself along the throw [kg m] (pin and webs, no rod, no counterweight); may be negative.
+    /// Unbalance of the crank itself along the throw [kg m] (pin and webs, no rod, no counterweight, no web whose outline
+    /// is given as a whole); may be negative.
     pub unbalance: f64,
     /// Planes of its two webs [m], front then rear, from the origin; `None` if the file gives no web distance.
     pub webs: Option<[f64; 2]>,
@@ -241,6 +253,9 @@ pub struct Counterweight {
     pub unbalance: f64,
     /// Direction on the crankshaft [rad]: it stands at `ratio * theta + phase + angle`.
     pub angle: f64,
+    /// The part that it is, where the file gives its shape: plane, unbalance and direction are those of the part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<Box<CounterweightPart>>,
 }
 
 /// A balance shaft: weights on an axis parallel to the crankshaft.

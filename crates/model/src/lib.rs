@@ -34,6 +34,7 @@
 
 mod angle;
 mod codes;
+mod crank_body;
 mod criterion;
 mod default_task;
 mod diagnostic;
@@ -50,12 +51,14 @@ mod ratio;
 mod read;
 mod room;
 mod schema;
+mod shape_task;
 mod task;
 mod template;
 pub mod workshop;
 mod write_back;
 
 pub use codes::diagnostic_codes;
+pub use crank_body::*;
 pub use criterion::{criterion, criterion_name, criterion_unit};
 pub use default_task::{CrankWeightPlaces, crank_weights, default_task};
 pub use diagnostic::{Diagnostic, Related, Severity, render};
@@ -65,6 +68,7 @@ pub use ratio::Ratio;
 pub use read::{Reading, read};
 pub use room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
 pub use schema::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
+pub use shape_task::*;
 pub use task::*;
 pub use template::{Template, nearest_template, template, templates};
 pub use write_back::{WriteBackError, difference, write_back};

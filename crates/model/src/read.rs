@@ -134,6 +134,9 @@ impl<'a> Reader<'a> {
             counterweights: counterweights?,
             shafts: shafts?,
             mounts: mounts?,
+            crank_body: None,
+            envelope: None,
+            shape_task: None,
             balance: None,
         };
         let origin = origin?;

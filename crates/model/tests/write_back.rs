@@ -142,7 +142,8 @@ const DRESSES: usize = 8;
 
 #[test]
 fn the_comparison_sees_small_differences() {
-    let weight = Counterweight { name: "n".into(), crankshaft: 0, z: 0.1, unbalance: 0.02, angle: 1.0 };
+    let weight =
+        Counterweight { name: "n".into(), crankshaft: 0, z: 0.1, unbalance: 0.02, angle: 1.0, part: None };
     for other in [
         Counterweight { z: 0.1 + 1e-11, ..weight.clone() },
         Counterweight { unbalance: 0.02 * (1.0 + 1e-10), ..weight.clone() },
@@ -186,6 +187,7 @@ fn every_template_takes_other_weights_and_shafts() {
                 z: 0.123,
                 unbalance: 1.0 / 3000.0,
                 angle: -1.0,
+                part: None,
             });
             let weights = vec![
                 ShaftWeight { z: -0.05, unbalance: 0.0123456789012, phase: 2.0 },
@@ -339,6 +341,7 @@ fn lists_in_brackets_stay_lists_in_brackets() {
         z: 0.04 * if web < 3 { -1.0 } else { 1.0 } + 0.015 * if web % 2 == 1 { -1.0 } else { 1.0 },
         unbalance: 0.002,
         angle: if web < 3 { PI } else { 0.0 },
+        part: None,
     };
     let tail = "counterweight = [
     { web = 1, unbalance = \"1 g cm\" }, # one
@@ -438,6 +441,7 @@ fn a_weight_moves_to_another_plane_or_crankshaft() {
         z: 0.3,
         unbalance: 0.01,
         angle: 1.0,
+        part: None,
     });
     let new = check(text, &fitted).unwrap_or_else(|problem| panic!("{problem}"));
     let mut fitted = engine(&new);
@@ -453,7 +457,8 @@ fn what_cannot_be_written_is_refused() {
     assert!(matches!(write_back("name = 3", &engine(template("twin-360"))), Err(WriteBackError::File(_))));
     let text = template("twin-360");
     let mut fitted = engine(text);
-    let weight = Counterweight { name: "n".into(), crankshaft: 0, z: 0.0, unbalance: -1.0, angle: 0.0 };
+    let weight =
+        Counterweight { name: "n".into(), crankshaft: 0, z: 0.0, unbalance: -1.0, angle: 0.0, part: None };
     fitted.counterweights = vec![weight.clone()];
     assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
     fitted.counterweights = vec![Counterweight { unbalance: f64::NAN, ..weight.clone() }];
@@ -492,7 +497,7 @@ proptest! {
         for ((z, unbalance, angle), on_web) in new {
             let web = fitted.throws[0].webs.filter(|_| on_web);
             let (z, name) = web.map_or((z, format!("at {z}")), |webs| (webs[1], "cheek".to_string()));
-            fitted.counterweights.push(Counterweight { name, crankshaft: 0, z, unbalance, angle });
+            fitted.counterweights.push(Counterweight { name, crankshaft: 0, z, unbalance, angle, part: None });
         }
         for (k, (weights, x)) in shafts.into_iter().enumerate() {
             let weights: Vec<ShaftWeight> =

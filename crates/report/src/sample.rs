@@ -59,10 +59,14 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
                 z: z(k),
                 unbalance: 0.030,
                 angle: cylinders[k].0.to_radians() + 0.5 * TAU,
+                part: None,
             })
             .collect(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        crank_body: None,
+        envelope: None,
+        shape_task: None,
         balance: None,
     }
 }

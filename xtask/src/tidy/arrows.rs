@@ -4,12 +4,16 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 8] = [
-    ("lanchester-model", &[]),
+const ARROWS: [(&str, &[&str]); 9] = [
+    ("lanchester-shape", &[]),
+    ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
-    ("lanchester-geometry", &["lanchester-model"]),
+    ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
-    ("lanchester-report", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
+    (
+        "lanchester-report",
+        &["lanchester-model", "lanchester-mechanism", "lanchester-geometry", "lanchester-balance"],
+    ),
     (
         "lanchester",
         &[

@@ -50,6 +50,9 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        crank_body: None,
+        envelope: None,
+        shape_task: None,
         balance: None,
     }
 }

@@ -66,6 +66,7 @@ impl BalanceFactor {
                     z: throw.z,
                     unbalance: amount.abs(),
                     angle: if amount < 0.0 { throw.angle } else { throw.angle + PI },
+                    part: None,
                 }
             })
             .collect();
@@ -153,6 +154,7 @@ impl ThreeCylinderRule {
                     z,
                     unbalance: 0.5 * unbalance.norm(),
                     angle: unbalance.arg(),
+                    part: None,
                 });
             }
         }

@@ -288,6 +288,7 @@ impl MatrixMethod {
                 z: web.z,
                 unbalance: amount.abs(),
                 angle: if amount < 0.0 { direction + PI } else { direction },
+                part: None,
             });
         }
         let first = self.first.map(|pair| {

@@ -235,6 +235,7 @@ fn machine_balanced(engine: &Engine, bobs: &[Bobweight]) -> Engine {
                 z: throw.z,
                 unbalance: missing.abs(),
                 angle: throw.angle + turned,
+                part: None,
             }
         })
         .collect();
@@ -285,6 +286,7 @@ fn compare(
                 z: found.z,
                 unbalance: found.unbalance.norm(),
                 angle: found.unbalance.arg() - engine.crankshafts[crankshaft].phase,
+                part: None,
             }),
             Seat::Shaft(_) => None,
         })

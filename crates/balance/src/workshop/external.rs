@@ -139,6 +139,7 @@ mod tests {
                     z: weight.z,
                     unbalance: weight.unbalance.norm(),
                     angle: weight.unbalance.arg(),
+                    part: None,
                 });
             }
             let inside = [Plane { name: "a".into(), z: -0.1 }, Plane { name: "b".into(), z: 0.1 }];

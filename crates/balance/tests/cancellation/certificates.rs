@@ -63,6 +63,7 @@ fn repaired(engine: &Engine, task: &BalanceTask, change: &[Complex64]) -> Option
                 z,
                 unbalance,
                 angle: phase - engine.crankshafts[crankshaft].phase,
+                part: None,
             }),
             Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight { z, unbalance, phase }),
         }

@@ -52,8 +52,14 @@ fn more_planes_than_needed_take_the_longest_lever() {
     engine.cylinders.iter_mut().for_each(|c| c.z = engine.throws[c.throw].z);
     // A couple from a weight that is set 10 mm off: only the farthest planes carry it.
     let mut off = engine.clone();
-    let weight =
-        |z| Counterweight { name: format!("off {z}"), crankshaft: 0, z, unbalance: 0.01, angle: 0.3 };
+    let weight = |z| Counterweight {
+        name: format!("off {z}"),
+        crankshaft: 0,
+        z,
+        unbalance: 0.01,
+        angle: 0.3,
+        part: None,
+    };
     off.counterweights.extend([weight(0.01), Counterweight { angle: 0.3 + PI, ..weight(-0.01) }]);
     let planes = [-0.05, -0.02, 0.0, 0.03, 0.08];
     let answer = optimise(&off, &task(on_crank(&planes), &[COUPLE_1])).unwrap();
@@ -69,6 +75,7 @@ fn more_planes_than_needed_take_the_longest_lever() {
         z: 0.0,
         unbalance: crank,
         angle: engine.throws[0].angle + PI,
+        part: None,
     });
     let answer = optimise(&engine_forward, &task(on_crank(&planes), &[FORCE_1, COUPLE_1])).unwrap();
     let total = assert_vanishes(&engine_forward, &answer);

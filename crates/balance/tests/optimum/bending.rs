@@ -41,6 +41,7 @@ fn each_web_its_own_half(engine: &Engine, distance: f64) -> Engine {
                 z: throw.z + side * distance,
                 unbalance: 0.5 * (throw.unbalance + engine.rod_unbalance(k)),
                 angle: throw.angle + std::f64::consts::PI,
+                part: None,
             });
         }
     }

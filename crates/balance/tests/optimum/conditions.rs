@@ -12,7 +12,14 @@ fn peak_with(engine: &Engine, weights: &[(f64, Complex64)], which: usize, count:
     let mut engine = engine.clone();
     for &(z, unbalance) in weights {
         let (unbalance, angle) = unbalance.to_polar();
-        engine.counterweights.push(Counterweight { name: "w".into(), crankshaft: 0, z, unbalance, angle });
+        engine.counterweights.push(Counterweight {
+            name: "w".into(),
+            crankshaft: 0,
+            z,
+            unbalance,
+            angle,
+            part: None,
+        });
     }
     grid_peak(&engine, which, count)
 }
@@ -67,6 +74,7 @@ fn one_weight_agrees_with_golden_section() {
                     z,
                     unbalance,
                     angle,
+                    part: None,
                 });
             }
             let peaks = lanchester_mechanism::loads(&fit, &LoadRequest::default()).unwrap().total.peaks;

@@ -3,8 +3,9 @@
 use super::optimum::{DESIGN_VERSION, Design, PROVED_GAP, Search, realised, within};
 use super::problem::{Kind, Problem};
 use super::refute::ROUNDING;
-use super::task::{DesignTask, Objective};
-use crate::error::GeometryError;
+use super::task::DesignTask;
+use lanchester_model::Objective;
+use lanchester_shape::GeometryError;
 use serde::Serialize;
 
 /// The front between two objectives, from the least of the first to the least of the second.

@@ -17,10 +17,11 @@ mod simplex;
 mod task;
 
 pub use front::{Front, front};
+pub use lanchester_model::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 pub use optimum::{
     DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, PROVED_GAP, design,
 };
-pub use task::{DesignLimits, DesignTask, Objective, Range, Shoulder};
+pub use task::DesignTask;
 
 #[cfg(test)]
 mod tests;

@@ -3,9 +3,10 @@
 use super::descent::{Descent, Reached, sense};
 use super::problem::{Kind, Problem, SHAPE};
 use super::refute::{Refutation, Refuter};
-use super::task::{DesignTask, Objective};
-use crate::error::GeometryError;
-use crate::shape::CounterweightShape;
+use super::task::DesignTask;
+use lanchester_model::Objective;
+use lanchester_shape::CounterweightShape;
+use lanchester_shape::GeometryError;
 use serde::Serialize;
 
 /// Version of the results of counterweight design; raised when a field changes its meaning or goes.

@@ -8,8 +8,9 @@
 
 use super::interval::Interval;
 use super::number::Number;
-use super::task::{DesignTask, Objective, Range, Shoulder};
-use crate::shape::CounterweightShape;
+use super::task::DesignTask;
+use lanchester_model::{Objective, Range, Shoulder};
+use lanchester_shape::CounterweightShape;
 use std::f64::consts::PI;
 
 /// Variables of the shape.

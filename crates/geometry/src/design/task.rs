@@ -1,55 +1,8 @@
 //! What a counterweight is asked for.
 
-use crate::error::GeometryError;
-use crate::part::plausible;
+use lanchester_model::{DesignLimits, Range, ShapeTask, Shoulder};
+use lanchester_shape::{GeometryError, plausible_density};
 use serde::{Deserialize, Serialize};
-
-/// Least and most of a dimension; equal where it is fixed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Range {
-    /// Least value.
-    pub least: f64,
-    /// Largest value.
-    pub most: f64,
-}
-
-impl Range {
-    /// From `least` to `most`.
-    pub const fn new(least: f64, most: f64) -> Range {
-        Range { least, most }
-    }
-
-    /// One value.
-    pub const fn fixed(value: f64) -> Range {
-        Range { least: value, most: value }
-    }
-}
-
-/// How the flank between rectangle and arc is given.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum Shoulder {
-    /// By the angle `delta` between chord and flank [rad], from 0 (a flat step) to less than a quarter turn. The height follows.
-    Angle(Range),
-    /// By the height `H` of the trapezoid [m]. The angle follows.
-    Height(Range),
-}
-
-/// Limits on what follows from the dimensions. `None`: no limit.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-pub struct DesignLimits {
-    /// Largest mass [kg].
-    pub mass: Option<f64>,
-    /// Largest swept radius of web and counterweight [m].
-    pub swept_radius: Option<f64>,
-    /// Largest polar inertia of the counterweight about the crank axis [kg m^2].
-    pub inertia: Option<f64>,
-    /// Largest half width of the counterweight, across its axis [m].
-    pub half_width: Option<f64>,
-    /// Least and largest shoulder angle `delta` [rad].
-    pub shoulder_angle: Option<Range>,
-    /// Least and largest trapezoid height `H` [m].
-    pub shoulder_height: Option<Range>,
-}
 
 /// A counterweight to be found: its duty, the range of each dimension, limits.
 ///
@@ -80,27 +33,30 @@ pub struct DesignTask {
     pub limits: DesignLimits,
 }
 
-/// What is made as small as possible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Objective {
-    /// Mass of the counterweight [kg].
-    Mass,
-    /// Swept radius of web and counterweight [m].
-    SweptRadius,
-    /// Polar inertia of the counterweight about the crank axis [kg m^2].
-    Inertia,
-    /// Thickness [m].
-    Thickness,
-}
-
 impl DesignTask {
+    /// The duty `unbalance` [kg m] within what `task` allows.
+    pub fn new(unbalance: f64, task: &ShapeTask) -> DesignTask {
+        DesignTask {
+            unbalance,
+            least_balance: task.least_balance,
+            most_balance: task.most_balance,
+            density: task.density,
+            web_radius: task.web_radius,
+            rectangle_height: task.rectangle_height,
+            shoulder: task.shoulder,
+            arc_radius: task.arc_radius,
+            arc_angle: task.arc_angle,
+            thickness: task.thickness,
+            limits: task.limits,
+        }
+    }
+
     /// Whether every number has a meaning.
     ///
     /// # Errors
     /// The first number that has none.
     pub fn check(&self) -> Result<(), GeometryError> {
-        plausible(self.density)?;
+        plausible_density(self.density)?;
         let error = |quantity, needed, got, hint| Err(GeometryError::Number { quantity, needed, got, hint });
         let positive = [("unbalance [kg m]", self.unbalance), ("least balance", self.least_balance)];
         for (quantity, got) in positive {

@@ -4,8 +4,9 @@ use super::interval::Interval;
 use super::jet::Jet;
 use super::number::Number;
 use super::problem::{Kind, Problem, SHAPE};
-use super::task::{DesignLimits, DesignTask, Range, Shoulder};
-use crate::point::Point;
+use super::task::DesignTask;
+use lanchester_model::{DesignLimits, Range, Shoulder};
+use lanchester_shape::Point;
 
 fn task() -> DesignTask {
     DesignTask {

@@ -3,8 +3,8 @@
 use super::DrawingError;
 use super::dxf_tags::Record;
 use super::strand::Strand;
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 
 /// Edges and whether they close.
 pub(super) type Edges = (Vec<Edge>, bool);

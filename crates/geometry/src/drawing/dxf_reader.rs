@@ -6,7 +6,7 @@ use super::dxf_writer::UNIT_COMMENT;
 use super::nesting::drawing;
 use super::strand::Strand;
 use super::{Drawing, DrawingError, DrawingOptions, Ignored};
-use crate::edge::Edge;
+use lanchester_shape::Edge;
 
 /// Lengths of the units of `$INSUNITS` [m], by their code.
 const UNITS: [(i64, f64); 18] = [

@@ -1,9 +1,9 @@
 //! The text of a DXF file of release 12.
 
 use super::decimal::decimal;
-use crate::contour::Contour;
-use crate::outline::Outline;
-use crate::point::Point;
+use lanchester_shape::Contour;
+use lanchester_shape::Outline;
+use lanchester_shape::Point;
 use std::fmt::{Display, Write};
 
 /// Layer of the outer contour.

@@ -1,7 +1,7 @@
 //! Why a drawing gives no outline.
 
-use crate::error::GeometryError;
-use crate::point::Point;
+use lanchester_shape::GeometryError;
+use lanchester_shape::Point;
 
 /// An entity of a drawing.
 #[derive(Debug, Clone, PartialEq, Eq)]

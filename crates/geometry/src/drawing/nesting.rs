@@ -2,10 +2,10 @@
 
 use super::strand::{Chain, Strand, chains};
 use super::{Drawing, DrawingError, Ignored, Place, SMALLEST};
-use crate::contour::Contour;
-use crate::edge::Edge;
-use crate::error::{ContourPlace, GeometryError};
-use crate::outline::Outline;
+use lanchester_shape::Contour;
+use lanchester_shape::Edge;
+use lanchester_shape::Outline;
+use lanchester_shape::{ContourPlace, GeometryError};
 
 /// The drawing of these strands, whose loose ends are joined within `gap` [m]; `unit` [m] is that of the file.
 pub(super) fn drawing(

@@ -1,7 +1,7 @@
 //! What the caller says about a drawing, and what is read from it.
 
 use super::{DrawingError, Place};
-use crate::outline::Outline;
+use lanchester_shape::Outline;
 
 /// What a reader needs to know beside the file.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 //! Lines of a drawing, joined end to end into closed chains.
 
 use super::{DrawingError, FARTHEST, Place};
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 
 /// Bulges below this are none.
 const STRAIGHT: f64 = 1e-20;

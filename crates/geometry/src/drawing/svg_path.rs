@@ -1,8 +1,8 @@
 //! The path data of SVG: lines and arcs of circles.
 
 use super::svg_scanner::Scanner;
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 
 /// A part of a path that hangs together.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@ use super::svg_scanner::Scanner;
 use super::svg_shapes::{Element, Lines};
 use super::svg_transform::Transform;
 use super::{Drawing, DrawingError, DrawingOptions, Ignored};
-use crate::edge::Edge;
+use lanchester_shape::Edge;
 use roxmltree::{Document, ParsingOptions};
 
 /// Elements that draw no contour where they stand.

@@ -4,8 +4,8 @@ use super::strand::Strand;
 use super::svg_path::{PathError, PathErrorKind, Subpath, subpaths};
 use super::svg_scanner::Scanner;
 use super::{DrawingError, Place};
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 use roxmltree::Node;
 
 /// The lines of a text, to tell in which one a byte is.

@@ -1,8 +1,8 @@
 //! Transforms of SVG.
 
 use super::svg_scanner::Scanner;
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 
 /// How far a transform may be from one that keeps circles, relative to its scale: files state six digits.
 const ROUND: f64 = 1e-5;

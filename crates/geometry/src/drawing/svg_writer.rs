@@ -1,9 +1,9 @@
 //! The text of an SVG file.
 
 use super::decimal::decimal;
-use crate::edge::Edge;
-use crate::outline::Outline;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Outline;
+use lanchester_shape::Point;
 use std::fmt::Write;
 
 /// Bulge of a quarter turn, and a little for rounding.

@@ -1,8 +1,8 @@
 //! Bores of a part: what inserts and holes take out of it, as cavities.
 
 use super::{ExportError, RESOLUTION};
-use crate::part::{Insert, Part};
-use crate::point::Point;
+use lanchester_shape::Point;
+use lanchester_shape::{Insert, Part};
 
 /// A piece of a bore with one radius.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! Why a part cannot be exported.
 
-use crate::point::Point;
+use lanchester_shape::Point;
 
 /// A point in the words of a message.
 fn place(point: &Point) -> String {

@@ -11,8 +11,8 @@
 use super::solid::{Face, Side, Surface};
 use super::triangulation::triangles;
 use super::{ExportError, Solid};
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 use std::f64::consts::FRAC_PI_4;
 
 /// Least facet error as part of the largest coordinate: 32-bit floats tell points half as far apart.

@@ -3,9 +3,9 @@
 use super::bore::{bores, open_ends};
 use super::solid::{Solid, circle, exported_edges};
 use super::{ExportError, RESOLUTION};
-use crate::edge::Edge;
-use crate::part::Part;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Part;
+use lanchester_shape::Point;
 
 /// Colour of a part that is given none: steel.
 const STEEL: [f64; 3] = [0.62, 0.65, 0.69];

@@ -2,9 +2,9 @@
 
 use super::bore::Bore;
 use super::{ExportError, RESOLUTION};
-use crate::contour::Contour;
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Contour;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 
 /// A closed body of planes and cylinders, with a name and a colour.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,8 +7,8 @@
 
 use super::Solid;
 use super::solid::Surface;
-use crate::edge::Edge;
-use crate::point::Point;
+use lanchester_shape::Edge;
+use lanchester_shape::Point;
 use std::fmt::Write;
 
 /// What the head of a STEP file says beside the solids.

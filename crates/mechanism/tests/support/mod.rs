@@ -72,6 +72,9 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        crank_body: None,
+        envelope: None,
+        shape_task: None,
         balance: None,
     }
 }

@@ -126,6 +126,7 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
                 z,
                 unbalance,
                 angle,
+                part: None,
             })
             .collect();
         engine.shafts = shafts;

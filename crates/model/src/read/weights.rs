@@ -193,6 +193,7 @@ impl<'a> Reader<'a> {
             z,
             unbalance: draft.unbalance,
             angle,
+            part: None,
         })
     }
 
@@ -239,11 +240,18 @@ impl<'a> Reader<'a> {
             match throw.webs {
                 Some(webs) if at == "webs" => weights.extend(webs.iter().enumerate().map(|(web, &z)| {
                     let name = format!("web {}", 2 * index + web + 1);
-                    Counterweight { name, crankshaft, z, unbalance: unbalance / 2.0, angle }
+                    Counterweight { name, crankshaft, z, unbalance: unbalance / 2.0, angle, part: None }
                 })),
                 _ => {
                     let name = format!("throw {}", index + 1);
-                    weights.push(Counterweight { name, crankshaft, z: throw.z, unbalance, angle });
+                    weights.push(Counterweight {
+                        name,
+                        crankshaft,
+                        z: throw.z,
+                        unbalance,
+                        angle,
+                        part: None,
+                    });
                 }
             }
         }

@@ -72,6 +72,7 @@ fn a_tilted_rod_tells_its_tilt() {
                 z: z + 0.05,
                 unbalance: m * x.abs(),
                 angle: angle + 0.7,
+                part: None,
             }
         })
         .collect();
@@ -100,6 +101,7 @@ fn kinds_of_unbalance() {
         z,
         unbalance,
         angle: degrees.to_radians(),
+        part: None,
     };
     let body = CrankBody { mass: 5.0, mass_centre: 0.02, transverse_inertia: 0.05, polar_inertia: 0.01 };
     let mut kind = |weights: Vec<lanchester_model::Counterweight>| {

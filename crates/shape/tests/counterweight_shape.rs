@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester_geometry::{Contour, Corner, CounterweightShape, Edge, Point};
+use lanchester_shape::{Contour, Corner, CounterweightShape, Edge, Point};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! Random contours: stars about a random centre with bulging sides.
 
-use lanchester_geometry::{Contour, Corner, Point};
+use lanchester_shape::{Contour, Corner, Point};
 use proptest::prelude::*;
 
 /// Corners on a circle, each with a bulge.

@@ -5,7 +5,7 @@
 #[path = "support/random_outline.rs"]
 mod random_outline;
 
-use lanchester_geometry::{Chamfer, Contour, Cut, Face, GeometryError, Insert, Outline, Part, Point};
+use lanchester_shape::{Chamfer, Contour, Cut, Face, GeometryError, Insert, Outline, Part, Point};
 use proptest::prelude::*;
 use random_outline::{any_star, star};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -225,8 +225,8 @@ fn conv_chamfers_do_not_depend_on_how_the_outline_is_cut() {
             let bulge = (edge.bulge.atan() / 2.0).tan();
             let middle = edge.middle();
             [
-                lanchester_geometry::Edge { to: middle, bulge, ..*edge },
-                lanchester_geometry::Edge { from: middle, bulge, ..*edge },
+                lanchester_shape::Edge { to: middle, bulge, ..*edge },
+                lanchester_shape::Edge { from: middle, bulge, ..*edge },
             ]
         })
         .collect();

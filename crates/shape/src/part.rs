@@ -47,7 +47,7 @@ impl Part {
     /// Where the thickness is not positive or the density is not one of a material ([`PLAUSIBLE_DENSITY`]).
     pub fn new(outline: Outline, thickness: f64, density: f64) -> Result<Part, GeometryError> {
         positive("thickness [m]", thickness)?;
-        plausible(density)?;
+        plausible_density(density)?;
         Ok(Part {
             outline,
             front: -thickness / 2.0,
@@ -72,7 +72,7 @@ impl Part {
         positive("radius of an insert [m]", insert.radius)?;
         positive("length of an insert [m]", insert.to - insert.from)?;
         if insert.density != 0.0 {
-            plausible(insert.density)?;
+            plausible_density(insert.density)?;
         }
         let Insert { centre, radius, from, to, .. } = insert;
         let slack = 1e-12 * self.thickness;
@@ -221,7 +221,11 @@ fn positive(quantity: &'static str, got: f64) -> Result<(), GeometryError> {
     Err(GeometryError::Number { quantity, needed: "positive", got, hint: "give a length" })
 }
 
-pub(crate) fn plausible(density: f64) -> Result<(), GeometryError> {
+/// Whether a material of a crankshaft can have this density ([`PLAUSIBLE_DENSITY`]) [kg/m^3].
+///
+/// # Errors
+/// If it cannot: the range, and the usual slips of the unit.
+pub fn plausible_density(density: f64) -> Result<(), GeometryError> {
     let [least, most] = PLAUSIBLE_DENSITY;
     if density >= least && density <= most {
         return Ok(());

@@ -5,7 +5,7 @@
 #[path = "support/random_outline.rs"]
 mod random_outline;
 
-use lanchester_geometry::{AreaMoments, Contour, ContourPlace, Corner, Edge, GeometryError, Outline, Point};
+use lanchester_shape::{AreaMoments, Contour, ContourPlace, Corner, Edge, GeometryError, Outline, Point};
 use proptest::prelude::*;
 use random_outline::{any_star, star};
 use std::f64::consts::PI;

@@ -85,7 +85,7 @@ impl Edge {
     }
 
     /// The point at a part of the length between 0 and 1, and the derivative by that part, on an edge of at most half a turn.
-    pub(crate) fn at(&self, part: f64) -> (Point, Point) {
+    pub fn at(&self, part: f64) -> (Point, Point) {
         let chord = self.to - self.from;
         let half = 2.0 * self.bulge.atan();
         if half == 0.0 {
@@ -97,7 +97,7 @@ impl Edge {
     }
 
     /// The two halves of the edge.
-    pub(crate) fn halves(&self) -> [Edge; 2] {
+    pub fn halves(&self) -> [Edge; 2] {
         let middle = self.middle();
         // tan(x/2) of x = atan(bulge).
         let bulge = self.bulge / (1.0 + self.bulge.hypot(1.0));
@@ -136,7 +136,7 @@ impl Edge {
     }
 
     /// Largest distance from `point`, and where [m].
-    pub(crate) fn farthest(&self, point: Point) -> (f64, Point) {
+    pub fn farthest(&self, point: Point) -> (f64, Point) {
         if self.bulge.abs() > 1.0 {
             let [first, second] = self.halves().map(|half| half.farthest(point));
             return if first.0 >= second.0 { first } else { second };
@@ -156,7 +156,7 @@ impl Edge {
     }
 
     /// Least distance from `point`, and where [m].
-    pub(crate) fn nearest(&self, point: Point) -> (f64, Point) {
+    pub fn nearest(&self, point: Point) -> (f64, Point) {
         if self.bulge.abs() > 1.0 {
             let [first, second] = self.halves().map(|half| half.nearest(point));
             return if first.0 <= second.0 { first } else { second };

@@ -1,0 +1,140 @@
+//! The crankshaft as a body: its journals, pins and webs, counterweights as parts, and what they must stay clear of.
+
+use lanchester_shape::{Contour, Corner, CounterweightShape, GeometryError, Outline, Part, Point};
+use serde::Serialize;
+
+/// Journals, pins and webs, the same for all throws: the file's `[crank.body]`.
+///
+/// A web is the convex hull of a disc about the crank axis and a disc about the crankpin; pins and journals fill what is
+/// between the webs, and the first and the last journal stand out by their own lengths.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CrankBody {
+    /// Density of all of it [kg/m^3].
+    pub density: f64,
+    /// Diameter of the main journals [m].
+    pub journal_diameter: f64,
+    /// Diameter of a bore along the journals [m]; 0 for none.
+    pub journal_bore: f64,
+    /// Diameter of the crankpins [m].
+    pub pin_diameter: f64,
+    /// Diameter of a bore along the pins, in their middle [m]; 0 for none.
+    pub pin_bore: f64,
+    /// Thickness of the webs along the crank [m].
+    pub web_thickness: f64,
+    /// Radius of a web's disc about the crank axis [m].
+    pub web_radius: f64,
+    /// Radius of a web's round end about the crankpin [m].
+    pub pin_end_radius: f64,
+    /// Lengths of the first journal (free end) and the last one (flywheel), from the face of the web [m].
+    pub end_journals: [f64; 2],
+}
+
+impl CrankBody {
+    /// Outline of a plain web whose crankpin stands at the distance `throw` [m]. As for every part, `x` points away
+    /// from the crankpin.
+    ///
+    /// # Errors
+    /// Where one of the discs lies within the other.
+    pub fn web(&self, throw: f64) -> Result<Outline, GeometryError> {
+        let (disc, end) = (self.web_radius, self.pin_end_radius);
+        // Where the tangents touch both discs: the component of their normal towards the crankpin.
+        let along = (disc - end) / throw;
+        if along.abs() >= 1.0 {
+            return Err(GeometryError::Number {
+                quantity: "radius of the web's end about the crankpin [m]",
+                needed: "such that neither of the two discs of a web lies within the other",
+                got: end,
+                hint: "it differs from the radius of the web's disc by less than the crank radius",
+            });
+        }
+        let across = ((1.0 - along) * (1.0 + along)).sqrt();
+        let pin = Point::new(-throw, 0.0);
+        let normal = |side: f64| Point::new(-along, side * across);
+        // Included angles: of the arc about the crankpin 2 acos(along), of the one about the crank axis the rest of the turn.
+        let quarter = along.acos() / 2.0;
+        let bulge_at_pin = quarter.tan();
+        let corners = [
+            Corner { at: normal(1.0) * disc, bulge: 0.0 },
+            Corner { at: pin + normal(1.0) * end, bulge: bulge_at_pin },
+            Corner { at: pin + normal(-1.0) * end, bulge: 0.0 },
+            Corner { at: normal(-1.0) * disc, bulge: bulge_at_pin.recip() },
+        ];
+        Outline::new(Contour::new(&corners)?, Vec::new())
+    }
+}
+
+/// A counterweight as a part.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CounterweightPart {
+    /// How its outline was given, and what it encloses.
+    pub form: CounterweightForm,
+    /// The plate in its own frame: its middle plane at z = 0, `x` along `angle`. Of a shape of the family it encloses the
+    /// disc of the web too, which is no part of the counterweight.
+    pub part: Part,
+    /// Index of the web on which it sits, counted through all throws, if it sits on one.
+    pub web: Option<usize>,
+    /// Plane of its middle [m], from the origin.
+    pub z: f64,
+    /// Direction of its `x` on the crankshaft [rad].
+    pub angle: f64,
+    /// The unbalance that it should have [kg m], if the file says so.
+    pub wanted: Option<f64>,
+}
+
+/// What the outline of a counterweight encloses.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CounterweightForm {
+    /// The counterweight and the disc of its web: a shape of the tool paper's family.
+    Family(CounterweightShape),
+    /// The counterweight alone.
+    Counterweight,
+    /// The whole web with its counterweight.
+    Web,
+}
+
+/// What the crankshaft must stay clear of: the file's `[clearance]`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Envelope {
+    /// Least clearance that is wanted to everything [m].
+    pub least: Option<f64>,
+    /// Inner radius of the crankcase about the crank axis [m].
+    pub crankcase_radius: Option<f64>,
+    /// The pistons.
+    pub skirt: Option<Skirt>,
+    /// The cylinder liners.
+    pub liner: Option<Liner>,
+    /// The connecting rods.
+    pub rod: Option<RodEnvelope>,
+}
+
+/// Lower end of a piston: what of its cylinder, of the bore's diameter, reaches below the piston pin.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Skirt {
+    /// From the axis of the piston pin to the lower edge of the skirt, towards the crank [m].
+    pub length: f64,
+    /// Width of the piston's lower end along the crank [m]; the bore where the file gives none.
+    pub width: Option<f64>,
+}
+
+/// Lower end of a cylinder liner: a tube about the cylinder axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Liner {
+    /// Distance of its lower end from the crank axis, along the cylinder axis [m].
+    pub end: f64,
+    /// Thickness of its wall [m].
+    pub wall: f64,
+}
+
+/// Envelope of a connecting rod: a disc about the crankpin, and a bar along the rod.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RodEnvelope {
+    /// Radius of the big end with its bolts about the crankpin [m].
+    pub big_end_radius: f64,
+    /// Width of the big end along the crank [m].
+    pub big_end_width: f64,
+    /// Width of the shank across rod and crank [m].
+    pub shank_width: f64,
+    /// Thickness of the shank along the crank [m].
+    pub shank_thickness: f64,
+}

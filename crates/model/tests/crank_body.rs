@@ -1,0 +1,74 @@
+//! The outline of a plain web: the convex hull of its two discs.
+
+use lanchester_model::CrankBody;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+fn body(web_radius: f64, pin_end_radius: f64) -> CrankBody {
+    CrankBody {
+        density: 7850.0,
+        journal_diameter: 0.05,
+        journal_bore: 0.0,
+        pin_diameter: 0.045,
+        pin_bore: 0.0,
+        web_thickness: 0.018,
+        web_radius,
+        pin_end_radius,
+        end_journals: [0.02, 0.03],
+    }
+}
+
+#[test]
+fn equal_discs_make_a_slot() {
+    let web = body(0.04, 0.04).web(0.045).unwrap();
+    let moments = web.moments();
+    let area = PI * 0.04 * 0.04 + 0.08 * 0.045;
+    assert!((moments.area - area).abs() < 1e-15);
+    assert!((moments.first.x + area * 0.0225).abs() < 1e-16);
+    assert!(moments.first.y.abs() < 1e-18);
+}
+
+#[test]
+fn a_disc_within_the_other_is_refused() {
+    let error = body(0.09, 0.03).web(0.045).unwrap_err().to_string();
+    assert!(error.contains("neither of the two discs"), "{error}");
+}
+
+proptest! {
+    /// Two discs, and the trapezoids between their tangents and radii.
+    #[test]
+    fn prop_area_and_centre_are_those_of_the_pieces(
+        disc in 0.02..0.08f64, end in 0.02..0.08f64, slack in 0.01..1.0f64,
+    ) {
+        let throw = (disc - end).abs() * (1.0 + slack) + 1e-3;
+        let outline = body(disc, end).web(throw).unwrap();
+        // Half the hull by slices across the line of both axes.
+        let half_width = |x: f64| {
+            let circle = |centre: f64, radius: f64| (radius * radius - (x - centre).powi(2)).max(0.0).sqrt();
+            let sine = (disc - end) / throw;
+            let cosine = (1.0 - sine * sine).sqrt();
+            let (from, to) = (-disc * sine, -throw - end * sine);
+            if x <= from && x >= to {
+                (disc + sine * x) / cosine
+            } else if x > from {
+                circle(0.0, disc)
+            } else {
+                circle(-throw, end)
+            }
+        };
+        let (low, high) = (-throw - end, disc);
+        let steps = 200_000;
+        let step = (high - low) / f64::from(steps);
+        let (mut area, mut first) = (0.0, 0.0);
+        for k in 0..steps {
+            let x = low + (f64::from(k) + 0.5) * step;
+            area += 2.0 * half_width(x) * step;
+            first += 2.0 * half_width(x) * x * step;
+        }
+        let moments = outline.moments();
+        prop_assert!((moments.area - area).abs() < 1e-6 * area, "{} {area}", moments.area);
+        prop_assert!((moments.first.x - first).abs() < 1e-6 * area * (throw + end));
+        prop_assert!(moments.first.y.abs() < 1e-15);
+        prop_assert!((outline.swept_radius() - disc.max(throw + end)).abs() < 1e-15);
+    }
+}
