@@ -6,6 +6,7 @@
 mod arc;
 mod bend;
 mod descent;
+mod evolution;
 mod front;
 mod interval;
 mod jet;
@@ -16,6 +17,7 @@ mod refute;
 mod simplex;
 mod task;
 
+pub use evolution::{Evolution, Evolved, evolve};
 pub use front::{Front, front};
 pub use lanchester_model::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 pub use optimum::{
