@@ -80,7 +80,8 @@ impl Contour {
         Contour::new(&ends)
     }
 
-    fn checked(edges: Vec<Edge>) -> Result<Contour, GeometryError> {
+    /// From edges of which each begins where the one before it ends.
+    pub(crate) fn checked(edges: Vec<Edge>) -> Result<Contour, GeometryError> {
         let arcs = edges.iter().any(|edge| edge.bulge != 0.0);
         if edges.len() < if arcs { 2 } else { 3 } {
             return Err(GeometryError::TooFewEdges { edges: edges.len() });

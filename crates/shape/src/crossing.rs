@@ -34,22 +34,28 @@ pub(crate) fn crossing(first: &Edge, second: &Edge, joint: Joint, size: f64) -> 
         Joint::Corner(corner) => (*point - corner).norm() < CORNER * size,
         Joint::BothEnds => [first.from, first.to].iter().any(|end| (*point - *end).norm() < CORNER * size),
     };
-    let meetings = match (is_flat(first), is_flat(second)) {
+    // Ends that lie on the other edge: touching, and edges that run along each other.
+    let ends = [(first.from, second), (first.to, second), (second.from, first), (second.to, first)];
+    let touching =
+        ends.into_iter().filter(|(end, other)| other.nearest(*end).0 < tolerance).map(|(end, _)| end);
+    meetings(first, second, tolerance).chain(touching).find(|point| !shared(point))
+}
+
+/// The points where the lines or circles of two edges meet, as far as they lie on both edges: at most two, none where one
+/// runs along the other.
+pub(crate) fn meetings(first: &Edge, second: &Edge, tolerance: f64) -> impl Iterator<Item = Point> {
+    let estimates = match (is_flat(first), is_flat(second)) {
+        _ if boxes_apart(first, second, tolerance) => [None; 2],
         (true, true) => lines(first, second),
         (true, false) => line_and_arc(first, second),
         (false, true) => line_and_arc(second, first),
         (false, false) => arcs(first, second, tolerance),
     };
-    // Ends that lie on the other edge: touching, and edges that run along each other.
-    let ends = [(first.from, second), (first.to, second), (second.from, first), (second.to, first)];
-    let touching =
-        ends.into_iter().filter(|(end, other)| other.nearest(*end).0 < tolerance).map(|(end, _)| end);
-    let on_both = |point: &Point| {
+    let on_both = move |point: &Point| {
         let slack = tolerance * 10.0;
         first.nearest(*point).0 < slack && second.nearest(*point).0 < slack
     };
-    let polished = meetings.into_iter().flatten().map(|point| polished(first, second, point));
-    polished.filter(on_both).chain(touching).find(|point| !shared(point))
+    estimates.into_iter().flatten().map(|point| polished(first, second, point)).filter(on_both)
 }
 
 /// Whether the chord tells where the edge meets another, to begin with: the centre of a flatter arc is too far away for that.
@@ -57,17 +63,23 @@ fn is_flat(edge: &Edge) -> bool {
     edge.bulge.abs() < FLAT
 }
 
-/// The common point of both lines or circles near a first estimate, by Newton's method on the distances from them.
+/// The common point of both lines or circles near a first estimate, by Newton's method on the distances from them, as long as
+/// that brings the point nearer to both. Where they touch, the estimate is as good as any.
 fn polished(first: &Edge, second: &Edge, mut point: Point) -> Point {
-    for _ in 0..4 {
-        let ((f, m), (g, n)) = (first.offset(point), second.offset(point));
+    let (mut on_first, mut on_second) = (first.offset(point), second.offset(point));
+    for _ in 0..6 {
+        let ((f, m), (g, n)) = (on_first, on_second);
         let determinant = m.cross(n);
-        // Where they touch, the estimate is as good as any.
-        if determinant.is_nan() || determinant.abs() < 1e-3 {
+        if determinant.is_nan() || determinant.abs() < 1e-12 {
             break;
         }
-        let by = Point::new(f * n.y - g * m.y, g * m.x - f * n.x) * (1.0 / determinant);
-        point = point + by;
+        let next = point + Point::new(f * n.y - g * m.y, g * m.x - f * n.x) * (1.0 / determinant);
+        let there = (first.offset(next), second.offset(next));
+        let nearer = there.0.0.abs() + there.1.0.abs() < f.abs() + g.abs();
+        if !nearer {
+            break;
+        }
+        (point, on_first, on_second) = (next, there.0, there.1);
     }
     point
 }

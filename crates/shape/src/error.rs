@@ -107,6 +107,32 @@ pub enum GeometryError {
         /// The outer contour that it is not within, or the hole that it is within.
         within: ContourPlace,
     },
+    /// Two outlines that do not make one piece.
+    #[error(
+        "the two outlines do not make one piece: one part has a corner at {}, another at {}\nhint: let them overlap or share a length of their edges", place(.first), place(.second)
+    )]
+    Disjoint {
+        /// A corner of one part.
+        first: Point,
+        /// A corner of another part.
+        second: Point,
+    },
+    /// Two outlines whose union would touch itself.
+    #[error(
+        "the union of the two outlines touches itself at {}\nhint: let them overlap there, or keep them apart", place(.at)
+    )]
+    Pinched {
+        /// Where.
+        at: Point,
+    },
+    /// Two outlines that run so close to each other that rounding would decide what their union is.
+    #[error(
+        "near {} the two outlines run so close to each other that rounding would decide what their union is\nhint: let the edges coincide there, or keep them a thousandth of a millimetre apart", place(.at)
+    )]
+    TooClose {
+        /// Where.
+        at: Point,
+    },
     /// An insert that is not wholly in the material.
     #[error(
         "the insert of radius {:.4} mm at {} {what}\nhint: an insert makes its own bore, in material on all sides", 1e3 * .radius, place(.at)

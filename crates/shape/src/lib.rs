@@ -27,6 +27,7 @@ mod mass_properties;
 mod outline;
 mod part;
 mod point;
+mod union;
 
 pub use area_moments::AreaMoments;
 pub use chamfer::{Chamfer, Cut, Face};
