@@ -13,7 +13,7 @@ pub fn read(data: &[u8]) {
 
 /// A template with some of its lines changed: whatever is accepted has finite loads.
 pub fn loads(data: &[u8]) {
-    let all: Vec<&str> = templates().iter().map(|template| template.text).collect();
+    let all: Vec<&str> = templates().iter().map(|template| template.text).chain([PARTS]).collect();
     let text = changed(&all, &ADDITIONS, data);
     let Some(engine) = accepted(&text) else { return };
     // Few angles: the kernels are the same for each.
@@ -207,13 +207,21 @@ const WORDS: [&str; 16] = [
     "alternating",
     "reverse",
 ];
-const ADDITIONS: [&str; 6] = [
+/// A crankshaft as a body, and counterweights as parts.
+const PARTS: &str = include_str!("../crates/model/tests/files/crank-as-body.toml");
+const ADDITIONS: [&str; 9] = [
     "\n[counterweights]\nreciprocating_share = \"50 %\"\n",
     "\n[[counterweight]]\nthrow = 2\nmass = \"1 kg\"\nradius = \"40 mm\"\nangle = \"170 deg\"\n",
     "\n[[shaft]]\nratio = \"-3/2\"\ny = \"80 mm\"\nx = \"-20 mm\"\nweights = [{ z = \"10 mm\", unbalance = \"2 g m\" }]\n",
     "\n[[cylinder]]\nnumber = 2\noffset = \"11 mm\"\nrod = { mass = \"0.7 kg\", inertia = \"3000 kg mm2\" }\n",
     "\n[[mount]]\nx = \"1 in\"\ny = \"0 mm\"\nz = \"-88 mm\"\n",
     "\n[cylinders]\noffset = \"8 mm\"\n",
+    "\n[crank.body]\ndensity = \"7850 kg/m3\"\njournal_diameter = \"30 mm\"\npin_diameter = \"30 mm\"\nweb_thickness = \"9 mm\"\n\
+     web_radius = \"30 mm\"\npin_end_radius = \"25 mm\"\nend_journals = \"20 mm\"\n",
+    "\n[[counterweight]]\nweb = 2\n[counterweight.shape]\nthickness = \"12 mm\"\ndensity = \"7.2 g/cm3\"\nweb_radius = \"30 mm\"\n\
+     rectangle_height = \"12 mm\"\nshoulder_height = \"9 mm\"\narc_radius = \"60 mm\"\narc_angle = \"120 deg\"\n",
+    "\n[[counterweight]]\nthrow = 1\nshape = { thickness = \"9 mm\", density = \"7.2 g/cm3\", outline = [{ x = \"9 mm\", y = \"-9 mm\" }, \
+     { x = \"50 mm\", y = \"0 mm\", bulge = 0.3 }, { x = \"9 mm\", y = \"9 mm\" }], inserts = [{ x = \"20 mm\", y = \"0 mm\", radius = \"3 mm\" }] }\n",
 ];
 
 /// The first byte chooses the text; each further three bytes make one change: kind, line, argument.

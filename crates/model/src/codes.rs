@@ -55,6 +55,11 @@ static CODES: &[(&str, &str)] = &[
     ("E0603", "firing away from top dead centre"),
     ("E0701", "a layout that cannot be"),
     ("E0702", "main bearings that cannot be"),
+    ("E0901", "a shape that cannot be"),
+    ("E0902", "a part with a couple of its own"),
+    ("E0903", "a density that no material of a crankshaft has"),
+    ("E0904", "webs that overlap"),
+    ("E0905", "a crank body that cannot be"),
     ("E1101", "two of one name"),
     ("E1102", "supports in one place"),
     ("E1103", "a drill whose point is longer than the hole may be deep"),
@@ -73,4 +78,5 @@ static CODES: &[(&str, &str)] = &[
     ("W0702", "a throw outside the main bearings"),
     ("W0801", "a suspicious size"),
     ("W0802", "a suspicious share"),
+    ("W0901", "a shape that misses its unbalance"),
 ];

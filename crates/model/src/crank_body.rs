@@ -2,6 +2,7 @@
 
 use lanchester_shape::{Contour, Corner, CounterweightShape, GeometryError, Outline, Part, Point};
 use serde::Serialize;
+use std::f64::consts::PI;
 
 /// Journals, pins and webs, the same for all throws: the file's `[crank.body]`.
 ///
@@ -61,6 +62,23 @@ impl CrankBody {
         ];
         Outline::new(Contour::new(&corners)?, Vec::new())
     }
+
+    /// Unbalance of a throw along its crankpin [kg m]: the pin, and both plain webs.
+    ///
+    /// ```text
+    /// U = rho (pi/4 (d^2 - b^2) (D - t) r - 2 t INTEGRAL x dA)        D = web distance, t = web thickness
+    /// ```
+    /// `throw` is the crank radius `r` [m], `webs` are the planes of both webs [m]; the integral runs over a [`CrankBody::web`],
+    /// whose `x` points away from the pin.
+    ///
+    /// # Errors
+    /// As [`CrankBody::web`].
+    pub fn throw_unbalance(&self, throw: f64, webs: [f64; 2]) -> Result<f64, GeometryError> {
+        let pin_length = webs[1] - webs[0] - self.web_thickness;
+        let section = PI / 4.0 * (self.pin_diameter.powi(2) - self.pin_bore.powi(2));
+        let web = self.web(throw)?.moments().first.x;
+        Ok(self.density * (section * pin_length * throw - 2.0 * self.web_thickness * web))
+    }
 }
 
 /// A counterweight as a part.
@@ -89,7 +107,8 @@ pub enum CounterweightForm {
     Family(CounterweightShape),
     /// The counterweight alone.
     Counterweight,
-    /// The whole web with its counterweight.
+    /// The whole web with its counterweight. The weight is what it has more than the plain web, which the throw's own unbalance
+    /// counts.
     Web,
 }
 

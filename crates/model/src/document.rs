@@ -7,6 +7,7 @@ mod value;
 mod walk;
 
 use crate::diagnostic::{Mistake, Mistakes};
+use crate::quantity::Dimension;
 use crate::ratio::Ratio;
 use crate::schema::{Key, Kind, Table};
 use std::cell::Cell;
@@ -149,6 +150,17 @@ impl Section {
         self.table
             .key(name)
             .map_or(String::new(), |key| format!("for example {} = {}", key.name, key.example))
+    }
+
+    /// What the key measures, if it holds a quantity.
+    pub(crate) fn dimension(&self, name: &str) -> Option<Dimension> {
+        match self.table.key(name)?.kind {
+            Kind::Quantity(dimension, _)
+            | Kind::Quantities(dimension, _)
+            | Kind::QuantityOrPair(dimension, _) => Some(dimension),
+            Kind::Share | Kind::ShareOrPair => Some(Dimension::Share),
+            _ => None,
+        }
     }
 
     /// How many tables the key may hold.

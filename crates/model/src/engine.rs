@@ -124,8 +124,7 @@ pub struct Throw {
     pub z: f64,
     /// Crank radius [m].
     pub radius: f64,
-    /// Unbalance of the crank itself along the throw [kg m] (pin and webs, no rod, no counterweight, no web whose outline
-    /// is given as a whole); may be negative.
+    /// Unbalance of the crank itself along the throw [kg m] (pin and plain webs, no rod, no counterweight); may be negative.
     pub unbalance: f64,
     /// Planes of its two webs [m], front then rear, from the origin; `None` if the file gives no web distance.
     pub webs: Option<[f64; 2]>,

@@ -1,7 +1,9 @@
 //! The general form of an engine as an engine file.
 
 mod balance;
+mod part;
 
+use crate::angle;
 use crate::engine::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Strokes, Throw};
 use crate::firing::turn;
 use crate::quantity::{Dimension, exact_text, neighbours, text_that};
@@ -35,13 +37,16 @@ pub fn expanded(engine: &Engine) -> String {
     file.entry_with_comment("origin", "\"0 mm\"", "every z counts from the reference plane");
     file.firing(engine);
     file.crankshafts(engine);
+    file.crank_body(engine);
     for (index, throw) in engine.throws.iter().enumerate() {
-        file.throw(index, throw);
+        file.throw(index, throw, engine.crank_body.is_some());
     }
     for (index, cylinder) in engine.cylinders.iter().enumerate() {
         file.cylinder(index, cylinder, engine);
     }
     file.weights(engine);
+    file.shape_task(engine);
+    file.clearance(engine);
     file.balance(engine);
     file.text
 }
@@ -117,7 +122,7 @@ impl File {
         }
     }
 
-    fn throw(&mut self, index: usize, throw: &Throw) {
+    fn throw(&mut self, index: usize, throw: &Throw, has_body: bool) {
         self.header("[[throw]]", &format!("{}", index + 1));
         if throw.crankshaft > 0 {
             self.entry("crankshaft", &(throw.crankshaft + 1).to_string());
@@ -125,7 +130,9 @@ impl File {
         self.entry("angle", &quantity(throw.angle, Dimension::Angle));
         self.entry("z", &quantity(throw.z, Dimension::Length));
         self.entry("radius", &quantity(throw.radius, Dimension::Length));
-        self.entry_unless_zero("unbalance", throw.unbalance, Dimension::Unbalance);
+        if !has_body {
+            self.entry_unless_zero("unbalance", throw.unbalance, Dimension::Unbalance);
+        }
         if let Some([front, rear]) = throw.webs {
             let z = throw.z;
             let fits = |distance: f64| z - distance / 2.0 == front && z + distance / 2.0 == rear;
@@ -179,6 +186,10 @@ impl File {
         for weight in &engine.counterweights {
             self.header("[[counterweight]]", "");
             self.entry("name", &quoted(&weight.name));
+            if let Some(part) = &weight.part {
+                self.part(weight, part, engine);
+                continue;
+            }
             if weight.crankshaft > 0 {
                 self.entry("crankshaft", &(weight.crankshaft + 1).to_string());
             }
@@ -262,6 +273,18 @@ fn mass_and_centre(rod: &Rod) -> (f64, f64) {
 
 fn quantity(value: f64, dimension: Dimension) -> String {
     format!("\"{}\"", exact_text(value, dimension))
+}
+
+/// The angle from which the reader makes the same `direction`, counted from `zero`.
+fn turn_between(zero: f64, direction: f64) -> String {
+    let fits = |turn: f64| angle::direction(zero + turn) == direction;
+    // Sums of some pairs of doubles miss every other double: a turn less is finer.
+    let turn = direction - zero;
+    let guess = [turn, turn - TAU, turn + TAU]
+        .into_iter()
+        .find(|guess| neighbours(*guess).into_iter().any(fits))
+        .unwrap_or(turn);
+    format!("\"{}\"", text_that(guess, Dimension::Angle, fits))
 }
 
 pub(crate) fn ratio(ratio: Ratio) -> String {

@@ -99,7 +99,7 @@ const POUND: f64 = 0.453_592_37;
 const INCH: f64 = 0.0254;
 const STANDARD_GRAVITY: f64 = 9.806_65;
 
-static UNITS: [Unit; 49] = {
+static UNITS: [Unit; 51] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -146,6 +146,8 @@ static UNITS: [Unit; 49] = {
         unit(Density, "kg/m3", 0, 1.0),
         unit(Density, "g/cm3", 3, 1.0),
         unit(Density, "kg/dm3", 3, 1.0),
+        unit(Density, "lb/in3", 0, POUND / (INCH * INCH * INCH)),
+        unit(Density, "lb/ft3", 0, POUND / (0.3048 * 0.3048 * 0.3048)),
         unit(Velocity, "mm/s", -3, 1.0),
         unit(Velocity, "m/s", 0, 1.0),
         unit(Velocity, "in/s", 0, INCH),
@@ -155,7 +157,7 @@ static UNITS: [Unit; 49] = {
 };
 
 /// Other spellings that people write, to be named in a hint; none is read.
-const SPELLINGS: [(&str, &str); 27] = [
+const SPELLINGS: [(&str, &str); 34] = [
     ("°", "deg"),
     ("degree", "deg"),
     ("degrees", "deg"),
@@ -183,6 +185,13 @@ const SPELLINGS: [(&str, &str); 27] = [
     ("grams", "g"),
     ("kilogram", "kg"),
     ("percent", "%"),
+    ("g/cc", "g/cm3"),
+    ("g/ml", "g/cm3"),
+    ("t/m3", "g/cm3"),
+    ("kg/l", "kg/dm3"),
+    ("lbs/in3", "lb/in3"),
+    ("lb/cu in", "lb/in3"),
+    ("lb/cu ft", "lb/ft3"),
 ];
 
 /// Why a text is no quantity of the dimension that is due.

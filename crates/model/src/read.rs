@@ -2,13 +2,18 @@
 
 mod arrangement;
 mod balance;
+mod clearance;
 mod crank;
+mod crank_body;
 mod cylinder;
+mod design;
 mod firing;
+mod geometry;
 mod layers;
 mod linkage;
 mod mains;
 mod mount;
+mod part;
 mod places;
 mod rod;
 mod shaft;
@@ -89,7 +94,10 @@ impl<'a> Reader<'a> {
         self.check_period(crankshafts.as_deref(), shafts.as_deref());
         let mounts = self.mounts();
         let count = drafts.as_ref().map(|drafts| drafts.throws.len());
-        let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len));
+        let body = self.crank_body();
+        let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len), &body);
+        let shape_task = self.shape_task(&body);
+        let envelope = self.clearance();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
         if drafts.is_none() {
@@ -100,6 +108,8 @@ impl<'a> Reader<'a> {
         self.check_places(&drafts, crankshafts.as_deref());
         self.check_mains(&drafts, crankshafts.as_deref());
         self.check_linkages(&drafts);
+        self.check_body(&body, &drafts);
+        self.check_bores(&envelope, &drafts);
         self.check_sizes(&drafts);
 
         let middle = drafts.middle();
@@ -110,12 +120,13 @@ impl<'a> Reader<'a> {
         if let (Some(throws), Some(origin)) = (&mut throws, origin) {
             for throw in throws {
                 throw.move_by(-origin);
+                throw.weigh(&body);
             }
         }
         let throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
         let counterweights = match (&throws, &cylinders, weights, origin) {
             (Some(throws), Some(cylinders), Some(weights), Some(origin)) => {
-                self.counterweights(weights, throws, cylinders, origin)
+                self.counterweights(weights, throws, cylinders, &body, origin)
             }
             _ => None,
         };
@@ -134,9 +145,9 @@ impl<'a> Reader<'a> {
             counterweights: counterweights?,
             shafts: shafts?,
             mounts: mounts?,
-            crank_body: None,
-            envelope: None,
-            shape_task: None,
+            crank_body: body?,
+            envelope: envelope?,
+            shape_task: shape_task?,
             balance: None,
         };
         let origin = origin?;

@@ -91,6 +91,8 @@ pub(crate) enum Kind {
     QuantityOrPair(Dimension, Bound),
     /// `"50 %"` or a bare fraction.
     Share,
+    /// A share, or a list of two.
+    ShareOrPair,
     /// A bare number.
     Number(Bound),
     /// `true` or `false`.
@@ -140,6 +142,7 @@ impl Kind {
                 format!("{} with its unit, or a list of the lowest and the highest", dimension.with_article())
             }
             Kind::Share => "a share such as \"50 %\"".into(),
+            Kind::ShareOrPair => "a share such as \"50 %\", or a list of the least and the most".into(),
             Kind::Number(_) => "a bare number".into(),
             Kind::Truth => "true or false".into(),
             Kind::Stages => "a list of criteria".into(),

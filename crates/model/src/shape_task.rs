@@ -1,6 +1,8 @@
 //! What a counterweight may look like and what is wanted of it: the file's `[counterweight_design]`.
 
+use lanchester_shape::{GeometryError, plausible_density};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Least and most of a dimension; equal where it is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -88,4 +90,92 @@ pub struct ShapeTask {
     pub thickness: Range,
     /// Limits.
     pub limits: DesignLimits,
+}
+
+/// A number of a [`ShapeTask`] that has no meaning.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShapeFault {
+    /// Key of the engine file that holds it, dotted: `arc_angle`, `limits.shoulder_angle`.
+    pub key: &'static str,
+    /// What is wrong with it.
+    pub error: GeometryError,
+}
+
+/// Shoulders steeper than this [rad] have a height that follows the width by more than a factor of fifty.
+pub(crate) const STEEPEST: f64 = 89.0 * PI / 180.0;
+
+impl ShapeTask {
+    /// The numbers that have no meaning, in the order of the keys of the engine file; none if a shape can be searched.
+    pub fn faults(&self) -> Vec<ShapeFault> {
+        let mut faults = Vec::new();
+        if let Err(error) = plausible_density(self.density) {
+            faults.push(ShapeFault { key: "density", error });
+        }
+        let mut add = |key, quantity, needed, got, hint| {
+            faults.push(ShapeFault { key, error: GeometryError::Number { quantity, needed, got, hint } });
+        };
+        if !(self.least_balance > 0.0 && self.least_balance.is_finite()) {
+            let hint = "give what the counterweight must balance";
+            add("balance", "least balance", "positive", self.least_balance, hint);
+        } else if let Some(most) = self.most_balance
+            && (most.is_nan() || most < self.least_balance)
+        {
+            let hint = "widen the range of balance";
+            add("balance", "most balance", "at least the least balance", most, hint);
+        }
+        let endless = f64::INFINITY;
+        let mut ranges = vec![
+            ("web_radius", "web radius r [m]", self.web_radius, true, endless),
+            ("rectangle_height", "rectangle height h [m]", self.rectangle_height, false, endless),
+            ("arc_radius", "arc radius R [m]", self.arc_radius, true, endless),
+            ("arc_angle", "arc angle alpha [rad]", self.arc_angle, true, TAU),
+            ("thickness", "thickness [m]", self.thickness, true, endless),
+            match self.shoulder {
+                Shoulder::Angle(range) => {
+                    ("shoulder_angle", "shoulder angle delta [rad]", range, false, STEEPEST)
+                }
+                Shoulder::Height(range) => {
+                    ("shoulder_height", "shoulder height H [m]", range, false, endless)
+                }
+            },
+        ];
+        ranges.extend(self.limits.shoulder_angle.map(|range| {
+            ("limits.shoulder_angle", "limit of the shoulder angle [rad]", range, false, FRAC_PI_2)
+        }));
+        ranges.extend(self.limits.shoulder_height.map(|range| {
+            ("limits.shoulder_height", "limit of the shoulder height [m]", range, false, endless)
+        }));
+        for (key, quantity, Range { least, most: largest }, above_zero, most) in ranges {
+            if !(least.is_finite() && largest.is_finite()) {
+                let got = if least.is_finite() { largest } else { least };
+                let hint = "give the range within which the shape is searched";
+                add(key, quantity, "finite", got, hint);
+            } else if least < 0.0 || (above_zero && least == 0.0) {
+                let needed = if above_zero { "positive" } else { "zero or more" };
+                add(key, quantity, needed, least, "raise the least value of the range");
+            } else if largest < least {
+                let hint = "exchange both ends of the range";
+                add(key, quantity, "a range from small to large", largest, hint);
+            } else if most == TAU && largest >= most {
+                add(key, quantity, "less than a full turn", largest, "lower the largest value of the range");
+            } else if largest > most {
+                let needed = if most == FRAC_PI_2 { "at most a quarter turn" } else { "at most 89 degrees" };
+                add(key, quantity, needed, largest, "for steeper shoulders give their height instead");
+            }
+        }
+        let limits = [
+            ("limits.mass", "limit of the mass [kg]", self.limits.mass),
+            ("limits.swept_radius", "limit of the swept radius [m]", self.limits.swept_radius),
+            ("limits.inertia", "limit of the inertia [kg m2]", self.limits.inertia),
+            ("limits.half_width", "limit of the half width [m]", self.limits.half_width),
+        ];
+        for (key, quantity, limit) in limits {
+            if let Some(got) = limit
+                && !(got > 0.0 && got.is_finite())
+            {
+                add(key, quantity, "positive", got, "leave the limit out if there is none");
+            }
+        }
+        faults
+    }
 }

@@ -5,6 +5,14 @@ use proptest::prelude::*;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+/// A crankshaft as a body, counterweights as parts, a design and clearances: no template has them.
+const PARTS: &str = include_str!("files/crank-as-body.toml");
+
+/// Good engine files: the templates, and one more.
+fn good_files() -> Vec<&'static str> {
+    templates().iter().map(|template| template.text).chain([PARTS, PARTS]).collect()
+}
+
 fn survives(text: &str) -> Result<(), TestCaseError> {
     let reading = read(text);
     let has_error = reading.diagnostics.iter().any(|d| d.severity == Severity::Error);
@@ -38,8 +46,8 @@ fn mutated() -> impl Strategy<Value = String> {
         Just("type = \"articulated\"".to_string()),
     ];
     let edit = (any::<prop::sample::Index>(), 0_usize..40, rubbish);
-    (0..templates().len(), prop::collection::vec(edit, 1..4)).prop_map(|(template, edits)| {
-        let mut text = templates()[template].text.to_string();
+    (prop::sample::select(good_files()), prop::collection::vec(edit, 1..4)).prop_map(|(file, edits)| {
+        let mut text = file.to_string();
         for (place, cut, piece) in edits {
             let start = text.floor_char_boundary(place.index(text.len() + 1));
             let end = text.ceil_char_boundary((start + cut).min(text.len()));
@@ -52,8 +60,8 @@ fn mutated() -> impl Strategy<Value = String> {
 /// A shipped file with the value of one line replaced by that of another, or with lines swapped or dropped.
 fn shuffled() -> impl Strategy<Value = String> {
     let edit = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), 0..4);
-    (0..templates().len(), prop::collection::vec(edit, 1..4)).prop_map(|(template, edits)| {
-        let mut lines: Vec<String> = templates()[template].text.lines().map(str::to_string).collect();
+    (prop::sample::select(good_files()), prop::collection::vec(edit, 1..4)).prop_map(|(file, edits)| {
+        let mut lines: Vec<String> = file.lines().map(str::to_string).collect();
         for (one, other, kind) in edits {
             let (one, other) = (one.index(lines.len()), other.index(lines.len()));
             match kind {
@@ -299,6 +307,15 @@ fn every_template_reads_back_to_the_last_bit() {
 }
 
 #[test]
+fn the_file_with_parts_reads_without_a_complaint() {
+    let reading = read(PARTS);
+    let shown = render(&reading.diagnostics, "parts.toml", PARTS, false);
+    assert!(reading.diagnostics.is_empty(), "{shown}");
+    let engine = reading.engine.expect("no mistakes");
+    assert_eq!(read(&expanded(&engine)).engine, Some(engine));
+}
+
+#[test]
 fn too_much_is_refused_by_name() {
     let codes = |text: &str| read(text).diagnostics.iter().map(|d| d.code).collect::<Vec<_>>();
     assert_eq!(codes(&"#".repeat(5 * 1024 * 1024)), ["E0003"]);
@@ -312,6 +329,12 @@ fn too_much_is_refused_by_name() {
     );
     let many = radial.replace("type = \"radial\"", &rows).replace("order = [1, 3, 5, 7, 9, 2, 4, 6, 8]", "");
     assert!(codes(&many).contains(&"E0004"), "{:?}", codes(&many));
+    // Few enough for one list, too many for the file.
+    let corners = "{ x = \"1 mm\", y = \"1 mm\" },".repeat(1900);
+    let weight =
+        format!("[[counterweight]]\nthrow = 1\nshape = {{ thickness = \"9 mm\", outline = [{corners}] }}\n");
+    let parts = format!("{}\n{}", templates()[0].text, weight.repeat(6));
+    assert_eq!(codes(&parts), ["E0004"]);
     let keys: String = (0..300).fold(String::new(), |mut text, k| {
         let _ = writeln!(text, "k{k} = {k}");
         text

@@ -33,14 +33,15 @@ fn schema() -> jsonschema::Validator {
 #[test]
 fn every_template_and_its_expanded_form_fit_the_schema() {
     let schema = schema();
-    for template in templates() {
-        let engine = read(template.text).engine.unwrap_or_else(|| panic!("{} cannot be read", template.name));
-        for text in [template.text, &expanded(&engine)] {
+    let parts = ("parts", include_str!("files/crank-as-body.toml"));
+    for (name, file) in templates().iter().map(|template| (template.name, template.text)).chain([parts]) {
+        let engine = read(file).engine.unwrap_or_else(|| panic!("{name} cannot be read"));
+        for text in [file, &expanded(&engine)] {
             let errors: Vec<String> = schema
                 .iter_errors(&as_json(text))
                 .map(|error| format!("{} at {}", error, error.instance_path()))
                 .collect();
-            assert!(errors.is_empty(), "{}: {errors:?}", template.name);
+            assert!(errors.is_empty(), "{name}: {errors:?}");
         }
     }
 }
@@ -75,6 +76,12 @@ fn what_the_reader_refuses_by_its_keys_the_schema_refuses() {
     for (pointer, key, new) in [
         ("/rod", "length", json!(" 1.44e2mm ")),
         ("/rod", "length", json!("144 µm")),
+        (
+            "",
+            "counterweight_design",
+            json!({ "density": "7.85 g/cm³", "balance": [0.9, "110 %"],
+            "rectangle_height": "1 mm", "arc_radius": ["1 mm", "2 mm"], "arc_angle": "9 deg", "thickness": "1 mm" }),
+        ),
         ("/crank", "unbalance", json!("-0.02 kg·m")),
         ("/rod", "inertia", json!("2000 kg mm²")),
         ("", "speed", json!(["1 Hz", "4000 rpm"])),

@@ -166,7 +166,15 @@ impl Walk<'_> {
         None
     }
 
-    pub(super) fn bare_share(&mut self, key: &Key, item: &Item<'_>) -> Option<Value> {
+    /// A percentage, or a bare fraction.
+    pub(super) fn share(&mut self, key: &Key, item: &Item<'_>) -> Option<Spot<f64>> {
+        match item.value() {
+            Toml::Integer(_) | Toml::Float(_) => self.bare_share(key, item),
+            _ => self.quantity(key, item, Dimension::Share, Bound::NotNegative),
+        }
+    }
+
+    pub(super) fn bare_share(&mut self, key: &Key, item: &Item<'_>) -> Option<Spot<f64>> {
         let span = item.span().range();
         let value = item.as_f64()?;
         if !value.is_finite() || value < 0.0 {
@@ -174,7 +182,7 @@ impl Walk<'_> {
             self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
             return None;
         }
-        Some(Value::Number(value))
+        Some(Spot { value, span })
     }
 
     pub(super) fn bare_number(&mut self, key: &Key, item: &Item<'_>, bound: Bound) -> Option<Value> {

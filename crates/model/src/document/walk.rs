@@ -154,7 +154,15 @@ impl Walk<'_> {
             (Kind::Share, Toml::String(_)) => self
                 .quantity(key, item, Dimension::Share, Bound::NotNegative)
                 .map(|spot| Value::Number(spot.value)),
-            (Kind::Share, Toml::Integer(_) | Toml::Float(_)) => self.bare_share(key, item),
+            (Kind::Share, Toml::Integer(_) | Toml::Float(_)) => {
+                self.bare_share(key, item).map(|spot| Value::Number(spot.value))
+            }
+            (Kind::ShareOrPair, Toml::String(_) | Toml::Integer(_) | Toml::Float(_)) => {
+                self.share(key, item).map(|spot| Value::Numbers(vec![spot]))
+            }
+            (Kind::ShareOrPair, Toml::Array(_)) => {
+                self.list(key, item, |walk, item| walk.share(key, item)).map(Value::Numbers)
+            }
             (Kind::Number(bound), Toml::Integer(_) | Toml::Float(_)) => self.bare_number(key, item, bound),
             (Kind::Truth, Toml::Boolean(truth)) => Some(Value::Truth(*truth)),
             (Kind::Stages, Toml::Array(array)) => self.stages(key, array, item),

@@ -1,7 +1,6 @@
 //! The section `[balance]`.
 
-use super::{File, quantity, quoted, ratio};
-use crate::angle;
+use super::{File, quantity, quoted, ratio, turn_between};
 use crate::criterion::{dimension, name_among};
 use crate::engine::Engine;
 use crate::quantity::{Dimension, text_that};
@@ -151,8 +150,7 @@ fn direction(phase: f64, weight: &FreeWeight, engine: &Engine) -> String {
     if zero == 0.0 {
         return quantity(phase, Dimension::Angle);
     }
-    let text = text_that(phase - zero, Dimension::Angle, |angle| angle::direction(zero + angle) == phase);
-    format!("\"{text}\"")
+    turn_between(zero, phase)
 }
 
 fn place(place: Place) -> String {

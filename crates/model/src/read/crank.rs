@@ -20,7 +20,9 @@ pub(super) struct DraftThrow {
     pub(super) span: Span,
     /// What gives its radius.
     pub(super) radius_span: Span,
-    web_distance: Option<f64>,
+    pub(super) web_distance: Option<f64>,
+    /// What gives its web distance.
+    pub(super) web_span: Span,
 }
 
 impl DraftThrow {
@@ -30,6 +32,7 @@ impl DraftThrow {
             span,
             radius_span: masses.radius_span.clone(),
             web_distance: masses.web_distance,
+            web_span: masses.web_span.clone(),
         };
         draft.move_by(0.0);
         draft
@@ -50,6 +53,7 @@ pub(super) struct ThrowMasses {
     pub(super) unbalance: f64,
     pub(super) web_distance: Option<f64>,
     radius_span: Span,
+    web_span: Span,
 }
 
 const UNBALANCE_KEYS: [&str; 4] = ["unbalance", "pin_mass", "web_mass", "web_radius"];
@@ -127,14 +131,20 @@ impl<'a> Reader<'a> {
     /// Radius, unbalance and web distance, from the throw's own table over `[crank]`.
     pub(super) fn throw_masses(&mut self, layers: &Layers<'a>) -> Option<ThrowMasses> {
         let radius = self.radius(layers);
-        let web_distance = match layers.number("web_distance") {
-            Field::Given(spot) => Some(Some(spot.value)),
-            Field::Absent => Some(None),
-            Field::Bad => None,
+        let (web_distance, web_span) = match layers.number("web_distance") {
+            Field::Given(spot) => (Some(Some(spot.value)), spot.span),
+            Field::Absent => (Some(None), layers.place()),
+            Field::Bad => (None, 0..0),
         };
         let unbalance = self.throw_unbalance(layers, radius.as_ref().map(|(radius, _)| *radius));
         let (radius, radius_span) = radius?;
-        Some(ThrowMasses { radius, unbalance: unbalance?, web_distance: web_distance?, radius_span })
+        Some(ThrowMasses {
+            radius,
+            unbalance: unbalance?,
+            web_distance: web_distance?,
+            radius_span,
+            web_span,
+        })
     }
 
     fn radius(&mut self, layers: &Layers<'a>) -> Option<(f64, Span)> {
@@ -154,8 +164,24 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// What the keys of the throw and of `[crank]` say; 0 with `[crank.body]`, from which it is found later.
     fn throw_unbalance(&mut self, layers: &Layers<'a>, radius: Option<f64>) -> Option<f64> {
         let Some(section) = layers.with_any(&UNBALANCE_KEYS) else { return Some(0.0) };
+        if let Some(crank) = self.section("crank").0.filter(|crank| crank.has("body")) {
+            for key in UNBALANCE_KEYS.into_iter().filter(|key| section.has(key)) {
+                self.mistakes.push(
+                    Mistake::error(
+                        "E0203",
+                        section.key_span(key),
+                        format!("`{key}` and [crank.body] both give the unbalance of the throw"),
+                    )
+                    .label("second source")
+                    .related(crank.key_span("body"), "first source")
+                    .hint("keep one of the two"),
+                );
+            }
+            return None;
+        }
         let [unbalance, pin, web, web_radius] = UNBALANCE_KEYS.map(|key| section.number(key));
         if section.has("unbalance") {
             let other = UNBALANCE_KEYS[1..].iter().find(|key| section.has(key));

@@ -1,24 +1,39 @@
 //! Counterweights: one by one, and the short form.
 
 use super::Reader;
+use super::crank_body::MaybeBody;
 use super::cylinder::DraftCylinder;
+use super::part::DraftPart;
 use crate::angle;
+use crate::crank_body::CounterweightPart;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::{Counterweight, Throw};
+use crate::part_weight::{PartFault, part_weight};
+use crate::quantity::{self, Dimension};
 use std::f64::consts::PI;
 
 /// Shares above this are taken for a percentage without its sign.
 const LARGEST_SHARE: f64 = 2.0;
+
+/// A shape that misses its unbalance by more than this share of it is told.
+const LARGEST_MISS: f64 = 0.01;
 
 /// A `[[counterweight]]` before the throws are known.
 #[derive(Debug)]
 pub(super) struct DraftWeight {
     name: Option<String>,
     place: WeightPlace,
-    unbalance: f64,
+    amount: DraftAmount,
     angle: Option<f64>,
     span: Span,
+}
+
+/// What it weighs: a number, or a part.
+#[derive(Debug)]
+enum DraftAmount {
+    Unbalance(f64),
+    Part(Box<DraftPart>),
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -38,10 +53,14 @@ impl<'a> Reader<'a> {
         &mut self,
         throws: Option<usize>,
         crankshafts: Option<usize>,
+        body: &MaybeBody,
     ) -> Option<Vec<DraftWeight>> {
         let sections = self.root.tables("counterweight").or(&[])?;
+        if !self.has_few_corners(sections) {
+            return None;
+        }
         let drafts: Vec<Option<DraftWeight>> =
-            sections.iter().map(|section| self.weight_draft(section, throws, crankshafts)).collect();
+            sections.iter().map(|section| self.weight_draft(section, throws, crankshafts, body)).collect();
         drafts.into_iter().collect()
     }
 
@@ -50,9 +69,17 @@ impl<'a> Reader<'a> {
         section: &'a Section,
         throws: Option<usize>,
         crankshafts: Option<usize>,
+        body: &MaybeBody,
     ) -> Option<DraftWeight> {
         let name = section.text("name");
-        let unbalance = self.weight_unbalance(section);
+        let amount = match section.table("shape") {
+            Field::Given(shape) => {
+                let part = self.part_draft(section, shape.value, body);
+                part.map(|part| DraftAmount::Part(Box::new(part)))
+            }
+            Field::Absent => self.weight_unbalance(section).map(DraftAmount::Unbalance),
+            Field::Bad => None,
+        };
         let angle = section.number("angle");
         let place = self.weight_place(section, throws, crankshafts);
         if name.is_bad() || angle.is_bad() {
@@ -61,7 +88,7 @@ impl<'a> Reader<'a> {
         Some(DraftWeight {
             name: name.given(),
             place: place?,
-            unbalance: unbalance?,
+            amount: amount?,
             angle: angle.given(),
             span: section.span.clone(),
         })
@@ -139,6 +166,7 @@ impl<'a> Reader<'a> {
         drafts: Vec<DraftWeight>,
         throws: &[Throw],
         cylinders: &[DraftCylinder<'a>],
+        body: &MaybeBody,
         origin: f64,
     ) -> Option<Vec<Counterweight>> {
         let short = self.short_form(throws, cylinders);
@@ -146,7 +174,7 @@ impl<'a> Reader<'a> {
         let single: Vec<Counterweight> = drafts
             .into_iter()
             .enumerate()
-            .filter_map(|(index, draft)| self.placed_weight(draft, index, throws, origin))
+            .filter_map(|(index, draft)| self.placed_weight(draft, index, throws, body, origin))
             .collect();
         let all_placed = single.len() == count;
         let mut weights = short?;
@@ -166,6 +194,7 @@ impl<'a> Reader<'a> {
         draft: DraftWeight,
         index: usize,
         throws: &[Throw],
+        body: &MaybeBody,
         origin: f64,
     ) -> Option<Counterweight> {
         let (crankshaft, z, angle, name) = match draft.place {
@@ -187,14 +216,65 @@ impl<'a> Reader<'a> {
                 (crankshaft, z - origin, draft.angle.unwrap_or(0.0), format!("weight {}", index + 1))
             }
         };
-        Some(Counterweight {
-            name: draft.name.unwrap_or(name),
-            crankshaft,
-            z,
-            unbalance: draft.unbalance,
-            angle,
-            part: None,
-        })
+        let name = draft.name.unwrap_or(name);
+        let part = match draft.amount {
+            DraftAmount::Unbalance(unbalance) => {
+                return Some(Counterweight { name, crankshaft, z, unbalance, angle, part: None });
+            }
+            DraftAmount::Part(part) => *part,
+        };
+        let web = match draft.place {
+            WeightPlace::Web(index, web) => Some(2 * index + web),
+            _ => None,
+        };
+        let DraftPart { form, part, wanted, span, wanted_span } = part;
+        let part = CounterweightPart { form, part, web, z, angle, wanted };
+        let weight = match part_weight(&part, throws, body.as_ref()?.as_ref()) {
+            Ok(weight) => weight,
+            Err(fault) => {
+                self.part_fault(span, fault);
+                return None;
+            }
+        };
+        if let Some(wanted) = wanted {
+            self.check_wanted(wanted_span, wanted, weight.unbalance);
+        }
+        let (z, unbalance, angle) = (weight.z, weight.unbalance, weight.angle);
+        Some(Counterweight { name, crankshaft, z, unbalance, angle, part: Some(Box::new(part)) })
+    }
+
+    fn part_fault(&mut self, span: Span, fault: PartFault) {
+        let mistake = match fault {
+            PartFault::Couple { .. } => Mistake::error("E0902", span, fault.to_string())
+                .hint("move the blind inserts and chamfers so that those of both faces lie opposite, or bore through"),
+            PartFault::TooLarge => {
+                Mistake::error("E0901", span, fault.to_string()).hint("check the units of its dimensions")
+            }
+            // Told with [crank.body].
+            PartFault::Web(_) => return,
+        };
+        self.mistakes.push(mistake);
+    }
+
+    /// The shape against the unbalance that it should have.
+    fn check_wanted(&mut self, span: Span, wanted: f64, unbalance: f64) {
+        let miss = unbalance - wanted;
+        if miss.abs() <= LARGEST_MISS * wanted {
+            return;
+        }
+        let [shown, by] =
+            [unbalance, miss.abs()].map(|amount| quantity::readable(amount, Dimension::Unbalance));
+        let share = if wanted > 0.0 {
+            format!(" ({})", quantity::readable(miss.abs() / wanted, Dimension::Share))
+        } else {
+            String::new()
+        };
+        let side = if miss > 0.0 { "more" } else { "less" };
+        self.mistakes.push(
+            Mistake::warning("W0901", span, format!("the shape has {shown}, {by}{share} {side} than this"))
+                .label("wanted")
+                .hint("change the shape; loads are those of the shape"),
+        );
     }
 
     pub(super) fn web_distance_missing(&mut self, span: Span, throw: usize) {

@@ -60,10 +60,11 @@ fn key_schema(key: &Key) -> Value {
             bounded(dimension, bound),
             { "type": "array", "items": bounded(dimension, bound), "minItems": 2, "maxItems": 2 },
         ] }),
-        Kind::Share => json!({ "anyOf": [
-            bounded(Dimension::Share, Bound::NotNegative),
-            { "type": "number", "minimum": 0 },
-        ] }),
+        Kind::Share => share_schema(),
+        Kind::ShareOrPair => {
+            let share = share_schema();
+            json!({ "anyOf": [share, { "type": "array", "items": share, "minItems": 2, "maxItems": 2 }] })
+        }
         Kind::Number(Bound::Any) => json!({ "type": "number" }),
         Kind::Number(Bound::NotNegative) => json!({ "type": "number", "minimum": 0 }),
         Kind::Number(Bound::Positive) => json!({ "type": "number", "exclusiveMinimum": 0 }),
@@ -95,6 +96,14 @@ fn key_schema(key: &Key) -> Value {
     schema
 }
 
+/// A percentage, or a bare fraction.
+fn share_schema() -> Value {
+    json!({ "anyOf": [
+        bounded(Dimension::Share, Bound::NotNegative),
+        { "type": "number", "minimum": 0 },
+    ] })
+}
+
 /// A table whose keys are criteria: each value is a quantity in a unit of its criterion.
 fn criteria_with_values() -> Value {
     let values = [Dimension::Force, Dimension::Torque, Dimension::Mass, Dimension::Unbalance]
@@ -120,9 +129,12 @@ fn quantity_schema(dimension: Dimension) -> Value {
         .units()
         .map(|unit| {
             let name = unit.name.replace(' ', "\\s*[*·⋅]?\\s*");
-            let name = match name.strip_suffix('2') {
-                Some(base) => format!("{base}(2|\\^2|²)"),
-                None => name,
+            let power =
+                |base: &str, digit: char, raised: char| format!("{base}({digit}|\\^{digit}|{raised})");
+            let name = match (name.strip_suffix('2'), name.strip_suffix('3')) {
+                (Some(base), _) => power(base, '2', '²'),
+                (_, Some(base)) => power(base, '3', '³'),
+                _ => name,
             };
             name.replace("um", "[uµμ]m")
         })

@@ -1,8 +1,12 @@
 //! The keys of the engine file, table by table.
 
 mod balance;
+mod clearance;
+mod crank_body;
+mod design;
 mod devices;
 mod layout;
+mod part;
 mod train;
 
 use super::Bound::{Any, Positive};
@@ -10,6 +14,8 @@ use super::Need::{Optional, Required};
 use super::{Bound, Key, Kind, Need, Table};
 use crate::quantity::Dimension::{self, Angle, Length, Speed};
 use balance::BALANCE;
+use clearance::CLEARANCE;
+use design::COUNTERWEIGHT_DESIGN;
 use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, MOUNT, SHAFT};
 use layout::LAYOUT;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
@@ -134,6 +140,20 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Weights on the crankshafts, one by one.",
             "[{ web = 1, unbalance = \"0.02 kg m\" }]",
+        ),
+        key(
+            "counterweight_design",
+            Kind::Table(&COUNTERWEIGHT_DESIGN),
+            Optional,
+            "Shapes among which counterweights are to be found.",
+            "{ minimise = \"mass\" }",
+        ),
+        key(
+            "clearance",
+            Kind::Table(&CLEARANCE),
+            Optional,
+            "What the crankshaft must stay clear of.",
+            "{ least = \"1 mm\" }",
         ),
         key(
             "shaft",

@@ -69,6 +69,7 @@ fn holds(kind: Kind) -> String {
         Kind::Quantities(dimension, bound) => format!("list: {}", bounded(dimension, bound)),
         Kind::QuantityOrPair(dimension, bound) => format!("{}; one or two", bounded(dimension, bound)),
         Kind::Share => "share, or a bare fraction".into(),
+        Kind::ShareOrPair => "share, or a bare fraction; one or two".into(),
         Kind::Number(bound) => match bound {
             Bound::Any => "number".into(),
             Bound::NotNegative => "number, not negative".into(),

@@ -3,6 +3,7 @@
 use super::super::Bound::{Any, NotNegative};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
+use super::part::SHAPE;
 use super::{MOST_CRANKSHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use crate::quantity::Dimension::{Angle, Length, Mass, Unbalance};
 
@@ -72,6 +73,14 @@ pub(super) static COUNTERWEIGHT: Table = Table {
             "Direction: at a throw or on a web from the throw, default 180 deg; with `z` from the crankshaft's zero, \
              default 0 deg.",
             "\"180 deg\"",
+        ),
+        key(
+            "shape",
+            Kind::Table(&SHAPE),
+            Optional,
+            "The part that it is: plane, unbalance and direction are then those of the part, whose own x points along `angle`; \
+             `unbalance` is what it should have, and a warning tells a miss of more than 1 %.",
+            "{ thickness = \"20 mm\" }",
         ),
     ],
 };

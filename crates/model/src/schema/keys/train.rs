@@ -3,13 +3,30 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
+use super::crank_body::CRANK_BODY;
 use super::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_THROWS, key, quantity};
 use crate::quantity::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 
 pub(super) static CRANK: Table = Table {
     header: "[crank]",
     doc: "What holds for all throws. Without `unbalance` or masses the crank itself is balanced.",
-    keys: &[STROKE, RADIUS, THROW_UNBALANCE, PIN_MASS, WEB_MASS, WEB_RADIUS, WEB_DISTANCE, MAIN_POSITIONS],
+    keys: &[
+        STROKE,
+        RADIUS,
+        THROW_UNBALANCE,
+        PIN_MASS,
+        WEB_MASS,
+        WEB_RADIUS,
+        WEB_DISTANCE,
+        MAIN_POSITIONS,
+        key(
+            "body",
+            Kind::Table(&CRANK_BODY),
+            Optional,
+            "Journals, pins and webs as bodies, instead of `unbalance` or masses.",
+            "{ density = \"7850 kg/m3\" }",
+        ),
+    ],
 };
 
 const STROKE: Key = quantity("stroke", Length, Positive, "Twice the crank radius.", "\"95.5 mm\"");

@@ -1,0 +1,106 @@
+//! What a counterweight that is a part weighs on the crankshaft: its unbalance, plane and direction.
+
+use crate::angle;
+use crate::crank_body::{CounterweightForm, CounterweightPart, CrankBody};
+use crate::engine::{Engine, Throw};
+use lanchester_shape::{GeometryError, Outline, Point};
+use std::f64::consts::PI;
+
+/// Unbalance, plane and direction of a part on its crankshaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartWeight {
+    /// Unbalance [kg m], not negative.
+    pub unbalance: f64,
+    /// Plane [m], from the origin.
+    pub z: f64,
+    /// Direction on the crankshaft [rad].
+    pub angle: f64,
+}
+
+/// Why a part is no single weight.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PartFault {
+    /// Its first moments along z do not point where its unbalance does: it makes a couple of its own.
+    #[error("the part has a couple of {couple:.3e} kg m2 across its unbalance, which no single weight has")]
+    Couple {
+        /// Product of inertia across the unbalance, about the middle of the part [kg m^2].
+        couple: f64,
+    },
+    /// Too large for the range of numbers.
+    #[error("the unbalance of the part is beyond any engine")]
+    TooLarge,
+    /// The plain web on which it sits cannot be.
+    #[error(transparent)]
+    Web(#[from] GeometryError),
+}
+
+/// Unbalances below this share of mass times swept radius are rounding, and so are directions and planes beside the own ones.
+const ROUNDING: f64 = 1e-12;
+/// Couples below this share of mass times swept radius times thickness are none.
+const NO_COUPLE: f64 = 1e-9;
+/// Unbalance [kg m] and place [m] beyond which no engine goes.
+const LARGEST: f64 = 1e12;
+
+impl Engine {
+    /// What `part` weighs as a counterweight of this engine.
+    ///
+    /// # Errors
+    /// [`PartFault`] if no single weight is the same.
+    pub fn part_weight(&self, part: &CounterweightPart) -> Result<PartWeight, PartFault> {
+        part_weight(part, &self.throws, self.crank_body.as_ref())
+    }
+}
+
+/// As [`Engine::part_weight`], while the engine is still being read.
+pub(crate) fn part_weight(
+    part: &CounterweightPart,
+    throws: &[Throw],
+    body: Option<&CrankBody>,
+) -> Result<PartWeight, PartFault> {
+    let moments = part.part.moments();
+    let mut first = Point::new(moments.first[0], moments.first[1]);
+    // The first moments times z, about the middle of the part. Webs are symmetric about it.
+    let lever = Point::new(moments.second[4], moments.second[3]);
+    let throw = part.web.and_then(|web| throws.get(web / 2));
+    if let (Some(body), Some(throw)) = (body, throw)
+        && part.form == CounterweightForm::Web
+    {
+        let web = plain_web(body, throw, part.angle)?;
+        first = first - web.moments().first * (body.density * body.web_thickness);
+    }
+    let reach = moments.mass * part.part.outline().swept_radius();
+    let thickness = part.part.thickness();
+    let mut unbalance = first.norm();
+    if unbalance <= ROUNDING * reach {
+        unbalance = 0.0;
+    }
+    let along = if unbalance > 0.0 { first * (1.0 / unbalance) } else { Point::new(1.0, 0.0) };
+    let couple = if unbalance > 0.0 { along.cross(lever).abs() } else { lever.norm() };
+    let offset = if unbalance > 0.0 { along.dot(lever) / unbalance } else { 0.0 };
+    let is_finite = [unbalance, couple, offset].iter().all(|value| value.abs() <= LARGEST);
+    if !is_finite {
+        return Err(PartFault::TooLarge);
+    }
+    if couple > NO_COUPLE * reach * thickness {
+        return Err(PartFault::Couple { couple });
+    }
+    let offset = if offset.abs() <= ROUNDING * thickness { 0.0 } else { offset };
+    let turn = match along {
+        Point { x, y } if y.abs() <= ROUNDING => {
+            if x > 0.0 {
+                0.0
+            } else {
+                PI
+            }
+        }
+        Point { x, y } => y.atan2(x),
+    };
+    let angle = if turn == 0.0 { part.angle } else { angle::direction(part.angle + turn) };
+    Ok(PartWeight { unbalance, z: part.z + offset, angle })
+}
+
+/// The plain web of a throw in the frame of a part that stands at `angle` [rad].
+fn plain_web(body: &CrankBody, throw: &Throw, angle: f64) -> Result<Outline, GeometryError> {
+    Ok(body.web(throw.radius)?.turned(throw.angle + PI - angle))
+}
