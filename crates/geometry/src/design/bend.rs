@@ -1,53 +1,83 @@
 //! Second derivatives over a box: how far a term can lie below its tangent.
 
+use super::curve::{PAIRS, pair};
 use super::interval::Interval;
-use super::number::Number;
 use super::problem::SHAPE;
-use std::ops::Add;
 
 /// Most rounds in search of the least of a convex bound.
 const SWEEPS: usize = 8;
 
-/// Ranges of the second derivatives of a term over a box.
+/// Ranges of the second derivatives of a term over a box, or of a sum of terms: the lower triangle, row by row.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bend(pub [[Interval; SHAPE]; SHAPE]);
+pub(super) struct Bend {
+    middle: [f64; PAIRS],
+    radius: [f64; PAIRS],
+    /// Largest absolute values beside the diagonal, half of what is below zero on it.
+    fall: [f64; PAIRS],
+}
+
+/// Products of the half widths of a box, in the order of the pairs.
+pub(super) fn products(half: &[f64; SHAPE]) -> [f64; PAIRS] {
+    let mut products = [0.0; PAIRS];
+    for j in 0..SHAPE {
+        for k in 0..=j {
+            products[pair(j, k)] = half[j] * half[k];
+        }
+    }
+    products
+}
 
 impl Bend {
-    /// Of a term that is linear.
-    pub fn none() -> Bend {
-        Bend([[Interval::of(0.0); SHAPE]; SHAPE])
-    }
-
-    /// Times a number that is not negative.
-    pub fn times(&self, factor: f64) -> Bend {
-        Bend(self.0.map(|row| row.map(|entry| Interval::new(entry.low * factor, entry.high * factor))))
-    }
-
-    /// Lower bound of `1/2 SUM H_jk s_j s_k` for `|s_k| <= half_k`, entry by entry.
-    pub fn drop(&self, half: &[f64; SHAPE]) -> f64 {
-        let mut sum = 0.0;
+    /// Of a term with these second derivatives.
+    pub fn of(ranges: &[Interval; PAIRS]) -> Bend {
+        let mut fall = ranges.map(|range| range.low.abs().max(range.high.abs()));
         for j in 0..SHAPE {
-            sum += 0.5 * self.0[j][j].low.min(0.0) * half[j] * half[j];
-            for k in 0..j {
-                let entry = self.0[j][k];
-                sum -= entry.low.abs().max(entry.high.abs()) * half[j] * half[k];
+            fall[pair(j, j)] = -0.5 * ranges[pair(j, j)].low.min(0.0);
+        }
+        Bend {
+            middle: ranges.map(|range| 0.5 * (range.low + range.high)),
+            radius: ranges.map(|range| 0.5 * (range.high - range.low)),
+            fall,
+        }
+    }
+
+    /// Of the sum of terms with weights that are not negative.
+    pub fn sum<'a>(terms: impl Iterator<Item = (f64, &'a Bend)>) -> Bend {
+        let mut sum = Bend { middle: [0.0; PAIRS], radius: [0.0; PAIRS], fall: [0.0; PAIRS] };
+        for (weight, term) in terms {
+            for at in 0..PAIRS {
+                sum.middle[at] += weight * term.middle[at];
+                sum.radius[at] += weight * term.radius[at];
+            }
+        }
+        for j in 0..SHAPE {
+            for k in 0..=j {
+                let at = pair(j, k);
+                let low = sum.middle[at] - sum.radius[at];
+                sum.fall[at] =
+                    if j == k { -0.5 * low.min(0.0) } else { sum.middle[at].abs() + sum.radius[at] };
             }
         }
         sum
     }
 
-    /// Lower bound of the same by the whole matrix: zero where it is positive definite over the box.
-    ///
-    /// What makes the matrix positive is lost, since `|s_k| <= 1` in units of the half widths.
-    pub fn drop_of_whole(&self, half: &[f64; SHAPE]) -> f64 {
-        -0.5 * self.convex(half).1
+    /// Lower bound of `1/2 SUM H_jk s_j s_k` for `|s_k| <= half_k`, entry by entry; `products` are those of the half widths.
+    pub fn drop(&self, products: &[f64; PAIRS]) -> f64 {
+        -self.fall.iter().zip(products).map(|(fall, product)| fall * product).sum::<f64>()
     }
 
-    /// Lower bound of `slope . s + 1/2 SUM H_jk s_j s_k` for `|s_k| <= half_k`.
+    /// How much the slope by a variable may change over a box of these widths.
+    pub fn turn(&self, k: usize, widths: &[f64; SHAPE]) -> f64 {
+        let most = |j: usize| self.middle[pair(j, k)].abs() + self.radius[pair(j, k)];
+        (0..SHAPE).map(|j| most(j) * widths[j]).sum()
+    }
+
+    /// Lower bound of `1/2 SUM H_jk s_j s_k` and of `slope . s + 1/2 SUM H_jk s_j s_k` for `|s_k| <= half_k`, by the whole
+    /// matrix: the first is zero where it is positive definite over the box.
     ///
-    /// The matrix is made positive as in [`Bend::drop_of_whole`]. What is then convex is followed down variable by variable;
-    /// its tangent there is the bound, however far that came.
-    pub fn least(&self, slope: &[f64; SHAPE], half: &[f64; SHAPE]) -> f64 {
+    /// What makes the matrix positive is lost, since `|s_k| <= 1` in units of the half widths. What is then convex is followed down
+    /// variable by variable; its tangent there is the bound, however far that came.
+    pub fn least(&self, slope: &[f64; SHAPE], half: &[f64; SHAPE]) -> [f64; 2] {
         let (matrix, added) = self.convex(half);
         let start: [f64; SHAPE] = std::array::from_fn(|k| slope[k] * half[k]);
         let (mut point, mut rise) = ([0.0f64; SHAPE], start);
@@ -76,7 +106,7 @@ impl Bend {
             // The value 1/2 (start + rise) . point, and from there the tangent's fall to the corner.
             least += 0.5 * (start[k] - rise[k]) * point[k] - rise[k].abs();
         }
-        least
+        [-0.5 * added, least]
     }
 
     /// The matrix in units of the half widths: its middle, less the sum of the radii of each row on the diagonal. Its
@@ -84,10 +114,17 @@ impl Bend {
     fn convex(&self, half: &[f64; SHAPE]) -> ([[f64; SHAPE]; SHAPE], f64) {
         let mut m = [[0.0; SHAPE]; SHAPE];
         for j in 0..SHAPE {
-            for k in 0..SHAPE {
-                let (entry, scale) = (self.0[j][k], half[j] * half[k]);
-                m[j][k] += 0.5 * (entry.low + entry.high) * scale;
-                m[j][j] -= 0.5 * (entry.high - entry.low) * scale;
+            for k in 0..=j {
+                let (at, scale) = (pair(j, k), half[j] * half[k]);
+                let radius = self.radius[at] * scale;
+                m[j][j] -= radius;
+                if k == j {
+                    m[j][j] += self.middle[at] * scale;
+                } else {
+                    m[k][k] -= radius;
+                    m[j][k] = self.middle[at] * scale;
+                    m[k][j] = m[j][k];
+                }
             }
         }
         let mut whole = m;
@@ -132,13 +169,6 @@ impl Bend {
     }
 }
 
-impl Add for Bend {
-    type Output = Bend;
-    fn add(self, other: Bend) -> Bend {
-        Bend(std::array::from_fn(|j| std::array::from_fn(|k| self.0[j][k] + other.0[j][k])))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -160,11 +190,20 @@ mod tests {
                     entries[k][j] = entries[j][k];
                 }
             }
-            let bend = Bend(entries.map(|row| row.map(|e| Interval::new(e - 0.01, e + 0.01))));
+            let mut ranges = [Interval::new(0.0, 0.0); PAIRS];
+            for j in 0..SHAPE {
+                for k in 0..=j {
+                    ranges[pair(j, k)] = Interval::new(entries[j][k] - 0.01, entries[j][k] + 0.01);
+                }
+            }
+            // In two parts, as a sum of terms is.
+            let single = Bend::of(&ranges);
+            let bend = Bend::sum([(0.25, &single), (0.75, &single)].into_iter());
             let half: [f64; SHAPE] = std::array::from_fn(|_| 0.1 + next().abs());
-            let (by_entry, whole) = (bend.drop(&half), bend.drop_of_whole(&half));
+            let (by_entry, again) = (single.drop(&products(&half)), bend.drop(&products(&half)));
+            assert!((by_entry - again).abs() < 1e-13);
             let slope: [f64; SHAPE] = std::array::from_fn(|_| 2.0 * next());
-            let least = bend.least(&slope, &half);
+            let [whole, least] = bend.least(&slope, &half);
             convex += usize::from(whole == 0.0);
             for _ in 0..100 {
                 let s: [f64; SHAPE] = std::array::from_fn(|k| next() * half[k]);

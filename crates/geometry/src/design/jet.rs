@@ -56,23 +56,6 @@ impl Base for Interval {
     }
 }
 
-impl<T: Base, const N: usize> Base for Jet<T, N> {
-    fn cos(self) -> Self {
-        self.chain(self.value.cos(), -self.value.sin())
-    }
-    fn segment_by(self, order: usize) -> [Self; 3] {
-        let (values, slopes) = (self.value.segment_by(order), self.value.segment_by(order + 1));
-        std::array::from_fn(|k| self.chain(values[k], slopes[k]))
-    }
-    fn negative_part(self) -> Self {
-        let slope = self.value.below_zero();
-        Jet { value: self.value.negative_part(), by: self.by.map(|d| d * slope) }
-    }
-    fn below_zero(self) -> Self {
-        Jet { value: self.value.below_zero(), by: [T::of(0.0); N] }
-    }
-}
-
 impl<T: Base, const N: usize> Jet<T, N> {
     /// The variable number `at`.
     pub fn variable(value: T, at: usize) -> Self {
@@ -134,7 +117,8 @@ impl<T: Base, const N: usize> Number for Jet<T, N> {
         self.chain(tangent, (T::of(1.0) + tangent.square()).times(0.5))
     }
     fn segment(self) -> [Self; 3] {
-        self.segment_by(0)
+        let (values, slopes) = (self.value.segment_by(0), self.value.segment_by(1));
+        std::array::from_fn(|k| self.chain(values[k], slopes[k]))
     }
     fn times(self, factor: f64) -> Self {
         Jet { value: self.value.times(factor), by: self.by.map(|d| d.times(factor)) }

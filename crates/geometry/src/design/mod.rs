@@ -5,6 +5,7 @@
 
 mod arc;
 mod bend;
+mod curve;
 mod descent;
 mod evolution;
 mod front;

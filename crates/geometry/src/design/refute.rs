@@ -5,7 +5,8 @@
 //! shape that satisfies all terms; nor has it where the sum of the terms with the programme's multipliers is positive throughout
 //! (eq. 22.30). What the programme leaves of the box is cut to it; the rest is halved.
 
-use super::bend::Bend;
+use super::bend::{Bend, products};
+use super::curve::Curve;
 use super::descent::{Descent, Reached, sense};
 use super::interval::Interval;
 use super::jet::Jet;
@@ -23,7 +24,7 @@ const MOST_BOXES: usize = 200_000;
 /// A term with its first derivatives, at the middle of a box.
 type Slopes = Jet<f64, SHAPE>;
 /// A term with its second derivatives, over a box.
-type Curvatures = Jet<Jet<Interval, SHAPE>, SHAPE>;
+type Curvatures = Curve<Interval>;
 /// A box halved this often has its second derivatives enclosed anew.
 const FRESH: u32 = 5;
 
@@ -62,6 +63,8 @@ pub(super) struct Refuter {
     rows: Vec<Row>,
     /// Second derivatives of the terms with their multipliers, from the last programme.
     whole: Option<Bend>,
+    /// Of each row the term, and how far that can lie below its tangent in the box.
+    sources: Vec<(usize, f64)>,
     terms: Vec<Term<Slopes>>,
     curved: Vec<Term<Curvatures>>,
 }
@@ -146,14 +149,16 @@ impl Refuter {
 
     /// Second derivatives of the terms over a box.
     fn bends(&mut self, problem: &Problem, kind: Kind, target: Option<f64>, cell: &Cell) -> Vec<Bend> {
-        let x: [Curvatures; SHAPE] = std::array::from_fn(|k| {
-            let inner = Jet::variable(Interval::new(cell.low[k], cell.high[k]), k);
-            Jet::variable(inner, k)
-        });
+        let x: [Curvatures; SHAPE] =
+            std::array::from_fn(|k| Curve::variable(Interval::new(cell.low[k], cell.high[k]), k));
         let (levels, objective) = aim(problem, kind, target);
-        problem.terms(&problem.quantities(&x), &levels.mapped(Curvatures::of), objective, &mut self.curved);
-        let bend = |term: &Term<Curvatures>| Bend(term.value.by.map(|row| row.by));
-        self.curved.iter().map(bend).collect()
+        problem.terms(
+            &problem.quantities(&x),
+            &levels.mapped(<Curvatures as Number>::of),
+            objective,
+            &mut self.curved,
+        );
+        self.curved.iter().map(|term| Bend::of(&term.value.bend)).collect()
     }
 
     fn cut(&mut self, problem: &Problem, kind: Kind, target: Option<f64>, cell: Cell) -> Verdict {
@@ -175,14 +180,20 @@ impl Refuter {
         // The objective's terms may be positive by v, which is at least `floor`.
         let mut floor = f64::NEG_INFINITY;
         self.rows.clear();
-        for (term, bend) in self.terms.iter().zip(cell.bends.iter()) {
+        self.sources.clear();
+        let products = products(&half);
+        for (number, (term, bend)) in self.terms.iter().zip(cell.bends.iter()).enumerate() {
             let Slopes { value, by } = term.value;
             let spread: f64 = by.iter().zip(&half).map(|(slope, half)| slope.abs() * half).sum();
             let rise: f64 = by.iter().zip(&half).map(|(slope, half)| slope * half).sum();
-            let drop = bend.drop(&half);
+            let drop = bend.drop(&products);
             let least = value - spread + drop;
             if least > ROUNDING {
                 return Verdict::Refuted;
+            }
+            // A limit that no place of the box can break by its bound leaves the programme as it is.
+            if !term.of_objective && value + spread + drop <= 0.0 {
+                continue;
             }
             let mut row = Row { a: [0.0; COLUMNS], b: rise - value - drop };
             for (column, k) in free.iter().enumerate() {
@@ -193,6 +204,7 @@ impl Refuter {
                 floor = floor.max(least);
             }
             self.rows.push(row);
+            self.sources.push((number, drop));
         }
         let floor = if floor.is_finite() { floor } else { 0.0 };
         for row in &mut self.rows {
@@ -209,24 +221,29 @@ impl Refuter {
             End::Stopped => Verdict::Left(cell, point),
             End::Optimal => {
                 // The sum of the terms with their multipliers bends as a whole, often upwards where each alone bends down.
-                let mut whole = Bend::none();
                 let mut drops = 0.0;
                 let (mut value, mut slope, mut sum) = (0.0, [0.0; SHAPE], 1.0);
                 for (row, multiplier) in self.simplex.multipliers() {
-                    let term = &self.terms[row].value;
+                    let (number, drop) = self.sources[row];
+                    let term = &self.terms[number].value;
                     value += multiplier * term.value;
                     sum += multiplier;
                     for (slope, by) in slope.iter_mut().zip(&term.by) {
                         *slope += multiplier * by;
                     }
-                    whole = whole + cell.bends[row].times(multiplier);
-                    drops += multiplier * cell.bends[row].drop(&half);
+                    drops += multiplier * drop;
                 }
+                let terms = self
+                    .simplex
+                    .multipliers()
+                    .map(|(row, weight)| (weight, &cell.bends[self.sources[row].0]));
+                let whole = Bend::sum(terms);
+                let [drop_of_whole, least] = whole.least(&slope, &half);
                 self.whole = (drops < 0.0).then_some(whole);
-                if value + whole.least(&slope, &half) > ROUNDING * sum {
+                if value + least > ROUNDING * sum {
                     return Verdict::Refuted;
                 }
-                let gain = (whole.drop_of_whole(&half) - drops).max(0.0);
+                let gain = (drop_of_whole - drops).max(0.0);
                 if self.simplex.least() + gain > limit {
                     return Verdict::Refuted;
                 }
@@ -259,12 +276,9 @@ impl Refuter {
                 continue;
             }
             largest = largest.max(width / range);
-            let bend = |bend: &Bend| -> f64 {
-                bend.0[k].iter().zip(&widths).map(|(b, w)| b.low.abs().max(b.high.abs()) * w).sum()
-            };
             let most = match &self.whole {
-                Some(whole) => bend(whole),
-                None => cell.bends.iter().map(bend).fold(0.0, f64::max),
+                Some(whole) => whole.turn(k, &widths),
+                None => cell.bends.iter().map(|bend| bend.turn(k, &widths)).fold(0.0, f64::max),
             };
             let smear = most * width;
             if best.is_none_or(|(_, most)| smear > most) {

@@ -8,7 +8,7 @@
 //! be left as soon as it is too large.
 
 /// Most variables, with `v`.
-pub(super) const COLUMNS: usize = 7;
+pub(super) const COLUMNS: usize = 6;
 /// A coefficient below this is none, in rows scaled to about one.
 const TINY: f64 = 1e-11;
 const MOST_PIVOTS: usize = 80;
@@ -99,7 +99,7 @@ impl Simplex {
             let variable = self.basic[row];
             self.flipped[variable] = !self.flipped[variable];
             self.rhs[row] = self.upper[variable] - self.rhs[row];
-            for entry in &mut self.rows[row][..self.columns] {
+            for entry in &mut self.rows[row] {
                 *entry = -*entry;
             }
         }
@@ -126,29 +126,25 @@ impl Simplex {
 
     fn pivot(&mut self, row: usize, column: usize) {
         let inverse = 1.0 / self.rows[row][column];
-        let mut pivot_row = self.rows[row];
-        for entry in &mut pivot_row[..self.columns] {
-            *entry *= inverse;
-        }
+        let mut pivot_row = self.rows[row].map(|entry| entry * inverse);
         pivot_row[column] = inverse;
         let value = self.rhs[row] * inverse;
-        for other in 0..self.rows.len() {
-            let factor = self.rows[other][column];
-            if other == row || factor == 0.0 {
-                continue;
+        // The entry of the column itself becomes -factor times that of the pivot's row: as if it had been zero.
+        let eliminate = |entries: &mut [f64; COLUMNS]| {
+            let factor = entries[column];
+            entries[column] = 0.0;
+            for (entry, of_pivot) in entries.iter_mut().zip(&pivot_row) {
+                *entry -= factor * of_pivot;
             }
-            let entries = &mut self.rows[other];
-            for (j, (entry, of_pivot)) in entries[..self.columns].iter_mut().zip(&pivot_row).enumerate() {
-                *entry = if j == column { -factor * of_pivot } else { *entry - factor * of_pivot };
+            factor * value
+        };
+        for (at, (entries, rhs)) in self.rows.iter_mut().zip(&mut self.rhs).enumerate() {
+            if at != row && entries[column] != 0.0 {
+                *rhs -= eliminate(entries);
             }
-            self.rhs[other] -= factor * value;
         }
-        let factor = self.cost[column];
-        if factor != 0.0 {
-            for (j, (entry, of_pivot)) in self.cost[..self.columns].iter_mut().zip(&pivot_row).enumerate() {
-                *entry = if j == column { -factor * of_pivot } else { *entry - factor * of_pivot };
-            }
-            self.least += factor * value;
+        if self.cost[column] != 0.0 {
+            self.least += eliminate(&mut self.cost);
         }
         self.rows[row] = pivot_row;
         self.rhs[row] = value;

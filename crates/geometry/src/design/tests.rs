@@ -1,5 +1,6 @@
 //! The scaled problem against the shape's own integrals, derivatives and enclosures.
 
+use super::curve::{self, Curve};
 use super::interval::Interval;
 use super::jet::Jet;
 use super::number::Number;
@@ -133,10 +134,9 @@ fn second_derivatives_hold_differences_of_the_first() {
         // A box from one point a tenth of the way to the next: the mean derivative between its corners lies within the enclosure.
         let (a, b): ([f64; SHAPE], [f64; SHAPE]) =
             (pair[0], std::array::from_fn(|k| pair[0][k] + 0.1 * (pair[1][k] - pair[0][k])));
-        let x: [Jet<Jet<Interval, SHAPE>, SHAPE>; SHAPE] = std::array::from_fn(|k| {
-            Jet::variable(Jet::variable(Interval::new(a[k].min(b[k]), a[k].max(b[k])), k), k)
-        });
-        problem.terms(&problem.quantities(&x), &problem.levels.mapped(Jet::of), None, &mut boxed);
+        let x: [Curve<Interval>; SHAPE] =
+            std::array::from_fn(|k| Curve::variable(Interval::new(a[k].min(b[k]), a[k].max(b[k])), k));
+        problem.terms(&problem.quantities(&x), &problem.levels.mapped(Number::of), None, &mut boxed);
         for k in 0..SHAPE {
             let at = |value: f64| -> [Jet<f64, SHAPE>; SHAPE] {
                 std::array::from_fn(|i| Jet::variable(if i == k { value } else { a[i] }, i))
@@ -146,7 +146,7 @@ fn second_derivatives_hold_differences_of_the_first() {
             for ((boxed, here), there) in boxed.iter().zip(&here).zip(&there) {
                 for j in 0..SHAPE {
                     let mean = (there.value.by[j] - here.value.by[j]) / (b[k] - a[k]);
-                    let range = boxed.value.by[j].by[k];
+                    let range = boxed.value.bend[curve::pair(j, k)];
                     assert!(mean > range.low - 1e-8 && mean < range.high + 1e-8, "{j} {k}: {mean} {range:?}");
                 }
             }
