@@ -1,5 +1,6 @@
 //! Mass, centre, unbalance and inertia of a solid.
 
+use crate::area_moments::AreaMoments;
 use crate::point::Point;
 use serde::Serialize;
 use std::ops::{Add, Mul, Sub};
@@ -43,6 +44,47 @@ impl MassMoments {
             unbalance: Point::new(self.first[0], self.first[1]),
             inertia_about_axis: self.inertia(),
             inertia_about_centre: at_centre.inertia(),
+        }
+    }
+
+    /// Of a prism over a figure between two planes [m], at density 1 [kg/m^3].
+    pub fn prism(figure: &AreaMoments, [front, rear]: [f64; 2]) -> MassMoments {
+        let (thickness, middle) = (rear - front, (rear + front) / 2.0);
+        let AreaMoments { area, first, xx, yy, xy } = *figure * thickness;
+        let zz = middle * middle + thickness * thickness / 12.0;
+        MassMoments {
+            mass: area,
+            first: [first.x, first.y, area * middle],
+            second: [xx, yy, area * zz, first.y * middle, first.x * middle, xy],
+        }
+    }
+
+    /// First moments across the axis: the unbalance [kg m].
+    pub fn unbalance(&self) -> Point {
+        Point::new(self.first[0], self.first[1])
+    }
+
+    /// Moments `INTEGRAL z (x, y) dm` [kg m^2]: the couple that turns with the solid, over the square of the speed.
+    pub fn couple(&self) -> Point {
+        Point::new(self.second[4], self.second[3])
+    }
+
+    /// Of the same solid turned about the crank axis by `angle` [rad].
+    pub fn turned(&self, angle: f64) -> MassMoments {
+        let [xx, yy, zz, _, _, xy] = self.second;
+        let (s, c) = angle.sin_cos();
+        let (unbalance, couple) = (self.unbalance().turned(angle), self.couple().turned(angle));
+        MassMoments {
+            mass: self.mass,
+            first: [unbalance.x, unbalance.y, self.first[2]],
+            second: [
+                c * c * xx - 2.0 * s * c * xy + s * s * yy,
+                s * s * xx + 2.0 * s * c * xy + c * c * yy,
+                zz,
+                couple.y,
+                couple.x,
+                s * c * (xx - yy) + (c * c - s * s) * xy,
+            ],
         }
     }
 

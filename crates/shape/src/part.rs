@@ -173,10 +173,10 @@ impl Part {
     /// Mass, first and second moments about the crank axis at z = 0.
     pub fn moments(&self) -> MassMoments {
         let [front, rear] = self.faces();
-        let mut sum = plate(&self.outline.moments(), front, rear) * self.density;
+        let mut sum = MassMoments::prism(&self.outline.moments(), [front, rear]) * self.density;
         for insert in &self.inserts {
             let disc = AreaMoments::disc(insert.centre, insert.radius);
-            let bore = plate(&disc, front + insert.from, front + insert.to);
+            let bore = MassMoments::prism(&disc, [front + insert.from, front + insert.to]);
             sum = sum + bore * (insert.density - self.density);
         }
         for chamfer in &self.chamfers {
@@ -193,18 +193,6 @@ impl Part {
     /// Mass, centre, unbalance, inertia.
     pub fn mass_properties(&self) -> MassProperties {
         self.moments().properties()
-    }
-}
-
-/// A plate of density 1 between two planes.
-fn plate(area: &AreaMoments, front: f64, rear: f64) -> MassMoments {
-    let (thickness, middle) = (rear - front, (rear + front) / 2.0);
-    let AreaMoments { area, first, xx, yy, xy } = *area * thickness;
-    let zz = middle * middle + thickness * thickness / 12.0;
-    MassMoments {
-        mass: area,
-        first: [first.x, first.y, area * middle],
-        second: [xx, yy, area * zz, first.y * middle, first.x * middle, xy],
     }
 }
 
