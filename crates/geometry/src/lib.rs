@@ -19,6 +19,8 @@ pub mod crankshaft;
 mod design;
 pub mod drawing;
 pub mod export;
+mod shaft_weight;
 
 pub use design::*;
 pub use lanchester_shape::*;
+pub use shaft_weight::{ShaftWeightAim, ShaftWeightDesign, ShaftWeightOutcome, ShaftWeightTask};

@@ -27,6 +27,7 @@ mod mass_properties;
 mod outline;
 mod part;
 mod point;
+mod shaft_weight_shape;
 mod union;
 
 pub use area_moments::AreaMoments;
@@ -39,3 +40,4 @@ pub use mass_properties::{MassMoments, MassProperties};
 pub use outline::Outline;
 pub use part::{Insert, PLAUSIBLE_DENSITY, Part, plausible_density};
 pub use point::Point;
+pub use shaft_weight_shape::ShaftWeightShape;
