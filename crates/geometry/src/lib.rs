@@ -15,6 +15,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod clearance;
 pub mod crankshaft;
 mod design;
 pub mod drawing;

@@ -17,9 +17,13 @@
 #![forbid(unsafe_code)]
 
 mod arrangements;
+mod clearance;
 pub mod validate;
 
 pub use arrangements::arrangements;
+pub use clearance::{
+    EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
+};
 pub use lanchester_balance as balance;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;

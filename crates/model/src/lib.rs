@@ -66,7 +66,7 @@ pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use expanded::expanded;
 pub use part_weight::{PartFault, PartWeight};
-pub use ratio::Ratio;
+pub use ratio::{Ratio, greatest_common_divisor};
 pub use read::{Reading, read};
 pub use room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
 pub use schema::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
