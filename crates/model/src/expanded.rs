@@ -3,6 +3,8 @@
 mod balance;
 mod part;
 
+pub(crate) use part::shape_entries;
+
 use crate::angle;
 use crate::engine::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Strokes, Throw};
 use crate::firing::turn;
@@ -271,7 +273,7 @@ fn mass_and_centre(rod: &Rod) -> (f64, f64) {
         .unwrap_or((mass, centre))
 }
 
-fn quantity(value: f64, dimension: Dimension) -> String {
+pub(crate) fn quantity(value: f64, dimension: Dimension) -> String {
     format!("\"{}\"", exact_text(value, dimension))
 }
 

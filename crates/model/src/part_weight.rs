@@ -33,6 +33,9 @@ pub enum PartFault {
     /// The plain web on which it sits cannot be.
     #[error(transparent)]
     Web(#[from] GeometryError),
+    /// What it shares with the plain web on which it sits cannot be told.
+    #[error("what the part shares with the plain web cannot be told: {0}")]
+    Overlap(GeometryError),
 }
 
 /// Unbalances below this share of mass times swept radius are rounding, and so are directions and planes beside the own ones.
@@ -63,11 +66,20 @@ pub(crate) fn part_weight(
     // The first moments times z, about the middle of the part. Webs are symmetric about it.
     let lever = Point::new(moments.second[4], moments.second[3]);
     let throw = part.web.and_then(|web| throws.get(web / 2));
-    if let (Some(body), Some(throw)) = (body, throw)
-        && part.form == CounterweightForm::Web
-    {
-        let web = plain_web(body, throw, part.angle)?;
-        first = first - web.moments().first * (body.density * body.web_thickness);
+    if let (Some(body), Some(throw)) = (body, throw) {
+        match part.form {
+            CounterweightForm::Web => {
+                let web = plain_web(body, throw, part.angle)?.moments();
+                first = first - web.first * (body.density * body.web_thickness);
+            }
+            CounterweightForm::Family(_) => {
+                let web = plain_web(body, throw, part.angle)?;
+                let shared = overlap(part.part.outline(), &web).map_err(PartFault::Overlap)?;
+                let thickness = part.part.thickness().min(body.web_thickness);
+                first = first - shared * (part.part.density() * thickness);
+            }
+            CounterweightForm::Counterweight => {}
+        }
     }
     let reach = moments.mass * part.part.outline().swept_radius();
     let thickness = part.part.thickness();
@@ -98,6 +110,12 @@ pub(crate) fn part_weight(
     };
     let angle = if turn == 0.0 { part.angle } else { angle::direction(part.angle + turn) };
     Ok(PartWeight { unbalance, z: part.z + offset, angle })
+}
+
+/// First moments of what two outlines share [m^3]: what both have more than their union.
+fn overlap(one: &Outline, other: &Outline) -> Result<Point, GeometryError> {
+    let union = one.union(other)?;
+    Ok(one.moments().first + other.moments().first - union.moments().first)
 }
 
 /// The plain web of a throw in the frame of a part that stands at `angle` [rad].

@@ -36,7 +36,16 @@ pub enum WriteBackError {
         /// Its mistakes.
         diagnostics: Vec<Diagnostic>,
     },
+    /// A shape that an engine file has no words for, such as an insert that reaches neither face.
+    #[error("the shape of the counterweight {name} cannot be said in an engine file")]
+    Shape {
+        /// Name of the counterweight.
+        name: String,
+    },
 }
+
+/// What the unbalance of a written shape may miss, relatively.
+const SHAPE: f64 = 1e-9;
 
 /// The text of an engine file with the counterweights and shafts of `fitted`, which else is the engine of the file.
 ///
@@ -46,6 +55,10 @@ pub enum WriteBackError {
 /// `[counterweights]` gives way to `[[counterweight]]` in its place if any weight that it makes is changed. What is not
 /// changed stays byte for byte.
 ///
+/// A weight whose part is unchanged keeps its entry byte for byte. A part that the file does not have is written as `shape`, and
+/// `unbalance` stays, or becomes the wanted one of the part; where the weight has another amount, plane or direction than its part, or no
+/// part, the `shape` of the entry gives way to the number, and its comments stay.
+///
 /// Reading the new text gives the weights of `fitted`, in the order of the file: amounts and places to 1e-11 of their
 /// size, directions to 1e-11 rad and up to whole turns (of a weight of 0: any), so that every load is the same to 1e-9 of the
 /// unbalanced one.
@@ -53,6 +66,32 @@ pub enum WriteBackError {
 /// # Errors
 /// [`WriteBackError`] if the text is no engine file, or would be none with these weights.
 pub fn write_back(text: &str, fitted: &Engine) -> Result<String, WriteBackError> {
+    let (written, engine) = written(text, fitted, false)?;
+    if shapes_are_kept(&engine, fitted).is_ok() {
+        return Ok(written);
+    }
+    // Few digits are not enough where the unbalance is a small difference of large ones.
+    let (written, engine) = self::written(text, fitted, true)?;
+    shapes_are_kept(&engine, fitted).map(|()| written)
+}
+
+/// Whether every weight that is a part has its unbalance in `read` too.
+fn shapes_are_kept(read: &Engine, fitted: &Engine) -> Result<(), WriteBackError> {
+    for weight in fitted.counterweights.iter().filter(|weight| weight.part.is_some()) {
+        let is_there = read.counterweights.iter().any(|other| {
+            other.name == weight.name
+                && (other.unbalance - weight.unbalance).abs()
+                    <= SHAPE * weight.unbalance.max(f64::MIN_POSITIVE)
+        });
+        if !is_there {
+            return Err(WriteBackError::Shape { name: weight.name.clone() });
+        }
+    }
+    Ok(())
+}
+
+/// The new text and its engine; `exact`: with all digits of shapes.
+fn written(text: &str, fitted: &Engine, exact: bool) -> Result<(String, Engine), WriteBackError> {
     let (reading, origin) = read_with_origin(text);
     let (Some(engine), Some(origin)) = (reading.engine, origin) else {
         return Err(WriteBackError::File(reading.diagnostics));
@@ -65,7 +104,8 @@ pub fn write_back(text: &str, fitted: &Engine) -> Result<String, WriteBackError>
     // A file that was read has lists of tables here, or nothing.
     if let (Some(weights), Some(shafts)) = (List::of(root.get("counterweight")), List::of(root.get("shaft")))
     {
-        let writer = CounterweightWriter { engine: &engine, origin, units: &units };
+        let line_end = splices.line_end;
+        let writer = CounterweightWriter { engine: &engine, origin, units: &units, line_end, exact };
         writer.write(root, &weights, &fitted.counterweights, &mut splices);
         let writer = ShaftWriter { engine: &engine, origin, units: &units };
         writer.write(&shafts, &fitted.shafts, &mut splices);
@@ -73,7 +113,7 @@ pub fn write_back(text: &str, fitted: &Engine) -> Result<String, WriteBackError>
     let text = splices.apply();
     let reading = read(&text);
     match reading.engine {
-        Some(_) => Ok(text),
+        Some(engine) => Ok((text, engine)),
         None => Err(WriteBackError::Weights { text, diagnostics: reading.diagnostics }),
     }
 }

@@ -1,9 +1,10 @@
 //! Weights that were found, written back into the text of the engine file.
 
 use lanchester_model::{
-    BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight, WriteBackError, difference, expanded, read,
-    render, templates, write_back,
+    BalanceShaft, Counterweight, CounterweightForm, CounterweightPart, Engine, Ratio, ShaftWeight,
+    WriteBackError, difference, expanded, read, render, templates, write_back,
 };
+use lanchester_shape::{Contour, Corner, CounterweightShape, Insert, Outline, Part, Point};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 
@@ -26,7 +27,40 @@ fn same_direction(a: f64, b: f64, amount: f64) -> bool {
     amount == 0.0 || ((a - b + PI).rem_euclid(TAU) - PI).abs() < 2e-11
 }
 
+/// A file with a crankshaft as a body, and with parts.
+const PARTS: &str = include_str!("files/crank-as-body.toml");
+
+/// Good engine files.
+fn good_files() -> Vec<(&'static str, &'static str)> {
+    templates().iter().map(|template| (template.name, template.text)).chain([("parts", PARTS)]).collect()
+}
+
+/// The same but for what the digits of a shape lose: 1e-9 of the unbalance.
+fn same_part(a: &Counterweight, b: &Counterweight) -> bool {
+    let (Some(one), Some(two)) = (&a.part, &b.part) else { return false };
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
+    let same_wanted = match (one.wanted, two.wanted) {
+        (one, Some(two)) => one.is_some_and(|one| near(one, two, 0.0)),
+        (_, None) => true,
+    };
+    (&a.name, a.crankshaft, one.web) == (&b.name, b.crankshaft, two.web)
+        && std::mem::discriminant(&one.form) == std::mem::discriminant(&two.form)
+        && one.part.outline().outer().edges().len() == two.part.outline().outer().edges().len()
+        && (one.part.inserts().len(), one.part.chamfers().len())
+            == (two.part.inserts().len(), two.part.chamfers().len())
+        && close(one.part.thickness(), two.part.thickness())
+        && close(a.unbalance, b.unbalance)
+        && (a.z - b.z).abs() <= 1e-9 * two.part.thickness()
+        && (b.unbalance == 0.0 || ((a.angle - b.angle + PI).rem_euclid(TAU) - PI).abs() < 1e-9)
+        && near(one.z, two.z, 2e-13)
+        && same_direction(one.angle, two.angle, 1.0)
+        && same_wanted
+}
+
 fn same_weight(a: &Counterweight, b: &Counterweight) -> bool {
+    if a.part.is_some() || b.part.is_some() {
+        return same_part(a, b);
+    }
     a.name == b.name
         && a.crankshaft == b.crankshaft
         && near(a.z, b.z, 2e-13)
@@ -108,9 +142,10 @@ fn other_lines(text: &str) -> Vec<&str> {
     for line in text.lines() {
         let bare = line.trim_start_matches('\u{feff}').trim_start();
         if bare.starts_with('[') && !bare.starts_with("[ {") {
-            is_ours = ["[counterweights]", "[[counterweight]]", "[[shaft"]
-                .iter()
-                .any(|ours| bare.starts_with(ours));
+            is_ours =
+                ["[counterweights]", "[[counterweight]]", "[counterweight.", "[[counterweight.", "[[shaft"]
+                    .iter()
+                    .any(|ours| bare.starts_with(ours));
         }
         // Without headers of their own; the exact texts of these are in the tests.
         let is_value = ["counterweight", "shaft", "{ web"].iter().any(|ours| bare.starts_with(ours));
@@ -159,23 +194,24 @@ fn the_comparison_sees_small_differences() {
 
 #[test]
 fn what_is_not_changed_is_not_touched() {
-    for template in templates() {
+    for (name, file) in good_files() {
         for dress in 0..DRESSES {
-            let text = dressed(template.text, dress);
-            assert_eq!(write_back(&text, &engine(&text)).as_ref(), Ok(&text), "{} {dress}", template.name);
+            let text = dressed(file, dress);
+            assert_eq!(write_back(&text, &engine(&text)).as_ref(), Ok(&text), "{name} {dress}");
         }
     }
 }
 
 #[test]
 fn every_template_takes_other_weights_and_shafts() {
-    for template in templates() {
+    for (name, file) in good_files() {
         for dress in 0..DRESSES {
-            let text = dressed(template.text, dress);
+            let text = dressed(file, dress);
             let mut fitted = engine(&text);
             for (k, weight) in fitted.counterweights.iter_mut().enumerate() {
                 weight.unbalance *= 1.1 + 0.01 * k as f64;
                 weight.angle += 0.3;
+                weight.part = None;
             }
             for weight in fitted.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights) {
                 weight.unbalance *= PI;
@@ -196,12 +232,12 @@ fn every_template_takes_other_weights_and_shafts() {
             let ratio = Ratio::new(-1, 2).expect("no 0");
             fitted.shafts.push(BalanceShaft { name: "new".into(), ratio, x: 0.1, y: -0.2, weights });
             if let Err(problem) = check(&text, &fitted) {
-                panic!("{} in dress {dress}: {problem}", template.name);
+                panic!("{name} in dress {dress}: {problem}");
             }
             // And none at all.
             (fitted.counterweights, fitted.shafts) = (Vec::new(), Vec::new());
             if let Err(problem) = check(&text, &fitted) {
-                panic!("{} in dress {dress}, bare: {problem}", template.name);
+                panic!("{name} in dress {dress}, bare: {problem}");
             }
         }
     }
@@ -467,6 +503,166 @@ fn what_cannot_be_written_is_refused() {
     assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
 }
 
+/// The family's shape as a part in place of a weight.
+fn family(shape: CounterweightShape, thickness: f64, density: f64) -> (CounterweightForm, Part) {
+    let outline = Outline::from(shape.checked().expect("a shape").outline());
+    (CounterweightForm::Family(shape), Part::new(outline, thickness, density).expect("a plate"))
+}
+
+/// A plate with an arc and a slug beside the axis.
+fn plate(width: f64, bulge: f64, thickness: f64) -> (CounterweightForm, Part) {
+    let corners = [(0.02, -width, 0.0), (0.05, -width, bulge), (0.05, 1.1 * width, 0.0), (0.02, width, 0.0)];
+    let corners = corners.map(|(x, y, bulge)| Corner { at: Point::new(x, y), bulge });
+    let outline = Outline::from(Contour::new(&corners).expect("an outline"));
+    let slug = Insert {
+        centre: Point::new(0.035, 0.3 * width),
+        radius: 0.3 * width,
+        from: 0.0,
+        to: thickness,
+        density: 17_300.0,
+    };
+    let part = Part::new(outline, thickness, 7850.0).and_then(|part| part.with_insert(slug)).expect("a part");
+    (CounterweightForm::Counterweight, part)
+}
+
+/// The weight as that part; `None` if the part cannot sit there.
+fn as_part(
+    engine: &Engine,
+    weight: &Counterweight,
+    (form, part): (CounterweightForm, Part),
+    wanted: Option<f64>,
+) -> Option<Counterweight> {
+    let mut webs = engine.throws.iter().enumerate().flat_map(|(index, throw)| {
+        let planes = throw.webs.into_iter().flatten().enumerate();
+        planes.map(move |(side, z)| (2 * index + side, throw.crankshaft, z))
+    });
+    let web = webs.find(|(_, on, z)| *on == weight.crankshaft && *z == weight.z).map(|(web, ..)| web);
+    let part = CounterweightPart { form, part, web, z: weight.z, angle: weight.angle, wanted };
+    let own = engine.part_weight(&part).ok()?;
+    Some(Counterweight {
+        z: own.z,
+        unbalance: own.unbalance,
+        angle: own.angle,
+        part: Some(Box::new(part)),
+        ..weight.clone()
+    })
+}
+
+const SHAPE: CounterweightShape = CounterweightShape {
+    web_radius: 0.025,
+    rectangle_height: 0.012,
+    shoulder_height: 0.008,
+    arc_radius: 0.05,
+    arc_angle: 2.0,
+};
+
+#[test]
+fn a_found_shape_is_written_beside_the_wanted_unbalance() {
+    let tail = "
+[[counterweight]]   # the first
+web = 1
+unbalance = \"9 kg mm\"  # wanted
+angle = \"170 deg\"
+
+[[counterweight]]
+web = 4
+mass = \"0.2 kg\" # weighed
+radius = \"40 mm\"
+";
+    let new = rewritten(tail, |engine| {
+        for (k, thickness) in [(0, 0.0123), (1, 0.01 / 3.0)] {
+            let weight = &engine.counterweights[k];
+            let found = as_part(engine, weight, family(SHAPE, thickness, 7850.0), Some(weight.unbalance));
+            engine.counterweights[k] = found.expect("a weight");
+        }
+    });
+    let shape = |thickness: &str| {
+        format!(
+            "shape = {{ thickness = \"{thickness} mm\", density = \"7850 kg/m3\", web_radius = \"25 mm\", rectangle_height = \"12 mm\", \
+             shoulder_height = \"8 mm\", arc_radius = \"50 mm\", arc_angle = \"114.591559026 deg\" }}"
+        )
+    };
+    let wanted =
+        tail.replace("angle = \"170 deg\"\n", &format!("angle = \"170 deg\"\n{}\n", shape("12.3"))).replace(
+            "mass = \"0.2 kg\" # weighed\nradius = \"40 mm\"\n",
+            &format!("unbalance = \"8 kg mm\" # weighed\n{}\n", shape("3.3333333333")),
+        );
+    assert_eq!(new, wanted);
+}
+
+#[test]
+fn a_shape_gives_way_to_another_unbalance() {
+    let tail = "
+[[counterweight]]
+web = 1  # front
+unbalance = \"9 kg mm\"  # wanted
+[counterweight.shape]  # found
+thickness = \"12 mm\"
+density = \"7850 kg/m3\"
+# a block
+outline = [
+    { x = \"20 mm\", y = \"-30 mm\" },  # lower
+    { x = \"50 mm\", y = \"-30 mm\" },
+    { x = \"50 mm\", y = \"30 mm\" },
+    { x = \"20 mm\", y = \"30 mm\" },
+]
+
+[[counterweight]]
+web = 4
+shape = { thickness = \"12 mm\", density = \"7850 kg/m3\", outline = [{ x = \"20 mm\", y = \"-30 mm\" }, { x = \"50 mm\", y = \"-30 mm\" }, { x = \"40 mm\", y = \"30 mm\" }] } # plate
+";
+    let new = rewritten(tail, |engine| {
+        for weight in &mut engine.counterweights {
+            // The part stays where it is not taken out: the number counts.
+            (weight.unbalance, weight.z, weight.angle) = (0.004, engine_plane(weight), PI);
+        }
+        engine.counterweights[1].part = None;
+        engine.counterweights[0].part = None;
+    });
+    let wanted = "
+[[counterweight]]
+web = 1  # front
+unbalance = \"4 kg mm\"  # wanted
+# found
+# a block
+# lower
+
+[[counterweight]]
+web = 4
+unbalance = \"4 kg mm\"
+angle = \"0 deg\"
+# plate
+";
+    assert_eq!(new, wanted);
+}
+
+/// Middle of the part of a weight.
+fn engine_plane(weight: &Counterweight) -> f64 {
+    weight.part.as_ref().map_or(weight.z, |part| part.z)
+}
+
+#[test]
+fn a_part_whose_amount_was_changed_is_a_number() {
+    let mut fitted = engine(PARTS);
+    fitted.counterweights[0].unbalance *= 1.05;
+    let new = write_back(PARTS, &fitted).expect("it can be written");
+    let read = engine(&new);
+    assert!(read.counterweights[0].part.is_none() && read.counterweights[1].part.is_some());
+    assert!(near(read.counterweights[0].unbalance, fitted.counterweights[0].unbalance, 0.0));
+}
+
+#[test]
+fn a_shape_without_words_is_refused() {
+    let mut fitted = engine(PARTS);
+    let (form, part) = family(SHAPE, 0.015, 7850.0);
+    let buried =
+        Insert { centre: Point::new(0.03, 0.0), radius: 0.004, from: 0.004, to: 0.011, density: 0.0 };
+    let part = part.with_insert(buried).expect("an insert");
+    let weight = fitted.counterweights[4].clone();
+    fitted.counterweights[4] = as_part(&fitted, &weight, (form, part), None).expect("a weight");
+    assert!(matches!(write_back(PARTS, &fitted), Err(WriteBackError::Shape { .. })));
+}
+
 fn weight() -> impl Strategy<Value = (f64, f64, f64)> {
     (-0.3_f64..0.3, prop_oneof![Just(0.0), 1e-9_f64..0.1], -10.0_f64..10.0)
 }
@@ -474,17 +670,35 @@ fn weight() -> impl Strategy<Value = (f64, f64, f64)> {
 proptest! {
     #[test]
     fn prop_any_weights_are_written(
-        template in 0..templates().len(),
+        file in prop::sample::select(good_files()),
         dress in 0..DRESSES,
         new in prop::collection::vec((weight(), any::<bool>()), 0..4),
         shafts in prop::collection::vec((prop::collection::vec(weight(), 0..3), -0.2_f64..0.2), 0..3),
-        fate in prop::collection::vec((0..5, weight()), 0..40),
+        fate in prop::collection::vec((0..7, weight()), 0..40),
+        sizes in (0.02_f64..0.04, 0.0_f64..0.02, 0.045_f64..0.07, 1.4_f64..3.0, 0.004_f64..0.02),
     ) {
-        let text = dressed(templates()[template].text, dress);
+        let text = dressed(file.1, dress);
         let mut fitted = engine(&text);
         let mut fates = fate.into_iter();
+        let whole = fitted.clone();
+        let (web_radius, height, arc_radius, arc_angle, thickness) = sizes;
         fitted.counterweights.retain_mut(|weight| {
             let Some((fate, (z, unbalance, angle))) = fates.next() else { return true };
+            let shape = CounterweightShape {
+                web_radius, rectangle_height: height, shoulder_height: height / 3.0, arc_radius, arc_angle,
+            };
+            let found = match fate {
+                5 => as_part(&whole, weight, family(shape, thickness, 7200.0), Some(unbalance)),
+                6 => as_part(&whole, weight, plate(web_radius, z.max(0.0), thickness), None),
+                _ => None,
+            };
+            if let Some(found) = found {
+                *weight = found;
+                return true;
+            }
+            if fate < 4 {
+                weight.part = None;
+            }
             match fate {
                 0 => return false,
                 1 => (weight.unbalance, weight.angle) = (unbalance, angle),

@@ -142,7 +142,7 @@ fn range_text(range: Range, dimension: Dimension) -> String {
     format!("[{}, {}]", quantity(range.least, dimension), quantity(range.most, dimension))
 }
 
-/// Keys and values of a shape; `text` writes a quantity, lists of corners take a line each.
+/// Keys and values of a shape; `text` writes a quantity. Lists of tables have a line for each, unless `line_end` is empty.
 pub(crate) fn shape_entries(
     part: &CounterweightPart,
     text: &dyn Fn(f64, Dimension) -> String,
@@ -154,6 +154,9 @@ pub(crate) fn shape_entries(
         ("density", text(plate.density(), Dimension::Density)),
     ];
     let lines = |tables: Vec<String>| {
+        if line_end.is_empty() {
+            return format!("[{}]", tables.join(", "));
+        }
         let tables: String = tables.iter().map(|table| format!("    {table},{line_end}")).collect();
         format!("[{line_end}{tables}]")
     };

@@ -250,6 +250,12 @@ impl<'a> Reader<'a> {
             PartFault::TooLarge => {
                 Mistake::error("E0901", span, fault.to_string()).hint("check the units of its dimensions")
             }
+            PartFault::Overlap(error) => {
+                let text = error.to_string();
+                let (message, hint) = text.split_once("\nhint: ").unwrap_or((&text, ""));
+                let message = format!("what the part shares with the plain web cannot be told: {message}");
+                Mistake::error("E0901", span, message).hint(hint)
+            }
             // Told with [crank.body].
             PartFault::Web(_) => return,
         };

@@ -25,7 +25,12 @@ pub(super) fn same_place(a: f64, b: f64) -> bool {
 
 /// Whether two angles are one direction.
 pub(super) fn same_direction(a: f64, b: f64) -> bool {
-    ((a - b + PI).rem_euclid(TAU) - PI).abs() <= DIRECTION
+    turn_between(a, b).abs() <= DIRECTION
+}
+
+/// From one direction to another [rad], in [-pi, pi).
+pub(super) fn turn_between(a: f64, b: f64) -> f64 {
+    (a - b + PI).rem_euclid(TAU) - PI
 }
 
 /// Units that the file uses.

@@ -1,12 +1,13 @@
 //! `[[counterweight]]` and the short form `[counterweights]`.
 
-use super::amount::{Units, angle_near, same_amount, same_direction, same_place};
+use super::amount::{Units, angle_near, same_amount, same_direction, same_place, turn_between};
 use super::entry::{Entry, List, NewEntry, block};
-use super::matches;
 use super::splice::Splices;
+use super::{matches, set_unbalance};
+use crate::crank_body::{CounterweightForm, CounterweightPart};
 use crate::engine::{Counterweight, Engine};
-use crate::expanded::quoted;
-use crate::quantity::{Dimension, parse};
+use crate::expanded::{quantity, quoted, shape_entries};
+use crate::quantity::{Dimension, parse, rewritten};
 use std::f64::consts::PI;
 use toml_spanner::{Table, TableStyle};
 
@@ -20,6 +21,10 @@ pub(super) struct CounterweightWriter<'a> {
     /// z of its reference plane in the file [m].
     pub(super) origin: f64,
     pub(super) units: &'a Units<'a>,
+    /// Line end of the file.
+    pub(super) line_end: &'a str,
+    /// Whether dimensions of shapes are written to the last digit.
+    pub(super) exact: bool,
 }
 
 /// Where a weight sits, as the file says it.
@@ -31,8 +36,12 @@ enum Place {
     Plane,
 }
 
+/// What a weight may differ from its part, relatively, in thicknesses and in radians: more is another weight.
+const PART: f64 = 1e-9;
+
 fn same(a: &Counterweight, b: &Counterweight) -> bool {
     a.crankshaft == b.crankshaft
+        && a.part == b.part
         && same_place(a.z, b.z)
         && same_amount(a.unbalance, b.unbalance)
         && (same_direction(a.angle, b.angle) || b.unbalance == 0.0)
@@ -122,14 +131,7 @@ impl CounterweightWriter<'_> {
             TableStyle::Inline => {
                 Entry { item: root.as_item(), table: root }.unset("counterweights", splices)
             }
-            TableStyle::Dotted | TableStyle::Implicit => {
-                for (_, value) in short {
-                    let end = value.span().range().end;
-                    let line = splices.line_start(value.span().range().start);
-                    let start = line + splices.indentation(line).len();
-                    splices.remove(start..end);
-                }
-            }
+            TableStyle::Dotted | TableStyle::Implicit => entry.remove_dotted(splices),
         }
         None
     }
@@ -169,6 +171,7 @@ impl CounterweightWriter<'_> {
         number: usize,
         splices: &mut Splices<'_>,
     ) {
+        let (old_part, part) = (now.part.as_deref(), self.part_of(wanted));
         let old_place = self.place_of(entry);
         let mut place = old_place;
         let place_key = match place {
@@ -176,10 +179,22 @@ impl CounterweightWriter<'_> {
             Place::Web(_) => "web",
             Place::Plane => "z",
         };
-        let is_moved = now.crankshaft != wanted.crankshaft || !same_place(now.z, wanted.z);
-        if is_moved {
-            let z = wanted.z + self.origin;
-            let fits = |z: f64| same_place(z - self.origin, wanted.z);
+        // The keys of a part speak of its middle and of its own x.
+        let of_part = |part: &CounterweightPart| (part.z, part.angle);
+        let (old_z, old_angle) = old_part.map_or((now.z, now.angle), of_part);
+        let (new_z, new_angle) = part.map_or((wanted.z, wanted.angle), of_part);
+        let is_moved = now.crankshaft != wanted.crankshaft || !same_place(old_z, new_z);
+        let web = part.and_then(|part| part.web);
+        let leaves_web = part.is_some() && web.is_none() && matches!(place, Place::Web(_));
+        if let Some(web) = web {
+            if place != Place::Web(web) {
+                entry.exchange(place_key, "web", &(web + 1).to_string(), splices);
+                entry.unset("crankshaft", splices);
+                place = Place::Web(web);
+            }
+        } else if is_moved || leaves_web {
+            let z = new_z + self.origin;
+            let fits = |z: f64| same_place(z - self.origin, new_z);
             let value = self.units.value(entry, "z", z, Dimension::Length, fits, splices);
             if place == Place::Plane {
                 entry.set("z", &value, &[], splices);
@@ -195,26 +210,117 @@ impl CounterweightWriter<'_> {
         if !entry.has("name") && self.default_name(place, number) != wanted.name {
             entry.set("name", &quoted(&wanted.name), &[place_key], splices);
         }
-        let changes_amount = !same_amount(now.unbalance, wanted.unbalance);
-        if changes_amount {
-            super::set_unbalance(entry, wanted.unbalance, self.units, splices);
+        match (old_part, part) {
+            (None, None) => {
+                if !same_amount(now.unbalance, wanted.unbalance) {
+                    set_unbalance(entry, wanted.unbalance, self.units, splices);
+                }
+            }
+            (Some(old), None) => {
+                entry.unset_table("shape", splices);
+                if !old.wanted.is_some_and(|unbalance| same_amount(unbalance, wanted.unbalance)) {
+                    set_unbalance(entry, wanted.unbalance, self.units, splices);
+                }
+            }
+            (old, Some(part)) => {
+                if old != Some(part) {
+                    self.set_shape(entry, now, part, place_key, splices);
+                }
+            }
         }
-        // A weight of nothing has no direction.
-        let is_turned = !same_direction(now.angle, wanted.angle) && wanted.unbalance != 0.0;
+        // A weight of nothing has no direction, a part has.
+        let is_turned = !same_direction(old_angle, new_angle) && (wanted.unbalance != 0.0 || part.is_some());
         if is_turned || old_place != place {
             let zero = self.zero(place);
             let old = entry.text("angle").and_then(|text| parse(text, Dimension::Angle, "").ok());
-            let default = if place == Place::Plane { wanted.angle } else { PI };
-            let angle = angle_near(wanted.angle - zero, old.unwrap_or(default));
-            let fits = |angle: f64| same_direction(zero + angle, wanted.angle);
+            let default = if place == Place::Plane { new_angle } else { PI };
+            let angle = angle_near(new_angle - zero, old.unwrap_or(default));
+            let fits = |angle: f64| same_direction(zero + angle, new_angle);
             let value = self.units.value(entry, "angle", angle, Dimension::Angle, fits, splices);
             entry.set("angle", &value, &["unbalance", "mass", place_key], splices);
         }
     }
 
+    /// The part of a weight, if it is one of that amount, in that place: else the number counts.
+    fn part_of<'w>(&self, weight: &'w Counterweight) -> Option<&'w CounterweightPart> {
+        let part = weight.part.as_deref()?;
+        let own = self.engine.part_weight(part).ok()?;
+        let is_own = (own.unbalance - weight.unbalance).abs() <= PART * weight.unbalance
+            && (own.z - weight.z).abs() <= PART * part.part.thickness()
+            && (weight.unbalance == 0.0 || turn_between(own.angle, weight.angle).abs() <= PART);
+        is_own.then_some(part)
+    }
+
+    /// Writes the shape into an entry; the unbalance that it has, if any, stays as the wanted one.
+    fn set_shape(
+        &self,
+        entry: Entry<'_>,
+        now: &Counterweight,
+        part: &CounterweightPart,
+        place_key: &'static str,
+        splices: &mut Splices<'_>,
+    ) {
+        let amount = |unbalance: f64| {
+            let fits = |read: f64| same_amount(read, unbalance);
+            self.units.new_value("unbalance", unbalance, Dimension::Unbalance, fits)
+        };
+        if entry.has("mass") {
+            entry.exchange("mass", "unbalance", &amount(part.wanted.unwrap_or(now.unbalance)), splices);
+            entry.unset("radius", splices);
+        } else if let Some(wanted) = part.wanted {
+            let old = entry.text("unbalance").and_then(|text| parse(text, Dimension::Unbalance, "").ok());
+            if !old.is_some_and(|old| same_amount(old, wanted)) {
+                let fits = |read: f64| same_amount(read, wanted);
+                let value = self.units.value(entry, "unbalance", wanted, Dimension::Unbalance, fits, splices);
+                entry.set("unbalance", &value, &[place_key], splices);
+            }
+        }
+        if entry.has("shape") && !entry.has_inline("shape") {
+            entry.unset_table("shape", splices);
+            entry.add(
+                "shape",
+                &self.shape(part, splices.line_end),
+                &["angle", "unbalance", "mass", place_key],
+                splices,
+            );
+        } else {
+            let value = self.shape(part, splices.line_end);
+            entry.set("shape", &value, &["angle", "unbalance", "mass", place_key], splices);
+        }
+    }
+
+    /// A shape between braces; an outline of its own has a line for each corner.
+    fn shape(&self, part: &CounterweightPart, line_end: &str) -> String {
+        let text = |value: f64, dimension: Dimension| {
+            let unit = match dimension {
+                Dimension::Length => "0 mm",
+                Dimension::Angle => "0 deg",
+                Dimension::Density => "0 kg/m3",
+                _ => return quantity(value, dimension),
+            };
+            let fits = |read: f64| if self.exact { read == value } else { same_place(read, value) };
+            quoted(&rewritten(unit, value, dimension, fits).unwrap_or_default())
+        };
+        let line_end = match part.form {
+            CounterweightForm::Family(_) => "",
+            _ => line_end,
+        };
+        let entries: Vec<String> = shape_entries(part, &text, line_end)
+            .into_iter()
+            .map(|(key, value)| format!("{key} = {value}"))
+            .collect();
+        format!("{{ {} }}", entries.join(", "))
+    }
+
     /// An entry for a weight that the file does not have yet.
     fn new_entry(&self, weight: &Counterweight) -> NewEntry {
-        let place = self.nearest_place(weight);
+        let part = self.part_of(weight);
+        let place = match part {
+            None => self.nearest_place(weight),
+            Some(CounterweightPart { web: Some(web), .. }) => Place::Web(*web),
+            Some(_) => Place::Plane,
+        };
+        let (z, angle) = part.map_or((weight.z, weight.angle), |part| (part.z, part.angle));
         let mut entry: NewEntry = Vec::new();
         if place == Place::Plane || self.default_name(place, 0) != weight.name {
             entry.push(("name", quoted(&weight.name)));
@@ -226,21 +332,26 @@ impl CounterweightWriter<'_> {
                 if weight.crankshaft > 0 {
                     entry.push(("crankshaft", (weight.crankshaft + 1).to_string()));
                 }
-                let fits = |z: f64| same_place(z - self.origin, weight.z);
-                let z = self.units.new_value("z", weight.z + self.origin, Dimension::Length, fits);
+                let fits = |read: f64| same_place(read - self.origin, z);
+                let z = self.units.new_value("z", z + self.origin, Dimension::Length, fits);
                 entry.push(("z", z));
             }
         }
-        let fits = |unbalance: f64| same_amount(unbalance, weight.unbalance);
-        let unbalance = self.units.new_value("unbalance", weight.unbalance, Dimension::Unbalance, fits);
-        entry.push(("unbalance", unbalance));
+        if let Some(amount) = part.map_or(Some(weight.unbalance), |part| part.wanted) {
+            let fits = |unbalance: f64| same_amount(unbalance, amount);
+            let unbalance = self.units.new_value("unbalance", amount, Dimension::Unbalance, fits);
+            entry.push(("unbalance", unbalance));
+        }
         let zero = self.zero(place);
-        let fits = |angle: f64| same_direction(zero + angle, weight.angle);
+        let fits = |read: f64| same_direction(zero + read, angle);
         let is_default = place != Place::Plane && fits(PI);
         if !is_default {
-            let reference = if place == Place::Plane { weight.angle } else { PI };
-            let angle = angle_near(weight.angle - zero, reference);
+            let reference = if place == Place::Plane { angle } else { PI };
+            let angle = angle_near(angle - zero, reference);
             entry.push(("angle", self.units.new_value("angle", angle, Dimension::Angle, fits)));
+        }
+        if let Some(part) = part {
+            entry.push(("shape", self.shape(part, self.line_end)));
         }
         entry
     }

@@ -45,10 +45,14 @@ impl<'a> Entry<'a> {
 
     /// Sets the key; a new one comes behind the first of `behind` that is there.
     pub(super) fn set(self, key: &'static str, value: &str, behind: &[&str], splices: &mut Splices<'_>) {
-        if let Some(old) = self.get(key) {
-            splices.replace(old.span().range(), value);
-            return;
+        match self.get(key) {
+            Some(old) => splices.replace(old.span().range(), value),
+            None => self.add(key, value, behind, splices),
         }
+    }
+
+    /// A new key behind the first of `behind` that is there.
+    pub(super) fn add(self, key: &'static str, value: &str, behind: &[&str], splices: &mut Splices<'_>) {
         let anchor = behind
             .iter()
             .find_map(|key| self.whole(key, splices))
@@ -102,7 +106,20 @@ impl<'a> Entry<'a> {
     pub(super) fn remove_block(self, splices: &mut Splices<'_>) {
         let block = self.own_block(splices);
         splices.remove(block);
+        self.remove_below(splices);
+    }
+
+    /// Takes the tables with headers below it out.
+    fn remove_below(self, splices: &mut Splices<'_>) {
         for (_, item) in self.table {
+            if let Some(table) = item.as_table() {
+                let entry = Entry { item, table };
+                match table.style() {
+                    TableStyle::Header => entry.remove_block(splices),
+                    TableStyle::Implicit => entry.remove_below(splices),
+                    TableStyle::Inline | TableStyle::Dotted => {}
+                }
+            }
             if let Some(list) = List::of(Some(item))
                 && list.array.is_some_and(|array| array.style() == ArrayStyle::Header)
             {
@@ -111,6 +128,41 @@ impl<'a> Entry<'a> {
                 }
             }
         }
+    }
+
+    /// Takes a table below it out, however it is written; its comments stay.
+    pub(super) fn unset_table(self, key: &str, splices: &mut Splices<'_>) {
+        let Some(item) = self.get(key) else { return };
+        let Some(table) = item.as_table() else { return };
+        let entry = Entry { item, table };
+        match table.style() {
+            TableStyle::Inline => self.unset(key, splices),
+            TableStyle::Header => entry.remove_block(splices),
+            TableStyle::Dotted | TableStyle::Implicit => {
+                entry.remove_dotted(splices);
+                entry.remove_below(splices);
+            }
+        }
+    }
+
+    /// Takes the lines of dotted keys out.
+    pub(super) fn remove_dotted(self, splices: &mut Splices<'_>) {
+        for (_, item) in self.table {
+            let dotted = item.as_table().filter(|table| table.style() == TableStyle::Dotted);
+            if let Some(table) = dotted {
+                Entry { item, table }.remove_dotted(splices);
+            } else if !has_header(item) {
+                let value = item.span().range();
+                let line = splices.line_start(value.start);
+                let start = line + splices.indentation(line).len();
+                splices.remove(start..value.end);
+            }
+        }
+    }
+
+    /// Whether a table below it stands between braces behind its key.
+    pub(super) fn has_inline(self, key: &str) -> bool {
+        self.get(key).and_then(Item::as_table).is_some_and(|table| table.style() == TableStyle::Inline)
     }
 }
 

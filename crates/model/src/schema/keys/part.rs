@@ -37,8 +37,8 @@ pub(super) static SHAPE: Table = Table {
             "web_radius",
             Length,
             Positive,
-            "Radius of the web's disc, and half width of the rectangle; default that of [crank.body]. The disc is no \
-             part of the counterweight.",
+            "Radius of the web's disc, and half width of the rectangle; default that of [crank.body]. The disc, and on \
+             a web all that lies on the plain web of [crank.body], is no part of the counterweight.",
             "\"38 mm\"",
         ),
         quantity(
