@@ -63,23 +63,27 @@ pub(crate) fn part_weight(
 ) -> Result<PartWeight, PartFault> {
     let moments = part.part.moments();
     let mut first = Point::new(moments.first[0], moments.first[1]);
-    // The first moments times z, about the middle of the part. Webs are symmetric about it.
-    let lever = Point::new(moments.second[4], moments.second[3]);
-    let throw = part.web.and_then(|web| throws.get(web / 2));
-    if let (Some(body), Some(throw)) = (body, throw) {
-        match part.form {
+    // The first moments times z, about the middle of the part.
+    let mut lever = Point::new(moments.second[4], moments.second[3]);
+    let on_web = part.web.and_then(|web| Some((throws.get(web / 2)?, web % 2)));
+    if let (Some(body), Some((throw, side))) = (body, on_web) {
+        let offset = throw.webs.map_or(0.0, |webs| webs[side] - part.z);
+        let (web, half) = (body.web_thickness, part.part.thickness() / 2.0);
+        let (taken, middle) = match part.form {
             CounterweightForm::Web => {
-                let web = plain_web(body, throw, part.angle)?.moments();
-                first = first - web.first * (body.density * body.web_thickness);
+                let plain = plain_web(body, throw, part.angle)?.moments();
+                (plain.first * (body.density * web), offset)
             }
             CounterweightForm::Family(_) => {
-                let web = plain_web(body, throw, part.angle)?;
-                let shared = overlap(part.part.outline(), &web).map_err(PartFault::Overlap)?;
-                let thickness = part.part.thickness().min(body.web_thickness);
-                first = first - shared * (part.part.density() * thickness);
+                let plain = plain_web(body, throw, part.angle)?;
+                let shared = overlap(part.part.outline(), &plain).map_err(PartFault::Overlap)?;
+                let (from, to) = ((offset - web / 2.0).max(-half), (offset + web / 2.0).min(half));
+                (shared * (part.part.density() * (to - from).max(0.0)), (from + to) / 2.0)
             }
-            CounterweightForm::Counterweight => {}
-        }
+            CounterweightForm::Counterweight => (Point::ORIGIN, 0.0),
+        };
+        first = first - taken;
+        lever = lever - taken * middle;
     }
     let reach = moments.mass * part.part.outline().swept_radius();
     let thickness = part.part.thickness();

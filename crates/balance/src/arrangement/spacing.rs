@@ -15,7 +15,8 @@ pub(crate) fn spacing_of(engine: &Engine) -> Option<f64> {
         .or_else(|| nearest(engine.cylinders.iter().map(|c| c.z).collect()))
 }
 
-/// The engine with every z of throws, webs, main bearings, cylinders and counterweights times `factor`, about the origin.
+/// The engine with every z of throws, webs, main bearings, cylinders and counterweights times `factor`, about the origin. Its crankshaft
+/// is no body any more and its counterweights are no parts.
 pub(crate) fn scaled_along(engine: &Engine, factor: f64) -> Engine {
     let mut scaled = engine.clone();
     for throw in &mut scaled.throws {
@@ -25,7 +26,11 @@ pub(crate) fn scaled_along(engine: &Engine, factor: f64) -> Engine {
         }
     }
     scaled.cylinders.iter_mut().for_each(|c| c.z *= factor);
-    scaled.counterweights.iter_mut().for_each(|w| w.z *= factor);
+    for weight in &mut scaled.counterweights {
+        weight.z *= factor;
+        weight.part = None;
+    }
+    scaled.crank_body = None;
     for mains in scaled.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()) {
         mains.iter_mut().for_each(|z| *z *= factor);
     }

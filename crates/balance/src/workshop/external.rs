@@ -78,6 +78,7 @@ pub fn external_balance(
     let mut engine = engine.clone();
     for weight in &mut engine.counterweights {
         weight.unbalance *= kept_share;
+        weight.part = None;
     }
     let parts = crank_parts(&engine, crankshaft, bobweights)?.concat();
     let size: f64 = parts.iter().map(|p| p.unbalance.norm()).sum();

@@ -39,9 +39,13 @@ enum Place {
 /// What a weight may differ from its part, relatively, in thicknesses and in radians: more is another weight.
 const PART: f64 = 1e-9;
 
+/// Whether the weight stays as it is: a part is the same part, or the number that it has.
 fn same(a: &Counterweight, b: &Counterweight) -> bool {
+    same_numbers(a, b) && (b.part.is_none() || a.part == b.part)
+}
+
+fn same_numbers(a: &Counterweight, b: &Counterweight) -> bool {
     a.crankshaft == b.crankshaft
-        && a.part == b.part
         && same_place(a.z, b.z)
         && same_amount(a.unbalance, b.unbalance)
         && (same_direction(a.angle, b.angle) || b.unbalance == 0.0)
@@ -172,6 +176,7 @@ impl CounterweightWriter<'_> {
         splices: &mut Splices<'_>,
     ) {
         let (old_part, part) = (now.part.as_deref(), self.part_of(wanted));
+        let part = part.or(old_part.filter(|_| same_numbers(now, wanted)));
         let old_place = self.place_of(entry);
         let mut place = old_place;
         let place_key = match place {
