@@ -283,3 +283,71 @@ fn every_crankshaft_has_its_own_throws_and_weights() {
     apart.throws[1].crankshaft = 0;
     assert_eq!(crankshaft(&apart, 1).unwrap_err(), CrankshaftError::NoThrow { index: 1 });
 }
+
+const FILE: &str = r#"name = "Twin"
+speed = "3000 rpm"
+[piston]
+mass = "0.3 kg"
+bore = "70 mm"
+[rod]
+length = "110 mm"
+mass = "0.3 kg"
+[layout]
+type = "in-line"
+cylinders = 2
+spacing = "80 mm"
+crank_angles = ["0 deg", "150 deg"]
+[crank]
+stroke = "60 mm"
+web_distance = "36 mm"
+[crank.body]
+density = "7.85 g/cm3"
+journal_diameter = "48 mm"
+journal_bore = "12 mm"
+pin_diameter = "40 mm"
+pin_bore = "16 mm"
+web_thickness = "14 mm"
+web_radius = "32 mm"
+pin_end_radius = "32 mm"
+end_journals = ["25 mm", "1.5 in"]
+[[counterweight]]
+web = 1
+[counterweight.shape]
+thickness = "14 mm"
+rectangle_height = "15 mm"
+shoulder_angle = "35 deg"
+arc_radius = "62 mm"
+arc_angle = "110 deg"
+[[counterweight]]
+web = 4
+[counterweight.shape]
+thickness = "14 mm"
+encloses = "web"
+density = "7.85 g/cm3"
+outline = [
+  { x = "-65 mm", y = "-30 mm" },
+  { x = "10 mm", y = "-40 mm" },
+  { x = "60 mm", y = "-30 mm", bulge = 0.3 },
+  { x = "60 mm", y = "35 mm" },
+  { x = "-65 mm", y = "30 mm" },
+]
+[[counterweight]]
+name = "flywheel"
+z = "120 mm"
+unbalance = "0.001 kg m"
+angle = "20 deg"
+"#;
+
+#[test]
+fn the_crankshaft_of_a_file_balances_as_its_loads_do() {
+    let reading = read(FILE);
+    let engine =
+        reading.engine.unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", FILE, false)));
+    let crank = crankshaft(&engine, 0).unwrap();
+    let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
+    assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);
+    assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
+    assert!((crank.unbalance.couple - couple).norm() < 1e-12 * v);
+    assert_eq!(crank.parts.len(), 9);
+    assert_eq!(crank.point_weights[0].name, "flywheel");
+}
