@@ -11,7 +11,7 @@ mod random_part;
 mod step_reader;
 
 use lanchester_geometry::export::{ExportError, PlacedPart, RESOLUTION, StepHeader, solids, step};
-use lanchester_geometry::{Chamfer, Contour, Corner, Cut, Face, Insert, Outline, Part, Point};
+use lanchester_geometry::{Contour, Corner, Insert, Outline, Part, Point};
 use proptest::prelude::*;
 use random_part::{any_part, volumes};
 use step_reader::{ReadSolid, StepFile};
@@ -150,10 +150,6 @@ fn arcs_that_hardly_leave_their_chord_become_lines() {
 #[test]
 fn what_cannot_be_exported_is_refused() {
     assert_eq!(solids(&[]).unwrap_err(), ExportError::NoPart);
-    let chamfer = Chamfer { cut: Cut::Turned { radius: 0.045 }, angle: 0.5, face: Face::Rear };
-    let part = plate(0.05, 0.02).with_chamfer(chamfer).unwrap();
-    let error = solids(&[PlacedPart::new("web 3", part)]).unwrap_err();
-    assert_eq!(error, ExportError::Chamfer { part: "web 3".into(), count: 1 });
     let refused = |inserts: &[Insert]| {
         let part = inserts.iter().fold(plate(0.05, 0.02), |part, insert| part.with_insert(*insert).unwrap());
         solids(&[PlacedPart::new("web", part)]).unwrap_err()

@@ -14,15 +14,15 @@ pub enum ExportError {
     /// Nothing to export.
     #[error("an export needs at least one part, got none\nhint: name a part")]
     NoPart,
-    /// A part with chamfers: their surfaces are not written, and the part without them would be another part.
+    /// A chamfer that begins along the outline, or touches it where it does not cross it.
     #[error(
-        "{part} has {count} chamfer(s), which are not exported\nhint: export it without them and cut them in the CAD program; mass and unbalance of the report count them"
+        "{part}: a chamfer touches the outline at {} without crossing it\nhint: begin the chamfer a little farther in or out", place(.at)
     )]
-    Chamfer {
+    ChamferTouches {
         /// The part.
         part: String,
-        /// How many it has.
-        count: usize,
+        /// Where [m].
+        at: Point,
     },
     /// A place that is no number.
     #[error(

@@ -8,12 +8,12 @@
 //! ```
 //! facets for a facet error `e`, and at least one for every eighth of a turn.
 
-use super::solid::{Face, Side, Surface};
+use super::slope::Slope;
+use super::solid::{Curve, Face, Side, Surface};
 use super::triangulation::triangles;
 use super::{ExportError, Solid};
-use lanchester_shape::Edge;
-use lanchester_shape::Point;
-use std::f64::consts::FRAC_PI_4;
+use lanchester_shape::{Cut, Edge, Point};
+use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Least facet error as part of the largest coordinate: 32-bit floats tell points half as far apart.
 const LEAST: f64 = 1e-7;
@@ -78,37 +78,57 @@ struct Net {
 impl Net {
     fn of(solid: &Solid, facet_error: f64) -> Result<Net, ExportError> {
         let mut net = Net { points: solid.vertices.clone(), triangles: Vec::new() };
+        let mut counts: Vec<usize> = solid.edges.iter().map(|side| pieces(side, facet_error)).collect();
+        for face in solid.faces.iter().filter(|face| is_wall(face)) {
+            // Facets go from the edge below to the one above.
+            let [low, high] = [0, 2].map(|k| face.loops[0][k].0);
+            let most = counts[low].max(counts[high]);
+            (counts[low], counts[high]) = (most, most);
+        }
         let lines: Vec<Vec<usize>> =
-            solid.edges.iter().map(|side| net.points_along(side, facet_error)).collect();
+            solid.edges.iter().zip(counts).map(|(side, count)| net.points_along(side, count)).collect();
         for face in &solid.faces {
-            match face.surface {
-                Surface::Level { up } => net.level(face, up, &lines).map_err(|at| {
-                    let [x, y, _] = net.points[at];
-                    ExportError::FacetsCross { part: solid.name.clone(), at: Point::new(x, y), facet_error }
-                })?,
-                Surface::Flat { .. } | Surface::Round { .. } => net.wall(face, &lines),
+            if is_wall(face) {
+                net.wall(face, &lines);
+                continue;
             }
+            net.end(face, facet_error, &lines).map_err(|at| {
+                let [x, y, _] = net.points[at];
+                ExportError::FacetsCross { part: solid.name.clone(), at: Point::new(x, y), facet_error }
+            })?;
         }
         Ok(net)
     }
 
     /// The points along an edge with both its ends.
-    fn points_along(&mut self, side: &Side, facet_error: f64) -> Vec<usize> {
+    fn points_along(&mut self, side: &Side, count: usize) -> Vec<usize> {
         let mut line = vec![side.from];
-        if let Some(arc) = side.arc {
-            let z = self.points[side.from][2];
-            let count = facets(&arc, facet_error);
-            for k in 1..count {
-                let point = point_at(&arc, k as f64 / count as f64);
-                line.push(self.points.len());
-                self.points.push([point.x, point.y, z]);
-            }
+        let z = self.points[side.from][2];
+        for k in 1..count {
+            let part = k as f64 / count as f64;
+            let point = match side.curve {
+                Curve::Line => {
+                    let (from, to) = (self.points[side.from], self.points[side.to]);
+                    [0, 1, 2].map(|i| from[i] + part * (to[i] - from[i]))
+                }
+                Curve::Arc(arc) => {
+                    let at = point_at(&arc, part);
+                    [at.x, at.y, z]
+                }
+                Curve::Rise(plan, slope) => {
+                    let at = point_at(&plan, part);
+                    [at.x, at.y, slope.height(at)]
+                }
+            };
+            line.push(self.points.len());
+            self.points.push(point);
         }
         line.push(side.to);
         line
     }
 
-    fn level(&mut self, face: &Face, up: bool, lines: &[Vec<usize>]) -> Result<(), usize> {
+    /// A face across the axis or a chamfer.
+    fn end(&mut self, face: &Face, facet_error: f64, lines: &[Vec<usize>]) -> Result<(), usize> {
         let polygon = |boundary: &Vec<(usize, bool)>| -> Vec<usize> {
             boundary.iter().flat_map(|(edge, forward)| without_end(&lines[*edge], *forward)).collect()
         };
@@ -116,10 +136,22 @@ impl Net {
         let place = |at: &usize| [self.points[*at][0], self.points[*at][1]];
         let flat: Vec<Vec<[f64; 2]>> =
             polygons.iter().map(|polygon| polygon.iter().map(place).collect()).collect();
-        let numbers = polygons.concat();
-        let normals = [[0.0, 0.0, if up { 1.0 } else { -1.0 }]; 3];
-        for [a, b, c] in triangles(&flat).map_err(|at| numbers[at])? {
+        let mut numbers = polygons.concat();
+        let (up, within) = match face.surface {
+            Surface::Slope(slope) => {
+                let within = cone_points(&slope, &flat, facet_error);
+                for [x, y] in &within {
+                    numbers.push(self.points.len());
+                    self.points.push([*x, *y, slope.height(Point::new(*x, *y))]);
+                }
+                (slope.into < 0.0, within)
+            }
+            Surface::Level { up } => (up, Vec::new()),
+            Surface::Flat { .. } | Surface::Round { .. } => (true, Vec::new()),
+        };
+        for [a, b, c] in triangles(&flat, &within).map_err(|at| numbers[at])? {
             let corners = if up { [a, b, c] } else { [a, c, b] }.map(|k| numbers[k]);
+            let normals = corners.map(|at| self.normal(&face.surface, at));
             self.triangles.push(Triangle { corners, normals });
         }
         Ok(())
@@ -142,6 +174,7 @@ impl Net {
         let [x, y, _] = self.points[at];
         let out = match *surface {
             Surface::Level { up } => return [0.0, 0.0, if up { 1.0 } else { -1.0 }],
+            Surface::Slope(slope) => return slope.normal(Point::new(x, y)),
             Surface::Flat { normal } => normal,
             Surface::Round { centre, outwards, .. } => {
                 let away = Point::new(x, y) - centre;
@@ -159,6 +192,64 @@ fn without_end(line: &[usize], forward: bool) -> Vec<usize> {
         points.reverse();
     }
     points.pop();
+    points
+}
+
+fn is_wall(face: &Face) -> bool {
+    matches!(face.surface, Surface::Flat { .. } | Surface::Round { .. })
+}
+
+/// How many facets keep an edge of a solid within the facet error.
+fn pieces(side: &Side, facet_error: f64) -> usize {
+    let Curve::Rise(plan, slope) = side.curve else {
+        return side.curve.arc().map_or(1, |arc| facets(&arc, facet_error));
+    };
+    let (length, turn) = (plan.length(), 4.0 * plan.bulge.abs().atan());
+    let across = if turn == 0.0 { 0.0 } else { plan.radius() * turn * turn };
+    // Second derivative of the distance from the axis by the part of the length.
+    let along = match slope.cut {
+        Cut::Milled { .. } => across,
+        Cut::Turned { .. } => length * length / plan.nearest(Point::ORIGIN).0 + across,
+    };
+    let bend = across.hypot(slope.angle.tan() * along);
+    // Triangles of the cone between this edge and other points add their own error: a quarter of it here.
+    let part = if let Cut::Turned { .. } = slope.cut { 2.0 } else { 8.0 };
+    let count = (bend / (part * facet_error)).sqrt().ceil() as usize;
+    count.max(if turn == 0.0 { 1 } else { facets(&plan, facet_error) })
+}
+
+/// Points of a cone within polygons across the crank, on circles about its axis, as far apart as facets of the facet error may be
+/// wide, but of a fine mesh on few circles: from one to the next a cone is straight.
+fn cone_points(slope: &Slope, polygons: &[Vec<[f64; 2]>], facet_error: f64) -> Vec<[f64; 2]> {
+    const MOST_CIRCLES: f64 = 48.0;
+    let Cut::Turned { radius } = slope.cut else { return Vec::new() };
+    let most = polygons.iter().flatten().map(|[x, y]| x.hypot(*y)).fold(radius, f64::max);
+    // Triangles between them may be half as wide again.
+    let count = (TAU / (2.0 * facet_error / most).sqrt().min(FRAC_PI_4)).ceil();
+    let width = TAU / count;
+    let growth = width.max((most / radius).ln() / MOST_CIRCLES).exp();
+    let lines: Vec<Edge> = polygons
+        .iter()
+        .flat_map(|polygon| polygon.iter().zip(polygon.iter().cycle().skip(1)))
+        .map(|(from, to)| Edge::line(Point::new(from[0], from[1]), Point::new(to[0], to[1])))
+        .collect();
+    let mut points = Vec::new();
+    let mut distance = radius * growth.sqrt();
+    while distance < most {
+        for k in 0..count as usize {
+            let at = Point::polar(distance, k as f64 * width);
+            // To the right of it an odd number of lines where it lies within.
+            let crossed = |line: &&Edge| {
+                (line.from.y > at.y) != (line.to.y > at.y)
+                    && (line.to - line.from).cross(at - line.from) * (line.to.y - line.from.y) > 0.0
+            };
+            let is_near = |line: &Edge| line.nearest(at).0 < 0.4 * width * distance;
+            if lines.iter().filter(crossed).count() % 2 == 1 && !lines.iter().any(is_near) {
+                points.push([at.x, at.y]);
+            }
+        }
+        distance *= growth;
+    }
     points
 }
 

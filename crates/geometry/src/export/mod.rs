@@ -1,7 +1,7 @@
 //! Parts as files that a CAD program, a printer or a viewer opens: STEP, STL, glTF.
 //!
-//! [`PlacedPart`]s, each with a name, a place along the crank and a turn about it, become [`Solid`]s: closed shells of planes
-//! and cylinders between lines and arcs. An insert with a material is a solid of its own, in the bore of its part. The writers
+//! [`PlacedPart`]s, each with a name, a place along the crank and a turn about it, become [`Solid`]s: closed shells of planes,
+//! cylinders and cones. An insert with a material is a solid of its own, in the bore of its part. The writers
 //! touch no file: they give the text or the bytes, the same ones for the same solids.
 //!
 //! | writer | what | how exact |
@@ -12,7 +12,8 @@
 //!
 //! Frame: as the parts, with z along the crank axis. In glTF the outermost node turns it so that x points up.
 //!
-//! Chamfers are refused ([`ExportError::Chamfer`]): a part without them would be another part.
+//! Chamfers are planes and cones. Where one meets a wall the edge is a line, a circle, an ellipse or a hyperbola; on an arc that is not about the crank
+//! axis a turned chamfer ends in a curve that STEP has no exact form for: a spline within [`SPLINE_ERROR`] of it.
 //!
 //! ```
 //! use lanchester_geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
@@ -28,12 +29,15 @@
 //! ```
 
 mod bore;
+mod chamfered;
 mod error;
 mod gltf;
 mod mesh;
 mod placed_part;
+mod slope;
 mod solid;
 mod step;
+mod step_curve;
 mod stl;
 mod triangulation;
 
@@ -42,6 +46,7 @@ pub use gltf::glb;
 pub use placed_part::{PlacedPart, solids};
 pub use solid::Solid;
 pub use step::{StepHeader, step};
+pub use step_curve::SPLINE_ERROR;
 pub use stl::stl;
 
 /// Lengths below this are not told apart in an exported file [m]: arcs that stand out less over their chord are written as

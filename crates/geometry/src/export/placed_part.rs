@@ -1,9 +1,11 @@
 //! Named parts at their places along the crank.
 
-use super::bore::{bores, open_ends};
+use super::bore::{Bore, bores, open_ends};
+use super::slope::Slope;
 use super::solid::{Solid, circle, exported_edges};
 use super::{ExportError, RESOLUTION};
 use lanchester_shape::Edge;
+use lanchester_shape::Face;
 use lanchester_shape::Part;
 use lanchester_shape::Point;
 
@@ -54,10 +56,6 @@ impl PlacedPart {
         if !(self.z.is_finite() && self.turn.is_finite()) {
             return Err(ExportError::Place { part: self.name.clone(), z: self.z, turn: self.turn });
         }
-        let count = part.chamfers().len();
-        if count > 0 {
-            return Err(ExportError::Chamfer { part: self.name.clone(), count });
-        }
         let lengths = part.inserts().iter().map(|insert| ("length of an insert", insert.to - insert.from));
         for (what, length) in std::iter::once(("thickness", part.thickness())).chain(lengths) {
             if length < RESOLUTION {
@@ -78,7 +76,11 @@ impl PlacedPart {
         let front = part.faces()[0] + self.z;
         let rear = front + part.thickness();
         let colour = self.colour.map(|part| if part > 0.0 { part.min(1.0) } else { 0.0 });
-        let body = Solid::prism((self.name.clone(), colour), &contours, &bores, [front, rear]);
+        let body = if part.chamfers().is_empty() {
+            Solid::prism((self.name.clone(), colour), &contours, &bores, [front, rear])
+        } else {
+            self.chamfered(&contours, &bores, [front, rear], colour)?
+        };
         let mut solids = vec![body];
         for (number, insert) in part.inserts().iter().enumerate() {
             if insert.density == 0.0 {
@@ -94,6 +96,34 @@ impl PlacedPart {
             solids.push(Solid::prism((name, HEAVY_METAL), &[outline], &[], ends));
         }
         Ok(solids)
+    }
+}
+
+impl PlacedPart {
+    /// The part itself with its chamfers.
+    fn chamfered(
+        &self,
+        contours: &[Vec<Edge>],
+        bores: &[Bore],
+        faces: [f64; 2],
+        colour: [f64; 3],
+    ) -> Result<Solid, ExportError> {
+        let (part, outline) = (&self.part, self.part.outline());
+        let of = |face: Face| -> Vec<Slope> {
+            let chamfers = part.chamfers().iter().filter(|chamfer| chamfer.face == face);
+            chamfers.map(|chamfer| Slope::new(chamfer, self.turn, faces)).collect()
+        };
+        let slopes = [of(Face::Front), of(Face::Rear)];
+        let deepest = slopes.each_ref().map(|slopes| {
+            let reach = |direction: Point| outline.reach(direction.turned(-self.turn));
+            slopes.iter().map(|slope| slope.deepest(outline.swept_radius(), reach)).fold(0.0, f64::max)
+        });
+        let length = part.thickness() - deepest[0] - deepest[1];
+        if length < RESOLUTION {
+            let what = "wall that the chamfers leave at their deepest";
+            return Err(ExportError::TooThin { part: self.name.clone(), what, length });
+        }
+        Solid::chamfered((self.name.clone(), colour), contours, bores, faces, [&slopes[0], &slopes[1]])
     }
 }
 

@@ -1,12 +1,13 @@
 //! A solid by its boundary: vertices, edges and faces that share them.
 
 use super::bore::Bore;
+use super::slope::Slope;
 use super::{ExportError, RESOLUTION};
 use lanchester_shape::Contour;
 use lanchester_shape::Edge;
 use lanchester_shape::Point;
 
-/// A closed body of planes and cylinders, with a name and a colour.
+/// A closed body of planes, cylinders and cones, with a name and a colour.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     pub(super) name: String,
@@ -26,8 +27,34 @@ pub(super) struct Side {
     pub from: usize,
     /// Vertex where it ends.
     pub to: usize,
-    /// The arc in the plane z of both vertices; none for a straight line.
-    pub arc: Option<Edge>,
+    /// What it runs along.
+    pub curve: Curve,
+}
+
+/// What an edge runs along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Curve {
+    /// A straight line.
+    Line,
+    /// An arc in the plane z of both vertices.
+    Arc(Edge),
+    /// On the surface of a chamfer, above or below an edge across the crank.
+    Rise(Edge, Slope),
+}
+
+impl Curve {
+    /// An edge in a plane across the crank.
+    pub fn level(edge: &Edge) -> Curve {
+        if edge.bulge == 0.0 { Curve::Line } else { Curve::Arc(*edge) }
+    }
+
+    /// What it is across the crank, where it is no straight line there.
+    pub fn arc(&self) -> Option<Edge> {
+        match self {
+            Curve::Line => None,
+            Curve::Arc(edge) | Curve::Rise(edge, _) => (edge.bulge != 0.0).then_some(*edge),
+        }
+    }
 }
 
 /// Surface of a face, with its normal out of the material.
@@ -52,6 +79,8 @@ pub(super) enum Surface {
         /// Whether its normal points away from its axis.
         outwards: bool,
     },
+    /// A chamfer: a cone about the crank axis or a plane at an angle against it.
+    Slope(Slope),
 }
 
 /// A face, with its boundary anticlockwise about its normal.
@@ -68,9 +97,9 @@ pub(super) struct Face {
 }
 
 /// A contour at one height: the numbers of its vertices and edges.
-struct Ring {
-    vertices: Vec<usize>,
-    edges: Vec<usize>,
+pub(super) struct Ring {
+    pub vertices: Vec<usize>,
+    pub edges: Vec<usize>,
 }
 
 impl Ring {
@@ -78,7 +107,8 @@ impl Ring {
         self.edges.iter().map(|edge| (*edge, true)).collect()
     }
 
-    fn backward(&self) -> Vec<(usize, bool)> {
+    /// Its edges run backward.
+    pub fn backward(&self) -> Vec<(usize, bool)> {
         self.edges.iter().rev().map(|edge| (*edge, false)).collect()
     }
 }
@@ -91,8 +121,7 @@ impl Solid {
         bores: &[Bore],
         [front, rear]: [f64; 2],
     ) -> Solid {
-        let mut solid =
-            Solid { name, colour, vertices: Vec::new(), edges: Vec::new(), faces: Vec::new(), shells: 1 };
+        let mut solid = Solid::empty(name, colour);
         let (mut in_front, mut behind) = (Vec::new(), Vec::new());
         for (number, contour) in contours.iter().enumerate() {
             let (low, high) = (solid.ring(contour, front), solid.ring(contour, rear));
@@ -108,6 +137,11 @@ impl Solid {
         solid
     }
 
+    /// Without any face yet.
+    pub(super) fn empty(name: String, colour: [f64; 3]) -> Solid {
+        Solid { name, colour, vertices: Vec::new(), edges: Vec::new(), faces: Vec::new(), shells: 1 }
+    }
+
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name
@@ -121,26 +155,25 @@ impl Solid {
     /// Largest coordinate of a point of it, whatever the sign [m]: of the vertices, and of arcs by their box.
     pub(super) fn reach(&self) -> f64 {
         let vertices = self.vertices.iter().flatten().fold(0.0f64, |most, x| most.max(x.abs()));
-        let arcs = self.edges.iter().filter_map(|side| side.arc);
+        let arcs = self.edges.iter().filter_map(|side| side.curve.arc());
         arcs.map(|arc| arc.farthest(Point::ORIGIN).0).fold(vertices, f64::max)
     }
 
-    fn ring(&mut self, contour: &[Edge], z: f64) -> Ring {
+    /// A contour at one height.
+    pub(super) fn ring(&mut self, contour: &[Edge], z: f64) -> Ring {
         let first = self.vertices.len();
         let count = contour.len();
         self.vertices.extend(contour.iter().map(|edge| [edge.from.x, edge.from.y, z]));
         let vertices: Vec<usize> = (first..first + count).collect();
         let edges = (0..count)
-            .map(|k| {
-                let arc = (contour[k].bulge != 0.0).then_some(contour[k]);
-                self.side(vertices[k], vertices[(k + 1) % count], arc)
-            })
+            .map(|k| self.side(vertices[k], vertices[(k + 1) % count], Curve::level(&contour[k])))
             .collect();
         Ring { vertices, edges }
     }
 
-    fn side(&mut self, from: usize, to: usize, arc: Option<Edge>) -> usize {
-        self.edges.push(Side { from, to, arc });
+    /// An edge between two vertices.
+    pub(super) fn side(&mut self, from: usize, to: usize, curve: Curve) -> usize {
+        self.edges.push(Side { from, to, curve });
         self.edges.len() - 1
     }
 
@@ -148,7 +181,7 @@ impl Solid {
     fn walls(&mut self, contour: &[Edge], [low, high]: [&Ring; 2], around: bool, shell: usize) {
         let count = contour.len();
         let uprights: Vec<usize> =
-            (0..count).map(|k| self.side(low.vertices[k], high.vertices[k], None)).collect();
+            (0..count).map(|k| self.side(low.vertices[k], high.vertices[k], Curve::Line)).collect();
         for (k, edge) in contour.iter().enumerate() {
             let (start, end) = (uprights[k], uprights[(k + 1) % count]);
             let boundary = if around {
@@ -156,14 +189,7 @@ impl Solid {
             } else {
                 vec![(low.edges[k], false), (start, true), (high.edges[k], true), (end, false)]
             };
-            let surface = if edge.bulge == 0.0 {
-                let along = edge.to - edge.from;
-                let right = along.right() * (1.0 / along.norm());
-                Surface::Flat { normal: if around { right } else { -right } }
-            } else {
-                let outwards = (edge.bulge > 0.0) == around;
-                Surface::Round { centre: edge.centre(), radius: edge.radius(), outwards }
-            };
+            let surface = wall_surface(edge, around);
             self.faces.push(Face { surface, shell, loops: vec![boundary] });
         }
     }
@@ -178,7 +204,12 @@ impl Solid {
     }
 
     /// The walls and shoulders of a bore; where it opens at a face, its ring joins those of that face.
-    fn bore(&mut self, bore: &Bore, [front, rear]: [f64; 2], [in_front, behind]: [&mut Vec<Ring>; 2]) {
+    pub(super) fn bore(
+        &mut self,
+        bore: &Bore,
+        [front, rear]: [f64; 2],
+        [in_front, behind]: [&mut Vec<Ring>; 2],
+    ) {
         let (opens_in_front, opens_behind) = (bore.opens_in_front, bore.opens_behind);
         let shell = if opens_in_front || opens_behind { 0 } else { self.shells };
         self.shells = self.shells.max(shell + 1);
@@ -201,6 +232,16 @@ impl Solid {
             if opens_behind { behind.push(high) } else { self.level(false, &[&high], shell) }
         }
     }
+}
+
+/// The surface of a wall; `around` where the material lies on the left of its edge.
+pub(super) fn wall_surface(edge: &Edge, around: bool) -> Surface {
+    if edge.bulge == 0.0 {
+        let along = edge.to - edge.from;
+        let right = along.right() * (1.0 / along.norm());
+        return Surface::Flat { normal: if around { right } else { -right } };
+    }
+    Surface::Round { centre: edge.centre(), radius: edge.radius(), outwards: (edge.bulge > 0.0) == around }
 }
 
 /// The edges of a contour as they are exported: arcs that are not told from their chord become lines.

@@ -2,13 +2,14 @@
 //!
 //! Each solid is a product of its own name with an `ADVANCED_BREP_SHAPE_REPRESENTATION` of a `MANIFOLD_SOLID_BREP`, or of a
 //! `BREP_WITH_VOIDS` where it has cavities within. Several are the components of one more product, the assembly, each at its
-//! place already: names stand in the tree of the CAD program, which forgets them of bodies within one product. Faces are planes and cylinders, edges lines and circles; each edge and each
+//! place already: names stand in the tree of the CAD program, which forgets them of bodies within one product. Faces are planes, cylinders and cones, edges lines, circles, ellipses, hyperbolas and, where none of these is right, splines; each edge and each
 //! vertex is written once and used by both faces, so that shells are watertight by construction. Lengths are millimetres.
 
 use super::Solid;
-use super::solid::Surface;
-use lanchester_shape::Edge;
-use lanchester_shape::Point;
+use super::solid::{Curve, Surface};
+use super::step_curve::{Conic, Rise, rise};
+use lanchester_shape::{Cut, Edge, Point};
+use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;
 
 /// What the head of a STEP file says beside the solids.
@@ -160,9 +161,15 @@ impl File {
             .iter()
             .map(|side| {
                 let (from, to) = (solid.vertices[side.from], solid.vertices[side.to]);
-                let curve = match side.arc {
-                    Some(arc) => self.circle(&arc, from[2]),
-                    None => self.line(vertices[side.from].0, from, to),
+                let curve = match side.curve {
+                    Curve::Line => self.line(vertices[side.from].0, from, to),
+                    Curve::Arc(arc) => self.circle(&arc, from[2]),
+                    Curve::Rise(plan, slope) => match rise(&plan, &slope) {
+                        Rise::Line => self.line(vertices[side.from].0, from, to),
+                        Rise::Circle => self.circle(&plan, from[2]),
+                        Rise::Conic(conic) => self.conic(&conic),
+                        Rise::Spline(points) => self.spline(&points),
+                    },
                 };
                 let (from, to) = (vertices[side.from].1, vertices[side.to].1);
                 self.add(&format!("EDGE_CURVE('',#{from},#{to},#{curve},.T.)"))
@@ -223,6 +230,18 @@ impl File {
                 let surface = self.add(&format!("CYLINDRICAL_SURFACE('',#{placement},{radius})"));
                 (surface, if outwards { 'T' } else { 'F' })
             }
+            Surface::Slope(slope) => {
+                let at = Point::new(begin[0], begin[1]);
+                let Cut::Turned { radius } = slope.cut else {
+                    let deeper = slope.deeper(at).right();
+                    let placement = self.placement(begin, slope.normal(at), [deeper.x, deeper.y, 0.0]);
+                    return (self.add(&format!("PLANE('',#{placement})")), 'T');
+                };
+                let axis = [0.0, 0.0, slope.into];
+                let placement = self.placement([0.0, 0.0, slope.face], axis, towards(at));
+                let (radius, angle) = (number(1e3 * radius), number(FRAC_PI_2 - slope.angle));
+                (self.add(&format!("CONICAL_SURFACE('',#{placement},{radius},{angle})")), 'T')
+            }
         }
     }
 
@@ -242,6 +261,26 @@ impl File {
         let placement = self.placement([centre.x, centre.y, z], axis, towards(arc.from - centre));
         let radius = number(1e3 * arc.radius());
         self.add(&format!("CIRCLE('',#{placement},{radius})"))
+    }
+
+    /// An ellipse or a hyperbola.
+    fn conic(&mut self, conic: &Conic) -> usize {
+        let placement = self.placement(conic.centre, conic.normal, conic.first);
+        let [first, second] = conic.axes.map(|axis| number(1e3 * axis));
+        self.add(&format!("{}('',#{placement},{first},{second})", conic.kind))
+    }
+
+    /// A spline of cubic pieces that share their tangents: both ends and two points for each piece.
+    fn spline(&mut self, points: &[[f64; 3]]) -> usize {
+        let controls: Vec<usize> = points.iter().map(|at| self.point(*at)).collect();
+        let pieces = (points.len() - 2) / 2;
+        let inner = vec!["2"; pieces - 1];
+        let counts = [vec!["4"], inner, vec!["4"]].concat().join(",");
+        let knots: Vec<String> = (0..=pieces).map(|k| number(k as f64)).collect();
+        let (controls, knots) = (references(&controls), knots.join(","));
+        self.add(&format!(
+            "B_SPLINE_CURVE_WITH_KNOTS('',3,{controls},.UNSPECIFIED.,.F.,.F.,({counts}),({knots}),.UNSPECIFIED.)"
+        ))
     }
 
     fn style(&mut self, item: usize, colour: [f64; 3]) -> usize {

@@ -1,22 +1,22 @@
 //! Triangles of a plane figure with holes.
 //!
 //! A constrained Delaunay triangulation with exact predicates (the crate `spade`, used here alone) that keeps every point of
-//! the boundary and adds none: what shares the boundary fits without gaps.
+//! the boundary and adds none to it: what shares the boundary fits without gaps.
 
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 /// Smaller coordinates count as zero, since the predicates are exact only above 1e-43.
 const TINY: f64 = 1e-40;
 
-/// Triangles between closed polygons, anticlockwise, by the numbers that their points count in the order of the polygons. All
-/// polygons run with the figure on their left, or all with it on their right.
+/// Triangles between closed polygons, anticlockwise, by the numbers that their points count in the order of the polygons, and after
+/// them the points `within` the figure. All polygons run with the figure on their left, or all with it on their right.
 ///
 /// # Errors
 /// Where polygons cross, touch or repeat a point, or a hole lies outside: the number of a point there.
-pub(super) fn triangles(polygons: &[Vec<[f64; 2]>]) -> Result<Vec<[usize; 3]>, usize> {
+pub(super) fn triangles(polygons: &[Vec<[f64; 2]>], within: &[[f64; 2]]) -> Result<Vec<[usize; 3]>, usize> {
     let mut net = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
     let mut handles = Vec::new();
-    for [x, y] in polygons.iter().flatten() {
+    for [x, y] in polygons.iter().flatten().chain(within) {
         let [x, y] = [*x, *y].map(|c| if c.abs() < TINY { 0.0 } else { c });
         let handle = net.insert(Point2::new(x, y)).map_err(|_| handles.len())?;
         if handle.index() != handles.len() {
@@ -100,7 +100,7 @@ mod tests {
         let mut hole = square(1.0);
         hole.reverse();
         let polygons = [outer, hole];
-        let found = triangles(&polygons).unwrap();
+        let found = triangles(&polygons, &[]).unwrap();
         let points: Vec<_> = polygons.concat();
         let area = |t: &[usize; 3]| {
             let [a, b, c] = t.map(|k| points[k]);
@@ -114,12 +114,12 @@ mod tests {
     #[test]
     fn what_crosses_touches_or_repeats_is_refused() {
         let crossing = vec![[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
-        assert!(triangles(&[crossing]).is_err());
+        assert!(triangles(&[crossing], &[]).is_err());
         let touching = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.0], [0.0, 2.0]];
-        assert!(triangles(&[touching]).is_err());
+        assert!(triangles(&[touching], &[]).is_err());
         let repeated = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 0.0], [0.0, 2.0]];
-        assert!(triangles(&[repeated]).is_err());
+        assert!(triangles(&[repeated], &[]).is_err());
         let beside = square(1.0).into_iter().rev().map(|[x, y]| [x + 9.0, y]).collect();
-        assert!(triangles(&[square(2.0), beside]).is_err());
+        assert!(triangles(&[square(2.0), beside], &[]).is_err());
     }
 }

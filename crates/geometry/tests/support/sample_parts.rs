@@ -1,14 +1,19 @@
 //! Parts that an independent CAD kernel has measured: validation/external/gmsh.
 
 use lanchester_geometry::export::PlacedPart;
-use lanchester_geometry::{Contour, Corner, Edge, Insert, Outline, Part, Point};
+use lanchester_geometry::{Chamfer, Contour, Corner, Cut, Edge, Face, Insert, Outline, Part, Point};
 use std::f64::consts::PI;
 
 const STEEL: f64 = 7850.0;
 
 /// File names of the samples and their parts.
 pub fn samples() -> Vec<(&'static str, Vec<PlacedPart>)> {
-    vec![("web", vec![web()]), ("bored-disc", vec![bored_disc()]), ("throw", throw())]
+    vec![
+        ("web", vec![web()]),
+        ("bored-disc", vec![bored_disc()]),
+        ("throw", throw()),
+        ("chamfered-web", vec![chamfered_web()]),
+    ]
 }
 
 /// A web with its counterweight: arcs both ways, lines, an oil hole, a lightening hole of lines and arcs, two heavy slugs.
@@ -44,6 +49,22 @@ fn web() -> PlacedPart {
     let part = Part::new(outline, 0.024, STEEL).unwrap();
     let part = part.with_insert(slug(0.021)).and_then(|part| part.with_insert(slug(-0.021))).unwrap();
     PlacedPart::new("web", part)
+}
+
+/// The outline of the web with every kind of chamfer: turned ones that meet the rim about the crank axis, hollow flanks off it and the nose, milled ones
+/// that meet arcs and lines, on both faces, beside a bore.
+fn chamfered_web() -> PlacedPart {
+    let part = Part::new(web().part.outline().clone(), 0.024, STEEL).unwrap();
+    let chamfer = |cut: Cut, degrees: f64, face: Face| Chamfer { cut, angle: f64::to_radians(degrees), face };
+    let chamfers = [
+        chamfer(Cut::Turned { radius: 0.064 }, 45.0, Face::Front),
+        chamfer(Cut::Milled { direction: PI, distance: 0.067 }, 40.0, Face::Rear),
+        chamfer(Cut::Milled { direction: 1.9, distance: 0.035 }, 30.0, Face::Rear),
+        chamfer(Cut::Milled { direction: 0.0, distance: 0.066 }, 50.0, Face::Rear),
+    ];
+    let part = chamfers.into_iter().fold(part, |part, chamfer| part.with_chamfer(chamfer).unwrap());
+    let bore = Insert { centre: Point::new(0.045, 0.0), radius: 0.009, from: 0.0, to: 0.024, density: 0.0 };
+    PlacedPart::new("chamfered web", part.with_insert(bore).unwrap()).moved(0.01)
 }
 
 /// A disc with a stepped bore with a slug in its narrow end, a blind hole, and a slug within.

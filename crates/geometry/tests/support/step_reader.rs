@@ -158,12 +158,17 @@ type Parametric = dyn Fn(f64) -> (Vector, Vector);
 
 enum Curve {
     Line(Vector, Vector),
-    Circle(Frame, f64),
+    Ellipse(Frame, [f64; 2]),
+    Hyperbola(Frame, [f64; 2]),
+    /// Control points of cubic pieces that share their tangents.
+    Spline(Vec<Vector>),
 }
 
 enum Surface {
     Plane(Frame),
     Cylinder(Frame, f64),
+    /// Radius at the origin and half the angle at the tip.
+    Cone(Frame, [f64; 2]),
 }
 
 impl StepFile {
@@ -236,7 +241,12 @@ impl StepFile {
                 assert!((dot(direction, direction) - 1.0).abs() < 1e-14);
                 Curve::Line(self.triple(&values[1], "CARTESIAN_POINT"), direction)
             }
-            ("CIRCLE", values) => Curve::Circle(self.frame(&values[1]), number(&values[2])),
+            ("CIRCLE", values) => Curve::Ellipse(self.frame(&values[1]), [number(&values[2]); 2]),
+            ("ELLIPSE", values) => Curve::Ellipse(self.frame(&values[1]), [2, 3].map(|k| number(&values[k]))),
+            ("HYPERBOLA", values) => {
+                Curve::Hyperbola(self.frame(&values[1]), [2, 3].map(|k| number(&values[k])))
+            }
+            ("B_SPLINE_CURVE_WITH_KNOTS", values) => self.spline(values),
             (kind, _) => panic!("no such curve: {kind}"),
         }
     }
@@ -244,9 +254,31 @@ impl StepFile {
     fn surface(&self, value: &Value) -> Surface {
         match self.get(value) {
             ("PLANE", values) => Surface::Plane(self.frame(&values[1])),
+            ("CONICAL_SURFACE", values) => {
+                Surface::Cone(self.frame(&values[1]), [2, 3].map(|k| number(&values[k])))
+            }
             ("CYLINDRICAL_SURFACE", values) => Surface::Cylinder(self.frame(&values[1]), number(&values[2])),
             (kind, _) => panic!("no such surface: {kind}"),
         }
+    }
+
+    /// A cubic spline with every knot within it twice, one apart.
+    fn spline(&self, values: &[Value]) -> Curve {
+        let list = |value: &Value| -> Vec<Value> {
+            let Value::List(values) = value else { panic!("no list: {value:?}") };
+            values.clone()
+        };
+        assert_eq!(values[1], Value::Number(3.0));
+        let points: Vec<Vector> =
+            list(&values[2]).iter().map(|point| self.triple(point, "CARTESIAN_POINT")).collect();
+        let counts: Vec<f64> = list(&values[6]).iter().map(number).collect();
+        let knots: Vec<f64> = list(&values[7]).iter().map(number).collect();
+        let last = counts.len() - 1;
+        for (k, (count, knot)) in counts.iter().zip(&knots).enumerate() {
+            assert_eq!((*count, *knot), (if k == 0 || k == last { 4.0 } else { 2.0 }, k as f64));
+        }
+        assert_eq!((points.len(), knots.len()), (2 * last + 2, last + 1));
+        Curve::Spline(points)
     }
 
     /// Whether lengths are millimetres.
@@ -373,17 +405,55 @@ fn edge_integral(surface: &Surface, curve: &Curve, [start, end]: [Vector; 2], sl
             let derivative = along([0.0; 3], to - from, direction);
             (Box::new(move |t| (along(origin, from + t * (to - from), direction), derivative)), 1)
         }
-        Curve::Circle((centre, [x, y, _]), radius) => {
-            let angle = |at: Vector| dot(minus(at, *centre), *y).atan2(dot(minus(at, *centre), *x));
+        Curve::Ellipse((centre, [x, y, _]), [first, second]) => {
+            let angle = |at: Vector| {
+                let out = minus(at, *centre);
+                (dot(out, *y) / second).atan2(dot(out, *x) / first)
+            };
             let from = angle(start);
             let sweep = (angle(end) - from).rem_euclid(TAU);
-            let (centre, x, y, radius) = (*centre, *x, *y, *radius);
+            let (centre, x, y, first, second) = (*centre, *x, *y, *first, *second);
             let point = move |t: f64| {
                 let (s, c) = (from + t * sweep).sin_cos();
-                let at = along(along(centre, radius * c, x), radius * s, y);
-                (at, along(along([0.0; 3], -radius * s * sweep, x), radius * c * sweep, y))
+                let at = along(along(centre, first * c, x), second * s, y);
+                (at, along(along([0.0; 3], -first * s * sweep, x), second * c * sweep, y))
             };
             (Box::new(point), (sweep / 0.3).ceil() as usize)
+        }
+        Curve::Hyperbola((centre, [x, y, _]), [first, second]) => {
+            let parameter = |at: Vector| (dot(minus(at, *centre), *y) / second).asinh();
+            let (from, to) = (parameter(start), parameter(end));
+            assert!(to > from, "a hyperbola runs against its direction");
+            let (centre, x, y, first, second) = (*centre, *x, *y, *first, *second);
+            let point = move |t: f64| {
+                let u = from + t * (to - from);
+                let at = along(along(centre, first * u.cosh(), x), second * u.sinh(), y);
+                let derivative = along(along([0.0; 3], first * u.sinh(), x), second * u.cosh(), y);
+                (at, derivative.map(|d| d * (to - from)))
+            };
+            (Box::new(point), ((to - from) / 0.2).ceil() as usize)
+        }
+        Curve::Spline(points) => {
+            let (points, pieces) = (points.clone(), points.len() / 2 - 1);
+            let point = move |t: f64| {
+                let piece = ((t * pieces as f64) as usize).min(pieces - 1);
+                let middle = |k: usize| [0, 1, 2].map(|i| 0.5 * (points[2 * k][i] + points[2 * k + 1][i]));
+                let from = if piece == 0 { points[0] } else { middle(piece) };
+                let to = if piece + 1 == pieces { points[2 * pieces + 1] } else { middle(piece + 1) };
+                let (b, c) = (points[2 * piece + 1], points[2 * piece + 2]);
+                let v = t * pieces as f64 - piece as f64;
+                let u = 1.0 - v;
+                let at = [0, 1, 2].map(|i| {
+                    u * u * u * from[i] + 3.0 * u * u * v * b[i] + 3.0 * u * v * v * c[i] + v * v * v * to[i]
+                });
+                let derivative = [0, 1, 2].map(|i| {
+                    let slope =
+                        u * u * (b[i] - from[i]) + 2.0 * u * v * (c[i] - b[i]) + v * v * (to[i] - c[i]);
+                    3.0 * slope * pieces as f64
+                });
+                (at, derivative)
+            };
+            (Box::new(point), pieces)
         }
     };
     assert!(near(point(0.0).0, start) && near(point(1.0).0, end), "a vertex is off its curve");
@@ -400,6 +470,19 @@ fn edge_integral(surface: &Surface, curve: &Curve, [start, end]: [Vector; 2], sl
                     assert!(height.abs() < slack, "a curve is off its plane by {height}");
                     (along(at, -u, *x), along([0.0; 3], u, *x), dot(step, *y), *z)
                 }
+                Surface::Cone((origin, [_, _, z]), [radius, angle]) => {
+                    let height = dot(minus(at, *origin), *z);
+                    let foot = along(*origin, height, *z);
+                    let out = minus(at, foot);
+                    let distance = dot(out, out).sqrt();
+                    let off = (distance - radius - height * angle.tan()).abs() * angle.cos();
+                    assert!(off < slack, "a curve is off its cone by {off}");
+                    let out = along([0.0; 3], 1.0 / distance, out);
+                    let tip = along(*origin, -radius / angle.tan(), *z);
+                    let normal = along(along([0.0; 3], angle.cos(), out), -angle.sin(), *z);
+                    // From the tip to the edge and against the angle; the width shrinks towards the tip, see below.
+                    (tip, minus(at, tip), -dot(step, cross(*z, out)), normal)
+                }
                 Surface::Cylinder((origin, [_, _, z]), radius) => {
                     let height = dot(minus(at, *origin), *z);
                     let foot = along(at, -height, *z);
@@ -413,12 +496,14 @@ fn edge_integral(surface: &Surface, curve: &Curve, [start, end]: [Vector; 2], sl
             };
             let length = dot(axis, axis).sqrt();
             let sign = match surface {
+                Surface::Cone(..) => 1.0,
                 Surface::Plane((_, [x, ..])) => dot(axis, *x).signum(),
                 Surface::Cylinder((_, [_, _, z]), _) => dot(axis, *z).signum(),
             };
             for (node, weight) in GAUSS {
                 let p = along(origin, 0.5 + 0.5 * node, axis);
-                let da = sign * length * 0.5 * weight * dv;
+                let shrink = if let Surface::Cone(..) = surface { 0.5 + 0.5 * node } else { 1.0 };
+                let da = sign * length * 0.5 * weight * dv * shrink;
                 // A third of the flux of x, and of x^2/2 e_x, y^2/2 e_y, z^2/2 e_z.
                 sums[0] += dot(p, normal) / 3.0 * da;
                 for i in 0..3 {
