@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::counterweight_arguments::CounterweightArguments;
 use crate::format::Format;
 use crate::published_arguments::PublishedArguments;
 use crate::search_arguments::SearchArguments;
@@ -84,6 +85,8 @@ pub enum Command {
                             Exit status 1: a limit cannot be reached, an order cannot vanish, or the search stopped early."
     )]
     Balance(Box<BalanceArguments>),
+    /// Counterweights as real parts: the best shape with its proof, clearance, drawing, CAD.
+    Counterweight(CounterweightArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \

@@ -8,12 +8,29 @@ use std::path::Path;
 /// An engine file may be this long; a longer one is some other file.
 const LONGEST_INPUT: u64 = 4 << 20;
 
+/// A drawing may be this long.
+const LONGEST_DRAWING: u64 = 64 << 20;
+
 /// A text and the name that messages call it by.
 pub struct Source {
     /// File name as given, or `<stdin>`.
     pub name: String,
     /// Its text.
     pub text: String,
+}
+
+/// Read a file that is not the engine's, such as a drawing; `hint` says what is due.
+pub fn read_bytes(path: &Path, hint: &str) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(LONGEST_DRAWING + 1).read_to_end(&mut bytes));
+    match read {
+        Err(error) => Err(Failure::input(format_args!("cannot read {}: {error}", path.display()), hint)),
+        Ok(length) if length as u64 > LONGEST_DRAWING => Err(Failure::input(
+            format_args!("{} is longer than {} MiB", path.display(), LONGEST_DRAWING >> 20),
+            hint,
+        )),
+        Ok(_) => Ok(bytes),
+    }
 }
 
 /// Read an engine file; `-` is standard input.
@@ -59,7 +76,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
 }
 
 /// Write a result, making its folder; an earlier result is written over, an engine file never.
-pub fn write_result(path: &Path, engine_file: &Path, text: &str) -> Result<(), Failure> {
+pub fn write_result(
+    path: &Path,
+    engine_file: &Path,
+    content: &(impl AsRef<[u8]> + ?Sized),
+) -> Result<(), Failure> {
     let same =
         fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(engine_file).is_ok_and(|file| file == path));
     if same || path.extension().is_some_and(|extension| extension == "toml") {
@@ -69,7 +90,7 @@ pub fn write_result(path: &Path, engine_file: &Path, text: &str) -> Result<(), F
         ));
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    folder.map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(path, text)).map_err(|error| {
+    folder.map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(path, content)).map_err(|error| {
         Failure::input(format_args!("cannot write {}: {error}", path.display()), "choose another place")
     })
 }

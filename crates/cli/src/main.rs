@@ -6,6 +6,7 @@
 mod arguments;
 mod balance_request;
 mod commands;
+mod counterweight_arguments;
 mod failure;
 mod files;
 mod format;
@@ -15,6 +16,7 @@ mod request;
 mod search_arguments;
 mod search_request;
 mod shaft_option;
+mod shape_request;
 mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};
@@ -35,6 +37,7 @@ fn main() -> ExitCode {
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Loads(arguments) => commands::loads::run(&arguments, colour),
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
+        Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

@@ -16,12 +16,14 @@
 #![forbid(unsafe_code)]
 
 pub mod clearance;
+mod counterweight_properties;
 pub mod crankshaft;
 mod design;
 pub mod drawing;
 pub mod export;
 mod shaft_weight;
 
+pub use counterweight_properties::{counterweight_properties, plain_web};
 pub use design::*;
 pub use lanchester_shape::*;
 pub use shaft_weight::{ShaftWeightAim, ShaftWeightDesign, ShaftWeightOutcome, ShaftWeightTask};

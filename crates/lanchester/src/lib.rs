@@ -18,12 +18,24 @@
 
 mod arrangements;
 mod clearance;
+mod counterweight_check;
+mod counterweights;
+mod crankshaft_parts;
 pub mod validate;
 
 pub use arrangements::arrangements;
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
+pub use counterweight_check::{
+    COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CounterweightCheck, check_counterweights,
+};
+pub use counterweights::{
+    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightRequest,
+    DesignedCounterweight, EvolutionRequest, counterweight_front, design_counterweights, with_counterweights,
+    with_outline,
+};
+pub use crankshaft_parts::crankshaft_parts;
 pub use lanchester_balance as balance;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;

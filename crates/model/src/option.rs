@@ -61,6 +61,22 @@ pub fn inertia(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Inertia, option)
 }
 
+/// A density with its unit, such as "7850 kg/m3" [kg/m^3]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of density, or if no material of a crankshaft has it.
+pub fn density(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    let density = of_dimension(text, Dimension::Density, option)?;
+    match lanchester_shape::plausible_density(density) {
+        Ok(()) => Ok(density),
+        Err(error) => {
+            let error = error.to_string();
+            let (message, hint) = error.split_once("\nhint: ").unwrap_or((&error, ""));
+            Err(BadQuantity { message: format!("`{option}`: {message}"), hint: hint.into() })
+        }
+    }
+}
+
 /// A share such as "50%", "50 %" or "0.5"; `option` names what asks for it in the message.
 ///
 /// # Errors

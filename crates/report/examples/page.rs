@@ -39,6 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         loads: &loads,
         internal: &internal,
         optimum: None,
+        crankshaft: None,
         provenance: &provenance,
         warnings: &warnings,
     });

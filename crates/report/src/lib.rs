@@ -13,15 +13,21 @@ mod balance_tables;
 mod balance_text;
 mod cancellation;
 mod component;
+mod counterweight_drawing;
+mod counterweight_tables;
 mod crank_curve;
 mod crank_strip;
 mod crank_view;
+mod crankshaft_section;
+mod crankshaft_tables;
 mod csv;
+mod dimension;
 mod drawing;
 mod engine_tables;
 mod figure;
 mod findings_table;
 mod frame_sketch;
+mod front_plot;
 mod front_view;
 mod gallery;
 mod hodograph;
@@ -65,14 +71,25 @@ pub use balance_tables::{
 };
 pub use balance_text::{balance_text, equals_words, headline};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
+pub use counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
+pub use counterweight_tables::{
+    DesignedShape, designed_dimensions_table, designed_properties_table, front_designs_table,
+    nearest_limits_table, objective_name, objective_words,
+};
 pub use crank_curve::crank_curve;
 pub use crank_view::crank_view;
+pub use crankshaft_section::{CrankshaftInput, counterweight_drawings};
+pub use crankshaft_tables::{
+    clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
+    obstacle_name,
+};
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};
 pub use findings_table::findings_table;
 pub use frame_sketch::frame_sketch;
+pub use front_plot::front_plot;
 pub use front_view::front_view;
 pub use hodograph::{couple_hodograph, force_hodograph};
 pub use internal_figure::internal_figures;

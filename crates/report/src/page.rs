@@ -1,5 +1,6 @@
 //! The report: one HTML page that needs nothing but itself.
 
+use crate::crankshaft_section::{CrankshaftInput, CrankshaftSection};
 use crate::engine_tables;
 use crate::figure::{Figure, STYLE};
 use crate::findings_table::findings_table;
@@ -42,6 +43,8 @@ pub struct ReportInput<'a> {
     pub internal: &'a [InternalMoments],
     /// What balancing found; `None` where the file does not ask.
     pub optimum: Option<OptimumInput<'a>>,
+    /// The crankshaft as a real part; `None` where the file says nothing of it.
+    pub crankshaft: Option<CrankshaftInput<'a>>,
     /// What made the report.
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
@@ -73,6 +76,7 @@ struct Page<'a> {
     stars: String,
     stories: String,
     optimum: Option<OptimumHtml>,
+    crankshaft: Option<CrankshaftHtml>,
     bending_curves: String,
     bending_tables: String,
     motion_curves: String,
@@ -90,9 +94,17 @@ struct OptimumHtml {
     left: String,
 }
 
+/// The section on the crankshaft as a part.
+struct CrankshaftHtml {
+    paragraphs: Vec<String>,
+    tables: String,
+    figures: String,
+}
+
 /// The report as one self-contained HTML page.
 pub fn report(input: &ReportInput<'_>) -> String {
-    let ReportInput { engine, loads, internal, optimum, provenance, warnings } = *input;
+    let ReportInput { engine, loads, internal, optimum, crankshaft, provenance, warnings } = *input;
+    let crankshaft = crankshaft.map(|input| CrankshaftSection::of(engine, &input));
     let optimum = optimum.map(|input| OptimumSection::of(engine, &input));
     let gallery = Gallery::of(engine, loads);
     let mut motion_tables = vec![load_tables::motion_table(loads)];
@@ -141,6 +153,11 @@ pub fn report(input: &ReportInput<'_>) -> String {
             tables: tables_html(&found.tables),
             figures: figures_html(&found.figures),
             left: unbroken(&found.left),
+        }),
+        crankshaft: crankshaft.map(|section| CrankshaftHtml {
+            paragraphs: section.paragraphs.iter().map(|text| unbroken(text)).collect(),
+            tables: tables_html(&section.tables),
+            figures: figures_html(&section.figures),
         }),
         bending_curves: figures_html(&internal_figures(engine, internal)),
         bending_tables: bending_tables(engine, internal),

@@ -2,6 +2,7 @@
 
 pub mod balance;
 pub mod check;
+pub mod counterweight;
 mod found;
 pub mod loads;
 pub mod new;

@@ -7,14 +7,14 @@ use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::provenance::provenance;
 use crate::request::{internal_request, load_request};
-use lanchester::arrangements;
 use lanchester::balance::{Answer, fitted, optimise};
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
 use lanchester::model::{Diagnostic, Engine};
 use lanchester::report::{
-    ArrangementsInput, OptimumInput, ReportInput, arrangements_report, figures, internal_figures,
-    optimum_figures, report,
+    ArrangementsInput, CrankshaftInput, OptimumInput, ReportInput, arrangements_report, figures,
+    internal_figures, optimum_figures, report,
 };
+use lanchester::{CounterweightCheck, arrangements, check_counterweights};
 use std::path::{Path, PathBuf};
 
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
@@ -26,11 +26,16 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let mut warnings: Vec<String> = opened.warnings.iter().map(in_words).collect();
     let found = if arguments.all_arrangements { None } else { optimum(&opened.engine, &mut warnings)? };
     let provenance = provenance(&opened.source, &loads, &request);
+    let checked = crankshaft(&opened.engine, &mut warnings);
     let input = ReportInput {
         engine: &opened.engine,
         loads: &loads,
         internal: &internal,
         optimum: found.as_ref().map(Optimum::input),
+        crankshaft: checked.as_ref().map(|checked| CrankshaftInput {
+            bodies: &checked.crankshafts,
+            clearances: checked.clearances.as_ref(),
+        }),
         provenance: &provenance,
         warnings: &warnings,
     };
@@ -95,6 +100,22 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum
     let fitted = fitted(engine, &answer);
     let (before, after) = (loads(engine)?, loads(&fitted)?);
     Ok(Some(Optimum { answer, before, fitted, after }))
+}
+
+/// The crankshaft as parts, where the file says something of it; what it leaves out is one more warning.
+fn crankshaft(engine: &Engine, warnings: &mut Vec<String>) -> Option<CounterweightCheck> {
+    if engine.crank_body.is_none() && engine.counterweights.iter().all(|weight| weight.part.is_none()) {
+        return None;
+    }
+    match check_counterweights(engine) {
+        Ok(checked) => Some(checked),
+        Err(error) => {
+            let message = format!("the crankshaft as parts is left out: {error}").replace("\nhint:", ";");
+            eprintln!("warning: {message}");
+            warnings.push(message);
+            None
+        }
+    }
 }
 
 /// A warning of the engine file in one line.

@@ -4,6 +4,7 @@
 
 mod bad_runs;
 mod balance;
+mod counterweight;
 mod crank_workshop;
 mod engine;
 mod methods;

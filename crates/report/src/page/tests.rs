@@ -83,7 +83,15 @@ fn page(engine: &Engine, loads: &Loads, warnings: &[String]) -> String {
         input_hash: "0".to_owned(),
         settings: vec![("motion".to_owned(), "exact".to_owned())],
     };
-    report(&ReportInput { engine, loads, internal: &[], optimum: None, provenance: &provenance, warnings })
+    report(&ReportInput {
+        engine,
+        loads,
+        internal: &[],
+        optimum: None,
+        crankshaft: None,
+        provenance: &provenance,
+        warnings,
+    })
 }
 
 /// Everything that holds for every page and every figure.

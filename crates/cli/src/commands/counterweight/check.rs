@@ -1,0 +1,86 @@
+//! `lanchester counterweight check`: crankshaft and counterweights as they stand in the file.
+
+use super::{draw, refused};
+use crate::commands::{json, open};
+use crate::counterweight_arguments::{CheckTable, CounterweightCheckArguments};
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::files::print;
+use crate::format::Format;
+use lanchester::model::Engine;
+use lanchester::report::{
+    clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
+};
+use lanchester::{CounterweightCheck, check_counterweights};
+
+pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, Failure> {
+    if arguments.table.is_some() && arguments.format != Format::Csv {
+        return Err(Failure::input(
+            "--table chooses what --format csv writes",
+            "add --format csv, or leave --table out",
+        ));
+    }
+    let opened = open(&arguments.file, colour)?;
+    let engine = &opened.engine;
+    let checked = check_counterweights(engine).map_err(refused)?;
+    if let Some(folder) = &arguments.figures {
+        draw(engine, folder, &arguments.file)?;
+    }
+    print(&match arguments.format {
+        Format::Text => text(engine, &checked),
+        Format::Json => json(&checked)?,
+        Format::Csv => csv(engine, &checked, arguments.table)?,
+    })?;
+    Ok(if checked.is_kept { DONE } else { NOT_AS_EXPECTED })
+}
+
+fn text(engine: &Engine, checked: &CounterweightCheck) -> String {
+    let mut out = format!("{}\n", checked.engine);
+    for body in &checked.crankshafts {
+        out += &format!("\n{}\n", crank_body_words(body));
+    }
+    if let Some(table) = counterweight_parts_table(engine) {
+        out += &format!("\n{}", table.text());
+    }
+    for weight in checked.counterweights.iter().filter(|weight| !weight.is_met) {
+        let wanted = weight.wanted.unwrap_or_default();
+        out += &format!(
+            "{} misses its unbalance by {:.2} %: `lanchester counterweight design` finds the shape that has it.\n",
+            weight.name,
+            100.0 * (weight.unbalance / wanted - 1.0)
+        );
+    }
+    for body in &checked.crankshafts {
+        out += &format!("\n{}", crank_sections_table(body).text());
+    }
+    match &checked.clearances {
+        Some(clearances) => {
+            out += &format!("\n{}", clearances_table(clearances, true).text());
+            out += &format!("{}\n", clearance_words(clearances));
+        }
+        None => out += "\nNo clearance is checked: the file has no section [clearance].\n",
+    }
+    out
+}
+
+fn csv(engine: &Engine, checked: &CounterweightCheck, table: Option<CheckTable>) -> Result<String, Failure> {
+    let missing = |what: &str, hint: &str| Failure::input(what, hint);
+    match table.unwrap_or(CheckTable::Counterweights) {
+        CheckTable::Counterweights => {
+            counterweight_parts_table(engine).map(|table| table.csv()).ok_or_else(|| {
+                missing("no counterweight has a shape yet", "`counterweight design --write` finds shapes")
+            })
+        }
+        CheckTable::Sections if checked.crankshafts.is_empty() => {
+            Err(missing("the file says nothing of the crankshaft's pieces", "add [crank.body]"))
+        }
+        CheckTable::Sections => {
+            let tables = checked.crankshafts.iter().map(|body| crank_sections_table(body).csv());
+            Ok(tables.collect::<Vec<_>>().join("\n"))
+        }
+        CheckTable::Clearances => checked
+            .clearances
+            .as_ref()
+            .map(|clearances| clearances_table(clearances, false).csv())
+            .ok_or_else(|| missing("the file names nothing to stay clear of", "add a section [clearance]")),
+    }
+}

@@ -1,0 +1,62 @@
+//! `lanchester counterweight export`: CAD files and outlines.
+
+use super::refused;
+use crate::commands::open;
+use crate::counterweight_arguments::ExportArguments;
+use crate::failure::{DONE, Failure};
+use crate::files::write_result;
+use lanchester::crankshaft_parts;
+use lanchester::geometry::drawing::{dxf, svg};
+use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
+use lanchester::model::option;
+
+pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
+    let opened = open(&arguments.file, colour)?;
+    let crankshaft = arguments.crankshaft.wrapping_sub(1);
+    if crankshaft >= opened.engine.crankshafts.len() {
+        let count = opened.engine.crankshafts.len();
+        return Err(Failure::input(
+            format_args!("--crankshaft needs a number from 1 to {count}, got {}", arguments.crankshaft),
+            "leave it out for the first one",
+        ));
+    }
+    let parts = crankshaft_parts(&opened.engine, crankshaft, &arguments.weight).map_err(refused)?;
+    let facet =
+        option::length(&arguments.facet, "--facet").map_err(|bad| Failure::input(&bad.message, &bad.hint))?;
+    let solids = || solids(&parts).map_err(refused);
+    let ending = arguments.output.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let content = match ending.to_ascii_lowercase().as_str() {
+        "step" | "stp" => {
+            let header = StepHeader { title: opened.engine.name.clone(), ..StepHeader::default() };
+            step(&solids()?, &header).into_bytes()
+        }
+        "stl" => stl(&solids()?, facet).map_err(refused)?,
+        "glb" => glb(&solids()?, facet).map_err(refused)?,
+        "dxf" => dxf(one(&parts)?.part.outline()).into_bytes(),
+        "svg" => svg(one(&parts)?.part.outline()).into_bytes(),
+        _ => {
+            return Err(Failure::input(
+                format_args!(
+                    "--output must end in step, stl, glb, dxf or svg, got {}",
+                    arguments.output.display()
+                ),
+                "the ending says what is written",
+            ));
+        }
+    };
+    write_result(&arguments.output, &arguments.file, &content)?;
+    let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+    eprintln!("{} written: {}", arguments.output.display(), names.join(", "));
+    Ok(DONE)
+}
+
+/// The only part: an outline is that of one.
+fn one(parts: &[PlacedPart]) -> Result<&PlacedPart, Failure> {
+    match parts {
+        [part] => Ok(part),
+        _ => Err(Failure::input(
+            format_args!("a drawing holds the outline of one part, got {}", parts.len()),
+            "name one counterweight with --weight",
+        )),
+    }
+}

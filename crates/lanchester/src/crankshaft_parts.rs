@@ -1,0 +1,37 @@
+//! What of a crankshaft goes into a CAD file.
+
+use crate::counterweights::{CounterweightError, chosen};
+use lanchester_geometry::crankshaft::crankshaft;
+use lanchester_geometry::export::PlacedPart;
+use lanchester_model::Engine;
+
+/// The solids of a crankshaft (by index): all of it where the engine has a body, else its counterweights; with names only the
+/// counterweights of these names.
+///
+/// Frame: that of the crankshaft at angle zero, z from the origin of the engine.
+///
+/// # Errors
+/// Where there is no such weight, none is a part, or the crankshaft is no body.
+pub fn crankshaft_parts(
+    engine: &Engine,
+    index: usize,
+    names: &[String],
+) -> Result<Vec<PlacedPart>, CounterweightError> {
+    if names.is_empty() && engine.crank_body.is_some() {
+        return Ok(crankshaft(engine, index)?.parts);
+    }
+    let indices = match names.is_empty() {
+        true => (0..engine.counterweights.len()).collect(),
+        false => chosen(engine, names)?,
+    };
+    let parts: Vec<PlacedPart> = indices
+        .into_iter()
+        .map(|index| &engine.counterweights[index])
+        .filter(|weight| weight.crankshaft == index || !names.is_empty())
+        .filter_map(|weight| {
+            let part = weight.part.as_ref()?;
+            Some(PlacedPart::new(&weight.name, part.part.clone()).turned(part.angle).moved(part.z))
+        })
+        .collect();
+    if parts.is_empty() { Err(CounterweightError::NoPart) } else { Ok(parts) }
+}

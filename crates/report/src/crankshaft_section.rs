@@ -1,0 +1,64 @@
+//! The section of the report on the crankshaft as a real part.
+
+use crate::counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
+use crate::crankshaft_tables::{
+    clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
+};
+use crate::figure::Figure;
+use crate::table::Table;
+use lanchester_geometry::clearance::Clearances;
+use lanchester_geometry::crankshaft::CrankshaftBody;
+use lanchester_geometry::{counterweight_properties, plain_web};
+use lanchester_model::{CounterweightPart, Engine};
+
+/// The crankshafts of an engine as parts.
+#[derive(Debug, Clone, Copy)]
+pub struct CrankshaftInput<'a> {
+    /// The crankshafts as bodies; empty where the file has no `[crank.body]`.
+    pub bodies: &'a [CrankshaftBody],
+    /// Clearances; none where the file names nothing to stay clear of.
+    pub clearances: Option<&'a Clearances>,
+}
+
+/// What the section shows.
+pub(crate) struct CrankshaftSection {
+    pub paragraphs: Vec<String>,
+    pub tables: Vec<Table>,
+    pub figures: Vec<Figure>,
+}
+
+impl CrankshaftSection {
+    pub fn of(engine: &Engine, input: &CrankshaftInput<'_>) -> CrankshaftSection {
+        let mut paragraphs: Vec<String> = input.bodies.iter().map(crank_body_words).collect();
+        paragraphs.extend(input.clearances.map(clearance_words));
+        let mut tables: Vec<Table> = counterweight_parts_table(engine).into_iter().collect();
+        tables.extend(input.clearances.map(|clearances| clearances_table(clearances, true)));
+        tables.extend(input.bodies.iter().map(crank_sections_table));
+        CrankshaftSection { paragraphs, tables, figures: counterweight_drawings(engine) }
+    }
+}
+
+/// The drawings of an engine's counterweights; those of one shape once.
+pub fn counterweight_drawings(engine: &Engine) -> Vec<Figure> {
+    let mut groups: Vec<(Vec<&str>, &CounterweightPart)> = Vec::new();
+    for weight in &engine.counterweights {
+        let Some(part) = weight.part.as_deref() else { continue };
+        match groups.iter_mut().find(|(_, known)| known.part == part.part && known.form == part.form) {
+            Some((names, _)) => names.push(&weight.name),
+            None => groups.push((vec![&weight.name], part)),
+        }
+    }
+    let draw = |(names, part): (Vec<&str>, &CounterweightPart)| {
+        let properties =
+            counterweight_properties(engine, part).unwrap_or_else(|_| part.part.mass_properties());
+        let web = plain_web(engine, part).ok().flatten();
+        counterweight_drawing(&DrawnCounterweight {
+            name: &names.join(", "),
+            part,
+            properties: &properties,
+            web: web.as_ref(),
+            crankcase: engine.envelope.and_then(|envelope| envelope.crankcase_radius),
+        })
+    };
+    groups.into_iter().map(draw).collect()
+}
