@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 9] = [
+const WRITTEN: [Written; 11] = [
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
@@ -51,6 +51,20 @@ const WRITTEN: [Written; 9] = [
         input: None,
         arguments: &TWIN_SEARCH,
         figure: Some("drives.svg"),
+    },
+    Written {
+        file: "docs/src/images/counterweight.svg",
+        head: "",
+        input: None,
+        arguments: &["counterweight", "design", "examples/in-line-3-counterweights.toml"],
+        figure: Some("counterweight-web-1-web-2.svg"),
+    },
+    Written {
+        file: "docs/src/images/counterweight-front.svg",
+        head: "",
+        input: None,
+        arguments: &["counterweight", "front", "examples/in-line-3-counterweights.toml"],
+        figure: Some("counterweight-front.svg"),
     },
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
     story("docs/src/images/balanced-three.svg", "three.toml"),

@@ -6,7 +6,7 @@ use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Front, GeometryError, Objective, Outline, Part, ShapeTask,
     design, evolve, front,
 };
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault};
+use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault, PartWeight};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
@@ -207,8 +207,7 @@ fn designed(
     for _ in 0..MOST_STEPS {
         let outcome = design(&DesignTask::new(duty + shared / task.least_balance, task), task.minimise)?;
         let DesignOutcome::Found(best) = &outcome else { return Ok((outcome, shared)) };
-        let part = fitted_part(engine, &engine.counterweights[index], &best.design, task.density)?;
-        let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+        let (_, weight) = fitted_part(engine, index, &best.design, task.density)?;
         let now = best.design.unbalance - weight.unbalance;
         if (now - shared).abs() <= SAME * duty {
             return Ok((outcome, now));
@@ -221,6 +220,8 @@ fn designed(
 
 /// Steps after which what is shared is known to rounding, or never.
 const MOST_STEPS: usize = 8;
+/// Directions closer than this are the same [rad].
+const SAME_DIRECTION: f64 = 1e-11;
 /// Share of the duty within which what is shared is known.
 const SAME: f64 = 1e-10;
 
@@ -253,8 +254,7 @@ fn within(task: &ShapeTask, room: Option<&SweptRoom>) -> ShapeTask {
 /// How far a weight stands from the opposite of its crankpin, without its sign [rad].
 fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
     let Some(web) = web_of(engine, weight) else { return 0.0 };
-    let angle = weight.part.as_ref().map_or(weight.angle, |part| part.angle);
-    let off = angle - engine.throws[web / 2].angle - PI;
+    let off = weight.angle - engine.throws[web / 2].angle - PI;
     ((off + PI).rem_euclid(TAU) - PI).abs()
 }
 
@@ -298,8 +298,8 @@ pub fn with_counterweights(
 ) -> Result<Engine, CounterweightError> {
     let mut fitted = engine.clone();
     for (index, design) in designs {
-        let part = fitted_part(engine, &engine.counterweights[*index], design, density)?;
-        fit(engine, &mut fitted, *index, part)?;
+        let (part, weight) = fitted_part(engine, *index, design, density)?;
+        fit(&mut fitted, *index, part, weight);
     }
     Ok(fitted)
 }
@@ -324,48 +324,54 @@ pub fn with_outline(
     if form == CounterweightForm::Web && (web.is_none() || engine.crank_body.is_none()) {
         return Err(CounterweightError::NoPlainWeb { name: name.to_owned() });
     }
-    let (z, angle) = place(old);
-    let part = CounterweightPart { form, part, web, z, angle, wanted: Some(duty_of(old)) };
+    let angle = old.part.as_ref().map_or(old.angle, |part| part.angle);
+    let part = CounterweightPart { form, part, web, z: plane(old), angle, wanted: Some(duty_of(old)) };
+    let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
     let mut fitted = engine.clone();
-    fit(engine, &mut fitted, index, part)?;
+    fit(&mut fitted, index, part, weight);
     Ok(fitted)
 }
 
 /// Puts a part in the place of a weight: plane, unbalance and direction become those of the part.
-fn fit(
-    engine: &Engine,
-    fitted: &mut Engine,
-    index: usize,
-    part: CounterweightPart,
-) -> Result<(), CounterweightError> {
-    let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+fn fit(fitted: &mut Engine, index: usize, part: CounterweightPart, weight: PartWeight) {
     let old = &mut fitted.counterweights[index];
     (old.z, old.unbalance, old.angle) = (weight.z, weight.unbalance, weight.angle);
     old.part = Some(Box::new(part));
-    Ok(())
 }
 
+/// A design as the part in the place of a weight, turned such that its unbalance points where that of the weight does: what it shares
+/// with the flank of its web may lie to one side.
 fn fitted_part(
     engine: &Engine,
-    old: &Counterweight,
+    index: usize,
     design: &Design,
     density: f64,
-) -> Result<CounterweightPart, CounterweightError> {
+) -> Result<(CounterweightPart, PartWeight), CounterweightError> {
+    let old = &engine.counterweights[index];
     let part = Part::new(Outline::from(design.shape.outline()), design.thickness, density)?;
-    let (z, angle) = place(old);
-    Ok(CounterweightPart {
+    let mut part = CounterweightPart {
         form: CounterweightForm::Family(design.shape),
         part,
         web: web_of(engine, old),
-        z,
-        angle,
+        z: plane(old),
+        angle: old.angle,
         wanted: Some(duty_of(old)),
-    })
+    };
+    for _ in 0..MOST_STEPS {
+        let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+        let off = (old.angle - weight.angle + PI).rem_euclid(TAU) - PI;
+        if off.abs() <= SAME_DIRECTION {
+            return Ok((part, weight));
+        }
+        part.angle += off;
+    }
+    let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+    Ok((part, weight))
 }
 
-/// Plane [m] and direction [rad] that a part in the place of a weight has.
-fn place(old: &Counterweight) -> (f64, f64) {
-    old.part.as_ref().map_or((old.z, old.angle), |part| (part.z, part.angle))
+/// Plane in which the middle of a part stands that takes the place of a weight [m].
+fn plane(old: &Counterweight) -> f64 {
+    old.part.as_ref().map_or(old.z, |part| part.z)
 }
 
 fn refused(engine: &Engine, index: usize, fault: &PartFault) -> CounterweightError {
@@ -503,6 +509,7 @@ unbalance = "1 kg mm"
         let fitted = with_counterweights(&engine, &[(0, best.design)], 7850.0).unwrap();
         let weight = &fitted.counterweights[0];
         assert!((weight.unbalance - 0.03).abs() < 1e-10);
+        assert_eq!(weight.angle, engine.counterweights[0].angle);
         let part = weight.part.as_ref().unwrap();
         assert_eq!((part.web, part.wanted), (Some(0), Some(0.03)));
         assert!(fitted.counterweights[1].part.is_none());

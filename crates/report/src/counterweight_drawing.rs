@@ -42,7 +42,7 @@ pub fn counterweight_drawing(drawn: &DrawnCounterweight<'_>) -> Figure {
     let unbalance = weight.unbalance.norm();
     let caption = format!(
         "{}, {} thick, {} kg/m³. Mass {}, unbalance {} kg mm, centre of mass {} mm from the crank axis, polar inertia \
-         about it {} kg mm²{}. All dimensions in mm; x points away from the crankpin, y further in the sense of rotation.",
+         about it {} kg mm²{}. All dimensions in mm, seen from the free end of a crank that turns clockwise{}.",
         match drawn.part.form {
             CounterweightForm::Family(_) => "Counterweight around the disc of its web",
             CounterweightForm::Counterweight => "Counterweight",
@@ -55,9 +55,11 @@ pub fn counterweight_drawing(drawn: &DrawnCounterweight<'_>) -> Figure {
         millimetres(unbalance / weight.mass),
         number::trimmed(1e6 * weight.polar_inertia(), 4),
         match drawn.part.form {
-            CounterweightForm::Family(_) => ", all without the disc",
-            _ => "",
+            CounterweightForm::Family(_) if drawn.web.is_none() => ", all without the disc",
+            CounterweightForm::Family(_) | CounterweightForm::Web => ", all beyond the plain web",
+            CounterweightForm::Counterweight => "",
         },
+        if drawn.crankcase.is_some() { "; dashed: the crankcase, where it is near" } else { "" },
     );
     let sheet = Sheet::new(drawn);
     let mut svg = Svg::new(WIDTH + SECTION, sheet.height);

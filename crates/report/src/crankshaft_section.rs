@@ -8,7 +8,7 @@ use crate::figure::Figure;
 use crate::table::Table;
 use lanchester_geometry::clearance::Clearances;
 use lanchester_geometry::crankshaft::CrankshaftBody;
-use lanchester_geometry::{counterweight_properties, plain_web};
+use lanchester_geometry::{Outline, counterweight_properties, plain_web};
 use lanchester_model::{CounterweightPart, Engine};
 
 /// The crankshafts of an engine as parts.
@@ -38,20 +38,30 @@ impl CrankshaftSection {
     }
 }
 
-/// The drawings of an engine's counterweights; those of one shape once.
+/// Weights whose drawings are the same.
+struct Alike<'a> {
+    names: Vec<&'a str>,
+    part: &'a CounterweightPart,
+    web: Option<Outline>,
+}
+
+/// The drawings of an engine's counterweights; those of one shape that stand alike on their webs once.
 pub fn counterweight_drawings(engine: &Engine) -> Vec<Figure> {
-    let mut groups: Vec<(Vec<&str>, &CounterweightPart)> = Vec::new();
+    let mut groups: Vec<Alike> = Vec::new();
     for weight in &engine.counterweights {
         let Some(part) = weight.part.as_deref() else { continue };
-        match groups.iter_mut().find(|(_, known)| known.part == part.part && known.form == part.form) {
-            Some((names, _)) => names.push(&weight.name),
-            None => groups.push((vec![&weight.name], part)),
+        let web = plain_web(engine, part).ok().flatten();
+        let alike = |known: &&mut Alike| {
+            known.part.part == part.part && known.part.form == part.form && same(&known.web, &web)
+        };
+        match groups.iter_mut().find(alike) {
+            Some(known) => known.names.push(&weight.name),
+            None => groups.push(Alike { names: vec![&weight.name], part, web }),
         }
     }
-    let draw = |(names, part): (Vec<&str>, &CounterweightPart)| {
+    let draw = |Alike { names, part, web }: Alike<'_>| {
         let properties =
             counterweight_properties(engine, part).unwrap_or_else(|_| part.part.mass_properties());
-        let web = plain_web(engine, part).ok().flatten();
         counterweight_drawing(&DrawnCounterweight {
             name: &names.join(", "),
             part,
@@ -61,4 +71,16 @@ pub fn counterweight_drawings(engine: &Engine) -> Vec<Figure> {
         })
     };
     groups.into_iter().map(draw).collect()
+}
+
+/// Whether two plain webs lie alike but for rounding.
+fn same(one: &Option<Outline>, other: &Option<Outline>) -> bool {
+    match (one, other) {
+        (None, None) => true,
+        (Some(one), Some(other)) => {
+            let (one, other) = (one.moments().first, other.moments().first);
+            (one - other).norm() <= 1e-9 * one.norm()
+        }
+        _ => false,
+    }
 }

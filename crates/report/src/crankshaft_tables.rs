@@ -173,7 +173,7 @@ pub fn clearances_table(clearances: &Clearances, nearest: bool) -> Table {
             numbers("x", "mm", rows.iter().map(|row| place(&row.1, 0)), 4),
             numbers("y", "mm", rows.iter().map(|row| place(&row.1, 1)), 4),
             numbers("z", "mm", rows.iter().map(|row| place(&row.1, 2)), 4),
-            words("", rows.iter().map(|row| remark(&row.1))),
+            words("remark", rows.iter().map(|row| remark(&row.1))),
         ],
     )
 }

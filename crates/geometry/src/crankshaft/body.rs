@@ -103,8 +103,8 @@ pub struct CrankshaftBody {
     pub point_weights: Vec<PointWeight>,
     /// Unbalance of all pieces and point weights.
     pub unbalance: CrankUnbalance,
-    /// What pieces have in common, counted as if each stood alone. The engine's throws and counterweights are those of pieces that stand
-    /// alone, so that they have this more than the body; zero where a counterweight shares no more than the disc with its web.
+    /// What pieces have in common, which a sum over pieces that stand alone would count twice (eq. 22.52). Of an engine that was read
+    /// from a file the part that a counterweight of the family shares with its own web is out of its weight already.
     pub counted_twice: CrankUnbalance,
     /// Its solids for STEP, STL and glTF: one for each web with what is joined to it, where that is of one material. A part with
     /// chamfers stays by itself, and pieces of different materials overlap as they do in the file.
@@ -207,7 +207,7 @@ fn parts(elements: &[Element], slabs: &[Slab]) -> Result<Vec<PlacedPart>, Cranks
     let mut parts: Vec<PlacedPart> = Vec::new();
     for (group, faces) in solids {
         let names: Vec<&str> = group.members.iter().map(|member| elements[*member].name.as_str()).collect();
-        let mut name = names.join(" with ");
+        let mut name = joined(&names);
         let same = parts
             .iter()
             .filter(|part| part.name == name || part.name.starts_with(&format!("{name}, ")))
@@ -225,6 +225,16 @@ fn parts(elements: &[Element], slabs: &[Slab]) -> Result<Vec<PlacedPart>, Cranks
         }
     }
     Ok(parts)
+}
+
+/// Names of what is joined; a counterweight that is called as its web is said to be one.
+fn joined(names: &[&str]) -> String {
+    let mut name = names[0].to_owned();
+    for (index, next) in names.iter().enumerate().skip(1) {
+        name += " with ";
+        name += if names[..index].contains(next) { "counterweight" } else { next };
+    }
+    name
 }
 
 /// A group between two planes, with the inserts of its members as far as they lie there.
