@@ -46,9 +46,13 @@ pub struct DesignedCounterweight {
     pub duty: f64,
     /// What of its shape the plain web has already, beyond the disc [kg m]: the shape is designed for that much more.
     pub shared: f64,
-    /// The room that the wanted clearance leaves, which limits the swept radius; none where there is nothing to stay clear of.
+    /// The room that the wanted clearance leaves, where it limits the swept radius; none where the best shape of all keeps the clearance,
+    /// or there is nothing to stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub room: Option<SweptRoom>,
+    /// With a room: what is made small, of the best shape without it [SI]. No shape that keeps the clearance has less.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub without_room: Option<f64>,
     /// What was found.
     pub outcome: DesignOutcome,
     /// What the evolutionary search found, if it was asked for.
@@ -150,8 +154,8 @@ pub enum CounterweightError {
 
 /// The best shape for each weight that is asked for, with its proof.
 ///
-/// Where the engine says what the crankshaft must stay clear of, the swept radius is limited to what keeps the wanted
-/// clearance whatever the shape: sufficient, not necessary. What a shape shares with its plain web beyond the disc is the
+/// Where the engine says what the crankshaft must stay clear of, and the best shape does not, the swept radius is limited to what keeps
+/// the wanted clearance whatever the shape: sufficient, not necessary. What a shape shares with its plain web beyond the disc is the
 /// web's, so that the shape gets that much more.
 ///
 /// # Errors
@@ -179,13 +183,13 @@ pub fn design_counterweights(
             continue;
         }
         done.push((duty, tilt, room.clone(), weights.len()));
-        let task = within(&request.task, room.as_ref());
-        let (outcome, shared) = designed(engine, index, duty, &task)?;
-        let asked = DesignTask::new(duty + shared / task.least_balance, &task);
+        let designed = cleared(engine, index, duty, &request.task, room)?;
+        let task = within(&request.task, designed.room.as_ref());
+        let asked = DesignTask::new(duty + designed.shared / task.least_balance, &task);
         let search =
             |search: EvolutionRequest| evolve(&asked, task.minimise, search.seed, search.evaluations);
         let evolution = request.evolution.map(search).transpose()?;
-        weights.push(DesignedCounterweight { name, index, duty, shared, room, outcome, evolution });
+        weights.push(DesignedCounterweight { name, evolution, ..designed });
     }
     Ok(CounterweightDesigns {
         version: COUNTERWEIGHT_DESIGNS_VERSION,
@@ -193,6 +197,52 @@ pub fn design_counterweights(
         task: request.task,
         weights,
     })
+}
+
+/// The best shape that keeps the wanted clearance: the best of all, if that one does; else the best within a swept radius that keeps it
+/// whatever the shape.
+fn cleared(
+    engine: &Engine,
+    index: usize,
+    duty: f64,
+    task: &ShapeTask,
+    room: Option<SweptRoom>,
+) -> Result<DesignedCounterweight, CounterweightError> {
+    let name = engine.counterweights[index].name.clone();
+    let (outcome, shared) = designed(engine, index, duty, task)?;
+    let free = DesignedCounterweight {
+        name,
+        index,
+        duty,
+        shared,
+        room: None,
+        without_room: None,
+        outcome,
+        evolution: None,
+    };
+    let (Some(room), DesignOutcome::Found(best)) = (room, &free.outcome) else { return Ok(free) };
+    if best.design.swept_radius <= room.radius || keeps_clear(engine, index, &best.design, task.density)? {
+        return Ok(free);
+    }
+    let without_room = Some(best.value);
+    let (outcome, shared) = designed(engine, index, duty, &within(task, Some(&room)))?;
+    Ok(DesignedCounterweight { shared, room: Some(room), without_room, outcome, ..free })
+}
+
+/// Whether a weight with this design keeps the wanted clearance to everything, proved.
+fn keeps_clear(
+    engine: &Engine,
+    index: usize,
+    design: &Design,
+    density: f64,
+) -> Result<bool, CounterweightError> {
+    let fitted = with_counterweights(engine, &[(index, *design)], density)?;
+    let name = &engine.counterweights[index].name;
+    let clearances =
+        crate::clearances(&fitted).map_err(|error| CounterweightError::Clearance(error.to_string()))?;
+    let own = clearances.bodies.iter().filter(|body| body.name == *name);
+    let mut all = own.flat_map(|body| &body.clearances);
+    Ok(all.all(|one| one.is_kept))
 }
 
 /// The best shape whose weight on its web is the duty, and what of it the plain web has already [kg m].

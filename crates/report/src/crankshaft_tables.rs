@@ -93,16 +93,16 @@ pub fn crank_sections_table(body: &CrankshaftBody) -> Table {
 
 /// Mass, centre, inertia and unbalance of a crankshaft in words.
 pub fn crank_body_words(body: &CrankshaftBody) -> String {
-    let [x, y, z] = body.mass.centre.map(|place| number::terminal(1e3 * place, 3));
+    let [x, y, z] = body.mass.centre.map(|place| number::fixed(1e3 * place, 3));
     let inertia = body.mass.inertia_about_centre;
-    let square = |value: f64| number::terminal(1e6 * value, 1);
+    let square = |value: f64| number::fixed(1e6 * value, 1);
     let unbalance = body.unbalance.unbalance.norm();
     let couple = body.unbalance.couple.norm();
     format!(
-        "{}: {} kg, centre at x {x}, y {y}, z {z} mm, polar inertia {} kg mm2. About its centre I_xx {}, I_yy {}, I_zz {}, \
-         I_xy {}, I_yz {}, I_zx {} kg mm2. It is out of balance by {} kg mm, and by {} kg mm2 as a couple about the origin.",
-        body.name,
-        number::terminal(body.mass.mass, 3),
+        "{} has a mass of {} kg, its centre at x {x}, y {y}, z {z} mm, and a polar inertia of {} kg mm². About its centre the tensor \
+         is I_xx {}, I_yy {}, I_zz {}, I_xy {}, I_yz {}, I_zx {} kg mm². It is out of balance by {} kg mm, and by {} kg mm² as a couple about the origin.",
+        capital(&body.name),
+        number::fixed(body.mass.mass, 3),
         square(body.polar_inertia),
         square(inertia[0][0]),
         square(inertia[1][1]),
@@ -110,9 +110,15 @@ pub fn crank_body_words(body: &CrankshaftBody) -> String {
         square(inertia[0][1]),
         square(inertia[1][2]),
         square(inertia[0][2]),
-        number::terminal(1e3 * unbalance, 3),
-        number::terminal(1e6 * couple, 1),
+        number::fixed(1e3 * unbalance, 3),
+        number::fixed(1e6 * couple, 1),
     )
+}
+
+/// With a capital at its beginning.
+fn capital(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What an obstacle is called.
@@ -161,7 +167,8 @@ pub fn clearances_table(clearances: &Clearances, nearest: bool) -> Table {
         None => "less than wanted".to_owned(),
     };
     let place = |one: &Clearance, k: usize| 1e3 * one.on_body[k];
-    Table::of_columns(
+    let remarks: Vec<String> = rows.iter().map(|row| remark(&row.1)).collect();
+    let mut table = Table::of_columns(
         if nearest { "nearest-clearances" } else { "clearances" },
         if nearest { "Nearest of all to each" } else { "Clearances" },
         "Smallest distance in space over the whole cycle, where on the part and at which angle of crankshaft 1; proved.",
@@ -173,9 +180,15 @@ pub fn clearances_table(clearances: &Clearances, nearest: bool) -> Table {
             numbers("x", "mm", rows.iter().map(|row| place(&row.1, 0)), 4),
             numbers("y", "mm", rows.iter().map(|row| place(&row.1, 1)), 4),
             numbers("z", "mm", rows.iter().map(|row| place(&row.1, 2)), 4),
-            words("remark", rows.iter().map(|row| remark(&row.1))),
         ],
-    )
+    );
+    if remarks.iter().any(|remark| !remark.is_empty()) {
+        table.columns.push(Column::words("remark"));
+        for (row, remark) in table.rows.iter_mut().zip(remarks) {
+            row.push(Cell::Text(remark));
+        }
+    }
+    table
 }
 
 /// The smallest clearance in a sentence, and whether it is what the file wants.

@@ -12,6 +12,7 @@ mod balance_share;
 mod balance_tables;
 mod balance_text;
 mod cancellation;
+mod clearance_plot;
 mod component;
 mod counterweight_drawing;
 mod counterweight_tables;
@@ -71,6 +72,7 @@ pub use balance_tables::{
 };
 pub use balance_text::{balance_text, equals_words, headline};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
+pub use clearance_plot::clearance_plot;
 pub use counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
 pub use counterweight_tables::{
     DesignedShape, designed_dimensions_table, designed_properties_table, front_designs_table,

@@ -155,7 +155,9 @@ fn a_clearance_that_is_not_kept_is_told() {
     let file =
         std::fs::read_to_string(three()).unwrap().replace("liner_end = \"95 mm\"", "liner_end = \"86 mm\"");
     std::fs::write(folder.join("three.toml"), file).unwrap();
-    let text = output(&folder, 1, &["counterweight", "check", "three.toml"]);
+    let text = output(&folder, 1, &["counterweight", "check", "three.toml", "--figures", "figures"]);
+    let curve = std::fs::read_to_string(folder.join("figures/clearance.svg")).unwrap();
+    assert!(curve.contains("liner 1") && !curve.contains("NaN"));
     assert!(text.contains("overlaps by") && text.contains("which is not kept"), "{text}");
     let csv = ["counterweight", "check", "three.toml", "--format", "csv", "--table", "clearances"];
     assert!(output(&folder, 1, &csv).starts_with("part,against,distance [mm]"));

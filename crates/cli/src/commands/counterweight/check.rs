@@ -4,13 +4,14 @@ use super::{draw, refused};
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{CheckTable, CounterweightCheckArguments};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
-use crate::files::print;
+use crate::files::{print, write_result};
 use crate::format::Format;
 use lanchester::model::Engine;
 use lanchester::report::{
-    clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
+    Figure, clearance_plot, clearance_words, clearances_table, counterweight_parts_table, crank_body_words,
+    crank_sections_table,
 };
-use lanchester::{CounterweightCheck, check_counterweights};
+use lanchester::{CounterweightCheck, check_counterweights, clearance_curve};
 
 pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
@@ -24,6 +25,9 @@ pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, 
     let checked = check_counterweights(engine).map_err(refused)?;
     if let Some(folder) = &arguments.figures {
         draw(engine, folder, &arguments.file)?;
+        if let Some(figure) = clearance_figure(engine, &checked)? {
+            write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
+        }
     }
     print(&match arguments.format {
         Format::Text => text(engine, &checked),
@@ -31,6 +35,26 @@ pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, 
         Format::Csv => csv(engine, &checked, arguments.table)?,
     })?;
     Ok(if checked.is_kept { DONE } else { NOT_AS_EXPECTED })
+}
+
+/// Angles of a curve.
+const ANGLES: usize = 360;
+
+/// The clearance over the angle of the part that comes nearest to anything.
+fn clearance_figure(engine: &Engine, checked: &CounterweightCheck) -> Result<Option<Figure>, Failure> {
+    let Some(clearances) = &checked.clearances else { return Ok(None) };
+    let Some(smallest) = &clearances.smallest else { return Ok(None) };
+    let Some(index) = clearances.bodies.iter().position(|body| body.name == smallest.body) else {
+        return Ok(None);
+    };
+    let mut moving: Vec<_> =
+        clearances.bodies[index].clearances.iter().filter(|one| one.theta.is_some()).collect();
+    moving.sort_by(|a, b| a.signed().total_cmp(&b.signed()));
+    let curve = |obstacle| {
+        clearance_curve(engine, index, obstacle, ANGLES).map(|curve| (obstacle, curve)).map_err(refused)
+    };
+    let curves = moving.into_iter().map(|one| curve(one.obstacle)).collect::<Result<Vec<_>, _>>()?;
+    Ok((!curves.is_empty()).then(|| clearance_plot(&smallest.body, &curves)))
 }
 
 fn text(engine: &Engine, checked: &CounterweightCheck) -> String {

@@ -25,6 +25,7 @@ struct Group<'a> {
     /// What of the shape the plain web has already [kg m].
     shared: f64,
     room: Option<&'a SweptRoom>,
+    without_room: Option<f64>,
     outcome: &'a DesignOutcome,
     evolution: Option<&'a Evolution>,
 }
@@ -84,6 +85,7 @@ fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
             duty: weight.duty,
             shared: weight.shared,
             room: weight.room.as_ref(),
+            without_room: weight.without_room,
             outcome: &weight.outcome,
             evolution: weight.evolution.as_ref(),
         });
@@ -120,14 +122,7 @@ fn text(designs: &CounterweightDesigns, groups: &[Group<'_>]) -> String {
             ),
         };
     }
-    for (names, room) in groups.iter().filter_map(|group| Some((&group.names, group.room?))) {
-        out += &format!(
-            "{names}: a swept radius up to {:.2} mm keeps {:.2} mm of clearance whatever the shape; first in the way is {}.\n",
-            1e3 * room.radius,
-            1e3 * room.least,
-            obstacle_name(room.limit)
-        );
-    }
+    out += &groups.iter().filter_map(in_the_room).collect::<String>();
     for group in groups {
         out += &group
             .evolution
@@ -140,6 +135,25 @@ fn text(designs: &CounterweightDesigns, groups: &[Group<'_>]) -> String {
         out += &format!("\n{}", designed_dimensions_table(&shapes).text());
     }
     out + &in_the_way(groups)
+}
+
+/// What clearance costs, where it does.
+fn in_the_room(group: &Group<'_>) -> Option<String> {
+    let room = group.room?;
+    let mut told = format!(
+        "{}: a swept radius up to {:.2} mm keeps {:.2} mm of clearance whatever the shape; first in the way is {}.",
+        group.names,
+        1e3 * room.radius,
+        1e3 * room.least,
+        obstacle_name(room.limit)
+    );
+    if let (Some(without), DesignOutcome::Found(best)) = (group.without_room, group.outcome) {
+        told += &format!(
+            " The best shape of all, which does not keep it, has {}: no shape that does has less.",
+            objective_words(best.objective, without)
+        );
+    }
+    Some(told + "\n")
 }
 
 /// What the evolutionary search found, beside the optimum.
