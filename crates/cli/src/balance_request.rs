@@ -3,7 +3,7 @@
 use crate::arguments::{BalanceArguments, CrankWeights};
 use crate::failure::Failure;
 use crate::shaft_option::add_shaft;
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::model::option;
 use lanchester::model::{
     BalanceTask, CrankWeightPlaces, Engine, RoomFaultKind, Seat, TaskDevice, crank_weights, default_task,
     room_faults,
@@ -35,19 +35,19 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
     }
     bound_crank_weights(&mut task, arguments)?;
     if !arguments.minimise.is_empty() {
-        let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(refused);
+        let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(Failure::from);
         task.stages = arguments.minimise.iter().map(stage).collect::<Result<_, Failure>>()?;
     }
     if !arguments.minimise.is_empty() {
         task.cancel.clear();
     }
     if !arguments.cancel.is_empty() {
-        let orders = |text: &String| option::cancel(text, &engine.mounts, "--cancel").map_err(refused);
+        let orders = |text: &String| option::cancel(text, &engine.mounts, "--cancel").map_err(Failure::from);
         let lists: Vec<_> = arguments.cancel.iter().map(orders).collect::<Result<_, Failure>>()?;
         (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
     }
     for text in &arguments.limit {
-        let limit = option::limit(text, &engine.mounts, "--limit").map_err(refused)?;
+        let limit = option::limit(text, &engine.mounts, "--limit").map_err(Failure::from)?;
         task.limits.retain(|l| l.criterion != limit.criterion);
         task.limits.push(limit);
     }
@@ -63,7 +63,7 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
 /// Bounds the weights on crankshafts, and says how many optional devices may be used.
 fn bound_crank_weights(task: &mut BalanceTask, arguments: &BalanceArguments) -> Result<(), Failure> {
     let amount = |text: &Option<String>, option: &str| {
-        text.as_ref().map(|text| option::unbalance(text, option).map_err(refused)).transpose()
+        text.as_ref().map(|text| option::unbalance(text, option).map_err(Failure::from)).transpose()
     };
     let (least, most) = (amount(&arguments.least, "--least")?, amount(&arguments.most, "--most")?);
     let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
@@ -89,10 +89,6 @@ fn bound_crank_weights(task: &mut BalanceTask, arguments: &BalanceArguments) -> 
     }
     task.most_optional = Some(most);
     Ok(())
-}
-
-fn refused(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
 }
 
 /// Drops the free weights on crankshafts with their ties, and sets those asked for in their place.

@@ -100,12 +100,12 @@ pub struct DesignArguments {
     /// optimum.
     #[arg(long, value_enum, default_value_t = DesignMethod::Proof)]
     pub method: DesignMethod,
-    /// With `--method evolution`: where its random numbers begin.
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub seed: u64,
-    /// With `--method evolution`: how many designs it looks at.
-    #[arg(long, value_name = "N", default_value_t = 20_000)]
-    pub evaluations: usize,
+    /// With `--method evolution`: where its random numbers begin; default 1.
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// With `--method evolution`: how many designs it looks at; default 20000.
+    #[arg(long, value_name = "N")]
+    pub evaluations: Option<usize>,
     /// Write the shapes into the engine file; comments and order stay.
     #[arg(long, conflicts_with = "dry_run")]
     pub write: bool,
@@ -225,11 +225,11 @@ pub struct ExportArguments {
     #[arg(long, value_name = "NAME")]
     pub weight: Vec<String>,
     /// Number of the crankshaft, where there are several.
-    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    #[arg(long, value_name = "NUMBER", default_value_t = 1, conflicts_with = "weight")]
     pub crankshaft: usize,
-    /// Largest distance between a true arc and its facets in STL and glTF.
-    #[arg(long, value_name = "LENGTH", default_value = "0.01 mm")]
-    pub facet: String,
+    /// Largest distance between a true arc and its facets, for STL and glTF alone; default 0.01 mm.
+    #[arg(long, value_name = "LENGTH")]
+    pub facet: Option<String>,
 }
 
 /// `counterweight import`

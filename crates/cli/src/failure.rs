@@ -1,5 +1,6 @@
 //! How a command ends other than well, and the exit status that tells it.
 
+use lanchester::model::option::BadQuantity;
 use std::fmt;
 use std::process::ExitCode;
 
@@ -45,5 +46,11 @@ impl Failure {
     /// The status for the operating system.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(self.status)
+    }
+}
+
+impl From<BadQuantity> for Failure {
+    fn from(bad: BadQuantity) -> Failure {
+        Failure::input(&bad.message, &bad.hint)
     }
 }

@@ -3,13 +3,13 @@
 use crate::arguments::RequestArguments;
 use crate::failure::Failure;
 use lanchester::mechanism::{InternalRequest, Kinematics, LoadRequest, PeakMode};
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::model::option;
 
 /// The request behind the options that `loads` and `report` share.
 pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure> {
     let mut request = LoadRequest { max_order: arguments.orders, ..LoadRequest::default() };
     if let Some(speed) = &arguments.speed {
-        request.speed = Some(option::speed(speed, "--speed").map_err(refused)?);
+        request.speed = Some(option::speed(speed, "--speed").map_err(Failure::from)?);
     }
     if let Some(about) = &arguments.about {
         request.reference = point(about)?;
@@ -27,14 +27,11 @@ pub fn internal_request(arguments: &RequestArguments, samples: usize) -> Result<
     Ok(InternalRequest {
         speed: request.speed,
         kinematics: request.kinematics,
-        reciprocating_share: option::share(&arguments.bending_share, "--bending-share").map_err(refused)?,
+        reciprocating_share: option::share(&arguments.bending_share, "--bending-share")
+            .map_err(Failure::from)?,
         samples,
         ..InternalRequest::default()
     })
-}
-
-fn refused(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
 }
 
 fn point(text: &str) -> Result<[f64; 3], Failure> {
@@ -45,7 +42,7 @@ fn point(text: &str) -> Result<[f64; 3], Failure> {
             "write it like --about \"0 mm, 0 mm, 120 mm\"",
         ));
     };
-    let coordinate = |text| option::length(text, "--about").map_err(refused);
+    let coordinate = |text| option::length(text, "--about").map_err(Failure::from);
     Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
 }
 

@@ -7,7 +7,7 @@ use crate::search_arguments::Drive;
 use lanchester::balance::{
     self, ArrangementRequest, DriveRule, Judged, MountPlaces, PartSizes, Positions, Target, searched_engine,
 };
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::model::option;
 use lanchester::model::{Criterion, Engine, Limit, criterion};
 
 /// The request behind the options; a reference engine is read on the way.
@@ -86,12 +86,8 @@ pub fn arrangement_request(
     Ok(request)
 }
 
-fn refused(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
-}
-
 fn length(text: &str, option: &str) -> Result<f64, Failure> {
-    option::length(text.trim(), option).map_err(refused)
+    option::length(text.trim(), option).map_err(Failure::from)
 }
 
 fn positive(text: &str, option: &str) -> Result<f64, Failure> {
@@ -120,7 +116,7 @@ fn judged(engine: &Engine, arguments: &BalanceArguments) -> Result<Judged, Failu
         }
     };
     needs_mounts(engine, text)?;
-    let known = criterion(text, &engine.mounts).map_err(refused)?;
+    let known = criterion(text, &engine.mounts).map_err(Failure::from)?;
     [Judged::Force, Judged::Couple, Judged::MountForce]
         .into_iter()
         .find(|judged| judged.criterion() == known)
@@ -146,7 +142,7 @@ fn needs_mounts(engine: &Engine, text: &str) -> Result<(), Failure> {
 /// A limit on the criterion is what is good enough, any other must hold for every arrangement.
 fn add_limit(engine: &Engine, request: &mut ArrangementRequest, text: &str) -> Result<(), Failure> {
     needs_mounts(engine, text)?;
-    let limit = option::limit(text, &engine.mounts, "--limit").map_err(refused)?;
+    let limit = option::limit(text, &engine.mounts, "--limit").map_err(Failure::from)?;
     if let Criterion::AddedMass = limit.criterion {
         return Err(Failure::input(
             "--search has no limit on the added mass",
@@ -214,7 +210,7 @@ fn share(text: &str) -> Result<f64, Failure> {
     });
     let share = match fraction {
         Some(share) => share,
-        None => option::share(text, "--share").map_err(refused)?,
+        None => option::share(text, "--share").map_err(Failure::from)?,
     };
     if share.is_finite() && share > 0.0 {
         return Ok(share);

@@ -1,7 +1,7 @@
 //! A free balance shaft from the option `--shaft`.
 
 use crate::failure::Failure;
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::model::option;
 use lanchester::model::{BalanceTask, FreeShaft, FreeWeight, Place, Ratio, Seat};
 
 /// What may be said of a shaft beyond its places.
@@ -53,13 +53,9 @@ fn wrong(what: String) -> Failure {
     Failure::input(what, "write it like --shaft \"-1 @ 0 mm, 100 mm @ -40 mm, 40 mm\"")
 }
 
-fn refused(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
-}
-
 /// A coordinate, or a stretch of it.
 fn place(text: &str) -> Result<Place, Failure> {
-    let length = |text: &str| option::length(text.trim(), "--shaft").map_err(refused);
+    let length = |text: &str| option::length(text.trim(), "--shaft").map_err(Failure::from);
     let Some((low, high)) = text.split_once("..") else { return Ok(Place::At(length(text)?)) };
     let (from, to) = (length(low)?, length(high)?);
     if from < to {
@@ -71,7 +67,7 @@ fn place(text: &str) -> Result<Place, Failure> {
 
 fn terms(text: &str) -> Result<Terms, Failure> {
     let mut terms = Terms::default();
-    let amount = |text: &str| option::unbalance(text.trim(), "--shaft").map_err(refused);
+    let amount = |text: &str| option::unbalance(text.trim(), "--shaft").map_err(Failure::from);
     for term in text.split(',').map(str::trim) {
         if term == "optional" {
             terms.optional = true;

@@ -26,7 +26,7 @@ pub fn shape_request(engine: &Engine, arguments: &ShapeArguments) -> Result<Coun
     let unbalance = arguments.unbalance.as_ref().map(|text| option::unbalance(text, "--unbalance"));
     Ok(CounterweightRequest {
         weights: arguments.weight.clone(),
-        unbalance: unbalance.transpose().map_err(refused)?,
+        unbalance: unbalance.transpose().map_err(Failure::from)?,
         task: shape_task(engine, arguments)?,
         evolution: None,
     })
@@ -66,7 +66,7 @@ fn shape_task(engine: &Engine, arguments: &ShapeArguments) -> Result<ShapeTask, 
         ranges;
     let shoulder = shoulder_height.map(Shoulder::Height).or(shoulder_angle.map(Shoulder::Angle));
     let density = match &arguments.density {
-        Some(text) => Some(option::density(text, "--density").map_err(refused)?),
+        Some(text) => Some(option::density(text, "--density").map_err(Failure::from)?),
         None => file.map(|task| task.density).or(engine.crank_body.map(|body| body.density)),
     };
     let thickness = thickness.or(engine.crank_body.map(|body| Range::fixed(body.web_thickness)));
@@ -131,7 +131,7 @@ fn incomplete(missing: &[&str]) -> Failure {
 }
 
 fn limit(limits: &mut DesignLimits, name: &str, value: &str) -> Result<(), Failure> {
-    let one = |read: Read| read(value, "--limit").map(Some).map_err(refused);
+    let one = |read: Read| read(value, "--limit").map(Some).map_err(Failure::from);
     let two = |read: Read| range(value, read, "--limit").map(Some);
     match name {
         "mass" => limits.mass = one(option::mass)?,
@@ -170,13 +170,9 @@ fn named<'a>(text: &'a str, option: &str) -> Result<(&'a str, &'a str), Failure>
 
 /// One value, or `a .. b`.
 fn range(text: &str, read: Read, option: &str) -> Result<Range, Failure> {
-    let value = |text: &str| read(text.trim(), option).map_err(refused);
+    let value = |text: &str| read(text.trim(), option).map_err(Failure::from);
     match text.split_once("..") {
         None => value(text).map(Range::fixed),
         Some((least, most)) => Ok(Range::new(value(least)?, value(most)?)),
     }
-}
-
-fn refused(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
 }

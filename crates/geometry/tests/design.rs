@@ -9,27 +9,10 @@ use lanchester_geometry::{
     CounterweightShape, Design, DesignLimits, DesignOutcome, DesignTask, GeometryError, Limit, Objective,
     Optimum, PROVED_GAP, Range, Shoulder, design, front,
 };
-use random_design::{Stream, random_design, violation};
+use random_design::{Stream, paper, random_design, violation};
 
 const OBJECTIVES: [Objective; 4] =
     [Objective::Mass, Objective::SweptRadius, Objective::Inertia, Objective::Thickness];
-
-/// The ranges of the tool paper's table 3, as far as its two designs tell them.
-fn paper() -> DesignTask {
-    DesignTask {
-        unbalance: 8.0e-3,
-        least_balance: 1.0,
-        most_balance: None,
-        density: 8000.0,
-        web_radius: Range::new(0.01, 0.02),
-        rectangle_height: Range::new(0.02, 0.03),
-        shoulder: Shoulder::Angle(Range::new(0.0, 1.46)),
-        arc_radius: Range::new(0.05, 0.07),
-        arc_angle: Range::new(0.79, 3.13),
-        thickness: Range::new(0.005, 0.03),
-        limits: DesignLimits::default(),
-    }
-}
 
 /// A web that is given, in a crankcase, with all limits there are.
 fn limited() -> DesignTask {

@@ -10,24 +10,7 @@ use lanchester_geometry::{
     DesignLimits, DesignOutcome, DesignTask, Objective, Range, Shoulder, design, evolve,
 };
 use proptest::prelude::*;
-use random_design::violation;
-
-/// The ranges of the tool paper's table 3.
-fn paper() -> DesignTask {
-    DesignTask {
-        unbalance: 8.0e-3,
-        least_balance: 1.0,
-        most_balance: None,
-        density: 8000.0,
-        web_radius: Range::new(0.01, 0.02),
-        rectangle_height: Range::new(0.02, 0.03),
-        shoulder: Shoulder::Angle(Range::new(0.0, 1.46)),
-        arc_radius: Range::new(0.05, 0.07),
-        arc_angle: Range::new(0.79, 3.13),
-        thickness: Range::new(0.005, 0.03),
-        limits: DesignLimits::default(),
-    }
-}
+use random_design::{paper, violation};
 
 fn range(least: std::ops::Range<f64>, width: f64) -> impl Strategy<Value = Range> {
     (least, prop_oneof![1 => Just(0.0), 4 => 0.0..width]).prop_map(|(least, w)| Range::new(least, least + w))

@@ -7,40 +7,17 @@ use lanchester_geometry::clearance::{
 };
 use lanchester_mechanism::{LoadError, RodLinkage};
 use lanchester_model::Engine;
-use std::error::Error;
-use std::fmt;
 
 /// Why the clearances of an engine cannot be computed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum EngineClearanceError {
     /// What is in the way, or what turns, is not told or not possible.
-    Clearance(ClearanceError),
+    #[error(transparent)]
+    Clearance(#[from] ClearanceError),
     /// A linkage does not turn.
-    Linkage(LoadError),
-}
-
-impl fmt::Display for EngineClearanceError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            EngineClearanceError::Clearance(error) => error.fmt(f),
-            EngineClearanceError::Linkage(error) => error.fmt(f),
-        }
-    }
-}
-
-impl Error for EngineClearanceError {}
-
-impl From<ClearanceError> for EngineClearanceError {
-    fn from(error: ClearanceError) -> EngineClearanceError {
-        EngineClearanceError::Clearance(error)
-    }
-}
-
-impl From<LoadError> for EngineClearanceError {
-    fn from(error: LoadError) -> EngineClearanceError {
-        EngineClearanceError::Linkage(error)
-    }
+    #[error(transparent)]
+    Linkage(#[from] LoadError),
 }
 
 /// The exact motion of a cylinder's rod and piston, as clearances ask for it.

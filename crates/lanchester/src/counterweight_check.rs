@@ -81,8 +81,7 @@ pub fn check_counterweights(engine: &Engine) -> Result<CounterweightCheck, Count
     }
     let bodies = if engine.crank_body.is_some() { engine.crankshafts.len() } else { 0 };
     let crankshafts = (0..bodies).map(|index| crankshaft(engine, index)).collect::<Result<Vec<_>, _>>()?;
-    let clearances = engine.envelope.map(|_| crate::clearances(engine)).transpose();
-    let clearances = clearances.map_err(|error| CounterweightError::Clearance(error.to_string()))?;
+    let clearances = engine.envelope.map(|_| crate::clearances(engine)).transpose()?;
     let is_kept = counterweights.iter().all(|weight| weight.is_met)
         && clearances.as_ref().is_none_or(|clearances| clearances.is_kept);
     Ok(CounterweightCheck {

@@ -1,5 +1,6 @@
 //! The counterweights of an engine as parts: which of them, their duties, the best shapes.
 
+use crate::clearance::{EngineClearanceError, clearances, largest_swept_radius};
 use lanchester_geometry::clearance::SweptRoom;
 use lanchester_geometry::crankshaft::CrankshaftError;
 use lanchester_geometry::{
@@ -73,6 +74,18 @@ pub struct CounterweightDesigns {
     pub weights: Vec<DesignedCounterweight>,
 }
 
+/// The trade between two objectives for weights of one duty.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CounterweightFront {
+    /// Indices of the weights in [`Engine::counterweights`].
+    pub weights: Vec<usize>,
+    /// The room that the wanted clearance leaves, to which all swept radii are limited; none where there is nothing to stay clear of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub room: Option<SweptRoom>,
+    /// The designs.
+    pub front: Front,
+}
+
 /// Why no counterweight can be designed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -137,8 +150,8 @@ pub enum CounterweightError {
         fault: String,
     },
     /// Something that the crankshaft must stay clear of and that is not told completely.
-    #[error("{0}")]
-    Clearance(String),
+    #[error(transparent)]
+    Clearance(#[from] EngineClearanceError),
     /// A crankshaft that is no body.
     #[error(transparent)]
     Crankshaft(#[from] CrankshaftError),
@@ -238,8 +251,7 @@ fn keeps_clear(
 ) -> Result<bool, CounterweightError> {
     let fitted = with_counterweights(engine, &[(index, *design)], density)?;
     let name = &engine.counterweights[index].name;
-    let clearances =
-        crate::clearances(&fitted).map_err(|error| CounterweightError::Clearance(error.to_string()))?;
+    let clearances = clearances(&fitted)?;
     let own = clearances.bodies.iter().filter(|body| body.name == *name);
     let mut all = own.flat_map(|body| &body.clearances);
     Ok(all.all(|one| one.is_kept))
@@ -286,8 +298,7 @@ fn room(
     }
     let z = weight.part.as_ref().map_or(weight.z, |part| part.z);
     let faces = [z - thickness / 2.0, z + thickness / 2.0];
-    let room = crate::largest_swept_radius(engine, weight.crankshaft, faces);
-    room.map_err(|error| CounterweightError::Clearance(error.to_string()))
+    Ok(largest_swept_radius(engine, weight.crankshaft, faces)?)
 }
 
 /// The task with the swept radius within a room.
@@ -308,7 +319,8 @@ fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
     ((off + PI).rem_euclid(TAU) - PI).abs()
 }
 
-/// The front between what the task makes small and `against`, for weights of one duty; with the weights' indices.
+/// The front between what the task makes small and `against`, for weights of one duty. What a shape shares with the flank of its
+/// web is not made up for here: [`with_counterweights`] gives each weight what the shape really has.
 ///
 /// # Errors
 /// As [`design_counterweights`], and where the weights have different duties or there are not two objectives.
@@ -317,7 +329,7 @@ pub fn counterweight_front(
     request: &CounterweightRequest,
     against: Objective,
     count: usize,
-) -> Result<(Front, Vec<usize>), CounterweightError> {
+) -> Result<CounterweightFront, CounterweightError> {
     let duties = duties(engine, request)?;
     let duty = duties[0].1;
     if duties.iter().any(|(_, other)| *other != duty) {
@@ -331,10 +343,11 @@ pub fn counterweight_front(
             room(engine, &engine.counterweights[*index], request.task.thickness.most).transpose()
         })
         .collect::<Result<_, _>>()?;
-    let narrowest = rooms.iter().min_by(|a, b| a.radius.total_cmp(&b.radius));
-    let task = within(&request.task, narrowest);
+    let room = rooms.into_iter().min_by(|a, b| a.radius.total_cmp(&b.radius));
+    let task = within(&request.task, room.as_ref());
     let front = front(&DesignTask::new(duty, &task), [task.minimise, against], count)?;
-    Ok((front, duties.into_iter().map(|(index, _)| index).collect()))
+    let weights = duties.into_iter().map(|(index, _)| index).collect();
+    Ok(CounterweightFront { weights, room, front })
 }
 
 /// The engine with `design`s, of this density [kg/m^3], in the place of the weights of these indices.
@@ -593,9 +606,9 @@ unbalance = "1 kg mm"
 
     #[test]
     fn the_front_goes_from_one_end_to_the_other() {
-        let (front, indices) =
-            counterweight_front(&engine(), &request(&[]), Objective::SweptRadius, 5).unwrap();
-        assert_eq!(indices, [0, 1]);
+        let found = counterweight_front(&engine(), &request(&[]), Objective::SweptRadius, 5).unwrap();
+        assert_eq!((found.weights, found.room), (vec![0, 1], None));
+        let front = found.front;
         assert!(front.proved && front.designs.len() >= 4);
         let ends = [&front.designs[0], front.designs.last().unwrap()];
         assert!(ends[0].mass < ends[1].mass && ends[0].swept_radius > ends[1].swept_radius);

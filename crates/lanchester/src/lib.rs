@@ -31,9 +31,9 @@ pub use counterweight_check::{
     COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CounterweightCheck, check_counterweights,
 };
 pub use counterweights::{
-    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightRequest,
-    DesignedCounterweight, EvolutionRequest, counterweight_front, design_counterweights, with_counterweights,
-    with_outline,
+    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightFront,
+    CounterweightRequest, DesignedCounterweight, EvolutionRequest, counterweight_front,
+    design_counterweights, with_counterweights, with_outline,
 };
 pub use crankshaft_parts::crankshaft_parts;
 pub use lanchester_balance as balance;

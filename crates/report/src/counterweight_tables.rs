@@ -1,7 +1,7 @@
 //! Counterweights that were designed: properties, dimensions, fronts, and what stands in the way, as tables.
 
 use crate::number;
-use crate::table::{Cell, Column, Table, column_cells};
+use crate::table::{Cell, Column, Table, numbers, words};
 use lanchester_geometry::{Design, Front, Infeasible, Limit, Objective};
 
 /// Designs of one shape, and the weights that have it.
@@ -40,19 +40,6 @@ fn objective_unit(objective: Objective) -> (&'static str, f64) {
 pub fn objective_words(objective: Objective, value: f64) -> String {
     let (unit, factor) = objective_unit(objective);
     format!("{} {unit}", number::short(value * factor, 5))
-}
-
-fn words(header: &str, cells: impl Iterator<Item = String>) -> (Column, Vec<Cell>) {
-    (Column::words(header), cells.map(Cell::Text).collect())
-}
-
-fn numbers(
-    header: &str,
-    unit: &'static str,
-    values: impl Iterator<Item = f64>,
-    digits: i32,
-) -> (Column, Vec<Cell>) {
-    (Column::numbers(header, unit), column_cells(values, digits, 1e-9))
 }
 
 /// Mass, balance and room of designed counterweights.

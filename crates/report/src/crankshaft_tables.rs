@@ -1,7 +1,7 @@
 //! The crankshaft as a body: its counterweights as parts, its pieces, its clearances, as tables.
 
 use crate::number;
-use crate::table::{Cell, Column, Table, column_cells};
+use crate::table::{Cell, Column, Table, numbers, words};
 use lanchester_geometry::clearance::{Clearance, Clearances, DepthAlong, Obstacle};
 use lanchester_geometry::counterweight_properties;
 use lanchester_geometry::crankshaft::{CrankshaftBody, SectionKind};
@@ -13,19 +13,6 @@ fn parts(engine: &Engine) -> Vec<(&str, f64, &CounterweightPart)> {
     weights
         .filter_map(|weight| Some((weight.name.as_str(), weight.unbalance, weight.part.as_deref()?)))
         .collect()
-}
-
-fn words(header: &str, cells: impl Iterator<Item = String>) -> (Column, Vec<Cell>) {
-    (Column::words(header), cells.map(Cell::Text).collect())
-}
-
-fn numbers(
-    header: &str,
-    unit: &'static str,
-    values: impl Iterator<Item = f64>,
-    digits: i32,
-) -> (Column, Vec<Cell>) {
-    (Column::numbers(header, unit), column_cells(values, digits, 1e-9))
 }
 
 /// Counterweights that are parts; none where there is none.

@@ -69,6 +69,21 @@ pub fn column_cells(values: impl IntoIterator<Item = f64>, significant: i32, noi
     values.into_iter().map(|value| Cell::Number { value, decimals }).collect()
 }
 
+/// A whole column of words.
+pub(crate) fn words(header: &str, cells: impl Iterator<Item = String>) -> (Column, Vec<Cell>) {
+    (Column::words(header), cells.map(Cell::Text).collect())
+}
+
+/// A whole column of numbers, as [`column_cells`]; what is below 1e-9 of the unit is 0.
+pub(crate) fn numbers(
+    header: &str,
+    unit: &'static str,
+    values: impl Iterator<Item = f64>,
+    significant: i32,
+) -> (Column, Vec<Cell>) {
+    (Column::numbers(header, unit), column_cells(values, significant, 1e-9))
+}
+
 impl Cell {
     /// Words.
     pub fn text(text: impl Into<String>) -> Cell {

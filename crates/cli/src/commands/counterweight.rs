@@ -6,12 +6,12 @@ mod export;
 mod front;
 mod import;
 
-use crate::commands::Opened;
 use crate::counterweight_arguments::{CounterweightArguments, CounterweightCommand};
 use crate::failure::{Failure, WRONG_INPUT};
-use crate::files::{print, rewrite, write_result};
-use lanchester::model::{Engine, WriteBackError, difference, render, write_back};
-use lanchester::report::counterweight_drawings;
+use crate::files::write_result;
+use lanchester::geometry::clearance::SweptRoom;
+use lanchester::model::Engine;
+use lanchester::report::{counterweight_drawings, obstacle_name};
 use std::fmt::Display;
 use std::path::Path;
 
@@ -30,48 +30,19 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
+/// What keeps clear of everything.
+fn room_words(room: &SweptRoom) -> String {
+    format!(
+        "a swept radius up to {:.2} mm keeps {:.2} mm of clearance whatever the shape; first in the way is {}.",
+        1e3 * room.radius,
+        1e3 * room.least,
+        obstacle_name(room.limit)
+    )
+}
+
 /// An error of the facade with its own hint.
 fn refused(error: impl Display) -> Failure {
     Failure { status: WRONG_INPUT, message: format!("error: {error}") }
-}
-
-/// Does what `--write` and `--dry-run` ask: the file gets the parts of `after`, or the difference is shown and all is
-/// said (`true`).
-fn put_into_file(
-    opened: &Opened,
-    path: &Path,
-    [write, dry_run]: [bool; 2],
-    after: &Engine,
-    colour: bool,
-) -> Result<bool, Failure> {
-    if !(write || dry_run) {
-        return Ok(false);
-    }
-    if path == Path::new("-") && write {
-        return Err(Failure::input(
-            "--write needs a file, got standard input",
-            "give the path of the engine file",
-        ));
-    }
-    let (name, before) = (&opened.source.name, &opened.source.text);
-    let text = write_back(before, after).map_err(|error| {
-        if let WriteBackError::Weights { text, diagnostics } = &error {
-            eprint!("{}", render(diagnostics, "the file with its counterweights", text, colour));
-        }
-        Failure::input(error, "the file is as it was; the shapes stand in the output without --write")
-    })?;
-    if text == *before {
-        eprintln!("{name} already holds these shapes");
-    }
-    if dry_run {
-        print(&difference(before, &text, name))?;
-        return Ok(true);
-    }
-    if text != *before {
-        rewrite(path, before, &text)?;
-        eprintln!("counterweights written into {name}");
-    }
-    Ok(false)
 }
 
 /// Draws the counterweights of an engine into the folder, those of one shape once.

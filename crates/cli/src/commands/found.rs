@@ -2,11 +2,11 @@
 
 use crate::arguments::{BalanceArguments, BalanceTable};
 use crate::commands::Opened;
+use crate::commands::put_back::PutBack;
 use crate::failure::{Failure, WRONG_INPUT};
-use crate::files::{print, rewrite};
 use lanchester::balance::{Answer, BalanceError};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
-use lanchester::model::{Engine, WriteBackError, difference, render, write_back};
+use lanchester::model::Engine;
 use lanchester::report::{
     cancellation_proof_table, cancelled_orders_table, effects_table, found_weights_table, limits_table,
     stages_table,
@@ -16,39 +16,15 @@ pub fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
     loads(engine, &LoadRequest::default()).map_err(super::refused)
 }
 
-/// Does what `--write` and `--dry-run` ask: the file gets the weights and shafts of `after`, or the difference is shown
-/// and all is said (`true`).
+/// Does what `--write` and `--dry-run` of `balance` ask ([`PutBack`]).
 pub fn put_into_file(
     opened: &Opened,
     arguments: &BalanceArguments,
     after: &Engine,
     colour: bool,
 ) -> Result<bool, Failure> {
-    if !(arguments.dry_run || arguments.write) {
-        return Ok(false);
-    }
-    let (name, before) = (&opened.source.name, &opened.source.text);
-    let text = write_back(before, after).map_err(|error| not_written(error, colour))?;
-    let same = text == *before;
-    if same {
-        eprintln!("{name} already holds these weights");
-    }
-    if arguments.dry_run {
-        print(&difference(before, &text, name))?;
-        return Ok(true);
-    }
-    if !same {
-        rewrite(&arguments.file, before, &text)?;
-        eprintln!("weights written into {name}");
-    }
-    Ok(false)
-}
-
-fn not_written(error: WriteBackError, colour: bool) -> Failure {
-    if let WriteBackError::Weights { text, diagnostics } = &error {
-        eprint!("{}", render(diagnostics, "the file with its weights", text, colour));
-    }
-    Failure::input(error, "the file is as it was; the found weights stand in the output without --write")
+    let BalanceArguments { file, write, dry_run, .. } = arguments;
+    PutBack { path: file, write: *write, dry_run: *dry_run, what: "weights" }.run(opened, after, colour)
 }
 
 pub fn csv(engine: &Engine, answer: &Answer, table: Option<BalanceTable>) -> String {

@@ -7,6 +7,7 @@ mod found;
 pub mod loads;
 pub mod new;
 pub mod published;
+mod put_back;
 pub mod report;
 pub mod schema;
 pub mod search;

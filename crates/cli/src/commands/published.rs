@@ -13,7 +13,7 @@ use lanchester::balance::published::{
 };
 use lanchester::mechanism::{LoadRequest, loads};
 use lanchester::model::Engine;
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::model::option;
 use lanchester::report::{
     crank_view, method_effects_table, method_orders_table, method_text, method_weights_table, share_plots,
     stages_table,
@@ -76,7 +76,7 @@ pub fn asked_for(arguments: &BalanceArguments) -> Result<bool, Failure> {
 /// Fits the method that the options choose.
 pub fn fit(engine: &Engine, arguments: &BalanceArguments) -> Result<MethodAnswer, Failure> {
     let method = method(engine, arguments)?;
-    let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(refused);
+    let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(Failure::from);
     let stages = arguments.minimise.iter().map(stage).collect::<Result<Vec<_>, Failure>>()?;
     method.fit(engine, &stages).map_err(unsuited)
 }
@@ -113,7 +113,7 @@ pub fn tell(opened: &Opened, arguments: &BalanceArguments, answer: &MethodAnswer
 fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMethod, Failure> {
     let options = &arguments.published;
     let length = |text: &Option<String>, option: &str, default: f64| match text {
-        Some(text) => option::length(text, option).map_err(refused),
+        Some(text) => option::length(text, option).map_err(Failure::from),
         None => Ok(default),
     };
     let shaft_length = length(&options.shaft_length, "--shaft-length", outer_throws(engine))?;
@@ -127,7 +127,7 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
         };
         let shafts = options.shafts.unwrap_or(MatrixShafts::Both);
         let alpha = match &options.alpha {
-            Some(text) => Alpha::Given(option::angle(text, "--alpha").map_err(refused)?),
+            Some(text) => Alpha::Given(option::angle(text, "--alpha").map_err(Failure::from)?),
             None => Alpha::Fitted,
         };
         let matrix = MatrixMethod {
@@ -148,7 +148,7 @@ fn method(engine: &Engine, arguments: &BalanceArguments) -> Result<PublishedMeth
         });
     }
     if let Some(share) = &options.balance_factor {
-        let share = option::share(share, "--balance-factor").map_err(refused)?;
+        let share = option::share(share, "--balance-factor").map_err(Failure::from)?;
         return Ok(PublishedMethod::Factor(BalanceFactor(share)));
     }
     let three = ThreeCylinderRule {
@@ -197,10 +197,6 @@ fn web_pattern(text: &str) -> Result<Vec<bool>, Failure> {
         )),
     };
     text.chars().map(web).collect()
-}
-
-fn refused(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
 }
 
 fn unsuited(error: BalanceError) -> Failure {

@@ -48,6 +48,8 @@ fn a_front_has_designs_to_adopt() {
     let front = ["counterweight", "front", &file, "--against", "inertia", "--designs", "5"];
     let csv = output(&folder, 0, &[&front[..], &["--format", "csv"]].concat());
     assert!((4..=6).contains(&csv.lines().count()), "{csv}");
+    let text = output(&folder, 0, &front);
+    assert!(text.contains("swept radius up to 92.50 mm keeps 1.50 mm"), "{text}");
     output(&folder, 0, &[&front[..], &["--adopt", "2", "--figures", "figures"]].concat());
     for figure in ["counterweight-front.svg", "counterweight-web-5-web-6.svg"] {
         let svg = std::fs::read_to_string(folder.join("figures").join(figure)).unwrap();
@@ -77,6 +79,10 @@ fn wrong_options_are_told_with_what_is_right() {
         let message = design(&options);
         assert!(message.contains(told), "{options:?}: {message}");
     }
+    let told = design(&["--seed", "3"]);
+    assert!(told.contains("--method evolution"), "{told}");
+    let export = ["counterweight", "export", &file, "--output", "crank.step", "--facet", "1 mm"];
+    assert!(message(&folder, 2, &export).contains("STL and glTF alone"));
     let plain = examples().join("in-line-3.toml").display().to_string();
     let told = message(&folder, 2, &["counterweight", "design", &plain]);
     assert!(told.contains("[counterweight_design]") && told.contains("arc_radius"), "{told}");

@@ -1,6 +1,23 @@
-//! Random designs of a task's ranges.
+//! The task of the tool paper, and random designs of a task's ranges.
 
-use lanchester_geometry::{CounterweightShape, Design, DesignTask, Range, Shoulder};
+use lanchester_geometry::{CounterweightShape, Design, DesignLimits, DesignTask, Range, Shoulder};
+
+/// The ranges of the tool paper's table 3, as far as its two designs tell them.
+pub fn paper() -> DesignTask {
+    DesignTask {
+        unbalance: 8.0e-3,
+        least_balance: 1.0,
+        most_balance: None,
+        density: 8000.0,
+        web_radius: Range::new(0.01, 0.02),
+        rectangle_height: Range::new(0.02, 0.03),
+        shoulder: Shoulder::Angle(Range::new(0.0, 1.46)),
+        arc_radius: Range::new(0.05, 0.07),
+        arc_angle: Range::new(0.79, 3.13),
+        thickness: Range::new(0.005, 0.03),
+        limits: DesignLimits::default(),
+    }
+}
 
 /// A seeded stream of numbers in [0, 1).
 pub struct Stream(pub u64);

@@ -1,6 +1,7 @@
 //! `lanchester counterweight design`: the best shape for every counterweight.
 
-use super::{draw, list, put_into_file, refused};
+use super::{draw, list, refused, room_words};
+use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{DesignArguments, DesignMethod};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -11,7 +12,7 @@ use lanchester::geometry::clearance::SweptRoom;
 use lanchester::geometry::{Design, DesignOutcome, Evolution, Optimum};
 use lanchester::report::{
     DesignedShape, designed_dimensions_table, designed_properties_table, nearest_limits_table,
-    objective_name, objective_words, obstacle_name,
+    objective_name, objective_words,
 };
 use lanchester::{
     CounterweightDesigns, CounterweightRequest, DesignedCounterweight, EvolutionRequest,
@@ -33,12 +34,7 @@ struct Group<'a> {
 pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
     let engine = &opened.engine;
-    let evolution = match arguments.method {
-        DesignMethod::Proof => None,
-        DesignMethod::Evolution => {
-            Some(EvolutionRequest { seed: arguments.seed, evaluations: arguments.evaluations })
-        }
-    };
+    let evolution = evolution(arguments)?;
     let request = CounterweightRequest { evolution, ..shape_request(engine, &arguments.shape)? };
     let designs = design_counterweights(engine, &request).map_err(refused)?;
     let groups = groups(&designs);
@@ -50,11 +46,16 @@ pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
             DesignOutcome::Infeasible(_) => None,
         })
         .collect();
+    let put_back = PutBack {
+        path: &arguments.shape.file,
+        write: arguments.write,
+        dry_run: arguments.dry_run,
+        what: "shapes",
+    };
     let status = if found.len() == designs.weights.len() { DONE } else { NOT_AS_EXPECTED };
     if !found.is_empty() {
         let after = with_counterweights(engine, &found, request.task.density).map_err(refused)?;
-        let ways = [arguments.write, arguments.dry_run];
-        if put_into_file(&opened, &arguments.shape.file, ways, &after, colour)? {
+        if put_back.run(&opened, &after, colour)? {
             return Ok(status);
         }
         if let Some(folder) = &arguments.figures {
@@ -67,6 +68,23 @@ pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => csv(&groups),
     })?;
     Ok(status)
+}
+
+/// The evolutionary search that is asked for.
+fn evolution(arguments: &DesignArguments) -> Result<Option<EvolutionRequest>, Failure> {
+    match arguments.method {
+        DesignMethod::Proof if arguments.seed.is_some() || arguments.evaluations.is_some() => {
+            Err(Failure::input(
+                "--seed and --evaluations are of the evolutionary search, which is not asked for",
+                "add --method evolution, or leave them out",
+            ))
+        }
+        DesignMethod::Proof => Ok(None),
+        DesignMethod::Evolution => Ok(Some(EvolutionRequest {
+            seed: arguments.seed.unwrap_or(1),
+            evaluations: arguments.evaluations.unwrap_or(20_000),
+        })),
+    }
 }
 
 fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
@@ -140,13 +158,7 @@ fn text(designs: &CounterweightDesigns, groups: &[Group<'_>]) -> String {
 /// What clearance costs, where it does.
 fn in_the_room(group: &Group<'_>) -> Option<String> {
     let room = group.room?;
-    let mut told = format!(
-        "{}: a swept radius up to {:.2} mm keeps {:.2} mm of clearance whatever the shape; first in the way is {}.",
-        group.names,
-        1e3 * room.radius,
-        1e3 * room.least,
-        obstacle_name(room.limit)
-    );
+    let mut told = format!("{}: {}", group.names, room_words(room));
     if let (Some(without), DesignOutcome::Found(best)) = (group.without_room, group.outcome) {
         told += &format!(
             " The best shape of all, which does not keep it, has {}: no shape that does has less.",

@@ -21,11 +21,11 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
         ));
     }
     let parts = crankshaft_parts(&opened.engine, crankshaft, &arguments.weight).map_err(refused)?;
-    let facet =
-        option::length(&arguments.facet, "--facet").map_err(|bad| Failure::input(&bad.message, &bad.hint))?;
+    let ending = arguments.output.extension().and_then(|ending| ending.to_str());
+    let ending = ending.unwrap_or_default().to_ascii_lowercase();
+    let facet = facet(arguments, &ending)?;
     let solids = || solids(&parts).map_err(refused);
-    let ending = arguments.output.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let content = match ending.to_ascii_lowercase().as_str() {
+    let content = match ending.as_str() {
         "step" | "stp" => {
             let header = StepHeader { title: opened.engine.name.clone(), ..StepHeader::default() };
             step(&solids()?, &header).into_bytes()
@@ -48,6 +48,18 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     eprintln!("{} written: {}", arguments.output.display(), names.join(", "));
     Ok(DONE)
+}
+
+/// Largest error of facets [m].
+fn facet(arguments: &ExportArguments, ending: &str) -> Result<f64, Failure> {
+    let Some(text) = &arguments.facet else { return Ok(1e-5) };
+    if !matches!(ending, "stl" | "glb") {
+        return Err(Failure::input(
+            "--facet is the error of facets, which STL and glTF alone have",
+            "leave it out, or write a file that ends in stl or glb",
+        ));
+    }
+    Ok(option::length(text, "--facet")?)
 }
 
 /// The only part: an outline is that of one.

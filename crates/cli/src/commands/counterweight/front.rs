@@ -1,6 +1,7 @@
 //! `lanchester counterweight front`: the trade between two objectives, and the adoption of one of its designs.
 
-use super::{draw, list, put_into_file, refused};
+use super::{draw, list, refused, room_words};
+use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::FrontArguments;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -8,16 +9,18 @@ use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::shape_request::shape_request;
 use lanchester::geometry::Front;
+use lanchester::geometry::clearance::SweptRoom;
 use lanchester::report::{front_designs_table, front_plot, objective_name};
-use lanchester::{counterweight_front, design_counterweights, with_counterweights};
+use lanchester::{CounterweightFront, counterweight_front, design_counterweights, with_counterweights};
 
 pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
     let engine = &opened.engine;
     let file = &arguments.shape.file;
     let request = shape_request(engine, &arguments.shape)?;
-    let (front, weights) = counterweight_front(engine, &request, arguments.against.into(), arguments.designs)
+    let found = counterweight_front(engine, &request, arguments.against.into(), arguments.designs)
         .map_err(refused)?;
+    let CounterweightFront { front, weights, room } = &found;
     if front.designs.is_empty() {
         // The optimum alone says what is in the way.
         let designs = design_counterweights(engine, &request).map_err(refused)?;
@@ -25,7 +28,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
         return Ok(NOT_AS_EXPECTED);
     }
     if let Some(folder) = &arguments.figures {
-        write_result(&folder.join("counterweight-front.svg"), file, &front_plot(&front).svg())?;
+        write_result(&folder.join("counterweight-front.svg"), file, &front_plot(front).svg())?;
     }
     if let Some(number) = arguments.adopt {
         let design = number.checked_sub(1).and_then(|index| front.designs.get(index)).ok_or_else(|| {
@@ -39,7 +42,9 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
         })?;
         let adopted: Vec<_> = weights.iter().map(|index| (*index, *design)).collect();
         let after = with_counterweights(engine, &adopted, request.task.density).map_err(refused)?;
-        if put_into_file(&opened, file, [arguments.write, arguments.dry_run], &after, colour)? {
+        let put_back =
+            PutBack { path: file, write: arguments.write, dry_run: arguments.dry_run, what: "shapes" };
+        if put_back.run(&opened, &after, colour)? {
             return Ok(DONE);
         }
         if let Some(folder) = &arguments.figures {
@@ -48,14 +53,14 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     }
     let names = list(weights.iter().map(|index| engine.counterweights[*index].name.as_str()));
     print(&match arguments.format {
-        Format::Text => text(&names, &front),
-        Format::Json => json(&front)?,
-        Format::Csv => front_designs_table(&front).csv(),
+        Format::Text => text(&names, room.as_ref(), front),
+        Format::Json => json(&found)?,
+        Format::Csv => front_designs_table(front).csv(),
     })?;
     Ok(DONE)
 }
 
-fn text(names: &str, front: &Front) -> String {
+fn text(names: &str, room: Option<&SweptRoom>, front: &Front) -> String {
     let [first, second] = front.objectives.map(objective_name);
     let proof = match front.proved {
         true => {
@@ -63,5 +68,6 @@ fn text(names: &str, front: &Front) -> String {
         }
         false => "Not every design is proved to be the best: a search was broken off.".to_owned(),
     };
-    format!("{names}\n{proof}\n\n{}", front_designs_table(front).text())
+    let room = room.map(|room| room_words(room) + "\n").unwrap_or_default();
+    format!("{names}\n{room}{proof}\n\n{}", front_designs_table(front).text())
 }

@@ -1,6 +1,7 @@
 //! `lanchester counterweight import`: the outline of a counterweight from a drawing.
 
-use super::{put_into_file, refused};
+use super::refused;
+use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{Encloses, ImportArguments};
 use crate::failure::{DONE, Failure};
@@ -8,7 +9,7 @@ use crate::files::{print, read_bytes};
 use crate::format::Format;
 use lanchester::geometry::drawing::{Drawing, DrawingOptions, read_dxf, read_svg};
 use lanchester::geometry::{MassProperties, Part, counterweight_properties};
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::model::option;
 use lanchester::model::{CounterweightForm, Engine};
 use lanchester::with_outline;
 use serde::Serialize;
@@ -34,8 +35,9 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
         Encloses::Web => CounterweightForm::Web,
     };
     let after = with_outline(engine, &arguments.weight, form, part).map_err(refused)?;
-    let ways = [arguments.write, arguments.dry_run];
-    if put_into_file(&opened, &arguments.file, ways, &after, colour)? {
+    let put_back =
+        PutBack { path: &arguments.file, write: arguments.write, dry_run: arguments.dry_run, what: "shapes" };
+    if put_back.run(&opened, &after, colour)? {
         return Ok(DONE);
     }
     let fitted = after.counterweights.iter().find(|weight| weight.name == arguments.weight);
@@ -79,7 +81,7 @@ fn text(imported: &Imported<'_>) -> String {
 }
 
 fn drawing(arguments: &ImportArguments) -> Result<Drawing, Failure> {
-    let length = |text: &str, option: &str| option::length(text, option).map_err(bad);
+    let length = |text: &str, option: &str| option::length(text, option).map_err(Failure::from);
     let unit = arguments.unit.as_ref().map(|unit| length(&format!("1 {unit}"), "--unit")).transpose()?;
     let options = DrawingOptions {
         unit,
@@ -104,11 +106,11 @@ fn part(engine: &Engine, arguments: &ImportArguments, drawing: Drawing) -> Resul
     let now = now.and_then(|weight| weight.part.as_ref()).map(|part| &part.part);
     let body = engine.crank_body;
     let thickness = match &arguments.thickness {
-        Some(text) => Some(option::length(text, "--thickness").map_err(bad)?),
+        Some(text) => Some(option::length(text, "--thickness").map_err(Failure::from)?),
         None => now.map(Part::thickness).or(body.map(|body| body.web_thickness)),
     };
     let density = match &arguments.density {
-        Some(text) => Some(option::density(text, "--density").map_err(bad)?),
+        Some(text) => Some(option::density(text, "--density").map_err(Failure::from)?),
         None => now.map(Part::density).or(body.map(|body| body.density)),
     };
     let (Some(thickness), Some(density)) = (thickness, density) else {
@@ -118,8 +120,4 @@ fn part(engine: &Engine, arguments: &ImportArguments, drawing: Drawing) -> Resul
         ));
     };
     Part::new(drawing.outline, thickness, density).map_err(refused)
-}
-
-fn bad(bad: BadQuantity) -> Failure {
-    Failure::input(&bad.message, &bad.hint)
 }
