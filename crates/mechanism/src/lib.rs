@@ -8,6 +8,7 @@
 //! What moves: [`motion`], [`exact_coefficients`], [`series_coefficients`]. Rigid parts, constant speed, no play.
 
 mod beam;
+mod curve;
 mod diagnosis;
 mod drive;
 mod envelope;
@@ -27,11 +28,13 @@ mod rod_place;
 mod sampling;
 mod series;
 mod spectrum;
+mod spline;
 mod trace;
 mod train;
 mod wording;
 
 pub use beam::{Beam, BeamModel};
+pub use curve::{CurveError, End, PeriodicCurve};
 pub use internal::*;
 pub use loads::{loads, total_loads};
 pub use motion::motion;
