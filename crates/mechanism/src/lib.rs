@@ -13,6 +13,7 @@ mod diagnosis;
 mod drive;
 mod envelope;
 mod extremes;
+mod gas;
 mod internal;
 mod lanes;
 mod linkage;
@@ -35,6 +36,7 @@ mod wording;
 
 pub use beam::{Beam, BeamModel};
 pub use curve::{CurveError, End, PeriodicCurve};
+pub use gas::CylinderGas;
 pub use internal::*;
 pub use loads::{loads, total_loads};
 pub use motion::motion;
