@@ -275,7 +275,7 @@ fn check<'a>(
 }
 
 /// Gauss-Legendre rule of eight points on [0, 1]: distances from the middle, weights.
-const GAUSS: [(f64, f64); 4] = [
+pub(crate) const GAUSS: [(f64, f64); 4] = [
     (0.091_717_321_247_824_9, 0.181_341_891_689_181),
     (0.262_766_204_958_164_5, 0.156_853_322_938_943_64),
     (0.398_333_238_706_813_4, 0.111_190_517_226_687_24),

@@ -32,7 +32,7 @@ use crate::linkage::{Articulated, Slider};
 use crate::orders::OrderAxis;
 use crate::request::{LoadError, LoadRequest, MAX_REVOLUTIONS};
 use crate::result::Part;
-use lanchester_model::{Cylinder, Engine, Ratio, RodJoint};
+use lanchester_model::{Cylinder, Engine, Ratio, RodJoint, greatest_common_divisor};
 use num_complex::Complex64;
 
 /// Which masses of the engine count.
@@ -332,6 +332,19 @@ pub(crate) fn linkage(engine: &Engine, index: usize) -> Result<Linkage, LoadErro
     };
     articulated.check(index + 1)?;
     Ok(Linkage::Articulated(articulated))
+}
+
+/// Revolutions of crankshaft 1 after which all shafts stand as before and all working cycles start anew.
+pub(crate) fn firing_period(engine: &Engine) -> Result<u32, LoadError> {
+    let strokes = engine.strokes.revolutions();
+    let used = engine.cylinders.iter().map(|c| engine.crankshafts[engine.throws[c.throw].crankshaft].ratio);
+    let revolutions = used.into_iter().try_fold(period(engine)?, |all, ratio| {
+        // The fewest revolutions R for which R n / d is a whole number of working cycles.
+        let own = strokes * ratio.denominator();
+        let own = own / greatest_common_divisor(ratio.numerator().unsigned_abs(), own);
+        Some(all / greatest_common_divisor(all, own) * own).filter(|all| *all <= MAX_REVOLUTIONS)
+    });
+    revolutions.ok_or(LoadError::PeriodTooLong { limit: MAX_REVOLUTIONS })
 }
 
 /// Revolutions of crankshaft 1 after which all shafts stand as before.

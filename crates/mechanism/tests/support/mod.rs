@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod brute;
+pub mod pressure;
 pub mod random;
 
 use lanchester_mechanism::{Components, LoadRequest, Mechanism, Part, Selection};

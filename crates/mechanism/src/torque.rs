@@ -1,0 +1,259 @@
+//! Torque over the working cycle: gas at every cylinder's firing angle, and inertia.
+
+use crate::drive::Drive;
+use crate::energy::Breaks;
+use crate::firing_chart::chart_of;
+use crate::gas::CylinderGas;
+use crate::gas_train::{GasTrain, merged_orders};
+use crate::request::LoadError;
+use crate::result::{Extreme, OrderLoads};
+use crate::sampling::sampled_orders;
+use crate::torque_request::{Lever, TorqueError, TorqueRequest};
+use crate::torque_result::{
+    CylinderTorque, Indicated, IndicatedWork, TORQUE_VERSION, Torque, TorqueHarmonic,
+};
+use crate::train::{Mechanism, Piston, Selection};
+use lanchester_model::Engine;
+use num_complex::Complex64;
+use std::f64::consts::PI;
+
+/// Stretches of a revolution within which no torque hides an extreme, at least.
+const STRETCHES: usize = 120;
+
+/// Inertia torque of an engine, with the lever asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct InertiaTorque {
+    mechanism: Mechanism,
+    lever: Lever,
+}
+
+impl InertiaTorque {
+    fn of(
+        engine: &Engine,
+        request: &TorqueRequest,
+        selection: Selection,
+    ) -> Result<InertiaTorque, LoadError> {
+        let mechanism = Mechanism::of(engine, &request.loads(), selection)?;
+        Ok(InertiaTorque { mechanism, lever: request.lever })
+    }
+
+    /// At crankshaft 1 [N m], at constant speed, positive in the sense of rotation.
+    fn at(&self, theta: f64) -> f64 {
+        match self.lever {
+            Lever::Exact => self.mechanism.shaft_torque(theta),
+            Lever::Sine => self.mechanism.pistons.iter().map(|piston| with_sine_lever(piston, theta)).sum(),
+        }
+    }
+}
+
+/// Torque of the force `-m s''` of piston and small end with the lever `r sin phi` [N m]; the inertia of the rod's swing has no
+/// lever of this kind and is left out.
+fn with_sine_lever(piston: &Piston, theta: f64) -> f64 {
+    let phi = piston.ratio.value() * theta + piston.phase;
+    let acceleration = piston.drive.motion(phi).stroke.travel[2];
+    piston.ratio.value() * piston.mass * acceleration * piston.crank_radius * phi.sin()
+}
+
+impl Mechanism {
+    /// Inertia torque at crankshaft 1 [N m] at crank angle `theta` [rad], at constant speed.
+    pub fn shaft_torque(&self, theta: f64) -> f64 {
+        self.pistons.iter().map(|piston| piston.shaft_torque(theta)).sum()
+    }
+}
+
+impl Piston {
+    /// Its part of the inertia torque at crankshaft 1 [N m].
+    fn shaft_torque(&self, theta: f64) -> f64 {
+        let rate = self.ratio.value();
+        let motion = self.drive.motion(rate * theta + self.phase);
+        let [_, s1, s2, _] = motion.stroke.travel;
+        let [_, k, k1, _] = motion.stroke.swing;
+        let own = -rate * (self.mass * s1 * s2 + self.inertia * k * k1);
+        let knuckle = self.knuckle.as_ref().zip(motion.knuckle.as_ref());
+        let pin = knuckle.map(|(mass, pin)| mass.mass * (pin.knuckle[1].conj() * pin.knuckle[2]).re);
+        own - rate * pin.unwrap_or(0.0)
+    }
+}
+
+/// Torque of `engine` under `gas`, one entry a cylinder: over the period, by cylinder, by order, with work and firing.
+///
+/// # Errors
+/// [`TorqueError`] where bore, firing or pressures are missing or of another cycle, the lever is not one of this engine, or the
+/// request is impossible.
+pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> Result<Torque, TorqueError> {
+    let train = GasTrain::new(engine, gas, request.lever)?;
+    let inertia = InertiaTorque::of(engine, request, Selection::All)?;
+    let speed = inertia.mechanism.speed;
+    request.loads().check_angles(train.revolutions)?;
+    let period = train.period();
+    let count = request.samples * train.revolutions as usize;
+    let theta: Vec<f64> = (0..count).map(|j| period * j as f64 / count as f64).collect();
+    let over = |function: &dyn Fn(f64) -> f64| theta.iter().map(|theta| function(*theta)).collect::<Vec<_>>();
+
+    let cylinders = (0..engine.cylinders.len())
+        .map(|index| {
+            let own = InertiaTorque::of(engine, request, Selection::Cylinder(index))?;
+            Ok(cylinder_torque(&train, gas, index, &theta, over(&|theta| own.at(theta))))
+        })
+        .collect::<Result<Vec<_>, TorqueError>>()?;
+    let sum = |part: fn(&CylinderTorque) -> &Vec<f64>| -> Vec<f64> {
+        (0..count).map(|j| cylinders.iter().map(|cylinder| part(cylinder)[j]).sum()).collect()
+    };
+    let breaks = train.breaks();
+    let mean = train.mean_torques().iter().sum::<f64>();
+    let inertia_orders = inertia_orders(&inertia);
+    let gas_orders = train.orders(request.max_order);
+    let gas_at = |theta: f64| train.torque(theta);
+    let inertia_at = |theta: f64| inertia.at(theta);
+    let total = |theta: f64| train.torque(theta) + inertia.at(theta);
+    let orders = merged_orders(&inertia_orders, &gas_orders);
+    let harmonics = harmonics(&orders, &inertia_orders);
+    // The mean of the inertia torque is zero but for the named lever's errors, which are its own.
+    let inertia_mean = breaks.integral(inertia_at) / period;
+    Ok(Torque {
+        version: TORQUE_VERSION,
+        engine: engine.name.clone(),
+        speed,
+        lever: request.lever,
+        period,
+        gas: sum(|cylinder| &cylinder.gas),
+        inertia: sum(|cylinder| &cylinder.inertia),
+        gas_extremes: breaks.extremes(gas_at),
+        inertia_extremes: breaks.extremes(inertia_at),
+        total_extremes: breaks.extremes(total),
+        indicated: indicated(engine, &train, &cylinders, mean, speed),
+        energy: breaks.energy(mean + inertia_mean, total),
+        gas_energy: breaks.energy(mean, gas_at),
+        orders,
+        harmonics,
+        cylinders,
+        firing: chart_of(engine, &train)?,
+        theta,
+    })
+}
+
+impl GasTrain {
+    /// Angles at which the torque may jump or bend, and enough in between.
+    pub(crate) fn breaks(&self) -> Breaks {
+        let period = self.period();
+        let knots = self.pistons.iter().flat_map(|piston| {
+            let ratio = piston.ratio.value().abs();
+            let cycles = (period * ratio / piston.force.period()).round() as usize;
+            piston.force.knots().iter().flat_map(move |knot| {
+                (0..cycles).map(move |k| piston.firing + (knot + piston.force.period() * k as f64) / ratio)
+            })
+        });
+        let narrowest = self
+            .pistons
+            .iter()
+            .map(|piston| piston.width() / piston.ratio.value().abs())
+            .fold(2.0 * PI / STRETCHES as f64, f64::min);
+        Breaks::new(period, knots, (period / narrowest).ceil() as usize)
+    }
+}
+
+/// Orders of the inertia loads; with the lever `r sin phi` their torque is the one with that lever, and the roll moment
+/// reacts on it.
+fn inertia_orders(inertia: &InertiaTorque) -> Vec<OrderLoads> {
+    let mut orders = inertia.mechanism.orders();
+    if inertia.lever == Lever::Sine {
+        for loads in &mut orders {
+            loads.roll_moment += loads.shaft_torque;
+            loads.shaft_torque = Complex64::ZERO;
+        }
+        let axis = &inertia.mechanism.axis;
+        for piston in &inertia.mechanism.pistons {
+            let highest = axis.highest(piston.ratio);
+            let band = match &piston.drive {
+                Drive::Exact(_) => 0,
+                Drive::Series { own, .. } => own.travel.len() + 1,
+            };
+            let orders_of = sampled_orders(highest, band, |phi| {
+                [piston.drive.motion(phi).stroke.travel[2] * piston.crank_radius * phi.sin()]
+            });
+            for (n, [order]) in orders_of.into_iter().enumerate() {
+                let phase = Complex64::cis(n as f64 * piston.phase);
+                let sides = if n == 0 { 1.0 } else { 2.0 };
+                let torque = piston.ratio.value() * piston.mass * order * phase * sides;
+                let torque = if piston.ratio.numerator() < 0 { torque.conj() } else { torque };
+                let place = if n == 0 { 0 } else { axis.place(piston.ratio, n) };
+                orders[place].shaft_torque += torque;
+                orders[place].roll_moment -= torque;
+            }
+        }
+    }
+    orders
+}
+
+fn harmonics(orders: &[OrderLoads], inertia: &[OrderLoads]) -> Vec<TorqueHarmonic> {
+    let of_inertia = |order: f64| {
+        let found = inertia.iter().find(|loads| (loads.order - order).abs() <= 1e-9);
+        found.map_or(Complex64::ZERO, |loads| loads.shaft_torque)
+    };
+    let harmonic = |loads: &OrderLoads| {
+        let inertia = of_inertia(loads.order);
+        TorqueHarmonic { order: loads.order, gas: loads.shaft_torque - inertia, inertia }
+    };
+    orders.iter().map(harmonic).collect()
+}
+
+fn indicated(
+    engine: &Engine,
+    train: &GasTrain,
+    cylinders: &[CylinderTorque],
+    mean: f64,
+    speed: f64,
+) -> Indicated {
+    let sum = |part: fn(&IndicatedWork) -> f64| cylinders.iter().map(|c| part(&c.work)).sum::<f64>();
+    let displacement = sum(|work| work.swept);
+    let piston_speed = |index: usize| {
+        let ratio = engine.crankshafts[engine.throws[engine.cylinders[index].throw].crankshaft].ratio;
+        train.motion[index].stroke * ratio.value().abs() * speed / PI
+    };
+    Indicated {
+        torque: mean,
+        power: mean * speed,
+        displacement,
+        imep: sum(|work| work.cylinder) / displacement,
+        crankcase_mep: -sum(|work| work.crankcase) / displacement,
+        mean_piston_speed: (0..cylinders.len()).map(piston_speed).fold(0.0, f64::max),
+        peak_pressure: cylinders.iter().map(|c| c.peak_pressure.value).fold(f64::NEG_INFINITY, f64::max),
+    }
+}
+
+fn cylinder_torque(
+    train: &GasTrain,
+    gas: &[CylinderGas],
+    index: usize,
+    theta: &[f64],
+    inertia: Vec<f64>,
+) -> CylinderTorque {
+    let (piston, motion, area, gas) =
+        (&train.pistons[index], &train.motion[index], train.areas[index], &gas[index]);
+    let over =
+        |value: &dyn Fn(f64) -> f64| theta.iter().map(|theta| value(piston.own_angle(*theta))).collect();
+    let [_, (peak, at)] = gas.cylinder.extremes();
+    let period = gas.cylinder.period();
+    let half_off = (at + 0.5 * period).rem_euclid(period) - 0.5 * period;
+    let ratio = piston.ratio.value().abs();
+    let turn = 2.0 * PI;
+    let down = ((motion.bottom_dead_centre - motion.top_dead_centre) * ratio).rem_euclid(turn);
+    CylinderTorque {
+        cylinder: index + 1,
+        firing_angle: piston.firing,
+        gas: theta.iter().map(|theta| piston.torque(*theta, train.lever)).collect(),
+        inertia,
+        pressure: over(&|own| gas.cylinder.at(own)),
+        crankcase: over(&|own| gas.crankcase.at(own)),
+        volume: over(&|own| area * (motion.top - piston.travel(own))),
+        work: IndicatedWork {
+            swept: area * motion.stroke,
+            by_torque: piston.work(train.lever),
+            by_volume: piston.work_by_volume(&piston.force),
+            cylinder: area * piston.work_by_volume(&gas.cylinder),
+            gross: area * piston.work_between(&gas.cylinder, down - turn, down),
+            crankcase: -area * piston.work_by_volume(&gas.crankcase),
+        },
+        peak_pressure: Extreme { value: peak, theta: half_off },
+    }
+}
