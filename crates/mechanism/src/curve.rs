@@ -123,6 +123,12 @@ impl PeriodicCurve {
         a + u * (b + u * (c + u * d))
     }
 
+    /// Values at `from`, `from + step` and on, with `step` not negative: one walk along the pieces.
+    pub(crate) fn samples(&self, from: f64, step: f64) -> Samples<'_> {
+        let (piece, u) = self.place(from);
+        Samples { curve: self, piece, u, step, length: self::step(self.period, &self.knots, piece) }
+    }
+
     /// Derivative at `t`; at a knot that of the piece after it.
     pub fn slope(&self, t: f64) -> f64 {
         let (i, u) = self.place(t);
@@ -222,6 +228,31 @@ impl PeriodicCurve {
     /// The same curve, `by` later: its value at `t + by` is that of this curve at `t`.
     pub fn delayed(&self, by: f64) -> PeriodicCurve {
         PeriodicCurve { knots: self.knots.iter().map(|knot| knot + by).collect(), ..self.clone() }
+    }
+}
+
+/// A walk along a curve in equal steps.
+pub(crate) struct Samples<'a> {
+    curve: &'a PeriodicCurve,
+    piece: usize,
+    u: f64,
+    step: f64,
+    length: f64,
+}
+
+impl Samples<'_> {
+    /// The value here; then a step further.
+    #[inline]
+    pub fn next(&mut self) -> f64 {
+        while self.u >= self.length {
+            self.u -= self.length;
+            self.piece = if self.piece + 1 == self.curve.knots.len() { 0 } else { self.piece + 1 };
+            self.length = step(self.curve.period, &self.curve.knots, self.piece);
+        }
+        let [a, b, c, d] = self.curve.pieces[self.piece];
+        let u = self.u;
+        self.u += self.step;
+        a + u * (b + u * (c + u * d))
     }
 }
 

@@ -65,6 +65,16 @@ impl Breaks {
         self.0.windows(2).map(|pair| gauss(pair[0], pair[1], &function)).sum()
     }
 
+    /// The angles.
+    pub fn angles(&self) -> &[f64] {
+        &self.0
+    }
+
+    /// Integral of `function` from one angle to another with no break between them.
+    pub fn stretch(&self, from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
+        if to > from { gauss(from, to, function) } else { 0.0 }
+    }
+
     /// Largest and smallest value of `function` over the continuous angle.
     pub fn extremes(&self, function: impl Fn(f64) -> f64) -> Extremes {
         let largest = |sign: f64| {

@@ -26,10 +26,11 @@ use crate::motion::motion;
 use crate::orders::empty;
 use crate::request::LoadRequest;
 use crate::result::{CylinderMotion, OrderLoads};
+use crate::rod_force::RodForce;
 use crate::sampling::sampled_orders;
 use crate::series::slider_orders;
 use crate::torque_request::{Lever, TorqueError};
-use crate::train::{firing_period, linkage, master_of};
+use crate::train::{Piston, firing_period, linkage, master_of};
 use lanchester_model::{Engine, Ratio, RodJoint};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
@@ -121,6 +122,34 @@ impl GasPiston {
     pub fn work(&self, lever: Lever) -> f64 {
         let mut sum = 0.0;
         self.for_each_point(WIDEST, |own, force, weight| sum += weight * force * self.lever(own, lever));
+        sum
+    }
+
+    /// The same work by the forces in the rods: side thrust, force on the crankpin, lever of the throw; a master's thrust from its
+    /// articulated rods included.
+    pub fn work_by_rods(&self) -> f64 {
+        let zero = Complex64::ZERO;
+        // The rod without masses, its angle that of its crank from the (master's) axis.
+        let piston = Piston {
+            ratio: Ratio::ONE,
+            phase: 0.0,
+            drive: self.drive.clone(),
+            force: zero,
+            couple: zero,
+            roll: 0.0,
+            mass: 0.0,
+            inertia: 0.0,
+            knuckle: None,
+            crank_radius: self.radius,
+            analytic_margin: self.linkage.analytic_margin(),
+        };
+        let rod = RodForce::new(piston, self.linkage, 0.0);
+        let mut sum = 0.0;
+        self.for_each_point(WIDEST, |own, force, weight| {
+            let phi = self.phi(own);
+            let tangential = (rod.loads(phi, force).crankpin * Complex64::cis(-phi)).im;
+            sum += weight * self.sense() * self.radius * tangential;
+        });
         sum
     }
 

@@ -8,6 +8,9 @@
 //! What moves: [`motion`], [`exact_coefficients`], [`series_coefficients`]. Rigid parts, constant speed, no play.
 
 mod beam;
+mod bearing_plan;
+mod bearing_request;
+mod bearings;
 mod curve;
 mod diagnosis;
 mod drive;
@@ -15,6 +18,7 @@ mod energy;
 mod envelope;
 mod extremes;
 mod firing_chart;
+mod flywheel;
 mod gas;
 mod gas_train;
 mod internal;
@@ -25,6 +29,7 @@ mod motion;
 mod orders;
 mod peaks;
 mod point;
+mod power_curve;
 mod request;
 mod result;
 mod rod_force;
@@ -41,14 +46,19 @@ mod train;
 mod wording;
 
 pub use beam::{Beam, BeamModel};
+pub use bearing_plan::{BearingPlan, BearingTrace, RodTrace};
+pub use bearing_request::{BearingPart, BearingRequest};
+pub use bearings::*;
 pub use curve::{CurveError, End, PeriodicCurve};
 pub use energy::EnergyVariation;
 pub use firing_chart::*;
+pub use flywheel::*;
 pub use gas::CylinderGas;
 pub use gas_train::{GasTrain, merged_orders};
 pub use internal::*;
 pub use loads::{loads, total_loads};
 pub use motion::motion;
+pub use power_curve::{Brake, Friction, PowerCurve};
 pub use request::{Kinematics, LoadError, LoadRequest, PeakMode};
 pub use result::*;
 pub use rod_place::{RodLinkage, RodPlace, RodReach};

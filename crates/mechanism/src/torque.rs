@@ -15,7 +15,7 @@ use crate::torque_result::{
 use crate::train::{Mechanism, Piston, Selection};
 use lanchester_model::Engine;
 use num_complex::Complex64;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Stretches of a revolution within which no torque hides an extreme, at least.
 const STRETCHES: usize = 120;
@@ -206,16 +206,21 @@ fn indicated(
 ) -> Indicated {
     let sum = |part: fn(&IndicatedWork) -> f64| cylinders.iter().map(|c| part(&c.work)).sum::<f64>();
     let displacement = sum(|work| work.swept);
-    let piston_speed = |index: usize| {
-        let ratio = engine.crankshafts[engine.throws[engine.cylinders[index].throw].crankshaft].ratio;
-        train.motion[index].stroke * ratio.value().abs() * speed / PI
+    let ratio = |index: usize| {
+        let throw = &engine.throws[engine.cylinders[index].throw];
+        engine.crankshafts[throw.crankshaft].ratio.value().abs()
     };
+    let piston_speed =
+        |index: usize| Indicated::piston_speed(train.motion[index].stroke, ratio(index) * speed);
+    let cycle = TAU * f64::from(engine.strokes.revolutions());
+    let volumes = cylinders.iter().enumerate().map(|(index, c)| c.work.swept * ratio(index) / cycle);
     Indicated {
         torque: mean,
         power: mean * speed,
         displacement,
         imep: sum(|work| work.cylinder) / displacement,
         crankcase_mep: -sum(|work| work.crankcase) / displacement,
+        torque_per_mep: volumes.sum(),
         mean_piston_speed: (0..cylinders.len()).map(piston_speed).fold(0.0, f64::max),
         peak_pressure: cylinders.iter().map(|c| c.peak_pressure.value).fold(f64::NEG_INFINITY, f64::max),
     }
@@ -236,7 +241,7 @@ fn cylinder_torque(
     let period = gas.cylinder.period();
     let half_off = (at + 0.5 * period).rem_euclid(period) - 0.5 * period;
     let ratio = piston.ratio.value().abs();
-    let turn = 2.0 * PI;
+    let turn = TAU;
     let down = ((motion.bottom_dead_centre - motion.top_dead_centre) * ratio).rem_euclid(turn);
     CylinderTorque {
         cylinder: index + 1,
@@ -250,6 +255,7 @@ fn cylinder_torque(
             swept: area * motion.stroke,
             by_torque: piston.work(train.lever),
             by_volume: piston.work_by_volume(&piston.force),
+            by_rods: piston.work_by_rods(),
             cylinder: area * piston.work_by_volume(&gas.cylinder),
             gross: area * piston.work_between(&gas.cylinder, down - turn, down),
             crankcase: -area * piston.work_by_volume(&gas.crankcase),

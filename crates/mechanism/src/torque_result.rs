@@ -67,6 +67,8 @@ pub struct Indicated {
     pub imep: f64,
     /// Mean effective pressure of what is under the pistons [Pa], positive where it takes work from the crank.
     pub crankcase_mep: f64,
+    /// Torque a unit of mean effective pressure [m^3]: swept volumes over the angles of their cycles, at crankshaft 1.
+    pub torque_per_mep: f64,
     /// Mean piston speed of the fastest cylinder [m/s]: two strokes a revolution.
     pub mean_piston_speed: f64,
     /// Highest cylinder pressure of all cylinders [Pa], absolute.
@@ -124,6 +126,8 @@ pub struct IndicatedWork {
     pub by_torque: f64,
     /// Of the pressures over the volume: from their orders and those of the travel.
     pub by_volume: f64,
+    /// Of the force that the rods pass to the crankpin, through side thrust and rod, with the exact lever.
+    pub by_rods: f64,
     /// Of the gas in the cylinder alone; net.
     pub cylinder: f64,
     /// That between the bottom dead centres around firing: compression and power; gross.

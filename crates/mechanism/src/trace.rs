@@ -94,6 +94,44 @@ struct TurnTable {
 }
 
 impl AngleGrid {
+    /// `samples` equally spaced angles of each of the `revolutions`, for shafts of these ratios.
+    pub(crate) fn of(wanted: impl Iterator<Item = Ratio>, revolutions: u32, samples: usize) -> AngleGrid {
+        let count = samples * revolutions as usize;
+        let period = std::f64::consts::TAU * f64::from(revolutions);
+        let theta = (0..count).map(|j| period * j as f64 / count as f64).collect();
+        let mut ratios: Vec<Ratio> = Vec::new();
+        for ratio in wanted {
+            if !ratios.contains(&magnitude(ratio)) {
+                ratios.push(magnitude(ratio));
+            }
+        }
+        let tables = ratios
+            .into_iter()
+            .map(|ratio| {
+                let mut cos = vec![Lanes::all(1.0); count.div_ceil(WIDTH)];
+                let mut sin = vec![Lanes::ZERO; count.div_ceil(WIDTH)];
+                for j in 0..count {
+                    let entry = table_entry(ratio, revolutions, j, count);
+                    (cos[j / WIDTH].0[j % WIDTH], sin[j / WIDTH].0[j % WIDTH]) = entry;
+                }
+                TurnTable { ratio, cos, sin }
+            })
+            .collect();
+        AngleGrid { theta, tables }
+    }
+
+    /// Angles of crankshaft 1 [rad].
+    pub(crate) fn theta(&self) -> &[f64] {
+        &self.theta
+    }
+
+    /// `cos` and `sin` of table `place` at the angles of one block.
+    #[inline(always)]
+    pub(crate) fn turn(&self, place: usize, block: usize) -> (Lanes, Lanes) {
+        let table = &self.tables[place];
+        (table.cos[block], table.sin[block])
+    }
+
     /// Number of angles.
     pub fn len(&self) -> usize {
         self.theta.len()
@@ -105,7 +143,7 @@ impl AngleGrid {
     }
 
     /// Place of the table of a speed ratio.
-    fn place(&self, ratio: Ratio) -> usize {
+    pub(crate) fn place(&self, ratio: Ratio) -> usize {
         let size = magnitude(ratio);
         self.tables
             .iter()
@@ -163,19 +201,19 @@ impl RotorRow {
 
 /// A crankpin from its table: `C = r cos phi`, `S = r sin phi`, and the plain rod on it.
 #[derive(Debug, Clone, PartialEq)]
-struct CrankRow {
-    table: usize,
+pub(crate) struct CrankRow {
+    pub table: usize,
     /// `C = cos_cos * cos + cos_sin * sin`.
     cos_cos: f64,
     cos_sin: f64,
     sin_cos: f64,
     sin_sin: f64,
-    offset: f64,
+    pub offset: f64,
     length_squared: f64,
 }
 
 impl CrankRow {
-    fn of(piston: &Piston, slider: &Slider, grid: &AngleGrid) -> CrankRow {
+    pub fn of(piston: &Piston, slider: &Slider, grid: &AngleGrid) -> CrankRow {
         let sign = f64::from(piston.ratio.numerator().signum());
         let (sin, cos) = piston.phase.sin_cos();
         let (sin, cos) = (slider.radius * sin, slider.radius * cos);
@@ -245,27 +283,8 @@ pub struct TracePlan {
 impl Mechanism {
     /// `samples` equally spaced angles of every revolution, over one period from `theta = 0`.
     pub fn angle_grid(&self, samples: usize) -> AngleGrid {
-        let count = samples * self.revolutions as usize;
-        let theta = (0..count).map(|j| self.period() * j as f64 / count as f64).collect();
-        let mut ratios: Vec<Ratio> = Vec::new();
-        for ratio in self.rotors.iter().map(|r| r.ratio).chain(self.pistons.iter().map(|p| p.ratio)) {
-            if !ratios.contains(&magnitude(ratio)) {
-                ratios.push(magnitude(ratio));
-            }
-        }
-        let tables = ratios
-            .into_iter()
-            .map(|ratio| {
-                let mut cos = vec![Lanes::all(1.0); count.div_ceil(WIDTH)];
-                let mut sin = vec![Lanes::ZERO; count.div_ceil(WIDTH)];
-                for j in 0..count {
-                    let entry = table_entry(ratio, self.revolutions, j, count);
-                    (cos[j / WIDTH].0[j % WIDTH], sin[j / WIDTH].0[j % WIDTH]) = entry;
-                }
-                TurnTable { ratio, cos, sin }
-            })
-            .collect();
-        AngleGrid { theta, tables }
+        let ratios = self.rotors.iter().map(|r| r.ratio).chain(self.pistons.iter().map(|p| p.ratio));
+        AngleGrid::of(ratios, self.revolutions, samples)
     }
 
     /// Prepares the trace of this mechanism over `grid`.
@@ -376,19 +395,20 @@ struct TraceKernel<'a> {
 }
 
 /// A crankpin and the plain rod on it at eight angles.
-struct RodLanes {
-    c: Lanes,
-    s: Lanes,
-    root: Lanes,
-    k: Lanes,
-    k1: Lanes,
-    s1: Lanes,
-    s2: Lanes,
+pub(crate) struct RodLanes {
+    pub c: Lanes,
+    pub s: Lanes,
+    pub root: Lanes,
+    pub inverse: Lanes,
+    pub k: Lanes,
+    pub k1: Lanes,
+    pub s1: Lanes,
+    pub s2: Lanes,
 }
 
 impl CrankRow {
     #[inline(always)]
-    fn rod<const FMA: bool>(&self, cos: Lanes, sin: Lanes) -> RodLanes {
+    pub fn rod<const FMA: bool>(&self, cos: Lanes, sin: Lanes) -> RodLanes {
         let c = cos.times_plus::<FMA>(Lanes::all(self.cos_cos), sin * Lanes::all(self.cos_sin));
         let s = cos.times_plus::<FMA>(Lanes::all(self.sin_cos), sin * Lanes::all(self.sin_sin));
         let q = s - Lanes::all(self.offset);
@@ -398,7 +418,7 @@ impl CrankRow {
         let k1 = (q * k).times_plus::<FMA>(k, -s) * inverse;
         let s1 = q.taken_from::<FMA>(k, -s);
         let s2 = q.taken_from::<FMA>(k1, c.taken_from::<FMA>(k, -c));
-        RodLanes { c, s, root: square * inverse, k, k1, s1, s2 }
+        RodLanes { c, s, root: square * inverse, inverse, k, k1, s1, s2 }
     }
 }
 
@@ -491,10 +511,7 @@ impl TracePlan {
     #[inline(always)]
     fn sums<const FMA: bool>(&self, block: usize) -> [Lanes; 6] {
         let mut sums = [Lanes::ZERO; 6];
-        let at = |table: usize| {
-            let table = &self.grid.tables[table];
-            (table.cos[block], table.sin[block])
-        };
+        let at = |table: usize| self.grid.turn(table, block);
         for row in &self.rotors {
             let (cos, sin) = at(row.table);
             for (n, sum) in sums.iter_mut().enumerate() {

@@ -69,6 +69,7 @@ proptest! {
         for (cylinder, result) in engine.cylinders.iter().zip(&torque.cylinders) {
             let work = result.work;
             prop_assert!((work.by_torque - work.by_volume).abs() < 1e-9 * scale, "{work:?} {scale}");
+            prop_assert!((work.by_rods - work.by_volume).abs() < 1e-9 * scale, "{work:?} {scale}");
             prop_assert!((work.cylinder + work.crankcase - work.by_volume).abs() < 1e-9 * scale, "{work:?}");
             let ratio = engine.crankshafts[engine.throws[cylinder.throw].crankshaft].ratio.value();
             mean += work.by_volume * ratio.abs() / cycle(&engine);

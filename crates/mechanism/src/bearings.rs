@@ -1,0 +1,230 @@
+//! Loads of pistons, pins and bearings over the cycle, in the frames in which they wear.
+
+use crate::bearing_plan::{BearingPlan, BearingTrace};
+use crate::bearing_request::{BearingPart, BearingRequest};
+use crate::gas::CylinderGas;
+use crate::result::Extreme;
+use crate::rod_place::RodLinkage;
+use crate::torque_request::TorqueError;
+use lanchester_model::Engine;
+use num_complex::Complex64;
+use serde::Serialize;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const BEARINGS_VERSION: u32 = 1;
+
+/// Loads of all bearings at one speed.
+///
+/// No weight, no play, no friction, no oil film; rigid parts; main bearings throw by throw, as if the shaft were cut at each of them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BearingLoads {
+    /// [`BEARINGS_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Which loads count.
+    pub part: BearingPart,
+    /// Whether the weights on the crankshafts count.
+    pub counterweights: bool,
+    /// Period [rad] of crankshaft 1.
+    pub period: f64,
+    /// Crank angle [rad] of every trace, from 0, one period, end point excluded.
+    pub theta: Vec<f64>,
+    /// By cylinder.
+    pub cylinders: Vec<CylinderBearings>,
+    /// Main bearings: crankshaft 1 first, each from the free end on.
+    pub mains: Vec<MainBearing>,
+}
+
+/// Piston, pins and rod of one cylinder.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CylinderBearings {
+    /// Its number, from 1.
+    pub cylinder: usize,
+    /// Side thrust: piston on the cylinder wall along `v` [N].
+    pub side_thrust: Vec<f64>,
+    /// Largest of its sizes; `value` keeps the sign.
+    pub largest_thrust: Extreme,
+    /// Rod on the piston pin, `u + i v` of the cylinder frame [N].
+    pub piston_pin: PinLoad,
+    /// Rod on its lower pin, `x + i y` of the block's frame [N]: the crankpin, with all that a master's articulated rods bring, or
+    /// the knuckle pin of an articulated rod. The big-end masses count.
+    pub lower_pin: PinLoad,
+    /// The same on the crankpin along the throw, positive away from the crank axis [N]; empty for an articulated rod.
+    pub radial: Vec<f64>,
+    /// And across it, positive where it drives the crankshaft [N]: torque over crank radius. Empty for an articulated rod.
+    pub tangential: Vec<f64>,
+    /// The lower pin on the rod's bearing in the rod's frame, real part along the rod towards the piston [N].
+    pub rod_frame: Vec<Complex64>,
+}
+
+/// A main bearing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MainBearing {
+    /// Number of its crankshaft, from 1.
+    pub crankshaft: usize,
+    /// Its number on that crankshaft, from 1.
+    pub main: usize,
+    /// Its plane [m], from the origin.
+    pub z: f64,
+    /// Journal on the bearing, `x + i y` of the block's frame [N].
+    pub load: PinLoad,
+    /// Bearing on the journal in the journal's frame: real part along throw 1 of its crankshaft, imaginary part a quarter turn on in
+    /// the sense of increasing angles [N].
+    pub journal_frame: Vec<Complex64>,
+}
+
+/// A load over the cycle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PinLoad {
+    /// At every angle [N].
+    pub load: Vec<Complex64>,
+    /// Largest size and its angle, among the angles.
+    pub peak: Extreme,
+    /// Mean size [N].
+    pub mean: f64,
+}
+
+impl PinLoad {
+    fn of(load: Vec<Complex64>, theta: &[f64]) -> PinLoad {
+        let mut peak = Extreme::default();
+        let mut sum = 0.0;
+        for (force, theta) in load.iter().zip(theta) {
+            let size = force.norm();
+            sum += size;
+            if size > peak.value {
+                peak = Extreme { value: size, theta: *theta };
+            }
+        }
+        let mean = sum / load.len().max(1) as f64;
+        PinLoad { load, peak, mean }
+    }
+
+    /// Pressures on a bearing of this size.
+    pub fn pressure(&self, size: BearingSize) -> BearingPressure {
+        let area = size.diameter * size.width;
+        BearingPressure { size, mean: self.mean / area, peak: self.peak.value / area }
+    }
+}
+
+/// Size of a plain bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct BearingSize {
+    /// Diameter of the pin or journal [m].
+    pub diameter: f64,
+    /// Bearing width [m].
+    pub width: f64,
+}
+
+/// Load over the projected area `diameter * width` [Pa].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct BearingPressure {
+    /// Of which size.
+    pub size: BearingSize,
+    /// Mean over the cycle.
+    pub mean: f64,
+    /// Largest.
+    pub peak: f64,
+}
+
+/// Loads of the bearings of `engine` under `gas`, one entry a cylinder; `None`: of inertia alone.
+///
+/// # Errors
+/// As [`crate::torque`].
+pub fn bearing_loads(
+    engine: &Engine,
+    gas: Option<&[CylinderGas]>,
+    request: &BearingRequest,
+) -> Result<BearingLoads, TorqueError> {
+    let plan = BearingPlan::new(engine, gas, request)?;
+    let mut trace = BearingTrace::default();
+    plan.loads_into(&mut trace);
+    let theta = plan.grid.theta().to_vec();
+    let count = theta.len();
+    let cylinders = trace
+        .rods
+        .iter()
+        .enumerate()
+        .map(|(index, rod)| {
+            let complex = |c: &[Vec<f64>; 2]| joined(c, count);
+            let linkage = RodLinkage::new(engine, index)?;
+            let lower_pin = complex(&rod.lower_pin);
+            let [radial, tangential] = on_crankpin(engine, index, &theta, &lower_pin);
+            let rod_frame = theta
+                .iter()
+                .zip(&lower_pin)
+                .map(|(theta, force)| -force * Complex64::cis(-linkage.at(*theta).direction[0]))
+                .collect();
+            let side_thrust: Vec<f64> = rod.thrust[..count].iter().map(|thrust| -thrust).collect();
+            Ok(CylinderBearings {
+                cylinder: index + 1,
+                largest_thrust: largest(&side_thrust, &theta),
+                side_thrust,
+                piston_pin: PinLoad::of(complex(&rod.piston_pin), &theta),
+                radial,
+                tangential,
+                rod_frame,
+                lower_pin: PinLoad::of(lower_pin, &theta),
+            })
+        })
+        .collect::<Result<Vec<_>, TorqueError>>()?;
+    let mains = plan.mains.iter().zip(&trace.mains).enumerate().map(|(place, (&(crankshaft, z), load))| {
+        let before = plan.mains[..place].iter().filter(|main| main.0 == crankshaft).count();
+        let load = joined(load, count);
+        let shaft = &engine.crankshafts[crankshaft];
+        let journal = |(theta, force): (&f64, &Complex64)| {
+            -force * Complex64::cis(-(shaft.ratio.value() * theta + shaft.phase))
+        };
+        MainBearing {
+            crankshaft: crankshaft + 1,
+            main: before + 1,
+            z,
+            journal_frame: theta.iter().zip(&load).map(journal).collect(),
+            load: PinLoad::of(load, &theta),
+        }
+    });
+    let mains = mains.collect();
+    Ok(BearingLoads {
+        version: BEARINGS_VERSION,
+        engine: engine.name.clone(),
+        speed: plan.speed,
+        part: request.part,
+        counterweights: request.counterweights,
+        period: plan.period,
+        theta,
+        cylinders,
+        mains,
+    })
+}
+
+/// Forces on the crankpin along and across its throw; empty on a knuckle pin.
+fn on_crankpin(engine: &Engine, index: usize, theta: &[f64], forces: &[Complex64]) -> [Vec<f64>; 2] {
+    let cylinder = &engine.cylinders[index];
+    if crate::train::master_of(cylinder).is_some() {
+        return [Vec::new(), Vec::new()];
+    }
+    let ratio = engine.crankshafts[engine.throws[cylinder.throw].crankshaft].ratio;
+    let sense = f64::from(ratio.numerator().signum());
+    let turned = theta.iter().zip(forces).map(|(theta, force)| {
+        let on_pin = force * Complex64::cis(-engine.pin_angle(cylinder.throw, *theta));
+        (on_pin.re, sense * on_pin.im)
+    });
+    let (radial, tangential) = turned.unzip();
+    [radial, tangential]
+}
+
+fn joined([re, im]: &[Vec<f64>; 2], count: usize) -> Vec<Complex64> {
+    re[..count].iter().zip(im).map(|(re, im)| Complex64::new(*re, *im)).collect()
+}
+
+fn largest(values: &[f64], theta: &[f64]) -> Extreme {
+    let mut largest = Extreme::default();
+    for (value, theta) in values.iter().zip(theta) {
+        if value.abs() > largest.value.abs() {
+            largest = Extreme { value: *value, theta: *theta };
+        }
+    }
+    largest
+}
