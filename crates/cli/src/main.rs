@@ -17,6 +17,7 @@ mod search_arguments;
 mod search_request;
 mod shaft_option;
 mod shape_request;
+mod trace_files;
 mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};

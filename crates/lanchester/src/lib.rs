@@ -21,6 +21,7 @@ mod clearance;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
+mod pressure;
 pub mod validate;
 
 pub use arrangements::arrangements;
@@ -37,7 +38,11 @@ pub use counterweights::{
 };
 pub use crankshaft_parts::crankshaft_parts;
 pub use lanchester_balance as balance;
+pub use lanchester_cycle as cycle;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
+pub use pressure::{
+    CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas, trace_names,
+};

@@ -8,6 +8,7 @@
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
+use crate::gas::Gas;
 use crate::ratio::Ratio;
 use crate::shape_task::ShapeTask;
 use crate::task::BalanceTask;
@@ -47,6 +48,9 @@ pub struct Engine {
     /// Shapes among which counterweights are to be found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shape_task: Option<ShapeTask>,
+    /// Gas in the cylinders, if the file says something of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gas: Option<Gas>,
     /// What may be done to balance it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<BalanceTask>,

@@ -1,6 +1,7 @@
 //! The general form of an engine as an engine file.
 
 mod balance;
+mod gas;
 mod part;
 
 pub(crate) use part::shape_entries;
@@ -49,6 +50,7 @@ pub fn expanded(engine: &Engine) -> String {
     file.weights(engine);
     file.shape_task(engine);
     file.clearance(engine);
+    file.gas(engine);
     file.balance(engine);
     file.text
 }

@@ -26,11 +26,16 @@ pub(crate) enum Dimension {
     Density,
     Velocity,
     Acceleration,
+    Area,
+    Temperature,
+    Energy,
+    SpecificEnergy,
+    SpecificHeat,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub(crate) const ALL: [Dimension; 13] = [
+    pub(crate) const ALL: [Dimension; 18] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -44,6 +49,11 @@ impl Dimension {
         Dimension::Density,
         Dimension::Velocity,
         Dimension::Acceleration,
+        Dimension::Area,
+        Dimension::Temperature,
+        Dimension::Energy,
+        Dimension::SpecificEnergy,
+        Dimension::SpecificHeat,
     ];
 
     /// Name with its article, for messages.
@@ -62,6 +72,11 @@ impl Dimension {
             Dimension::Density => "a density",
             Dimension::Velocity => "a velocity",
             Dimension::Acceleration => "an acceleration",
+            Dimension::Area => "an area",
+            Dimension::Temperature => "a temperature",
+            Dimension::Energy => "an energy",
+            Dimension::SpecificEnergy => "an energy per mass",
+            Dimension::SpecificHeat => "a specific heat",
         }
     }
 
@@ -81,25 +96,33 @@ impl Dimension {
     }
 }
 
-/// A unit: `value in SI = number * 10^exponent * factor`.
+/// A unit: `value in SI = number * 10^exponent * factor + zero`.
 #[derive(Debug)]
 pub(crate) struct Unit {
     pub(crate) name: &'static str,
     pub(crate) dimension: Dimension,
     exponent: i32,
     factor: f64,
+    /// Where its scale begins, in SI: 0 but for temperatures.
+    zero: f64,
 }
 
 const fn unit(dimension: Dimension, name: &'static str, exponent: i32, factor: f64) -> Unit {
-    Unit { name, dimension, exponent, factor }
+    Unit { name, dimension, exponent, factor, zero: 0.0 }
+}
+
+const fn from_zero(dimension: Dimension, name: &'static str, factor: f64, zero: f64) -> Unit {
+    Unit { name, dimension, exponent: 0, factor, zero }
 }
 
 /// International pound [kg] and inch [m] (exact since 1959), standard gravity [m/s^2] (CGPM 1901).
 const POUND: f64 = 0.453_592_37;
 const INCH: f64 = 0.0254;
 const STANDARD_GRAVITY: f64 = 9.806_65;
+/// 0 degrees Celsius [K].
+const ICE_POINT: f64 = 273.15;
 
-static UNITS: [Unit; 51] = {
+static UNITS: [Unit; 66] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -153,11 +176,26 @@ static UNITS: [Unit; 51] = {
         unit(Velocity, "in/s", 0, INCH),
         unit(Acceleration, "m/s2", 0, 1.0),
         unit(Acceleration, "mm/s2", -3, 1.0),
+        unit(Area, "mm2", -6, 1.0),
+        unit(Area, "cm2", -4, 1.0),
+        unit(Area, "m2", 0, 1.0),
+        unit(Area, "in2", 0, INCH * INCH),
+        unit(Temperature, "K", 0, 1.0),
+        from_zero(Temperature, "degC", 1.0, ICE_POINT),
+        from_zero(Temperature, "degF", 1.0 / 1.8, ICE_POINT - 32.0 / 1.8),
+        unit(Energy, "J", 0, 1.0),
+        unit(Energy, "kJ", 3, 1.0),
+        unit(Energy, "ft lbf", 0, POUND * STANDARD_GRAVITY * 12.0 * INCH),
+        unit(SpecificEnergy, "MJ/kg", 6, 1.0),
+        unit(SpecificEnergy, "kJ/kg", 3, 1.0),
+        unit(SpecificEnergy, "J/kg", 0, 1.0),
+        unit(SpecificHeat, "J/kg/K", 0, 1.0),
+        unit(SpecificHeat, "kJ/kg/K", 3, 1.0),
     ]
 };
 
 /// Other spellings that people write, to be named in a hint; none is read.
-const SPELLINGS: [(&str, &str); 34] = [
+const SPELLINGS: [(&str, &str); 43] = [
     ("°", "deg"),
     ("degree", "deg"),
     ("degrees", "deg"),
@@ -192,6 +230,15 @@ const SPELLINGS: [(&str, &str); 34] = [
     ("lbs/in3", "lb/in3"),
     ("lb/cu in", "lb/in3"),
     ("lb/cu ft", "lb/ft3"),
+    ("C", "degC"),
+    ("°C", "degC"),
+    ("celsius", "degC"),
+    ("F", "degF"),
+    ("°F", "degF"),
+    ("kelvin", "K"),
+    ("J/(kg K)", "J/kg/K"),
+    ("J/kgK", "J/kg/K"),
+    ("kJ/(kg K)", "kJ/kg/K"),
 ];
 
 /// Why a text is no quantity of the dimension that is due.
@@ -235,7 +282,7 @@ pub(crate) fn parse(text: &str, dimension: Dimension, key: &str) -> Result<f64, 
             hint: format!("write it in {}", dimension.unit_list()),
         });
     }
-    match scaled(number, unit.exponent).map(|value| value * unit.factor) {
+    match scaled(number, unit.exponent).map(|value| value * unit.factor + unit.zero) {
         Some(value) if value.is_finite() => Ok(value),
         _ => Err(not_finite(key)),
     }
@@ -430,6 +477,11 @@ pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> 
         Dimension::Density => ("kg/m3", "kg/m3"),
         Dimension::Velocity => ("mm/s", "m/s"),
         Dimension::Acceleration => ("m/s2", "m/s2"),
+        Dimension::Area => ("mm2", "m2"),
+        Dimension::Temperature => ("K", "K"),
+        Dimension::Energy => ("J", "J"),
+        Dimension::SpecificEnergy => ("MJ/kg", "J/kg"),
+        Dimension::SpecificHeat => ("J/kg/K", "J/kg/K"),
     };
     let guess = guess + 0.0;
     neighbours(guess)
@@ -455,7 +507,7 @@ pub(crate) fn neighbours(value: f64) -> Vec<f64> {
 impl Unit {
     /// Texts that may read back as `value`, the shortest first.
     fn candidates(&self, value: f64) -> impl Iterator<Item = String> {
-        let number = value / self.factor;
+        let number = (value - self.zero) / self.factor;
         [Some(12), None].into_iter().map(move |digits| {
             let text = match digits {
                 Some(digits) => format!("{number:.digits$e}"),
@@ -502,7 +554,7 @@ pub(crate) fn readable(value: f64, dimension: Dimension) -> String {
         _ => dimension.units().next().map_or("", |unit| unit.name),
     };
     let Some(unit) = UNITS.iter().find(|unit| unit.name == name) else { return value.to_string() };
-    let number = value / unit.factor;
+    let number = (value - unit.zero) / unit.factor;
     format!("{} {name}", decimal(&format!("{number:.3e}"), -unit.exponent))
 }
 

@@ -8,6 +8,7 @@ mod crank_body;
 mod cylinder;
 mod design;
 mod firing;
+mod gas;
 mod geometry;
 mod layers;
 mod linkage;
@@ -98,6 +99,7 @@ impl<'a> Reader<'a> {
         let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len), &body);
         let shape_task = self.shape_task(&body);
         let envelope = self.clearance();
+        let gas = self.gas(strokes);
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
         if drafts.is_none() {
@@ -110,6 +112,7 @@ impl<'a> Reader<'a> {
         self.check_linkages(&drafts);
         self.check_body(&body, &drafts);
         self.check_bores(&envelope, &drafts);
+        self.check_gas(&drafts);
         self.check_sizes(&drafts);
 
         let middle = drafts.middle();
@@ -148,6 +151,7 @@ impl<'a> Reader<'a> {
             crank_body: body?,
             envelope: envelope?,
             shape_task: shape_task?,
+            gas: gas?,
             balance: None,
         };
         let origin = origin?;

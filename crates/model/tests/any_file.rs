@@ -8,9 +8,12 @@ use std::fmt::Write;
 /// A crankshaft as a body, counterweights as parts, a design and clearances: no template has them.
 const PARTS: &str = include_str!("files/crank-as-body.toml");
 
-/// Good engine files: the templates, and one more.
+/// Gas in the cylinders.
+const GAS: &str = include_str!("files/gas.toml");
+
+/// Good engine files: the templates, and two more.
 fn good_files() -> Vec<&'static str> {
-    templates().iter().map(|template| template.text).chain([PARTS, PARTS]).collect()
+    templates().iter().map(|template| template.text).chain([PARTS, PARTS, GAS, GAS]).collect()
 }
 
 fn survives(text: &str) -> Result<(), TestCaseError> {

@@ -34,7 +34,9 @@ fn schema() -> jsonschema::Validator {
 fn every_template_and_its_expanded_form_fit_the_schema() {
     let schema = schema();
     let parts = ("parts", include_str!("files/crank-as-body.toml"));
-    for (name, file) in templates().iter().map(|template| (template.name, template.text)).chain([parts]) {
+    let gas = ("gas", include_str!("files/gas.toml"));
+    let files = templates().iter().map(|template| (template.name, template.text)).chain([parts, gas]);
+    for (name, file) in files {
         let engine = read(file).engine.unwrap_or_else(|| panic!("{name} cannot be read"));
         for text in [file, &expanded(&engine)] {
             let errors: Vec<String> = schema

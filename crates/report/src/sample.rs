@@ -67,6 +67,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         crank_body: None,
         envelope: None,
         shape_task: None,
+        gas: None,
         balance: None,
     }
 }

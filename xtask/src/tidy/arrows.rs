@@ -4,10 +4,11 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 9] = [
+const ARROWS: [(&str, &[&str]); 10] = [
     ("lanchester-shape", &[]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
+    ("lanchester-cycle", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
     (
@@ -19,6 +20,7 @@ const ARROWS: [(&str, &[&str]); 9] = [
         &[
             "lanchester-model",
             "lanchester-mechanism",
+            "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",
             "lanchester-report",

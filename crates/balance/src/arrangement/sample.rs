@@ -53,6 +53,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         crank_body: None,
         envelope: None,
         shape_task: None,
+        gas: None,
         balance: None,
     }
 }

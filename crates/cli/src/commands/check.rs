@@ -5,8 +5,11 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, read_source};
 use crate::format::Format;
-use lanchester::model::{Diagnostic, Severity, read, render};
+use crate::trace_files::trace_files;
+use lanchester::cylinder_gas;
+use lanchester::model::{Diagnostic, Engine, Severity, read, render};
 use serde::Serialize;
+use std::path::Path;
 
 /// What is known of one file.
 #[derive(Serialize)]
@@ -16,6 +19,8 @@ struct Checked {
     /// Name of the engine, where the file is valid.
     engine: Option<String>,
     diagnostics: Vec<Diagnostic>,
+    /// What is wrong or doubtful with the gas, which only its computation tells.
+    gas: Vec<String>,
 }
 
 pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
@@ -38,11 +43,24 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         if reading.engine.is_none() {
             status = WRONG_INPUT;
         }
+        let (gas, has_gas_error) = match &reading.engine {
+            Some(engine) => gas(engine, path),
+            None => (Vec::new(), false),
+        };
+        if has_gas_error {
+            status = WRONG_INPUT;
+        }
+        if arguments.format == Format::Text {
+            for message in &gas {
+                eprintln!("{message}\n");
+            }
+        }
         checked.push(Checked {
             file: source.name,
-            valid: reading.engine.is_some(),
+            valid: reading.engine.is_some() && !has_gas_error,
             engine: reading.engine.map(|engine| engine.name),
             diagnostics: reading.diagnostics,
+            gas,
         });
     }
     print(&match arguments.format {
@@ -53,15 +71,34 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
     Ok(status)
 }
 
+/// What is said of the gas at the highest speed, and whether it is a mistake.
+fn gas(engine: &Engine, path: &Path) -> (Vec<String>, bool) {
+    if engine.gas.is_none() {
+        return (Vec::new(), false);
+    }
+    let report = trace_files(engine, path).and_then(|traces| {
+        cylinder_gas(engine, &traces, engine.speed.highest)
+            .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })
+    });
+    match report {
+        Ok(report) => (report.warnings.iter().map(|warning| format!("warning: {warning}")).collect(), false),
+        Err(failure) => (vec![failure.message], true),
+    }
+}
+
 fn text(checked: &[Checked]) -> String {
     let mut out = String::new();
     for file in checked {
         let errors =
             file.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count();
-        let warnings = file.diagnostics.len() - errors;
+        let (errors, warnings) = match (file.valid, &file.engine) {
+            (true, _) => (errors, file.diagnostics.len() - errors + file.gas.len()),
+            (false, Some(_)) => (file.gas.len(), file.diagnostics.len()),
+            (false, None) => (errors, file.diagnostics.len() - errors),
+        };
         let verdict = match &file.engine {
-            Some(engine) => format!("valid: {engine}"),
-            None => format!("{errors} {}", if errors == 1 { "mistake" } else { "mistakes" }),
+            Some(engine) if file.valid => format!("valid: {engine}"),
+            _ => format!("{errors} {}", if errors == 1 { "mistake" } else { "mistakes" }),
         };
         let warned = match warnings {
             0 => String::new(),

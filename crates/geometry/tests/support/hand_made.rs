@@ -141,6 +141,7 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         crank_body: None,
         envelope: Some(Envelope::default()),
         shape_task: None,
+        gas: None,
         balance: None,
     }
 }

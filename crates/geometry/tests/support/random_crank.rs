@@ -176,6 +176,7 @@ fn empty() -> Engine {
         crank_body: None,
         envelope: None,
         shape_task: None,
+        gas: None,
         balance: None,
     }
 }

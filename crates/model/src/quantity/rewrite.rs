@@ -18,7 +18,7 @@ pub(crate) fn rewritten(
     let (_, rest) = trimmed.split_at(number_length(trimmed));
     let unit = find_unit(rest.trim())?;
     // No negative zero.
-    let number = value / unit.factor + 0.0;
+    let number = (value - unit.zero) / unit.factor + 0.0;
     (0..=MOST_DIGITS)
         .map(|digits| format!("{}{rest}", decimal(&format!("{number:.digits$e}"), -unit.exponent)))
         .find(|text| parse(text, dimension, "").is_ok_and(&fits))

@@ -115,6 +115,8 @@ fn bounded(dimension: Dimension, bound: Bound) -> Value {
     let reference = format!("#/$defs/{}", definition_name(dimension));
     match bound {
         Bound::Any => json!({ "$ref": reference }),
+        // What counts from the ice point may be negative there.
+        _ if dimension == Dimension::Temperature => json!({ "$ref": reference }),
         Bound::NotNegative | Bound::Positive => json!({ "$ref": reference, "pattern": "^\\s*[^\\s-]" }),
     }
 }

@@ -5,6 +5,7 @@ mod clearance;
 mod crank_body;
 mod design;
 mod devices;
+mod gas;
 mod layout;
 mod part;
 mod train;
@@ -17,6 +18,7 @@ use balance::BALANCE;
 use clearance::CLEARANCE;
 use design::COUNTERWEIGHT_DESIGN;
 use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, MOUNT, SHAFT};
+use gas::GAS;
 use layout::LAYOUT;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
@@ -168,6 +170,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "What may be done to balance the engine, and what is wanted.",
             "{ minimise = [\"force\"] }",
+        ),
+        key(
+            "gas",
+            Kind::Table(&GAS),
+            Optional,
+            "Gas in the cylinders: measured traces, or a cycle to be computed.",
+            "{ cycle = { type = \"otto\" } }",
         ),
         key("mount", Kind::Tables(&MOUNT, MOST_MOUNTS), Optional, "Engine mounts.", "[{ name = \"front\" }]"),
         key(

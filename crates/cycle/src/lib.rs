@@ -1,0 +1,16 @@
+//! Gas in the cylinder: ideal cycles on the engine's own mechanism, and what the gas does there.
+//!
+//! Angles `psi` [rad] are those through which the cylinder's own crankshaft has turned since its firing top dead centre, in
+//! the sense of rotation; pressures are absolute. Curves are [`PeriodicCurve`](lanchester_mechanism::PeriodicCurve)s over them.
+#![forbid(unsafe_code)]
+
+mod error;
+mod ideal;
+mod indicated;
+mod pieces;
+mod volume;
+
+pub use error::CycleError;
+pub use ideal::{GasState, IdealCycle, ideal_cycle};
+pub use indicated::{Indicated, PvPoint, indicated, pressure_volume, work_between};
+pub use volume::CylinderVolume;
