@@ -4,13 +4,14 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 10] = [
+const ARROWS: [(&str, &[&str]); 11] = [
     ("lanchester-shape", &[]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
     ("lanchester-cycle", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
     (
         "lanchester-report",
         &["lanchester-model", "lanchester-mechanism", "lanchester-geometry", "lanchester-balance"],

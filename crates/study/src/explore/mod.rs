@@ -1,0 +1,33 @@
+//! Search over layouts: throw angles, firing order, bank angle, offset pins, rod ratio, counterweights, shafts.
+//!
+//! A [`Space`] is a product of lists. Its cases are numbered, and number and case determine each other, so that a run may
+//! be cut anywhere and memory does not grow with the number of cases. Equal layouts seen from another side are one
+//! ([`symmetry`]). [`Explorer`] judges cases; [`Exploration`] is what is known so far.
+
+mod candidate;
+mod constraint;
+mod counts;
+mod error;
+mod explorer;
+mod firing;
+mod front;
+mod kernel;
+mod layout;
+mod objective;
+mod parts;
+mod shaft_set;
+mod space;
+mod symmetry;
+mod walk;
+
+pub use candidate::Candidate;
+pub use constraint::Constraint;
+pub use counts::{Broken, Counts, Invalid, InvalidCount};
+pub use error::ExploreError;
+pub use explorer::{Exploration, ExploreRequest, Explorer, Run};
+pub use kernel::LayoutOrders;
+pub use layout::Layout;
+pub use objective::{Objective, Sense};
+pub use parts::Parts;
+pub use shaft_set::{Removes, ShaftDesign, ShaftSet};
+pub use space::{Banks, Choice, CounterweightPattern, Space, even_angles};
