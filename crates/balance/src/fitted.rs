@@ -73,7 +73,7 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
                 angle: phase - engine.crankshafts[crankshaft].phase,
                 part: None,
             }),
-            Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight { z: found.z, unbalance, phase }),
+            Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight::new(found.z, unbalance, phase)),
         }
     }
     fitted.shafts.extend(shafts.into_iter().filter(|shaft| !shaft.weights.is_empty()));

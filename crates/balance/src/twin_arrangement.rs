@@ -436,7 +436,7 @@ impl Reciprocating {
         let given = given.map(|amount| checked("unbalance of a shaft's weight", amount)).transpose()?;
         let weights = amounts
             .into_iter()
-            .map(|(z, u)| ShaftWeight { z, unbalance: given.unwrap_or(u.norm()), phase: u.arg() })
+            .map(|(z, u)| ShaftWeight::new(z, given.unwrap_or(u.norm()), u.arg()))
             .collect();
         let ratio = Ratio::whole(ratio).expect("invariant: orders 1 and 2 in either sense are not 0");
         Ok(Some(BalanceShaft { name: name.to_string(), ratio, x, y, weights }))

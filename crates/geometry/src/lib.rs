@@ -25,5 +25,8 @@ mod shaft_weight;
 
 pub use counterweight_properties::{counterweight_properties, plain_web};
 pub use design::*;
+pub use lanchester_model::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
 pub use lanchester_shape::*;
-pub use shaft_weight::{ShaftWeightAim, ShaftWeightDesign, ShaftWeightOutcome, ShaftWeightTask};
+pub use shaft_weight::{
+    NearestShaftWeight, ShaftWeightDesign, ShaftWeightLimit, ShaftWeightOutcome, best_shaft_weight, shaft_solids,
+};

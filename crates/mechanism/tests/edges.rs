@@ -6,7 +6,7 @@ use lanchester_model::{BalanceShaft, Crankshaft, Ratio, ShaftWeight};
 use support::{assert_close, crankshaft, engine, in_line};
 
 fn shaft(numerator: i32, denominator: u32) -> BalanceShaft {
-    let weights = vec![ShaftWeight { z: 0.1, unbalance: 0.01, phase: 0.3 }];
+    let weights = vec![ShaftWeight::new(0.1, 0.01, 0.3)];
     BalanceShaft {
         name: "shaft".into(),
         ratio: Ratio::new(numerator, denominator).expect("not 0"),

@@ -10,6 +10,7 @@
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
 use crate::gas::Gas;
 use crate::ratio::Ratio;
+use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
 use crate::shape_task::ShapeTask;
 use crate::task::BalanceTask;
 use serde::Serialize;
@@ -51,6 +52,9 @@ pub struct Engine {
     /// Gas in the cylinders, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas: Option<Gas>,
+    /// Shapes among which the weights of balance shafts are to be found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shaft_weight_task: Option<ShaftWeightTask>,
     /// What may be done to balance it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub balance: Option<BalanceTask>,
@@ -276,6 +280,17 @@ pub struct BalanceShaft {
     pub weights: Vec<ShaftWeight>,
 }
 
+impl BalanceShaft {
+    /// Name of its weight `index`: "left weight 1", or that of the shaft where it has one weight.
+    pub fn weight_name(&self, index: usize) -> String {
+        if self.weights.len() == 1 {
+            self.name.clone()
+        } else {
+            format!("{} weight {}", self.name, index + 1)
+        }
+    }
+}
+
 /// A weight on a balance shaft.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ShaftWeight {
@@ -285,6 +300,16 @@ pub struct ShaftWeight {
     pub unbalance: f64,
     /// Direction at `theta = 0` [rad]: it stands at `ratio * theta + phase`.
     pub phase: f64,
+    /// The part that it is, where the file gives its shape: the unbalance is that of the part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<ShaftWeightPart>,
+}
+
+impl ShaftWeight {
+    /// A weight in the plane `z` [m] with this unbalance [kg m] and direction at `theta = 0` [rad], of no particular shape.
+    pub fn new(z: f64, unbalance: f64, phase: f64) -> ShaftWeight {
+        ShaftWeight { z, unbalance, phase, part: None }
+    }
 }
 
 /// An engine mount.

@@ -3,8 +3,10 @@
 mod balance;
 mod gas;
 mod part;
+mod shaft_part;
 
 pub(crate) use part::shape_entries;
+pub(crate) use shaft_part::shaft_shape;
 
 use crate::angle;
 use crate::engine::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Strokes, Throw};
@@ -49,6 +51,7 @@ pub fn expanded(engine: &Engine) -> String {
     }
     file.weights(engine);
     file.shape_task(engine);
+    file.shaft_weight_task(engine);
     file.clearance(engine);
     file.gas(engine);
     file.balance(engine);
@@ -207,17 +210,7 @@ impl File {
             self.entry("ratio", &ratio(shaft.ratio));
             self.entry("x", &quantity(shaft.x, Dimension::Length));
             self.entry("y", &quantity(shaft.y, Dimension::Length));
-            let mut list = String::new();
-            for weight in &shaft.weights {
-                // Writing to a string cannot fail.
-                let _ = writeln!(
-                    list,
-                    "    {{ z = {}, unbalance = {}, phase = {} }},",
-                    quantity(weight.z, Dimension::Length),
-                    quantity(weight.unbalance, Dimension::Unbalance),
-                    quantity(weight.phase, Dimension::Angle)
-                );
-            }
+            let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
             self.entry("weights", &format!("[\n{list}]"));
         }
         for mount in &engine.mounts {

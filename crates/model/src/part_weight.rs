@@ -43,7 +43,7 @@ const ROUNDING: f64 = 1e-12;
 /// Couples below this share of mass times swept radius times thickness are none.
 const NO_COUPLE: f64 = 1e-9;
 /// Unbalance [kg m] and place [m] beyond which no engine goes.
-const LARGEST: f64 = 1e12;
+pub(crate) const LARGEST: f64 = 1e12;
 
 impl Engine {
     /// What `part` weighs as a counterweight of this engine.

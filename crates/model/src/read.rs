@@ -18,6 +18,7 @@ mod part;
 mod places;
 mod rod;
 mod shaft;
+mod shaft_part;
 mod sizes;
 mod weights;
 
@@ -98,6 +99,7 @@ impl<'a> Reader<'a> {
         let body = self.crank_body();
         let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len), &body);
         let shape_task = self.shape_task(&body);
+        let shaft_weight_task = self.shaft_weight_task();
         let envelope = self.clearance();
         let gas = self.gas(strokes);
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
@@ -152,6 +154,7 @@ impl<'a> Reader<'a> {
             envelope: envelope?,
             shape_task: shape_task?,
             gas: gas?,
+            shaft_weight_task: shaft_weight_task?,
             balance: None,
         };
         let origin = origin?;

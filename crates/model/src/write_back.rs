@@ -12,9 +12,10 @@ mod splice;
 
 use crate::diagnostic::Diagnostic;
 use crate::engine::Engine;
-use crate::quantity::{Dimension, parse};
+use crate::expanded::{quantity, quoted};
+use crate::quantity::{Dimension, parse, rewritten};
 use crate::read::{read, read_with_origin};
-use amount::{Units, same_amount};
+use amount::{Units, same_amount, same_place};
 use counterweights::CounterweightWriter;
 pub use difference::difference;
 use entry::{Entry, List};
@@ -37,13 +38,15 @@ pub enum WriteBackError {
         diagnostics: Vec<Diagnostic>,
     },
     /// A shape that an engine file has no words for, such as an insert that reaches neither face.
-    #[error("the shape of the counterweight {name} cannot be said in an engine file")]
+    #[error("the shape of {name} cannot be said in an engine file")]
     Shape {
-        /// Name of the counterweight.
+        /// Name of the weight.
         name: String,
     },
 }
 
+/// What a weight may differ from its part, relatively, in thicknesses and in radians: more is another weight.
+const PART: f64 = 1e-9;
 /// What the unbalance of a written shape may miss, relatively.
 const SHAPE: f64 = 1e-9;
 
@@ -77,17 +80,31 @@ pub fn write_back(text: &str, fitted: &Engine) -> Result<String, WriteBackError>
 
 /// Whether every weight that is a part has its unbalance in `read` too.
 fn shapes_are_kept(read: &Engine, fitted: &Engine) -> Result<(), WriteBackError> {
+    for shaft in &fitted.shafts {
+        for (index, weight) in shaft.weights.iter().enumerate().filter(|(_, weight)| weight.part.is_some()) {
+            let is_there = read.shafts.iter().filter(|other| other.name == shaft.name).any(|other| {
+                other.weights.get(index).is_some_and(|other| is_shape(other.unbalance, weight.unbalance))
+            });
+            if !is_there {
+                return Err(WriteBackError::Shape { name: shaft.weight_name(index) });
+            }
+        }
+    }
     for weight in fitted.counterweights.iter().filter(|weight| weight.part.is_some()) {
-        let is_there = read.counterweights.iter().any(|other| {
-            other.name == weight.name
-                && (other.unbalance - weight.unbalance).abs()
-                    <= SHAPE * weight.unbalance.max(f64::MIN_POSITIVE)
-        });
+        let is_there = read
+            .counterweights
+            .iter()
+            .any(|other| other.name == weight.name && is_shape(other.unbalance, weight.unbalance));
         if !is_there {
             return Err(WriteBackError::Shape { name: weight.name.clone() });
         }
     }
     Ok(())
+}
+
+/// Whether a shape that was read has the unbalance that was written.
+fn is_shape(read: f64, written: f64) -> bool {
+    (read - written).abs() <= SHAPE * written.max(f64::MIN_POSITIVE)
 }
 
 /// The new text and its engine; `exact`: with all digits of shapes.
@@ -107,7 +124,7 @@ fn written(text: &str, fitted: &Engine, exact: bool) -> Result<(String, Engine),
         let line_end = splices.line_end;
         let writer = CounterweightWriter { engine: &engine, origin, units: &units, line_end, exact };
         writer.write(root, &weights, &fitted.counterweights, &mut splices);
-        let writer = ShaftWriter { engine: &engine, origin, units: &units };
+        let writer = ShaftWriter { engine: &engine, origin, units: &units, exact };
         writer.write(&shafts, &fitted.shafts, &mut splices);
     }
     let text = splices.apply();
@@ -144,6 +161,51 @@ fn matches<T>(
         }
     }
     found
+}
+
+/// Writes the shape of a part into the entry of a weight. The unbalance that the entry has stays as the wanted one, or becomes `wanted`;
+/// `now` is what mass and radius say.
+fn set_shape(
+    entry: Entry<'_>,
+    now: f64,
+    wanted: Option<f64>,
+    shape: &str,
+    place_key: &'static str,
+    units: &Units<'_>,
+    splices: &mut Splices<'_>,
+) {
+    let fits = |unbalance: f64| move |read: f64| same_amount(read, unbalance);
+    if entry.has("mass") {
+        let unbalance = wanted.unwrap_or(now);
+        let value = units.new_value("unbalance", unbalance, Dimension::Unbalance, fits(unbalance));
+        entry.exchange("mass", "unbalance", &value, splices);
+        entry.unset("radius", splices);
+    } else if let Some(wanted) = wanted {
+        let old = entry.text("unbalance").and_then(|text| parse(text, Dimension::Unbalance, "").ok());
+        if !old.is_some_and(|old| same_amount(old, wanted)) {
+            let value = units.value(entry, "unbalance", wanted, Dimension::Unbalance, fits(wanted), splices);
+            entry.set("unbalance", &value, &[place_key], splices);
+        }
+    }
+    let behind = ["angle", "phase", "unbalance", "mass", place_key];
+    if entry.has("shape") && !entry.has_inline("shape") {
+        entry.unset_table("shape", splices);
+        entry.add("shape", shape, &behind, splices);
+    } else {
+        entry.set("shape", shape, &behind, splices);
+    }
+}
+
+/// A dimension of a shape as text; `exact`: to the last digit.
+fn dimension_text(value: f64, dimension: Dimension, exact: bool) -> String {
+    let unit = match dimension {
+        Dimension::Length => "0 mm",
+        Dimension::Angle => "0 deg",
+        Dimension::Density => "0 kg/m3",
+        _ => return quantity(value, dimension),
+    };
+    let fits = |read: f64| if exact { read == value } else { same_place(read, value) };
+    quoted(&rewritten(unit, value, dimension, fits).unwrap_or_default())
 }
 
 /// Sets the unbalance of a weight; mass and radius stay mass and radius if they can.

@@ -3,8 +3,10 @@
 #[path = "support/written.rs"]
 mod written;
 
-use lanchester_model::{BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight, WriteBackError, write_back};
-use lanchester_shape::{CounterweightShape, Insert, Point};
+use lanchester_model::{
+    BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight, ShaftWeightPart, WriteBackError, write_back,
+};
+use lanchester_shape::{CounterweightShape, Insert, Point, ShaftWeightShape};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
 use written::{
@@ -53,6 +55,7 @@ fn every_template_takes_other_weights_and_shafts() {
             for weight in fitted.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights) {
                 weight.unbalance *= PI;
                 weight.phase -= 0.1;
+                weight.part = None;
             }
             fitted.counterweights.push(Counterweight {
                 name: "flywheel".into(),
@@ -62,10 +65,8 @@ fn every_template_takes_other_weights_and_shafts() {
                 angle: -1.0,
                 part: None,
             });
-            let weights = vec![
-                ShaftWeight { z: -0.05, unbalance: 0.0123456789012, phase: 2.0 },
-                ShaftWeight { z: 0.05, unbalance: 0.01, phase: 0.0 },
-            ];
+            let weights =
+                vec![ShaftWeight::new(-0.05, 0.0123456789012, 2.0), ShaftWeight::new(0.05, 0.01, 0.0)];
             let ratio = Ratio::new(-1, 2).expect("no 0");
             fitted.shafts.push(BalanceShaft { name: "new".into(), ratio, x: 0.1, y: -0.2, weights });
             if let Err(problem) = check(&text, &fitted) {
@@ -226,13 +227,13 @@ shaft = [{ ratio = 2, y = \"1 cm\", weights = [{ z = \"0 mm\", mass = \"1 g\", r
         engine.counterweights[0].angle += 0.5_f64.to_radians();
         engine.counterweights.push(weight("web 3", 3));
         engine.shafts[0].weights[0].unbalance = 0.01;
-        engine.shafts[0].weights.push(ShaftWeight { z: 0.01, unbalance: 0.02, phase: PI });
+        engine.shafts[0].weights.push(ShaftWeight::new(0.01, 0.02, PI));
         engine.shafts.push(BalanceShaft {
             name: "other".into(),
             ratio: Ratio::whole(-2).expect("no 0"),
             x: 0.0,
             y: -0.01,
-            weights: vec![ShaftWeight { z: 0.01, unbalance: 0.02, phase: PI }; 2],
+            weights: vec![ShaftWeight::new(0.01, 0.02, PI); 2],
         });
     });
     let wanted = "counterweight = [
@@ -277,8 +278,8 @@ weights = [
     let ounce_inch = 0.453_592_37 / 16.0 * 0.0254;
     let new = rewritten(tail, |engine| {
         engine.shafts[0].weights[1].unbalance = 2.0 * ounce_inch;
-        engine.shafts[0].weights.push(ShaftWeight { z: 0.0254, unbalance: 3.0 * ounce_inch, phase: 0.0 });
-        engine.shafts[1].weights.push(ShaftWeight { z: 0.0, unbalance: ounce_inch, phase: 0.0 });
+        engine.shafts[0].weights.push(ShaftWeight::new(0.0254, 3.0 * ounce_inch, 0.0));
+        engine.shafts[1].weights.push(ShaftWeight::new(0.0, ounce_inch, 0.0));
     });
     assert!(
         new.contains("unbalance = \"2 oz in\" # of the second\n\n[[shaft.weights]]\nz = \"25.4 mm\""),
@@ -426,6 +427,88 @@ fn engine_plane(weight: &Counterweight) -> f64 {
 }
 
 #[test]
+fn the_shape_of_a_shafts_weight_comes_changes_and_goes() {
+    let tail = "
+[[shaft]]
+ratio = -1
+weights = [
+    { z = \"0 mm\", unbalance = \"40 g cm\", phase = \"180 deg\" },  # by the optimum
+    { z = \"30 mm\", mass = \"0.2 kg\", radius = \"20 mm\" },
+]
+[[shaft]]
+name = \"rear\"
+ratio = 2
+[[shaft.weights]]
+z = \"5 mm\"
+unbalance = \"1 kg mm\" # wanted
+[shaft.weights.shape] # found
+shaft_diameter = \"20 mm\"
+radius = \"30 mm\" # room
+length = \"20 mm\"
+density = \"7850 kg/m3\"
+";
+    let part = |radius: f64, length: f64, wanted: f64| ShaftWeightPart {
+        shape: ShaftWeightShape { shaft_radius: 0.01, radius, chord: 0.002 },
+        length,
+        density: 7850.0,
+        wanted: Some(wanted),
+    };
+    let put = |weight: &mut ShaftWeight, part: ShaftWeightPart| {
+        (weight.unbalance, weight.part) = (part.unbalance(), Some(part));
+    };
+    let found = rewritten(tail, |engine| {
+        put(&mut engine.shafts[0].weights[0], part(0.03, 0.01 / 3.0, 0.0004));
+        put(&mut engine.shafts[0].weights[1], part(0.025, 0.0125, 0.004));
+        put(&mut engine.shafts[1].weights[0], part(0.02, 0.02, 0.001));
+    });
+    let shape = |radius: u32, length: &str| {
+        format!(
+            "shape = {{ shaft_diameter = \"20 mm\", radius = \"{radius} mm\", chord = \"2 mm\", length = \"{length} mm\", \
+             density = \"7850 kg/m3\" }}"
+        )
+    };
+    let wanted = format!(
+        "
+[[shaft]]
+ratio = -1
+weights = [
+    {{ z = \"0 mm\", unbalance = \"40 g cm\", phase = \"180 deg\", {} }},  # by the optimum
+    {{ z = \"30 mm\", unbalance = \"400 g cm\", {} }},
+]
+[[shaft]]
+name = \"rear\"
+ratio = 2
+[[shaft.weights]]
+z = \"5 mm\"
+unbalance = \"1 kg mm\" # wanted
+{}
+# found
+# room
+",
+        shape(30, "3.3333333333"),
+        shape(25, "12.5"),
+        shape(20, "20")
+    );
+    assert_eq!(found, wanted);
+    // Another amount takes the shape out again.
+    let bare = rewritten(tail, |engine| {
+        engine.shafts[1].weights[0] = ShaftWeight::new(0.005, 0.002, 0.0);
+    });
+    assert!(
+        bare.contains("unbalance = \"2 kg mm\" # wanted\n# found\n# room\n") && !bare.contains("shape"),
+        "{bare}"
+    );
+    // The number that the part has leaves it alone, and a new weight brings its shape along.
+    let more = rewritten(tail, |engine| {
+        engine.shafts[1].weights[0].part = None;
+        let mut new = ShaftWeight::new(0.1, 0.0, 1.0);
+        put(&mut new, part(0.02, 0.02, 0.001));
+        engine.shafts[1].weights.push(new);
+    });
+    assert!(more.contains("shape] # found") && more.contains(&shape(20, "20")), "{more}");
+}
+
+#[test]
 fn a_part_whose_amount_was_changed_is_a_number() {
     let mut fitted = engine(PARTS);
     fitted.counterweights[0].unbalance *= 1.05;
@@ -505,8 +588,19 @@ proptest! {
             fitted.counterweights.push(Counterweight { name, crankshaft: 0, z, unbalance, angle, part: None });
         }
         for (k, (weights, x)) in shafts.into_iter().enumerate() {
-            let weights: Vec<ShaftWeight> =
-                weights.into_iter().map(|(z, unbalance, phase)| ShaftWeight { z, unbalance, phase }).collect();
+            let weights: Vec<ShaftWeight> = weights
+                .into_iter()
+                .enumerate()
+                .map(|(number, (z, unbalance, phase))| {
+                    if number > 0 {
+                        return ShaftWeight::new(z, unbalance, phase);
+                    }
+                    let shape = ShaftWeightShape { shaft_radius: height + 0.001, radius: arc_radius, chord: -height };
+                    let part =
+                        ShaftWeightPart { shape, length: thickness, density: 7200.0, wanted: Some(unbalance) };
+                    ShaftWeight { z, unbalance: part.unbalance(), phase, part: Some(part) }
+                })
+                .collect();
             match fitted.shafts.get_mut(k) {
                 Some(shaft) => (shaft.weights, shaft.x) = (weights, x),
                 None => {

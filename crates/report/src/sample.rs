@@ -68,6 +68,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        shaft_weight_task: None,
         balance: None,
     }
 }
@@ -81,7 +82,7 @@ pub fn twin() -> Engine {
         ratio: Ratio::whole(-1).unwrap(),
         x: 0.0,
         y: 0.1,
-        weights: vec![ShaftWeight { z: 0.0, unbalance: 0.047, phase: 0.5 * TAU }],
+        weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
     });
     engine.mounts = vec![
         Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0 },

@@ -54,6 +54,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        shaft_weight_task: None,
         balance: None,
     }
 }

@@ -170,7 +170,7 @@ impl ThreeCylinderRule {
             }
         };
         let half = 0.5 * self.shaft_length;
-        let weight = |z: f64, u: Complex64| ShaftWeight { z, unbalance: u.norm(), phase: u.arg() };
+        let weight = |z: f64, u: Complex64| ShaftWeight::new(z, u.norm(), u.arg());
         fitted.shafts.push(BalanceShaft {
             name: "balancer".to_owned(),
             ratio: Ratio::whole(-1).expect("invariant: an order is not 0"),
@@ -248,7 +248,7 @@ impl FourCylinderRule {
                 ratio: Ratio::whole(2 * sense).expect("invariant: an order is not 0"),
                 x,
                 y,
-                weights: vec![ShaftWeight { z: 0.0, unbalance: unbalance.norm(), phase: unbalance.arg() }],
+                weights: vec![ShaftWeight::new(0.0, unbalance.norm(), unbalance.arg())],
             });
         }
         // Unbalances at twice crank speed: over w^2 they are four times as large.

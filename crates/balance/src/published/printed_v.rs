@@ -124,7 +124,7 @@ fn add_pair(engine: &mut Engine, order: i32, y: [f64; 2], weights: impl Fn(i32) 
             y,
             weights: weights(sense)
                 .into_iter()
-                .map(|(z, unbalance, phase)| ShaftWeight { z, unbalance, phase })
+                .map(|(z, unbalance, phase)| ShaftWeight::new(z, unbalance, phase))
                 .collect(),
         });
     }

@@ -72,7 +72,7 @@ impl ShaftPair {
                 y,
                 weights: unbalances
                     .into_iter()
-                    .map(|(z, u)| ShaftWeight { z, unbalance: u.norm(), phase: u.arg() })
+                    .map(|(z, u)| ShaftWeight::new(z, u.norm(), u.arg()))
                     .collect(),
             });
             largest / self.radius

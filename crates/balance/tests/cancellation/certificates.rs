@@ -65,7 +65,7 @@ fn repaired(engine: &Engine, task: &BalanceTask, change: &[Complex64]) -> Option
                 angle: phase - engine.crankshafts[crankshaft].phase,
                 part: None,
             }),
-            Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight { z, unbalance, phase }),
+            Seat::Shaft(shaft) => shafts[shaft].weights.push(ShaftWeight::new(z, unbalance, phase)),
         }
     }
     carrier.shafts.extend(shafts.into_iter().filter(|s| !s.weights.is_empty()));

@@ -22,6 +22,7 @@ mod overlap;
 mod result;
 mod search;
 mod section;
+mod swept;
 mod turning_body;
 
 pub use clearance_model::ClearanceModel;
@@ -32,3 +33,4 @@ pub use result::{
     Obstacle, Overlap, Smallest, SweptRoom,
 };
 pub use search::CLEARANCE_GAP;
+pub use swept::{SweptOverlap, swept_overlaps};

@@ -142,6 +142,7 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         envelope: Some(Envelope::default()),
         shape_task: None,
         gas: None,
+        shaft_weight_task: None,
         balance: None,
     }
 }

@@ -177,6 +177,7 @@ fn empty() -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        shaft_weight_task: None,
         balance: None,
     }
 }

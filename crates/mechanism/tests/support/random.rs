@@ -73,7 +73,7 @@ prop_compose! {
         x in -0.2..0.2f64, y in -0.2..0.2f64,
         weights in prop::collection::vec((-0.3..0.3f64, 0.0..0.02f64, angle()), 1..3),
     ) -> BalanceShaft {
-        let weights = weights.into_iter().map(|(z, unbalance, phase)| ShaftWeight { z, unbalance, phase }).collect();
+        let weights = weights.into_iter().map(|(z, unbalance, phase)| ShaftWeight::new(z, unbalance, phase)).collect();
         BalanceShaft { name: "shaft".into(), ratio: Ratio::new(ratio.0, ratio.1).expect("not 0"), x, y, weights }
     }
 }

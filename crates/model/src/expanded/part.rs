@@ -135,7 +135,7 @@ impl File {
     }
 }
 
-fn range_text(range: Range, dimension: Dimension) -> String {
+pub(super) fn range_text(range: Range, dimension: Dimension) -> String {
     if range.least == range.most {
         return quantity(range.least, dimension);
     }

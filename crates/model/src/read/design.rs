@@ -29,15 +29,8 @@ impl<'a> Reader<'a> {
             web_radius = self.or_of_body(section, "web_radius", web_radius, fixed, hint("web_radius"));
         }
         let [rectangle_height, arc_radius, arc_angle, thickness] =
-            ["rectangle_height", "arc_radius", "arc_angle", "thickness"].map(|key| {
-                let range = self.design_range(section, key);
-                if range == Some(None) {
-                    let header = section.title();
-                    let message = format!("`{key}` is missing in {header}");
-                    self.missing(section.span.clone(), message, section.example(key));
-                }
-                range.flatten()
-            });
+            ["rectangle_height", "arc_radius", "arc_angle", "thickness"]
+                .map(|key| self.required_range(section, key));
         let shoulder = self.design_shoulder(section);
         let limits = self.design_limits(section);
         let [least, most] = balance?.unwrap_or([1.0; 2]);
@@ -85,7 +78,18 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn design_range(&mut self, section: &Section, key: &str) -> Option<Option<Range>> {
+    /// A range that must be there.
+    pub(super) fn required_range(&mut self, section: &Section, key: &str) -> Option<Range> {
+        let range = self.design_range(section, key);
+        if range == Some(None) {
+            let header = section.title();
+            let message = format!("`{key}` is missing in {header}");
+            self.missing(section.span.clone(), message, section.example(key));
+        }
+        range.flatten()
+    }
+
+    pub(super) fn design_range(&mut self, section: &Section, key: &str) -> Option<Option<Range>> {
         Some(self.range_of(section, key)?.map(|[least, most]| Range::new(least, most)))
     }
 

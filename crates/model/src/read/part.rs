@@ -62,14 +62,7 @@ impl<'a> Reader<'a> {
         shape: &'a Section,
         body: &MaybeBody,
     ) -> Option<DraftPart> {
-        for key in ["mass", "radius"].into_iter().filter(|key| weight.has(key)) {
-            self.two_sources(weight, "shape", key, "the unbalance of the weight");
-        }
-        let wanted = match weight.number("unbalance") {
-            Field::Given(spot) => Some(Some(spot.value)),
-            Field::Absent => Some(None),
-            Field::Bad => None,
-        };
+        let wanted = self.wanted_unbalance(weight);
         let known_body = body.as_ref().and_then(Option::as_ref);
         let thickness = self.required(shape, "thickness", shape.number("thickness"));
         let density = match self.density(shape) {
@@ -141,6 +134,18 @@ impl<'a> Reader<'a> {
         }
         let wanted_span = weight.value_span("unbalance");
         is_good.then_some(DraftPart { form, part, wanted: wanted?, span: shape.span.clone(), wanted_span })
+    }
+
+    /// The unbalance that a weight with a shape should have; the outer `None` says bad, the inner one absent.
+    pub(super) fn wanted_unbalance(&mut self, weight: &Section) -> Option<Option<f64>> {
+        for key in ["mass", "radius"].into_iter().filter(|key| weight.has(key)) {
+            self.two_sources(weight, "shape", key, "the unbalance of the weight");
+        }
+        match weight.number("unbalance") {
+            Field::Given(spot) => Some(Some(spot.value)),
+            Field::Absent => Some(None),
+            Field::Bad => None,
+        }
     }
 
     /// The web's disc is of the web's density: nothing of the part may cut into it if its own is another.

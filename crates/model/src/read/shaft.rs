@@ -38,11 +38,4 @@ impl<'a> Reader<'a> {
             weights: weights.into_iter().collect::<Option<Vec<ShaftWeight>>>()?,
         })
     }
-
-    fn shaft_weight(&mut self, section: &'a Section) -> Option<ShaftWeight> {
-        let z = self.required(section, "z", section.number("z"));
-        let unbalance = self.weight_unbalance(section);
-        let phase = section.number("phase").or(0.0);
-        Some(ShaftWeight { z: z?, unbalance: unbalance?, phase: phase? })
-    }
 }

@@ -243,7 +243,7 @@ impl<'a> Reader<'a> {
         Some(Counterweight { name, crankshaft, z, unbalance, angle, part: Some(Box::new(part)) })
     }
 
-    fn part_fault(&mut self, span: Span, fault: PartFault) {
+    pub(super) fn part_fault(&mut self, span: Span, fault: PartFault) {
         let mistake = match fault {
             PartFault::Couple { .. } => Mistake::error("E0902", span, fault.to_string())
                 .hint("move the blind inserts and chamfers so that those of both faces lie opposite, or bore through"),
@@ -263,7 +263,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The shape against the unbalance that it should have.
-    fn check_wanted(&mut self, span: Span, wanted: f64, unbalance: f64) {
+    pub(super) fn check_wanted(&mut self, span: Span, wanted: f64, unbalance: f64) {
         let miss = unbalance - wanted;
         if miss.abs() <= LARGEST_MISS * wanted {
             return;

@@ -8,6 +8,7 @@ mod devices;
 mod gas;
 mod layout;
 mod part;
+mod shaft_part;
 mod train;
 
 use super::Bound::{Any, Positive};
@@ -20,6 +21,7 @@ use design::COUNTERWEIGHT_DESIGN;
 use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, MOUNT, SHAFT};
 use gas::GAS;
 use layout::LAYOUT;
+use shaft_part::SHAFT_WEIGHT_DESIGN;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
 /// Counts above which a file is refused, so that nothing explodes.
@@ -163,6 +165,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Balance shafts.",
             "[{ ratio = -1, weights = [] }]",
+        ),
+        key(
+            "shaft_weight_design",
+            Kind::Table(&SHAFT_WEIGHT_DESIGN),
+            Optional,
+            "Shapes among which the weights of balance shafts are to be found.",
+            "{ minimise = \"mass\" }",
         ),
         key(
             "balance",

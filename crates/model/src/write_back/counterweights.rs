@@ -3,11 +3,11 @@
 use super::amount::{Units, angle_near, same_amount, same_direction, same_place, turn_between};
 use super::entry::{Entry, List, NewEntry, block};
 use super::splice::Splices;
-use super::{matches, set_unbalance};
+use super::{PART, dimension_text, matches, set_shape, set_unbalance};
 use crate::crank_body::{CounterweightForm, CounterweightPart};
 use crate::engine::{Counterweight, Engine};
-use crate::expanded::{quantity, quoted, shape_entries};
-use crate::quantity::{Dimension, parse, rewritten};
+use crate::expanded::{quoted, shape_entries};
+use crate::quantity::{Dimension, parse};
 use std::f64::consts::PI;
 use toml_spanner::{Table, TableStyle};
 
@@ -35,9 +35,6 @@ enum Place {
     Web(usize),
     Plane,
 }
-
-/// What a weight may differ from its part, relatively, in thicknesses and in radians: more is another weight.
-const PART: f64 = 1e-9;
 
 /// Whether the weight stays as it is: a part is the same part, or the number that it has.
 fn same(a: &Counterweight, b: &Counterweight) -> bool {
@@ -229,7 +226,9 @@ impl CounterweightWriter<'_> {
             }
             (old, Some(part)) => {
                 if old != Some(part) {
-                    self.set_shape(entry, now, part, place_key, splices);
+                    let shape = self.shape(part, splices.line_end);
+                    let wanted = part.wanted;
+                    set_shape(entry, now.unbalance, wanted, &shape, place_key, self.units, splices);
                 }
             }
         }
@@ -256,56 +255,9 @@ impl CounterweightWriter<'_> {
         is_own.then_some(part)
     }
 
-    /// Writes the shape into an entry; the unbalance that it has, if any, stays as the wanted one.
-    fn set_shape(
-        &self,
-        entry: Entry<'_>,
-        now: &Counterweight,
-        part: &CounterweightPart,
-        place_key: &'static str,
-        splices: &mut Splices<'_>,
-    ) {
-        let amount = |unbalance: f64| {
-            let fits = |read: f64| same_amount(read, unbalance);
-            self.units.new_value("unbalance", unbalance, Dimension::Unbalance, fits)
-        };
-        if entry.has("mass") {
-            entry.exchange("mass", "unbalance", &amount(part.wanted.unwrap_or(now.unbalance)), splices);
-            entry.unset("radius", splices);
-        } else if let Some(wanted) = part.wanted {
-            let old = entry.text("unbalance").and_then(|text| parse(text, Dimension::Unbalance, "").ok());
-            if !old.is_some_and(|old| same_amount(old, wanted)) {
-                let fits = |read: f64| same_amount(read, wanted);
-                let value = self.units.value(entry, "unbalance", wanted, Dimension::Unbalance, fits, splices);
-                entry.set("unbalance", &value, &[place_key], splices);
-            }
-        }
-        if entry.has("shape") && !entry.has_inline("shape") {
-            entry.unset_table("shape", splices);
-            entry.add(
-                "shape",
-                &self.shape(part, splices.line_end),
-                &["angle", "unbalance", "mass", place_key],
-                splices,
-            );
-        } else {
-            let value = self.shape(part, splices.line_end);
-            entry.set("shape", &value, &["angle", "unbalance", "mass", place_key], splices);
-        }
-    }
-
     /// A shape between braces; an outline of its own has a line for each corner.
     fn shape(&self, part: &CounterweightPart, line_end: &str) -> String {
-        let text = |value: f64, dimension: Dimension| {
-            let unit = match dimension {
-                Dimension::Length => "0 mm",
-                Dimension::Angle => "0 deg",
-                Dimension::Density => "0 kg/m3",
-                _ => return quantity(value, dimension),
-            };
-            let fits = |read: f64| if self.exact { read == value } else { same_place(read, value) };
-            quoted(&rewritten(unit, value, dimension, fits).unwrap_or_default())
-        };
+        let text = |value: f64, dimension: Dimension| dimension_text(value, dimension, self.exact);
         let line_end = match part.form {
             CounterweightForm::Family(_) => "",
             _ => line_end,

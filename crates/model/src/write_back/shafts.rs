@@ -2,11 +2,12 @@
 
 use super::amount::{Units, angle_near, same_amount, same_direction, same_place};
 use super::entry::{Entry, List, NewEntry, list_value};
-use super::matches;
 use super::splice::Splices;
+use super::{PART, dimension_text, matches, set_shape, set_unbalance};
 use crate::engine::{BalanceShaft, Engine, ShaftWeight};
-use crate::expanded::{quoted, ratio};
+use crate::expanded::{quoted, ratio, shaft_shape};
 use crate::quantity::{Dimension, parse};
+use crate::shaft_part::ShaftWeightPart;
 
 /// Writes the balance shafts.
 pub(super) struct ShaftWriter<'a> {
@@ -15,12 +16,25 @@ pub(super) struct ShaftWriter<'a> {
     /// z of its reference plane in the file [m].
     pub(super) origin: f64,
     pub(super) units: &'a Units<'a>,
+    /// Whether dimensions of shapes are written to the last digit.
+    pub(super) exact: bool,
 }
 
+/// Whether the weight stays as it is: a part is the same part, or the number that it has.
 fn same_weight(a: &ShaftWeight, b: &ShaftWeight) -> bool {
+    same_numbers(a, b) && (b.part.is_none() || a.part == b.part)
+}
+
+fn same_numbers(a: &ShaftWeight, b: &ShaftWeight) -> bool {
     same_place(a.z, b.z)
         && same_amount(a.unbalance, b.unbalance)
         && (same_direction(a.phase, b.phase) || b.unbalance == 0.0)
+}
+
+/// The part of a weight, if it is one of that amount: else the number counts.
+fn part_of(weight: &ShaftWeight) -> Option<&ShaftWeightPart> {
+    let part = weight.part.as_ref()?;
+    ((part.unbalance() - weight.unbalance).abs() <= PART * weight.unbalance).then_some(part)
 }
 
 fn same(a: &BalanceShaft, b: &BalanceShaft) -> bool {
@@ -90,6 +104,10 @@ impl ShaftWriter<'_> {
             .iter()
             .map(|weight| self.new_weight(weight))
             .collect();
+        if wanted.weights.is_empty() && !list.is_inline() {
+            // The last of its headers goes, and a shaft says what weights it has.
+            entry.add("weights", "[]", &["ratio"], splices);
+        }
         list.append("shaft.weights", &more, splices);
     }
 
@@ -106,8 +124,25 @@ impl ShaftWriter<'_> {
             let value = self.units.value(entry, "z", z, Dimension::Length, fits, splices);
             entry.set("z", &value, &[], splices);
         }
-        if !same_amount(now.unbalance, wanted.unbalance) {
-            super::set_unbalance(entry, wanted.unbalance, self.units, splices);
+        let part = part_of(wanted).or(now.part.as_ref().filter(|_| same_numbers(now, wanted)));
+        match (&now.part, part) {
+            (None, None) => {
+                if !same_amount(now.unbalance, wanted.unbalance) {
+                    set_unbalance(entry, wanted.unbalance, self.units, splices);
+                }
+            }
+            (Some(old), None) => {
+                entry.unset_table("shape", splices);
+                if !old.wanted.is_some_and(|unbalance| same_amount(unbalance, wanted.unbalance)) {
+                    set_unbalance(entry, wanted.unbalance, self.units, splices);
+                }
+            }
+            (old, Some(part)) => {
+                if old.as_ref() != Some(part) {
+                    let shape = self.shape(part);
+                    set_shape(entry, now.unbalance, part.wanted, &shape, "z", self.units, splices);
+                }
+            }
         }
         if !same_direction(now.phase, wanted.phase) && wanted.unbalance != 0.0 {
             let old = entry.text("phase").and_then(|text| parse(text, Dimension::Angle, "").ok());
@@ -137,12 +172,20 @@ impl ShaftWriter<'_> {
         let z = self.units.new_value("z", weight.z + self.origin, Dimension::Length, |z| {
             same_place(z - self.origin, weight.z)
         });
-        let unbalance = self.units.new_value("unbalance", weight.unbalance, Dimension::Unbalance, |read| {
-            same_amount(read, weight.unbalance)
+        let part = part_of(weight);
+        let unbalance = part.map_or(Some(weight.unbalance), |part| part.wanted).map(|amount| {
+            let fits = |read: f64| same_amount(read, amount);
+            self.units.new_value("unbalance", amount, Dimension::Unbalance, fits)
         });
         let phase = self
             .units
             .new_value("phase", weight.phase, Dimension::Angle, |phase| same_direction(phase, weight.phase));
-        vec![("z", z), ("unbalance", unbalance), ("phase", phase)]
+        let shape = part.map(|part| self.shape(part));
+        let entries = [("z", Some(z)), ("unbalance", unbalance), ("phase", Some(phase)), ("shape", shape)];
+        entries.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
+    }
+
+    fn shape(&self, part: &ShaftWeightPart) -> String {
+        shaft_shape(part, &|value, dimension| dimension_text(value, dimension, self.exact))
     }
 }

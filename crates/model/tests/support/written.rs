@@ -1,8 +1,8 @@
 //! Files, weights and comparisons for what is written back.
 
 use lanchester_model::{
-    BalanceShaft, Counterweight, CounterweightForm, CounterweightPart, Engine, ShaftWeight, difference,
-    expanded, read, render, templates, write_back,
+    BalanceShaft, Counterweight, CounterweightForm, CounterweightPart, Engine, ShaftWeight, ShaftWeightPart,
+    difference, expanded, read, render, templates, write_back,
 };
 use lanchester_shape::{Contour, Corner, CounterweightShape, Insert, Outline, Part, Point};
 use std::f64::consts::{PI, TAU};
@@ -67,11 +67,30 @@ pub fn same_weight(a: &Counterweight, b: &Counterweight) -> bool {
         && same_direction(a.angle, b.angle, b.unbalance)
 }
 
+/// The same but for what the digits of a shape lose: 1e-9 of the unbalance.
+fn same_shaft_part(a: &ShaftWeightPart, b: &ShaftWeightPart) -> bool {
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
+    let same_wanted = match (a.wanted, b.wanted) {
+        (one, Some(two)) => one.is_some_and(|one| near(one, two, 0.0)),
+        (_, None) => true,
+    };
+    close(a.unbalance(), b.unbalance())
+        && near(a.shape.shaft_radius, b.shape.shaft_radius, 2e-13)
+        && near(a.shape.radius, b.shape.radius, 2e-13)
+        && near(a.shape.chord, b.shape.chord, 2e-13)
+        && near(a.length, b.length, 2e-13)
+        && near(a.density, b.density, 0.0)
+        && same_wanted
+}
+
 pub fn same_shaft(a: &BalanceShaft, b: &BalanceShaft) -> bool {
     let same_weight = |(a, b): (&ShaftWeight, &ShaftWeight)| {
-        near(a.z, b.z, 2e-13)
-            && near(a.unbalance, b.unbalance, 0.0)
-            && same_direction(a.phase, b.phase, b.unbalance)
+        let same_amount = match (&a.part, &b.part) {
+            (Some(one), Some(two)) => same_shaft_part(one, two),
+            (_, None) => near(a.unbalance, b.unbalance, 0.0),
+            (None, Some(_)) => false,
+        };
+        near(a.z, b.z, 2e-13) && same_amount && same_direction(a.phase, b.phase, b.unbalance)
     };
     (&a.name, a.ratio) == (&b.name, b.ratio)
         && near(a.x, b.x, 2e-13)
@@ -141,10 +160,16 @@ pub fn other_lines(text: &str) -> Vec<&str> {
     for line in text.lines() {
         let bare = line.trim_start_matches('\u{feff}').trim_start();
         if bare.starts_with('[') && !bare.starts_with("[ {") {
-            is_ours =
-                ["[counterweights]", "[[counterweight]]", "[counterweight.", "[[counterweight.", "[[shaft"]
-                    .iter()
-                    .any(|ours| bare.starts_with(ours));
+            is_ours = [
+                "[counterweights]",
+                "[[counterweight]]",
+                "[counterweight.",
+                "[[counterweight.",
+                "[[shaft",
+                "[shaft.",
+            ]
+            .iter()
+            .any(|ours| bare.starts_with(ours));
         }
         // Without headers of their own; the exact texts of these are in the tests.
         let is_value = ["counterweight", "shaft", "{ web"].iter().any(|ours| bare.starts_with(ours));

@@ -123,7 +123,7 @@ static LIMITS: Table = Table {
     ],
 };
 
-const fn range(
+pub(super) const fn range(
     name: &'static str,
     dimension: Dimension,
     bound: Bound,

@@ -4,6 +4,7 @@ use super::super::Bound::{Any, NotNegative};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::part::SHAPE;
+use super::shaft_part::SHAFT_WEIGHT_SHAPE;
 use super::{MOST_CRANKSHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use crate::quantity::Dimension::{Angle, Length, Mass, Unbalance};
 
@@ -118,6 +119,13 @@ pub(super) static SHAFT_WEIGHT: Table = Table {
         WEIGHT_MASS,
         WEIGHT_RADIUS,
         quantity("phase", Angle, Any, "Direction when throw 1 points along +x; default 0.", "\"180 deg\""),
+        key(
+            "shape",
+            Kind::Table(&SHAFT_WEIGHT_SHAPE),
+            Optional,
+            "The part that it is: its unbalance is then that of the part; `unbalance` is what it should have, and a warning tells a miss of more than 1 %.",
+            "{ radius = \"36 mm\", length = \"40 mm\" }",
+        ),
     ],
 };
 
