@@ -17,12 +17,15 @@ pub struct CounterweightArguments {
 #[derive(Debug, Subcommand)]
 #[allow(clippy::large_enum_variant)]
 pub enum CounterweightCommand {
-    /// The best shape for every counterweight, with the proof that none is better.
+    /// The best shape for every counterweight, and for every weight of a balance shaft, with the proof that none is better.
     #[command(
         after_help = "Examples:\n  lanchester counterweight design three.toml\n  lanchester counterweight design three.toml --write\n  \
                             lanchester counterweight design three.toml --minimise 'swept radius' --limit 'mass = 2 kg'\n  \
                             lanchester counterweight design three.toml --weight 'web 1' --dimension 'thickness = 15 mm .. 25 mm'\n  \
-                            lanchester counterweight design three.toml --figures figures\n\n\
+                            lanchester counterweight design three.toml --figures figures\n  \
+                            lanchester counterweight design lanchester.toml --weight 'left weight 1'\n\n\
+                            Counterweights need the section [counterweight_design] or the options, weights of balance shafts \
+                            the section [shaft_weight_design]. A weight of a shaft with a shape and no `unbalance` beside it stays as it is.\n\n\
                             Exit status 1: no shape of the ranges meets all limits; the nearest values that can be met are printed."
     )]
     Design(DesignArguments),
@@ -34,19 +37,21 @@ pub enum CounterweightCommand {
                             Exit status 1: no shape of the ranges meets all limits."
     )]
     Front(FrontArguments),
-    /// Crankshaft and counterweights as they stand in the file: mass, unbalance, inertia, clearance to case, pistons, liners
-    /// and rods.
+    /// Crankshaft, counterweights and weights of balance shafts as they stand in the file: mass, unbalance, inertia, clearance to case,
+    /// pistons, liners and rods, and swept circles of shafts that overlap.
     #[command(
         after_help = "Examples:\n  lanchester counterweight check three.toml\n  lanchester counterweight check three.toml --figures figures\n  \
                             lanchester counterweight check three.toml --format csv --table clearances\n\n\
-                            Exit status 1: a clearance is less than the file wants, or a counterweight misses its unbalance by more than 1 %."
+                            Exit status 1: a clearance is less than the file wants, or a weight misses its unbalance by more than 1 %. \
+                            Overlapping swept circles are a warning: phases may keep the weights apart."
     )]
     Check(CounterweightCheckArguments),
-    /// Counterweights or the whole crankshaft as STEP, STL or glTF; the outline of one counterweight as DXF or SVG.
+    /// Counterweights, the whole crankshaft and the balance shafts as STEP, STL or glTF; the outline of one counterweight as DXF or SVG.
     #[command(
         after_help = "Examples:\n  lanchester counterweight export three.toml --output crankshaft.step\n  \
                             lanchester counterweight export three.toml --output web.dxf --weight 'web 1'\n  \
-                            lanchester counterweight export three.toml --output crankshaft.glb --facet '0.05 mm'"
+                            lanchester counterweight export three.toml --output crankshaft.glb --facet '0.05 mm'\n  \
+                            lanchester counterweight export lanchester.toml --output left.step --shaft left"
     )]
     Export(ExportArguments),
     /// Take the outline of a counterweight from a DXF or SVG drawing.
@@ -65,7 +70,7 @@ pub struct ShapeArguments {
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// Name of a counterweight, such as `web 1`. May be given several times; default: every one on a web, but for outlines of
-    /// your own.
+    /// your own. `design` takes names of balance shafts and of their weights too, such as `left weight 2`.
     #[arg(long, value_name = "NAME")]
     pub weight: Vec<String>,
     /// Unbalance that is full balance, for all of them; default: what each of them should have by the file.
@@ -88,6 +93,18 @@ pub struct ShapeArguments {
     /// Density, in place of the file's: `7850 kg/m3`.
     #[arg(long, value_name = "DENSITY")]
     pub density: Option<String>,
+}
+
+impl ShapeArguments {
+    /// Whether any option says something of shapes or duties.
+    pub fn has_options(&self) -> bool {
+        let ShapeArguments { unbalance, minimise, balance, dimension, limit, density, .. } = self;
+        unbalance.is_some()
+            || minimise.is_some()
+            || balance.is_some()
+            || density.is_some()
+            || !(dimension.is_empty() && limit.is_empty())
+    }
 }
 
 /// `counterweight design`
@@ -205,6 +222,8 @@ pub struct CounterweightCheckArguments {
 pub enum CheckTable {
     /// Every counterweight: unbalance wanted and had, mass, swept radius.
     Counterweights,
+    /// Every weight of a balance shaft: unbalance wanted and had, mass, inertia, radius.
+    ShaftWeights,
     /// Every journal, pin and web with its mass and polar inertia.
     Sections,
     /// Every counterweight against every obstacle.
@@ -221,9 +240,12 @@ pub struct ExportArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
     /// Only this counterweight. May be given several times for STEP, STL and glTF; default: the crankshaft with all of them, or
-    /// without [crank.body] all of them.
+    /// without [crank.body] all of them, and with crankshaft 1 the balance shafts whose weights have shapes.
     #[arg(long, value_name = "NAME")]
     pub weight: Vec<String>,
+    /// Only this balance shaft, where it stands in the engine. May be given several times.
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["weight", "crankshaft"])]
+    pub shaft: Vec<String>,
     /// Number of the crankshaft, where there are several.
     #[arg(long, value_name = "NUMBER", default_value_t = 1, conflicts_with = "weight")]
     pub crankshaft: usize,

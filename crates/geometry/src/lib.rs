@@ -28,5 +28,6 @@ pub use design::*;
 pub use lanchester_model::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
 pub use lanchester_shape::*;
 pub use shaft_weight::{
-    NearestShaftWeight, ShaftWeightDesign, ShaftWeightLimit, ShaftWeightOutcome, best_shaft_weight, shaft_solids,
+    NearestShaftWeight, ShaftWeightDesign, ShaftWeightLimit, ShaftWeightOutcome, best_shaft_weight,
+    shaft_solids,
 };

@@ -9,7 +9,10 @@ mod random_outline;
 mod random_part;
 
 use lanchester_geometry::export::{ExportError, PlacedPart, Solid, glb, solids, stl};
-use lanchester_geometry::{Contour, Corner, Insert, Outline, Part, Point};
+use lanchester_geometry::{
+    Contour, Corner, Insert, Outline, Part, Point, ShaftWeightPart, ShaftWeightShape, shaft_solids,
+};
+use lanchester_model::{BalanceShaft, Ratio, ShaftWeight};
 use proptest::prelude::*;
 use random_part::{any_part, volumes};
 use serde_json::Value;
@@ -206,6 +209,35 @@ proptest! {
         let first = &all[..meshes[0].triangles.len()];
         prop_assert!(is_watertight(first, true));
         assert_as_large(in_metres(first), exact[0], &part, facet_error, "STL");
+    }
+
+    #[test]
+    fn prop_shafts_are_watertight_and_within_the_facet_error(
+        shaft_radius in 0.005..0.02f64, beyond in 0.003..0.04f64, share in 0.02..0.98f64, phase in -7.0..7.0f64,
+        x in -0.1..0.1f64, y in -0.1..0.1f64, power in -6.0..-4.0f64,
+    ) {
+        let radius = shaft_radius + beyond;
+        let shape = ShaftWeightShape { shaft_radius, radius, chord: -radius + share * (radius + shaft_radius) };
+        let part = ShaftWeightPart { shape, length: 0.03, density: 7850.0, wanted: None };
+        let weight = |z| ShaftWeight { z, unbalance: part.unbalance(), phase, part: Some(part) };
+        let weights = vec![weight(-0.05), weight(0.06)];
+        let ratio = Ratio::new(-1, 1).unwrap();
+        let shaft = BalanceShaft { name: "left".to_string(), ratio, x, y, weights };
+        let parts = shaft_solids(&shaft).unwrap();
+        let (made, facet_error) = (solids(&parts).unwrap(), 10f64.powf(power));
+        let Ok(bytes) = stl(&made, facet_error) else { return Ok(()) };
+        let meshes = read_glb(&glb(&made, facet_error).unwrap());
+        let mut all = &read_stl(&bytes)[..];
+        prop_assert_eq!(meshes.len(), 3);
+        for (mesh, placed) in meshes.iter().zip(&parts) {
+            let (volume_of, [x, y, z]) = volumes(&placed.part)[0];
+            let exact = (volume_of, [x, y, z + placed.z]);
+            let (own, rest) = all.split_at(mesh.triangles.len());
+            all = rest;
+            prop_assert!(is_watertight(&mesh.triangles, true) && is_watertight(own, true));
+            assert_as_large(volume(&mesh.triangles), exact, &placed.part, facet_error, "glTF");
+            assert_as_large(in_metres(own), exact, &placed.part, facet_error, "STL");
+        }
     }
 
     #[test]

@@ -155,9 +155,28 @@ pub enum CounterweightError {
     /// A crankshaft that is no body.
     #[error(transparent)]
     Crankshaft(#[from] CrankshaftError),
+    /// A name that no balance shaft has.
+    #[error("no balance shaft is called \"{name}\"\nhint: {}", match .known.as_str() {
+        "" => "the file has no [[shaft]]".to_owned(),
+        known => format!("the names are {known}"),
+    })]
+    UnknownShaft {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
+    /// A balance shaft none of whose weights is a part.
+    #[error(
+        "no weight of the shaft \"{name}\" has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes where the file has a section [shaft_weight_design]"
+    )]
+    BareShaft {
+        /// Name of the shaft.
+        name: String,
+    },
     /// No weight that is a part.
     #[error(
-        "no counterweight has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes, `counterweight import` takes them from a drawing"
+        "no counterweight and no weight of a balance shaft has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes, `counterweight import` takes them from a drawing"
     )]
     NoPart,
     /// Numbers of the task that have no meaning.
@@ -488,6 +507,11 @@ pub(crate) fn chosen(engine: &Engine, names: &[String]) -> Result<Vec<usize>, Co
     found.sort_unstable();
     found.dedup();
     Ok(found)
+}
+
+/// Whether a weight stands in the plane of a web.
+pub(crate) fn stands_on_a_web(engine: &Engine, weight: &Counterweight) -> bool {
+    web_of(engine, weight).is_some()
 }
 
 /// The web in whose plane a weight stands, counted through all throws.

@@ -1,8 +1,9 @@
-//! What of a crankshaft goes into a CAD file.
+//! What of crankshafts and balance shafts goes into a CAD file.
 
 use crate::counterweights::{CounterweightError, chosen};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_geometry::export::PlacedPart;
+use lanchester_geometry::shaft_solids;
 use lanchester_model::Engine;
 
 /// The solids of a crankshaft (by index): all of it where the engine has a body, else its counterweights; with names only the
@@ -34,4 +35,26 @@ pub fn crankshaft_parts(
         })
         .collect();
     if parts.is_empty() { Err(CounterweightError::NoPart) } else { Ok(parts) }
+}
+
+/// The solids of the balance shafts: those of these names, or all whose weights have shapes.
+///
+/// Frame: that of the engine at `theta = 0`, which is that of crankshaft 1.
+///
+/// # Errors
+/// Where there is no such shaft, or none of its weights has a shape.
+pub fn shaft_parts(engine: &Engine, names: &[String]) -> Result<Vec<PlacedPart>, CounterweightError> {
+    if let Some(name) = names.iter().find(|name| engine.shafts.iter().all(|shaft| shaft.name != **name)) {
+        let known: Vec<String> = engine.shafts.iter().map(|shaft| format!("\"{}\"", shaft.name)).collect();
+        return Err(CounterweightError::UnknownShaft { name: name.clone(), known: known.join(", ") });
+    }
+    let mut parts = Vec::new();
+    for shaft in engine.shafts.iter().filter(|shaft| names.is_empty() || names.contains(&shaft.name)) {
+        let own = shaft_solids(shaft)?;
+        if own.is_empty() && !names.is_empty() {
+            return Err(CounterweightError::BareShaft { name: shaft.name.clone() });
+        }
+        parts.extend(own);
+    }
+    Ok(parts)
 }

@@ -22,21 +22,24 @@ mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
 mod pressure;
+mod shaft_weights;
 pub mod validate;
+mod weights_as_parts;
 
 pub use arrangements::arrangements;
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
 pub use counterweight_check::{
-    COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CounterweightCheck, check_counterweights,
+    COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CheckedShaftWeight, CounterweightCheck,
+    check_counterweights,
 };
 pub use counterweights::{
     COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightFront,
     CounterweightRequest, DesignedCounterweight, EvolutionRequest, counterweight_front,
     design_counterweights, with_counterweights, with_outline,
 };
-pub use crankshaft_parts::crankshaft_parts;
+pub use crankshaft_parts::{crankshaft_parts, shaft_parts};
 pub use lanchester_balance as balance;
 pub use lanchester_cycle as cycle;
 pub use lanchester_geometry as geometry;
@@ -46,3 +49,8 @@ pub use lanchester_report as report;
 pub use pressure::{
     CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas, trace_names,
 };
+pub use shaft_weights::{
+    DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
+    design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
+};
+pub use weights_as_parts::{WeightAsPart, weights_as_parts};

@@ -5,8 +5,9 @@ use crate::crankshaft_tables::{
     clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
 };
 use crate::figure::Figure;
+use crate::shaft_weight_tables::{shaft_weight_parts_table, swept_overlap_words};
 use crate::table::Table;
-use lanchester_geometry::clearance::Clearances;
+use lanchester_geometry::clearance::{Clearances, SweptOverlap};
 use lanchester_geometry::crankshaft::CrankshaftBody;
 use lanchester_geometry::{Outline, counterweight_properties, plain_web};
 use lanchester_model::{CounterweightPart, Engine};
@@ -18,6 +19,8 @@ pub struct CrankshaftInput<'a> {
     pub bodies: &'a [CrankshaftBody],
     /// Clearances; none where the file names nothing to stay clear of.
     pub clearances: Option<&'a Clearances>,
+    /// Where swept circles of weights of balance shafts overlap.
+    pub swept_overlaps: &'a [SweptOverlap],
 }
 
 /// What the section shows.
@@ -31,7 +34,9 @@ impl CrankshaftSection {
     pub fn of(engine: &Engine, input: &CrankshaftInput<'_>) -> CrankshaftSection {
         let mut paragraphs: Vec<String> = input.bodies.iter().map(crank_body_words).collect();
         paragraphs.extend(input.clearances.map(clearance_words));
+        paragraphs.extend(swept_overlap_words(input.swept_overlaps).lines().map(str::to_owned));
         let mut tables: Vec<Table> = counterweight_parts_table(engine).into_iter().collect();
+        tables.extend(shaft_weight_parts_table(engine));
         tables.extend(input.clearances.map(|clearances| clearances_table(clearances, true)));
         tables.extend(input.bodies.iter().map(crank_sections_table));
         CrankshaftSection { paragraphs, tables, figures: counterweight_drawings(engine) }

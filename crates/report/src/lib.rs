@@ -43,12 +43,14 @@ mod number;
 mod optimum_section;
 mod over_angle;
 mod page;
+mod part_masses;
 mod plot;
 mod pose;
 mod published_tables;
 mod published_text;
 #[cfg(test)]
 mod sample;
+mod shaft_weight_tables;
 mod share_plot;
 mod side_view;
 mod spectrum;
@@ -104,10 +106,15 @@ pub use motion_plot::motion_plot;
 pub use optimum_section::OptimumInput;
 pub use over_angle::{over_angle, vanishing};
 pub use page::{Provenance, ReportInput, figures, report};
+pub use part_masses::{PartMass, part_masses_table};
 pub use published_tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 pub use published_text::method_text;
+pub use shaft_weight_tables::{
+    DesignedShaftShape, designed_shaft_weights_table, nearest_shaft_limits_table, shaft_aim_words,
+    shaft_weight_parts_table, swept_overlap_words,
+};
 pub use share_plot::share_plots;
 pub use side_view::side_view;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};

@@ -8,7 +8,10 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use lanchester::balance::{Answer, Outcome, fitted, optimise};
-use lanchester::report::{balance_text, headline, optimum_figures};
+use lanchester::model::Engine;
+use lanchester::report::{PartMass, Table, balance_text, headline, optimum_figures, part_masses_table};
+use lanchester::{WeightAsPart, weights_as_parts};
+use serde::Serialize;
 use std::path::Path;
 
 pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
@@ -66,12 +69,45 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if status(&answer) != DONE && arguments.format != Format::Text {
         eprintln!("{}", headline(engine, &answer));
     }
+    let as_parts = if found { as_parts(&answer, &after) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => balance_text(engine, &answer, &loads_after.diagnosis.summary),
-        (Format::Json, _) => json(&answer)?,
+        (Format::Text, _) => {
+            let text = balance_text(engine, &answer, &loads_after.diagnosis.summary);
+            text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
+        }
+        (Format::Json, _) => json(&Found { answer: &answer, as_parts: &as_parts })?,
         (Format::Csv, table) => csv(engine, &answer, table),
     })?;
     Ok(status(&answer))
+}
+
+/// What was found, with the weights as parts where the file says among which shapes they are searched.
+#[derive(Debug, Serialize)]
+struct Found<'a> {
+    #[serde(flatten)]
+    answer: &'a Answer,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    as_parts: &'a [WeightAsPart],
+}
+
+/// The found weights as parts; what is in the way of that is a warning.
+fn as_parts(answer: &Answer, after: &Engine) -> Vec<WeightAsPart> {
+    weights_as_parts(answer, after).unwrap_or_else(|error| {
+        let message = error.to_string().replace("\nhint:", ";");
+        eprintln!("warning: the mass of the weights as parts is left out: {message}");
+        Vec::new()
+    })
+}
+
+fn masses(parts: &[WeightAsPart]) -> Option<Table> {
+    let masses = parts.iter().map(|part| PartMass {
+        name: &part.name,
+        unbalance: part.unbalance,
+        at_radius: part.at_radius,
+        mass: part.mass,
+    });
+    let masses: Vec<PartMass> = masses.collect();
+    (!masses.is_empty()).then(|| part_masses_table(&masses))
 }
 
 fn status(answer: &Answer) -> u8 {

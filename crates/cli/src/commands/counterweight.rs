@@ -2,6 +2,8 @@
 
 mod check;
 mod design;
+mod designed_counterweights;
+mod designed_shaft_weights;
 mod export;
 mod front;
 mod import;

@@ -35,6 +35,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         crankshaft: checked.as_ref().map(|checked| CrankshaftInput {
             bodies: &checked.crankshafts,
             clearances: checked.clearances.as_ref(),
+            swept_overlaps: &checked.swept_overlaps,
         }),
         provenance: &provenance,
         warnings: &warnings,
@@ -104,7 +105,9 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum
 
 /// The crankshaft as parts, where the file says something of it; what it leaves out is one more warning.
 fn crankshaft(engine: &Engine, warnings: &mut Vec<String>) -> Option<CounterweightCheck> {
-    if engine.crank_body.is_none() && engine.counterweights.iter().all(|weight| weight.part.is_none()) {
+    let has_parts = engine.counterweights.iter().any(|weight| weight.part.is_some())
+        || engine.shafts.iter().flat_map(|shaft| &shaft.weights).any(|weight| weight.part.is_some());
+    if engine.crank_body.is_none() && !has_parts {
         return None;
     }
     match check_counterweights(engine) {

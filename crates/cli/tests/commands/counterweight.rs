@@ -168,3 +168,27 @@ fn a_clearance_that_is_not_kept_is_told() {
     let csv = ["counterweight", "check", "three.toml", "--format", "csv", "--table", "clearances"];
     assert!(output(&folder, 1, &csv).starts_with("part,against,distance [mm]"));
 }
+
+/// The weights that balancing finds on webs weigh what their shapes weigh.
+#[test]
+fn found_weights_have_a_true_mass() {
+    let folder = folder("counterweight-mass");
+    // Without anything to stay clear of there is a shape for every weight.
+    let text = std::fs::read_to_string(three()).unwrap();
+    let (text, _) = text.split_once("# What the turning crankshaft must not touch.").unwrap();
+    std::fs::write(folder.join("three.toml"), text).unwrap();
+    let ask = ["balance", "three.toml", "--counterweights", "webs"];
+    let found = output_json(&folder, 0, &[&ask[..], &["--format", "json"]].concat());
+    output(&folder, 0, &[&ask[..], &["--write"]].concat());
+    let design = ["counterweight", "design", "three.toml", "--format", "json"];
+    let parts = found["as_parts"].as_array().unwrap();
+    let designed = output_json(&folder, 0, &design);
+    let weights = designed["weights"].as_array().unwrap();
+    assert!(parts.len() >= 2, "{parts:?}");
+    for part in parts {
+        let weight = weights.iter().find(|weight| weight["name"] == part["name"]).unwrap();
+        let mass = weight["outcome"]["found"]["design"]["mass"].as_f64().unwrap();
+        // The weight is rounded where it is written, and the optimum is proved to a millionth.
+        assert!((part["mass"].as_f64().unwrap() / mass - 1.0).abs() < 1e-5, "{part} {mass}");
+    }
+}

@@ -10,4 +10,5 @@ mod engine;
 mod methods;
 mod program;
 mod search;
+mod shaft_weights;
 mod sweep;

@@ -1,5 +1,6 @@
 //! Swept circles: balance shafts against each other and against crankshafts, plane by plane.
 
+use super::clearance_model::has_big_end;
 use super::error::ClearanceError;
 use super::turning_body::{Spindle, TurningBody};
 use lanchester_model::Engine;
@@ -88,9 +89,10 @@ fn cranks(engine: &Engine) -> Result<Vec<Swept>, ClearanceError> {
     let mut found = Vec::new();
     for body in TurningBody::all(engine)? {
         let plates = body.plates.iter();
-        found.extend(plates.map(|plate| {
-            swept(body.name.clone(), body.crankshaft, plate.farthest().norm(), plate.faces)
-        }));
+        found
+            .extend(plates.map(|plate| {
+                swept(body.name.clone(), body.crankshaft, plate.farthest().norm(), plate.faces)
+            }));
     }
     for (index, throw) in engine.throws.iter().enumerate() {
         let (radius, faces) = match (&engine.crank_body, throw.webs) {
@@ -103,7 +105,7 @@ fn cranks(engine: &Engine) -> Result<Vec<Swept>, ClearanceError> {
         found.push(swept(format!("crankpin {}", index + 1), throw.crankshaft, radius, faces));
     }
     if let Some(rod) = engine.envelope.and_then(|envelope| envelope.rod) {
-        for (index, cylinder) in engine.cylinders.iter().enumerate() {
+        for (index, cylinder) in engine.cylinders.iter().enumerate().filter(|(_, own)| has_big_end(own)) {
             let throw = &engine.throws[cylinder.throw];
             let faces = [cylinder.z - rod.big_end_width / 2.0, cylinder.z + rod.big_end_width / 2.0];
             let radius = throw.radius + rod.big_end_radius;

@@ -9,7 +9,7 @@ use crate::format::Format;
 use lanchester::model::Engine;
 use lanchester::report::{
     Figure, clearance_plot, clearance_words, clearances_table, counterweight_parts_table, crank_body_words,
-    crank_sections_table,
+    crank_sections_table, shaft_weight_parts_table, swept_overlap_words,
 };
 use lanchester::{CounterweightCheck, check_counterweights, clearance_curve};
 
@@ -66,13 +66,16 @@ fn text(engine: &Engine, checked: &CounterweightCheck) -> String {
         out += &format!("\n{}", table.text());
     }
     for weight in checked.counterweights.iter().filter(|weight| !weight.is_met) {
-        let wanted = weight.wanted.unwrap_or_default();
-        out += &format!(
-            "{} misses its unbalance by {:.2} %: `lanchester counterweight design` finds the shape that has it.\n",
-            weight.name,
-            100.0 * (weight.unbalance / wanted - 1.0)
-        );
+        out += &missed(&weight.name, weight.wanted, weight.unbalance);
     }
+    if let Some(table) = shaft_weight_parts_table(engine) {
+        out += &format!("\n{}", table.text());
+    }
+    let shafts = checked.shaft_weights.iter().map(|weight| (&weight.name, weight.wanted, weight));
+    for (name, wanted, weight) in shafts.filter(|(.., weight)| !weight.is_met) {
+        out += &missed(name, wanted, weight.unbalance);
+    }
+    out += &swept_overlap_words(&checked.swept_overlaps);
     for body in &checked.crankshafts {
         out += &format!("\n{}", crank_sections_table(body).text());
     }
@@ -86,12 +89,28 @@ fn text(engine: &Engine, checked: &CounterweightCheck) -> String {
     out
 }
 
+/// A weight that has not the unbalance that it should have [kg m].
+fn missed(name: &str, wanted: Option<f64>, unbalance: f64) -> String {
+    let share = 100.0 * (unbalance / wanted.unwrap_or_default() - 1.0);
+    format!(
+        "{name} misses its unbalance by {share:.2} %: `lanchester counterweight design` finds the shape that has it.\n"
+    )
+}
+
 fn csv(engine: &Engine, checked: &CounterweightCheck, table: Option<CheckTable>) -> Result<String, Failure> {
     let missing = |what: &str, hint: &str| Failure::input(what, hint);
     match table.unwrap_or(CheckTable::Counterweights) {
         CheckTable::Counterweights => {
             counterweight_parts_table(engine).map(|table| table.csv()).ok_or_else(|| {
                 missing("no counterweight has a shape yet", "`counterweight design --write` finds shapes")
+            })
+        }
+        CheckTable::ShaftWeights => {
+            shaft_weight_parts_table(engine).map(|table| table.csv()).ok_or_else(|| {
+                missing(
+                    "no weight of a balance shaft has a shape yet",
+                    "`counterweight design --write` finds shapes where the file has a section [shaft_weight_design]",
+                )
             })
         }
         CheckTable::Sections if checked.crankshafts.is_empty() => {

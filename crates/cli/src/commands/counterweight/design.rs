@@ -1,6 +1,6 @@
-//! `lanchester counterweight design`: the best shape for every counterweight.
+//! `lanchester counterweight design`: the best shape for every counterweight and every weight of a balance shaft.
 
-use super::{draw, list, refused, room_words};
+use super::{designed_counterweights, designed_shaft_weights, draw, refused};
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{DesignArguments, DesignMethod};
@@ -8,53 +8,36 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::shape_request::shape_request;
-use lanchester::geometry::clearance::SweptRoom;
-use lanchester::geometry::{Design, DesignOutcome, Evolution, Optimum};
-use lanchester::report::{
-    DesignedShape, designed_dimensions_table, designed_properties_table, nearest_limits_table,
-    objective_name, objective_words,
-};
+use lanchester::geometry::{Design, DesignOutcome, ShaftWeightDesign, ShaftWeightOutcome};
+use lanchester::model::Engine;
 use lanchester::{
-    CounterweightDesigns, CounterweightRequest, DesignedCounterweight, EvolutionRequest,
-    design_counterweights, with_counterweights,
+    CounterweightDesigns, CounterweightError, CounterweightRequest, EvolutionRequest, ShaftWeightDesigns,
+    ShaftWeightPlace, design_counterweights, design_shaft_weights, named_shaft_weights,
+    shaft_weights_to_design, with_counterweights, with_shaft_weights,
 };
+use serde::Serialize;
 
-/// Weights of one duty, and what was found for them.
-struct Group<'a> {
-    names: String,
-    duty: f64,
-    /// What of the shape the plain web has already [kg m].
-    shared: f64,
-    room: Option<&'a SweptRoom>,
-    without_room: Option<f64>,
-    outcome: &'a DesignOutcome,
-    evolution: Option<&'a Evolution>,
+/// What was found.
+#[derive(Debug, Serialize)]
+struct Found {
+    #[serde(flatten)]
+    counterweights: Option<CounterweightDesigns>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shaft_weights: Option<ShaftWeightDesigns>,
 }
 
 pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
     let engine = &opened.engine;
-    let evolution = evolution(arguments)?;
-    let request = CounterweightRequest { evolution, ..shape_request(engine, &arguments.shape)? };
-    let designs = design_counterweights(engine, &request).map_err(refused)?;
-    let groups = groups(&designs);
-    let found: Vec<(usize, Design)> = designs
-        .weights
-        .iter()
-        .filter_map(|weight| match &weight.outcome {
-            DesignOutcome::Found(best) => Some((weight.index, best.design)),
-            DesignOutcome::Infeasible(_) => None,
-        })
-        .collect();
+    let found = find(engine, arguments)?;
     let put_back = PutBack {
         path: &arguments.shape.file,
         write: arguments.write,
         dry_run: arguments.dry_run,
         what: "shapes",
     };
-    let status = if found.len() == designs.weights.len() { DONE } else { NOT_AS_EXPECTED };
-    if !found.is_empty() {
-        let after = with_counterweights(engine, &found, request.task.density).map_err(refused)?;
+    let status = if found.is_complete() { DONE } else { NOT_AS_EXPECTED };
+    if let Some(after) = found.fitted(engine)? {
         if put_back.run(&opened, &after, colour)? {
             return Ok(status);
         }
@@ -63,11 +46,118 @@ pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
         }
     }
     print(&match arguments.format {
-        Format::Text => text(&designs, &groups),
-        Format::Json => json(&designs)?,
-        Format::Csv => csv(&groups),
+        Format::Text => found.text(engine),
+        Format::Json => json(&found)?,
+        Format::Csv => found.csv(engine),
     })?;
     Ok(status)
+}
+
+fn find(engine: &Engine, arguments: &DesignArguments) -> Result<Found, Failure> {
+    let evolution = evolution(arguments)?;
+    let names = &arguments.shape.weight;
+    let (named, others) = named_shaft_weights(engine, names);
+    let is_free = names.is_empty();
+    let places = match (is_free, engine.shaft_weight_task) {
+        (true, None) => Vec::new(),
+        (true, Some(_)) => shaft_weights_to_design(engine),
+        (false, _) => named,
+    };
+    let has_options = arguments.shape.has_options() || evolution.is_some();
+    let only_shafts = engine.shape_task.is_none() && !has_options && engine.shaft_weight_task.is_some();
+    let wants_counterweights = if is_free { !only_shafts } else { !others.is_empty() };
+    if !wants_counterweights && has_options {
+        return Err(Failure::input(
+            "options of shapes are for counterweights, and the weights named are those of balance shafts",
+            "change the section [shaft_weight_design] of the file instead",
+        ));
+    }
+    if places.is_empty() && !wants_counterweights {
+        return Err(Failure::input(
+            "no weight of a balance shaft is to be designed",
+            "give a weight of a [[shaft]] an unbalance; a shape without `unbalance` beside it is fixed",
+        ));
+    }
+    let shaft_weights = match places.is_empty() {
+        true => None,
+        false => Some(shafts(engine, &places)?),
+    };
+    let counterweights = match wants_counterweights {
+        false => None,
+        true => {
+            let weights = others.into_iter().cloned().collect();
+            let request =
+                CounterweightRequest { evolution, weights, ..shape_request(engine, &arguments.shape)? };
+            match design_counterweights(engine, &request) {
+                // The file is about its shafts.
+                Err(CounterweightError::NoneOnAWeb { .. }) if is_free && shaft_weights.is_some() => None,
+                designs => Some(designs.map_err(refused)?),
+            }
+        }
+    };
+    Ok(Found { counterweights, shaft_weights })
+}
+
+fn shafts(engine: &Engine, places: &[ShaftWeightPlace]) -> Result<ShaftWeightDesigns, Failure> {
+    let Some(task) = &engine.shaft_weight_task else {
+        return Err(Failure::input(
+            "the shapes to search for weights of balance shafts are not given",
+            "add a section like\n\n  [shaft_weight_design]\n  density = \"7850 kg/m3\"\n  shaft_diameter = \"24 mm\"\n  \
+             radius = [\"20 mm\", \"36 mm\"]\n  length = [\"10 mm\", \"60 mm\"]\n\nto the engine file",
+        ));
+    };
+    design_shaft_weights(engine, task, places).map_err(refused)
+}
+
+impl Found {
+    /// Whether there is a shape for every weight.
+    fn is_complete(&self) -> bool {
+        let mut counterweights = self.counterweights.iter().flat_map(|designs| &designs.weights);
+        let mut shafts = self.shaft_weights.iter().flat_map(|designs| &designs.weights);
+        counterweights.all(|weight| matches!(weight.outcome, DesignOutcome::Found(_)))
+            && shafts.all(|weight| matches!(weight.outcome, ShaftWeightOutcome::Best(_)))
+    }
+
+    /// The engine with the shapes; none if none was found.
+    fn fitted(&self, engine: &Engine) -> Result<Option<Engine>, Failure> {
+        let mut after = None;
+        if let Some(designs) = &self.counterweights {
+            let found = designs.weights.iter().filter_map(|weight| match &weight.outcome {
+                DesignOutcome::Found(best) => Some((weight.index, best.design)),
+                DesignOutcome::Infeasible(_) => None,
+            });
+            let found: Vec<(usize, Design)> = found.collect();
+            if !found.is_empty() {
+                after = Some(with_counterweights(engine, &found, designs.task.density).map_err(refused)?);
+            }
+        }
+        let shafts = self.shaft_weights.iter().flat_map(|designs| &designs.weights);
+        let found = shafts.filter_map(|weight| match weight.outcome {
+            ShaftWeightOutcome::Best(design) => Some((weight.place, design)),
+            ShaftWeightOutcome::Infeasible { .. } => None,
+        });
+        let found: Vec<(ShaftWeightPlace, ShaftWeightDesign)> = found.collect();
+        if !found.is_empty() {
+            after = Some(with_shaft_weights(after.as_ref().unwrap_or(engine), &found));
+        }
+        Ok(after)
+    }
+
+    fn text(&self, engine: &Engine) -> String {
+        let parts = [
+            self.counterweights.as_ref().map(designed_counterweights::text),
+            self.shaft_weights.as_ref().map(|designs| designed_shaft_weights::text(designs, engine)),
+        ];
+        parts.into_iter().flatten().fold(format!("{}\n", engine.name), |out, part| format!("{out}\n{part}"))
+    }
+
+    fn csv(&self, engine: &Engine) -> String {
+        let tables = [
+            self.counterweights.as_ref().map(designed_counterweights::csv),
+            self.shaft_weights.as_ref().map(|designs| designed_shaft_weights::csv(designs, engine)),
+        ];
+        tables.into_iter().flatten().collect::<Vec<_>>().join("\n")
+    }
 }
 
 /// The evolutionary search that is asked for.
@@ -85,130 +175,4 @@ fn evolution(arguments: &DesignArguments) -> Result<Option<EvolutionRequest>, Fa
             evaluations: arguments.evaluations.unwrap_or(20_000),
         })),
     }
-}
-
-fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
-    let mut groups: Vec<Group> = Vec::new();
-    for weight in &designs.weights {
-        // Weights of one duty that stand alike have one outcome.
-        let alike =
-            |other: &DesignedCounterweight| other.duty == weight.duty && other.outcome == weight.outcome;
-        let names = designs.weights.iter().filter(|other| alike(other));
-        let names = list(names.map(|other| other.name.as_str()));
-        if groups.iter().any(|group| group.names == names) {
-            continue;
-        }
-        groups.push(Group {
-            names,
-            duty: weight.duty,
-            shared: weight.shared,
-            room: weight.room.as_ref(),
-            without_room: weight.without_room,
-            outcome: &weight.outcome,
-            evolution: weight.evolution.as_ref(),
-        });
-    }
-    groups
-}
-
-fn shapes<'a>(groups: &'a [Group<'a>]) -> Vec<(DesignedShape<'a>, &'a Optimum)> {
-    let found = groups.iter().filter_map(|group| match group.outcome {
-        DesignOutcome::Found(best) => {
-            let (names, duty, shared) = (group.names.as_str(), group.duty, group.shared);
-            let shape = DesignedShape { names, duty, shared, design: &best.design };
-            Some((shape, best.as_ref()))
-        }
-        DesignOutcome::Infeasible(_) => None,
-    });
-    found.collect()
-}
-
-fn text(designs: &CounterweightDesigns, groups: &[Group<'_>]) -> String {
-    let mut out = format!("{}\n\n", designs.engine);
-    let shapes = shapes(groups);
-    for (shape, best) in &shapes {
-        let name = objective_name(best.objective);
-        let value = objective_words(best.objective, best.value);
-        out += &match best.proved {
-            true => format!(
-                "{}: the least {name} of all shapes within the ranges and limits is {value}, proved to one part in a million.\n",
-                shape.names
-            ),
-            false => format!(
-                "{}: the least {name} found is {value}; the proof was broken off after {} boxes.\n",
-                shape.names, best.boxes
-            ),
-        };
-    }
-    out += &groups.iter().filter_map(in_the_room).collect::<String>();
-    for group in groups {
-        out += &group
-            .evolution
-            .map(|evolution| evolved(&group.names, evolution, group.outcome))
-            .unwrap_or_default();
-    }
-    if !shapes.is_empty() {
-        let shapes: Vec<DesignedShape> = shapes.into_iter().map(|(shape, _)| shape).collect();
-        out += &format!("\n{}", designed_properties_table(&shapes).text());
-        out += &format!("\n{}", designed_dimensions_table(&shapes).text());
-    }
-    out + &in_the_way(groups)
-}
-
-/// What clearance costs, where it does.
-fn in_the_room(group: &Group<'_>) -> Option<String> {
-    let room = group.room?;
-    let mut told = format!("{}: {}", group.names, room_words(room));
-    if let (Some(without), DesignOutcome::Found(best)) = (group.without_room, group.outcome) {
-        told += &format!(
-            " The best shape of all, which does not keep it, has {}: no shape that does has less.",
-            objective_words(best.objective, without)
-        );
-    }
-    Some(told + "\n")
-}
-
-/// What the evolutionary search found, beside the optimum.
-fn evolved(names: &str, evolution: &Evolution, outcome: &DesignOutcome) -> String {
-    let looked = format!("{names}: the evolutionary search looked at {} designs", evolution.evaluations);
-    match (evolution.best, outcome) {
-        (None, _) => format!("{looked} and met none within all limits.\n"),
-        (Some(found), DesignOutcome::Found(best)) => format!(
-            "{looked}; its best, {}, is {:.3} % above the optimum.\n",
-            objective_words(evolution.objective, found.value),
-            100.0 * (found.value / best.value - 1.0)
-        ),
-        (Some(found), DesignOutcome::Infeasible(_)) => {
-            format!("{looked}; its best is {}.\n", objective_words(evolution.objective, found.value))
-        }
-    }
-}
-
-/// What stands in the way of a shape.
-pub fn infeasible_text(designs: &CounterweightDesigns) -> String {
-    format!("{}\n{}", designs.engine, in_the_way(&groups(designs)))
-}
-
-fn in_the_way(groups: &[Group<'_>]) -> String {
-    let mut out = String::new();
-    for group in groups {
-        if let DesignOutcome::Infeasible(infeasible) = group.outcome {
-            out += &format!("\n{}", nearest_limits_table(&group.names, infeasible).text());
-            if !infeasible.proved {
-                out += "The search was broken off: a shape may have been overlooked.\n";
-            }
-        }
-    }
-    out
-}
-
-fn csv(groups: &[Group<'_>]) -> String {
-    let shapes: Vec<DesignedShape> = shapes(groups).into_iter().map(|(shape, _)| shape).collect();
-    let mut table = designed_properties_table(&shapes);
-    let dimensions = designed_dimensions_table(&shapes);
-    table.columns.extend(dimensions.columns.into_iter().skip(1));
-    for (row, more) in table.rows.iter_mut().zip(dimensions.rows) {
-        row.extend(more.into_iter().skip(1));
-    }
-    table.csv()
 }

@@ -5,10 +5,10 @@ use crate::commands::open;
 use crate::counterweight_arguments::ExportArguments;
 use crate::failure::{DONE, Failure};
 use crate::files::write_result;
-use lanchester::crankshaft_parts;
 use lanchester::geometry::drawing::{dxf, svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
-use lanchester::model::option;
+use lanchester::model::{Engine, option};
+use lanchester::{CounterweightError, crankshaft_parts, shaft_parts};
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
@@ -20,7 +20,7 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
             "leave it out for the first one",
         ));
     }
-    let parts = crankshaft_parts(&opened.engine, crankshaft, &arguments.weight).map_err(refused)?;
+    let parts = parts(&opened.engine, arguments, crankshaft)?;
     let ending = arguments.output.extension().and_then(|ending| ending.to_str());
     let ending = ending.unwrap_or_default().to_ascii_lowercase();
     let facet = facet(arguments, &ending)?;
@@ -50,6 +50,28 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     Ok(DONE)
 }
 
+/// What is asked for: balance shafts alone, counterweights alone, or a crankshaft, the first one with the balance shafts around it.
+fn parts(
+    engine: &Engine,
+    arguments: &ExportArguments,
+    crankshaft: usize,
+) -> Result<Vec<PlacedPart>, Failure> {
+    if !arguments.shaft.is_empty() {
+        return shaft_parts(engine, &arguments.shaft).map_err(refused);
+    }
+    let of_crank = crankshaft_parts(engine, crankshaft, &arguments.weight);
+    if crankshaft > 0 || !arguments.weight.is_empty() {
+        return of_crank.map_err(refused);
+    }
+    let shafts = shaft_parts(engine, &[]).map_err(refused)?;
+    let mut parts = match of_crank {
+        Err(CounterweightError::NoPart) if !shafts.is_empty() => Vec::new(),
+        of_crank => of_crank.map_err(refused)?,
+    };
+    parts.extend(shafts);
+    Ok(parts)
+}
+
 /// Largest error of facets [m].
 fn facet(arguments: &ExportArguments, ending: &str) -> Result<f64, Failure> {
     let Some(text) = &arguments.facet else { return Ok(1e-5) };
@@ -68,7 +90,7 @@ fn one(parts: &[PlacedPart]) -> Result<&PlacedPart, Failure> {
         [part] => Ok(part),
         _ => Err(Failure::input(
             format_args!("a drawing holds the outline of one part, got {}", parts.len()),
-            "name one counterweight with --weight",
+            "name one counterweight with --weight, or one shaft of one weight with --shaft",
         )),
     }
 }

@@ -24,7 +24,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     if front.designs.is_empty() {
         // The optimum alone says what is in the way.
         let designs = design_counterweights(engine, &request).map_err(refused)?;
-        print(&super::design::infeasible_text(&designs))?;
+        print(&super::designed_counterweights::infeasible_text(&designs))?;
         return Ok(NOT_AS_EXPECTED);
     }
     if let Some(folder) = &arguments.figures {

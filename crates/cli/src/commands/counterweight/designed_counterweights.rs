@@ -1,0 +1,152 @@
+//! What `counterweight design` found for counterweights, as text and CSV.
+
+use super::{list, room_words};
+use lanchester::geometry::clearance::SweptRoom;
+use lanchester::geometry::{DesignOutcome, Evolution, Optimum};
+use lanchester::report::{
+    DesignedShape, designed_dimensions_table, designed_properties_table, nearest_limits_table,
+    objective_name, objective_words,
+};
+use lanchester::{CounterweightDesigns, DesignedCounterweight};
+
+/// Weights of one duty, and what was found for them.
+struct Group<'a> {
+    names: String,
+    duty: f64,
+    /// What of the shape the plain web has already [kg m].
+    shared: f64,
+    room: Option<&'a SweptRoom>,
+    without_room: Option<f64>,
+    outcome: &'a DesignOutcome,
+    evolution: Option<&'a Evolution>,
+}
+
+fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
+    let mut groups: Vec<Group> = Vec::new();
+    for weight in &designs.weights {
+        // Weights of one duty that stand alike have one outcome.
+        let alike =
+            |other: &DesignedCounterweight| other.duty == weight.duty && other.outcome == weight.outcome;
+        let names = designs.weights.iter().filter(|other| alike(other));
+        let names = list(names.map(|other| other.name.as_str()));
+        if groups.iter().any(|group| group.names == names) {
+            continue;
+        }
+        groups.push(Group {
+            names,
+            duty: weight.duty,
+            shared: weight.shared,
+            room: weight.room.as_ref(),
+            without_room: weight.without_room,
+            outcome: &weight.outcome,
+            evolution: weight.evolution.as_ref(),
+        });
+    }
+    groups
+}
+
+fn shapes<'a>(groups: &'a [Group<'a>]) -> Vec<(DesignedShape<'a>, &'a Optimum)> {
+    let found = groups.iter().filter_map(|group| match group.outcome {
+        DesignOutcome::Found(best) => {
+            let (names, duty, shared) = (group.names.as_str(), group.duty, group.shared);
+            let shape = DesignedShape { names, duty, shared, design: &best.design };
+            Some((shape, best.as_ref()))
+        }
+        DesignOutcome::Infeasible(_) => None,
+    });
+    found.collect()
+}
+
+/// What was found, as text.
+pub fn text(designs: &CounterweightDesigns) -> String {
+    let groups = &groups(designs);
+    let mut out = String::new();
+    let shapes = shapes(groups);
+    for (shape, best) in &shapes {
+        let name = objective_name(best.objective);
+        let value = objective_words(best.objective, best.value);
+        out += &match best.proved {
+            true => format!(
+                "{}: the least {name} of all shapes within the ranges and limits is {value}, proved to one part in a million.\n",
+                shape.names
+            ),
+            false => format!(
+                "{}: the least {name} found is {value}; the proof was broken off after {} boxes.\n",
+                shape.names, best.boxes
+            ),
+        };
+    }
+    out += &groups.iter().filter_map(in_the_room).collect::<String>();
+    for group in groups {
+        out += &group
+            .evolution
+            .map(|evolution| evolved(&group.names, evolution, group.outcome))
+            .unwrap_or_default();
+    }
+    if !shapes.is_empty() {
+        let shapes: Vec<DesignedShape> = shapes.into_iter().map(|(shape, _)| shape).collect();
+        out += &format!("\n{}", designed_properties_table(&shapes).text());
+        out += &format!("\n{}", designed_dimensions_table(&shapes).text());
+    }
+    out + &in_the_way(groups)
+}
+
+/// What clearance costs, where it does.
+fn in_the_room(group: &Group<'_>) -> Option<String> {
+    let room = group.room?;
+    let mut told = format!("{}: {}", group.names, room_words(room));
+    if let (Some(without), DesignOutcome::Found(best)) = (group.without_room, group.outcome) {
+        told += &format!(
+            " The best shape of all, which does not keep it, has {}: no shape that does has less.",
+            objective_words(best.objective, without)
+        );
+    }
+    Some(told + "\n")
+}
+
+/// What the evolutionary search found, beside the optimum.
+fn evolved(names: &str, evolution: &Evolution, outcome: &DesignOutcome) -> String {
+    let looked = format!("{names}: the evolutionary search looked at {} designs", evolution.evaluations);
+    match (evolution.best, outcome) {
+        (None, _) => format!("{looked} and met none within all limits.\n"),
+        (Some(found), DesignOutcome::Found(best)) => format!(
+            "{looked}; its best, {}, is {:.3} % above the optimum.\n",
+            objective_words(evolution.objective, found.value),
+            100.0 * (found.value / best.value - 1.0)
+        ),
+        (Some(found), DesignOutcome::Infeasible(_)) => {
+            format!("{looked}; its best is {}.\n", objective_words(evolution.objective, found.value))
+        }
+    }
+}
+
+/// What stands in the way of a shape.
+pub fn infeasible_text(designs: &CounterweightDesigns) -> String {
+    format!("{}\n{}", designs.engine, in_the_way(&groups(designs)))
+}
+
+fn in_the_way(groups: &[Group<'_>]) -> String {
+    let mut out = String::new();
+    for group in groups {
+        if let DesignOutcome::Infeasible(infeasible) = group.outcome {
+            out += &format!("\n{}", nearest_limits_table(&group.names, infeasible).text());
+            if !infeasible.proved {
+                out += "The search was broken off: a shape may have been overlooked.\n";
+            }
+        }
+    }
+    out
+}
+
+/// Properties and dimensions of what was found, as CSV.
+pub fn csv(designs: &CounterweightDesigns) -> String {
+    let groups = &groups(designs);
+    let shapes: Vec<DesignedShape> = shapes(groups).into_iter().map(|(shape, _)| shape).collect();
+    let mut table = designed_properties_table(&shapes);
+    let dimensions = designed_dimensions_table(&shapes);
+    table.columns.extend(dimensions.columns.into_iter().skip(1));
+    for (row, more) in table.rows.iter_mut().zip(dimensions.rows) {
+        row.extend(more.into_iter().skip(1));
+    }
+    table.csv()
+}
