@@ -339,7 +339,7 @@ fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
 }
 
 /// The front between what the task makes small and `against`, for weights of one duty. What a shape shares with the flank of its
-/// web is not made up for here: [`with_counterweights`] gives each weight what the shape really has.
+/// web is not made up for here: [`adopted`] does that for the design that is taken.
 ///
 /// # Errors
 /// As [`design_counterweights`], and where the weights have different duties or there are not two objectives.
@@ -367,6 +367,38 @@ pub fn counterweight_front(
     let front = front(&DesignTask::new(duty, &task), [task.minimise, against], count)?;
     let weights = duties.into_iter().map(|(index, _)| index).collect();
     Ok(CounterweightFront { weights, room, front })
+}
+
+/// A design of a front for all of its weights, each with what the shape shares with the flank of its web made up for: the best shape with no
+/// more of the second objective, or, at that end of the front, the one with the least of it.
+///
+/// # Errors
+/// As [`design_counterweights`].
+pub fn adopted(
+    engine: &Engine,
+    request: &CounterweightRequest,
+    front: &CounterweightFront,
+    design: &Design,
+) -> Result<Vec<(usize, Design)>, CounterweightError> {
+    let end = within(&request.task, front.room.as_ref());
+    let [first, second] = front.front.objectives;
+    let mut task = ShapeTask { minimise: first, ..end };
+    match second {
+        Objective::Mass => task.limits.mass = Some(design.mass),
+        Objective::SweptRadius => task.limits.swept_radius = Some(design.swept_radius),
+        Objective::Inertia => task.limits.inertia = Some(design.inertia),
+        Objective::Thickness => task.thickness.most = design.thickness,
+    }
+    let adopt = |index: &usize| {
+        let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[*index]));
+        for task in [task, ShapeTask { minimise: second, ..end }] {
+            if let (DesignOutcome::Found(best), _) = designed(engine, *index, duty, &task)? {
+                return Ok((*index, best.design));
+            }
+        }
+        Ok((*index, *design))
+    };
+    front.weights.iter().map(adopt).collect()
 }
 
 /// The engine with `design`s, of this density [kg/m^3], in the place of the weights of these indices.

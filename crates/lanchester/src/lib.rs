@@ -36,7 +36,7 @@ pub use counterweight_check::{
 };
 pub use counterweights::{
     COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightFront,
-    CounterweightRequest, DesignedCounterweight, EvolutionRequest, counterweight_front,
+    CounterweightRequest, DesignedCounterweight, EvolutionRequest, adopted, counterweight_front,
     design_counterweights, with_counterweights, with_outline,
 };
 pub use crankshaft_parts::{crankshaft_parts, shaft_parts};

@@ -55,6 +55,17 @@ fn a_front_has_designs_to_adopt() {
         let svg = std::fs::read_to_string(folder.join("figures").join(figure)).unwrap();
         assert!(svg.starts_with("<svg") && !svg.contains("NaN"), "{figure}");
     }
+    // An adopted design makes up for what it shares with the flank of its web, also at both ends.
+    let last = (csv.lines().count() - 1).to_string();
+    for number in ["1", "2", &last] {
+        std::fs::copy(&file, folder.join("three.toml")).unwrap();
+        let adopt = ["counterweight", "front", "three.toml", "--against", "inertia", "--designs", "5"];
+        output(&folder, 0, &[&adopt[..], &["--adopt", number, "--write"]].concat());
+        let checked = output_json(&folder, 0, &["counterweight", "check", "three.toml", "--format", "json"]);
+        for weight in checked["counterweights"].as_array().unwrap() {
+            assert!((weight["unbalance"].as_f64().unwrap() / 0.08876 - 1.0).abs() < 1e-8, "{weight}");
+        }
+    }
     let told = message(&folder, 2, &[&front[..], &["--adopt", "40"]].concat());
     assert!(told.contains("--adopt needs the number of a design"), "{told}");
 }

@@ -11,7 +11,9 @@ use crate::shape_request::shape_request;
 use lanchester::geometry::Front;
 use lanchester::geometry::clearance::SweptRoom;
 use lanchester::report::{front_designs_table, front_plot, objective_name};
-use lanchester::{CounterweightFront, counterweight_front, design_counterweights, with_counterweights};
+use lanchester::{
+    CounterweightFront, adopted, counterweight_front, design_counterweights, with_counterweights,
+};
 
 pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
@@ -40,7 +42,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
                 "leave --adopt out to see the front",
             )
         })?;
-        let adopted: Vec<_> = weights.iter().map(|index| (*index, *design)).collect();
+        let adopted = adopted(engine, &request, &found, design).map_err(refused)?;
         let after = with_counterweights(engine, &adopted, request.task.density).map_err(refused)?;
         let put_back =
             PutBack { path: file, write: arguments.write, dry_run: arguments.dry_run, what: "shapes" };
