@@ -251,6 +251,7 @@ pub(crate) fn engine(
         crank_body: None,
         envelope: None,
         shape_task: None,
+        shaft_weight_task: None,
         balance: None,
         gas: None,
     }

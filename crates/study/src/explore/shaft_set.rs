@@ -105,7 +105,7 @@ impl ShaftDesign {
             y: self.y,
             weights: weights[..count]
                 .iter()
-                .map(|&(z, p)| ShaftWeight { z, unbalance: p.norm() / square, phase: p.arg() })
+                .map(|&(z, p)| ShaftWeight::new(z, p.norm() / square, p.arg()))
                 .collect(),
         }
     }
