@@ -58,6 +58,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         crank_body: None,
         envelope: None,
         shape_task: None,
+        gas: None,
         shaft_weight_task: None,
         balance: None,
     }

@@ -76,6 +76,7 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         crank_body: None,
         envelope: None,
         shape_task: None,
+        gas: None,
         shaft_weight_task: None,
         balance: None,
     }
