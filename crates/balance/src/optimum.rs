@@ -278,14 +278,11 @@ fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec
             active.push(Active { criterion: judged.criterion, theta: one.angle * revolutions, multiplier });
         }
     }
+    active.sort_by(|a, b| a.theta.total_cmp(&b.theta));
     let sum = |criterion: Criterion| -> f64 {
         active.iter().filter(|one| one.criterion == criterion).map(|one| one.multiplier).sum()
     };
-    let least: Vec<f64> = active.iter().map(|one| HELD_UP * sum(one.criterion)).collect();
-    let mut least = least.into_iter();
-    active.retain(|one| least.next().is_some_and(|least| one.multiplier > least));
-    active.sort_by(|a, b| a.theta.total_cmp(&b.theta));
-    active
+    active.iter().filter(|one| one.multiplier > HELD_UP * sum(one.criterion)).copied().collect()
 }
 
 fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64]) -> Vec<FoundWeight> {

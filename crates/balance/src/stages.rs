@@ -13,7 +13,7 @@
 use crate::convex::curve::{Member, length};
 use crate::convex::dense::{Matrix, RowFactors};
 use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
-use crate::convex::{Failure, solve};
+use crate::convex::{Failure, better, proved, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
 use lanchester_model::criterion_unit;
@@ -26,6 +26,9 @@ const FLOOR: f64 = 1e-6;
 
 /// Share of all moving masses' loads below which a load is rounding.
 const ROUNDING: f64 = 1e-13;
+
+/// Share of that rounding to which a proof goes all the same, if it can.
+const TRIES: f64 = 1e-6;
 
 /// How far a later stage may pass the value of an earlier one, relative to it.
 const KEEPS: f64 = 1e-10;
@@ -43,7 +46,9 @@ pub(crate) struct StageProof {
     pub bound: f64,
     /// What a level of 1 is in the unit of the stage.
     pub scale: f64,
-    /// Largest gap that was aimed at, in the unit of the stage.
+    /// Gap that was aimed at, in the unit of the stage.
+    pub aim: f64,
+    /// Largest gap that counts as closed, in the unit of the stage: what was aimed at, or rounding.
     pub target: f64,
     /// Solution in the coordinates of the stage.
     pub solution: Solution,
@@ -133,14 +138,16 @@ impl<'a> Walk<'a> {
         };
         let rounding = ROUNDING * terms.iter().map(natural).sum::<f64>() / scale;
         let loads = terms.iter().all(|t| t.1.groups.iter().all(|g| self.problem.is_load(g.0)));
-        let floor = (FLOOR * unbalanced / scale).max(if loads { rounding / GAP } else { 0.0 });
+        let floor = (FLOOR * unbalanced / scale).max(if loads { TRIES * rounding / GAP } else { 0.0 });
         self.programme.cost.clone_from(&cost);
         let (solution, prices) = self.minimise(floor, solves)?;
-        let largest = solution.value.max(floor);
+        let largest = solution.value.max(if loads { floor } else { FLOOR });
+        let aim = 10.0 * GAP * largest * scale;
         self.proofs.push(StageProof {
             bound: solution.bound * scale,
             scale,
-            target: (10.0 * GAP * largest).max(rounding) * scale,
+            aim,
+            target: aim.max(rounding * scale),
             prices: prices.iter().map(|p| p * scale).collect(),
             solution,
         });
@@ -155,8 +162,13 @@ impl<'a> Walk<'a> {
         let solution = match vanishing(&small, solves) {
             Some(solution) => solution,
             None => match idle_rows(&small, floor, solves) {
-                Some(solution) => solution,
-                None => solve(&small, GAP, floor, solves)?,
+                Some(idle) if proved(&idle, GAP, floor) => idle,
+                // What is proved without the rows holds with them.
+                idle => match (idle, solve(&small, GAP, floor, solves)) {
+                    (Some(idle), Ok(all)) => better(idle, all),
+                    (Some(idle), Err(_)) => idle,
+                    (None, all) => all?,
+                },
             },
         };
         let step = range.times(&solution.x);
@@ -330,7 +342,7 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
     range
 }
 
-/// The optimum without any row, if some optimum of those holds all rows.
+/// The optimum without any row, if a point near it holds all rows.
 ///
 /// Most limits and largest amounts are wide enough not to matter; without them fewer directions are seen.
 fn idle_rows(programme: &Programme, floor: f64, solves: &mut usize) -> Option<Solution> {
@@ -354,7 +366,7 @@ fn idle_rows(programme: &Programme, floor: f64, solves: &mut usize) -> Option<So
     solution.levels = programme.levels(&solution.x);
     let value = programme.value(&solution.x, &solution.levels);
     let holds = programme.violation(&solution.x, &solution.levels) <= programme.holds;
-    if !holds || value - solution.bound > GAP * value.max(floor) {
+    if !holds {
         return None;
     }
     solution.value = value;

@@ -13,6 +13,12 @@ const ONE_AMOUNT: f64 = 1e-12;
 /// it: what is looked for then lies inside one half and not on the edge of both.
 const CLOSE: f64 = 0.1;
 
+/// A narrow part of a sector has this share of what is looked for.
+const INSIDE: f64 = 0.25;
+
+/// Directions that are closer than this are one [rad].
+const ONE_DIRECTION: f64 = 1e-9;
+
 /// Whether a device that may be left out is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Use {
@@ -72,11 +78,20 @@ pub(super) enum Split {
     UseWeight(usize),
     UseShaft(usize),
     Plane(usize, f64),
-    /// Weight, direction looked for.
-    Heading(usize, f64),
+    /// Weight, directions looked for.
+    Heading(usize, Looked),
     AxisX(usize, f64),
     AxisY(usize, f64),
-    ShaftHeading(usize, f64),
+    ShaftHeading(usize, Looked),
+}
+
+/// Directions that the point of a box has at the ends of a stretch or area, about the one that they add up to.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Looked {
+    /// Direction of the sum [rad].
+    pub angle: f64,
+    /// How far the directions reach before it and after it [rad], neither negative.
+    pub reach: [f64; 2],
 }
 
 pub(super) fn stretch(place: Place) -> [f64; 2] {
@@ -247,7 +262,7 @@ impl Choices {
             }
             all.push((share(choice.z, stretch(weight.z)), Split::Plane(index, middle(choice.z))));
             if open(choice.z) || weight.least > 0.0 && usage == Use::Yes {
-                all.push((divisible(choice.heading), Split::Heading(index, 0.0)));
+                all.push((divisible(choice.heading), Split::Heading(index, Looked::default())));
             }
         }
         for (index, (choice, shaft)) in self.shafts.iter().zip(&task.shafts).enumerate() {
@@ -257,8 +272,10 @@ impl Choices {
             all.push((share(choice.x, stretch(shaft.x)), Split::AxisX(index, middle(choice.x))));
             all.push((share(choice.y, stretch(shaft.y)), Split::AxisY(index, middle(choice.y))));
             all.push(match self.only_weight(task, index) {
-                Some(only) => (divisible(self.weights[only].heading), Split::Heading(only, 0.0)),
-                None => (divisible(choice.heading), Split::ShaftHeading(index, 0.0)),
+                Some(only) => {
+                    (divisible(self.weights[only].heading), Split::Heading(only, Looked::default()))
+                }
+                None => (divisible(choice.heading), Split::ShaftHeading(index, Looked::default())),
             });
         }
         let widest = all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -323,21 +340,36 @@ impl Heading {
         }
     }
 
-    /// Parts that cover it; `at` is the direction looked for.
-    fn parts(self, at: f64) -> Vec<Heading> {
+    /// Parts that cover it. Where what is looked for needs a small share of the sector alone, one part is so narrow that
+    /// it leaves out what lies at the ends of it; else the parts are halves.
+    fn parts(self, looked: Looked) -> Vec<Heading> {
+        let [before, after] = looked.reach.map(|reach| INSIDE * reach);
+        let narrow = |width: f64| before + after > ONE_DIRECTION && before + after < 0.5 * width;
+        let sector = |start: f64, width: f64| Heading::Sector { start, width };
         match self {
+            Heading::Any if narrow(2.0 * PI) => {
+                let rest = (2.0 * PI - before - after) / 3.0;
+                let around = |k: i32| sector(looked.angle + after + f64::from(k) * rest, rest);
+                vec![sector(looked.angle - before, before + after), around(0), around(1), around(2)]
+            }
             // The middles of the quarters, not their edges, lie where symmetric engines have their optima.
-            Heading::Any => (0..4)
-                .map(|k| Heading::Sector { start: f64::from(k) * FRAC_PI_2 - FRAC_PI_4, width: FRAC_PI_2 })
-                .collect(),
+            Heading::Any => (0..4).map(|k| sector(f64::from(k) * FRAC_PI_2 - FRAC_PI_4, FRAC_PI_2)).collect(),
             Heading::Sector { start, width } => {
-                let from_start = (at - start).rem_euclid(2.0 * PI);
-                let beside = (from_start - 0.5 * width).abs() < CLOSE * width;
+                let middle = start + 0.5 * width;
+                let past = (looked.angle - middle + PI).rem_euclid(2.0 * PI) - PI;
+                let at = 0.5 * width + past;
+                if narrow(width) && at > -after && at < width + before {
+                    let ends = [at - before, at + after].map(|end| end.clamp(0.0, width));
+                    let [low, high] = ends;
+                    return [[0.0, low], [low, high], [high, width]]
+                        .into_iter()
+                        .filter(|part| part[1] > part[0])
+                        .map(|part| sector(start + part[0], part[1] - part[0]))
+                        .collect();
+                }
+                let beside = past.abs() < CLOSE * width;
                 let first = if beside { (0.5 + 2.0 * CLOSE) * width } else { 0.5 * width };
-                vec![
-                    Heading::Sector { start, width: first },
-                    Heading::Sector { start: start + first, width: width - first },
-                ]
+                vec![sector(start, first), sector(start + first, width - first)]
             }
             Heading::Line(angle) => vec![Heading::Ray(angle), Heading::Ray(angle + PI)],
             Heading::Ray(_) | Heading::Tangent(_) => Vec::new(),
@@ -371,10 +403,10 @@ mod tests {
     #[test]
     fn parts_cover_the_circle_and_every_sector() {
         let width = |parts: &[Heading]| parts.iter().map(|p| p.width()).sum::<f64>();
-        let quarters = Heading::Any.parts(0.0);
+        let quarters = Heading::Any.parts(Looked::default());
         assert!((width(&quarters) - 2.0 * PI).abs() < 1e-15);
         for at in [0.0, 0.3, -0.7, 2.0] {
-            let halves = quarters[0].parts(at);
+            let halves = quarters[0].parts(Looked { angle: at, reach: [0.0; 2] });
             assert!((width(&halves) - FRAC_PI_2).abs() < 1e-15);
             // What is looked for lies well inside one of them.
             let inside = |h: &Heading| match *h {
@@ -386,6 +418,29 @@ mod tests {
             };
             assert!(at.abs() > FRAC_PI_4 || halves.iter().any(inside), "{at}: {halves:?}");
         }
+    }
+
+    #[test]
+    fn a_narrow_part_leaves_out_the_ends_of_what_is_looked_for() {
+        let looked = Looked { angle: 0.3, reach: [0.05, 0.1] };
+        for whole in [Heading::Any, Heading::Any.parts(Looked::default())[0]] {
+            let parts = whole.parts(looked);
+            let sum = parts.iter().map(|part| part.width()).sum::<f64>();
+            assert!((sum - whole.width()).abs() < 1e-14, "{whole:?}: {parts:?}");
+            let holds = |part: &Heading, angle: f64| {
+                let Heading::Sector { start, width } = *part else { panic!("{part:?}") };
+                (angle - start).rem_euclid(2.0 * PI) < width
+            };
+            let around: Vec<&Heading> = parts.iter().filter(|part| holds(part, 0.3)).collect();
+            assert_eq!(around.len(), 1, "{parts:?}");
+            assert!(!holds(around[0], 0.25) && !holds(around[0], 0.4), "{around:?}");
+            assert!(parts.iter().all(|part| part.width() <= PI), "{parts:?}");
+        }
+        // At the edge of a sector, and where the ends are as wide as the sector.
+        let edge = Heading::Sector { start: 0.3, width: 1.0 };
+        assert_eq!(edge.parts(Looked { angle: 0.3, ..looked }).len(), 2);
+        assert_eq!(edge.parts(Looked { angle: 0.8, reach: [0.3 / INSIDE; 2] }).len(), 2);
+        assert_eq!(edge.parts(Looked { angle: 0.8, reach: [0.1 / INSIDE; 2] }).len(), 3);
     }
 
     #[test]

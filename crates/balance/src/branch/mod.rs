@@ -3,11 +3,11 @@
 //!
 //! A box of choices has a convex programme that loses nothing of it ([`relaxed`]), whose certificate bounds everything in
 //! the box from below. The box with the lowest bound is divided; choices near the programmes' optima are tried, and the
-//! best of them bounds the optimum from above. The search ends when no box can hold anything better by more than half the
-//! promised gap, or after [`search::MOST_NODES`] boxes a stage: then the gap that is left is stated. What only decides among
-//! equals is searched less far ([`search::Effort::AMONG_EQUALS`]).
+//! best of them bounds the optimum from above. The search ends when no box can hold anything better by more than its share
+//! of the promised gap, or after [`search::MOST_NODES`] boxes a stage: then the gap that is left is stated. What only
+//! decides among equals is searched less far ([`search::Effort::AMONG_EQUALS`]).
 //!
-//! Later stages search the boxes that are left of the earlier ones. They hold an earlier stage within the other half of
+//! Later stages search the boxes that are left of the earlier ones. They hold an earlier stage within as large a share of
 //! the gap; where the earlier optimum does not depend on the choices that are left they hold it exactly.
 //!
 //! Source: book, "Choices: branch and bound", eqs. (18.1) to (18.4).
@@ -171,8 +171,8 @@ fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, 
         if found.stopped {
             stopped.get_or_insert(stage);
         }
-        bounds.push((found.bound, 2.0 * best.target));
-        held.push(Held { value: best.value, slack: best.target, exact: found.exact });
+        bounds.push((found.bound, best.target));
+        held.push(Held { value: best.value, slack: best.slack, exact: found.exact });
         known = Some(best.choices.clone());
         boxes = found.left;
     }

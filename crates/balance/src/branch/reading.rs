@@ -1,6 +1,6 @@
 //! What the optimum of a box's programme says: where it goes beyond the task, and which choice lies nearest to it.
 
-use super::choices::{Choices, Heading, ONE_PLACE, Split, Use, given, on_shaft, open};
+use super::choices::{Choices, Heading, Looked, ONE_PLACE, Split, Use, given, on_shaft, open};
 use super::relaxed::corners;
 use crate::problem::Problem;
 use lanchester_model::BalanceTask;
@@ -22,6 +22,7 @@ struct Seen {
     unbalance: Complex64,
     /// `z U` [kg m^2].
     moment: Complex64,
+    looked: Looked,
     /// Natural amount [kg m].
     unit: f64,
     /// Force of 1 kg m [N].
@@ -36,6 +37,15 @@ struct SeenShaft {
     moment: Complex64,
     unit: f64,
     square: f64,
+}
+
+/// The directions of the parts of a sum, those that are more than rounding of `unit`.
+fn looked(parts: impl Iterator<Item = Complex64>, sum: Complex64, unit: f64) -> Looked {
+    let mut reach = [0.0f64; 2];
+    for turn in parts.filter(|part| part.norm() > NOTHING * unit).map(|part| (part * sum.conj()).arg()) {
+        reach = [reach[0].max(-turn), reach[1].max(turn)];
+    }
+    Looked { angle: sum.arg(), reach }
 }
 
 /// A point of a box's programme.
@@ -54,11 +64,16 @@ impl<'a> Reading<'a> {
         let weights: Vec<Seen> = operator
             .weights
             .iter()
-            .map(|columns| Seen {
-                unbalance: columns.corners.iter().map(|c| c.unbalance(x)).sum(),
-                moment: columns.corners.iter().map(|c| c.z * c.unbalance(x)).sum(),
-                unit: columns.unit,
-                square: (columns.ratio.value() * operator.speed).powi(2),
+            .map(|columns| {
+                let parts = || columns.corners.iter().map(|c| c.unbalance(x));
+                let unbalance = parts().sum();
+                Seen {
+                    unbalance,
+                    moment: columns.corners.iter().map(|c| c.z * c.unbalance(x)).sum(),
+                    looked: looked(parts(), unbalance, columns.unit),
+                    unit: columns.unit,
+                    square: (columns.ratio.value() * operator.speed).powi(2),
+                }
             })
             .collect();
         let shafts = (0..task.shafts.len())
@@ -156,23 +171,24 @@ impl<'a> Reading<'a> {
         }
     }
 
-    /// Where to divide the box: the choice that the point goes farthest beyond; `None` where it keeps to the task.
-    pub fn split(&self) -> Option<Split> {
+    /// Where the box can be divided: at the choice that the point goes farthest beyond, the widest part of it first;
+    /// none where the point keeps to the task.
+    pub fn splits(&self) -> Vec<Split> {
         let undecided = self.undecided();
         let used = undecided.iter().filter(|one| self.is_used(one.1));
         let left = self.task.most_optional.map(|most| most.saturating_sub(self.choices.used(self.task)));
         if left.is_some_and(|left| used.clone().count() > left)
             && let Some(&(_, split)) = undecided.first()
         {
-            return Some(split);
+            return vec![split];
         }
         if let Some(&(_, split)) = used.clone().find(|one| self.is_between(one.1)) {
-            return Some(split);
+            return vec![split];
         }
-        let mut worst: (f64, Option<Split>) = (HOLDS, None);
-        let mut consider = |beyond: f64, split: Split| {
+        let mut worst: (f64, Vec<Split>) = (HOLDS, Vec::new());
+        let mut consider = |beyond: f64, splits: Vec<Split>| {
             if beyond > worst.0 {
-                worst = (beyond, Some(split));
+                worst = (beyond, splits);
             }
         };
         for weight in 0..self.weights.len() {
@@ -180,12 +196,14 @@ impl<'a> Reading<'a> {
                 continue;
             }
             let (seen, choice) = (&self.weights[weight], &self.choices.weights[weight]);
-            let angle = seen.unbalance.arg();
             let turn = seen.square / self.natural_force;
             let short = self.task.weights[weight].least - seen.unbalance.norm();
             let divisible = !matches!(choice.heading, Heading::Ray(_) | Heading::Tangent(_));
             if self.choices.usage(self.task, weight) == Use::Yes && divisible {
-                consider(turn * short, Split::Heading(weight, angle));
+                consider(
+                    turn * short,
+                    vec![Split::Heading(weight, Looked { angle: seen.unbalance.arg(), reach: [0.0; 2] })],
+                );
             }
             if open(choice.z) {
                 let plane = self.plane(weight);
@@ -193,12 +211,12 @@ impl<'a> Reading<'a> {
                     (seen.moment - plane * seen.unbalance).norm() * seen.square / self.natural_moment;
                 let whole = super::choices::stretch(self.task.weights[weight].z);
                 let stretch = (choice.z[1] - choice.z[0]) / (whole[1] - whole[0]);
-                let split = if divisible && choice.heading.width() / (2.0 * PI) > 0.5 * stretch {
-                    Split::Heading(weight, angle)
-                } else {
-                    Split::Plane(weight, plane)
-                };
-                consider(beyond, split);
+                let mut splits = vec![Split::Plane(weight, plane)];
+                if divisible {
+                    let wide = choice.heading.width() / (2.0 * PI) > 0.5 * stretch;
+                    splits.insert(usize::from(!wide), Split::Heading(weight, seen.looked));
+                }
+                consider(beyond, splits);
             }
         }
         for shaft in 0..self.shafts.len() {
@@ -208,7 +226,7 @@ impl<'a> Reading<'a> {
             }
             let axis = self.axis(shaft);
             let beyond = (seen.moment - axis.conj() * seen.sum).norm() * seen.square / self.natural_moment;
-            consider(beyond, self.axis_split(shaft, axis));
+            consider(beyond, vec![self.axis_split(shaft, axis)]);
         }
         worst.1
     }
@@ -222,11 +240,11 @@ impl<'a> Reading<'a> {
         };
         let x = share(choice.x, super::choices::stretch(free.x));
         let y = share(choice.y, super::choices::stretch(free.y));
-        let angle = self.shafts[shaft].sum.arg();
+        let looked = Looked { angle: self.shafts[shaft].sum.arg(), reach: [0.0; 2] };
         // The sector of a single weight is that of the shaft.
         let (heading, split) = match self.choices.only_weight(self.task, shaft) {
-            Some(only) => (self.choices.weights[only].heading, Split::Heading(only, angle)),
-            None => (choice.heading, Split::ShaftHeading(shaft, angle)),
+            Some(only) => (self.choices.weights[only].heading, Split::Heading(only, looked)),
+            None => (choice.heading, Split::ShaftHeading(shaft, looked)),
         };
         let divisible = !matches!(heading, Heading::Ray(_) | Heading::Tangent(_));
         if divisible && heading.width() / (2.0 * PI) > 0.5 * x.max(y) {

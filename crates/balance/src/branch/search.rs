@@ -33,10 +33,10 @@ impl Effort {
     pub const AMONG_EQUALS: Effort = Effort { nodes: 200, gap: 1e-5 };
 }
 
-/// Share of the promised gap that a search uses up; the rest is what later stages may give up of earlier ones.
-const SEARCHED: f64 = 0.5;
+/// Share of the promised gap that a search uses up. Later stages may give up as much again; what is left is for rounding.
+const SEARCHED: f64 = 0.45;
 
-/// Optima of boxes closer than this share of the largest gap are the same.
+/// Optima of boxes closer than this share of the slack are the same.
 const SAME: f64 = 1e-3;
 
 /// Rounds in which a new best choice is moved along its places and phases in turn.
@@ -47,6 +47,9 @@ const BOUNDED: f64 = 1e-5;
 
 /// A box is not divided any more after so many on end whose bounds were spoiled by rounding.
 const MOST_SPOILED: usize = 12;
+
+/// A division that leaves no more than this share of what was open is good enough: no other is tried.
+const ENOUGH: f64 = 0.5;
 
 /// What is minimised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,6 +65,8 @@ pub(super) enum Goal {
 pub(super) struct Incumbent {
     pub choices: Choices,
     pub value: f64,
+    /// A box that is better by no more than this is not divided.
+    pub slack: f64,
     /// Largest gap that counts as closed.
     pub target: f64,
 }
@@ -88,8 +93,8 @@ struct Examined {
     bound: f64,
     /// Optimum of its programme, where it was found.
     value: f64,
-    /// Where to divide it.
-    split: Option<Split>,
+    /// Where it can be divided; none where it is not divided any more.
+    splits: Vec<Split>,
     /// How many boxes on end, this one the last, have most of what is open because of rounding.
     spoiled: usize,
 }
@@ -127,6 +132,9 @@ struct Optimum {
     x: Vec<f64>,
     value: f64,
     bound: f64,
+    /// Gap that is aimed at.
+    aim: f64,
+    /// Largest gap that counts as closed.
     target: f64,
 }
 
@@ -159,7 +167,8 @@ impl<'a> Search<'a> {
         }
         let limit = self.nodes + effort.nodes;
         for choices in start {
-            self.examine(&mut hunt, choices, Parent { bound: f64::NEG_INFINITY, spoiled: 0 })?;
+            let whole = self.examine(&mut hunt, choices, Parent { bound: f64::NEG_INFINITY, spoiled: 0 })?;
+            hunt.queue.extend(whole);
         }
         let mut stopped = false;
         while let Some(lowest) = hunt.queue.pop() {
@@ -172,54 +181,102 @@ impl<'a> Search<'a> {
                 hunt.aside.push(lowest);
                 break;
             }
-            let Some(split) = lowest.split else {
+            if lowest.splits.is_empty() {
                 hunt.aside.push(lowest);
                 continue;
-            };
-            let parent = Parent { bound: lowest.bound, spoiled: lowest.spoiled };
-            for part in lowest.choices.divided(self.ground.task, split) {
-                if self.alike.in_order(self.ground.task, &part) {
-                    self.examine(&mut hunt, part, parent)?;
-                }
             }
+            let parts = self.parts(&mut hunt, lowest)?;
+            hunt.queue.extend(parts);
         }
         hunt.aside.extend(hunt.queue.drain());
         Ok(hunt.found(stopped))
     }
 
-    /// Bounds a box, tries the choice nearest to its optimum, and keeps the box if it may hold something better.
-    fn examine(&mut self, hunt: &mut Hunt, choices: Choices, parent: Parent) -> Result<(), BalanceError> {
+    /// The parts of a box, divided where that leaves the least open. Where a whole range of places is equally good, to
+    /// divide it doubles the boxes that are open, while dividing the phases closes them; elsewhere it is the other way.
+    fn parts(&mut self, hunt: &mut Hunt, whole: Examined) -> Result<Vec<Examined>, BalanceError> {
+        let parent = Parent { bound: whole.bound, spoiled: whole.spoiled };
+        let (mut least, mut kept) = (f64::INFINITY, Vec::new());
+        // Every division bounds the whole box.
+        let mut proved = whole.bound;
+        for split in whole.splits {
+            let mut parts = Vec::new();
+            for part in whole.choices.divided(self.ground.task, split) {
+                if self.alike.in_order(self.ground.task, &part) {
+                    parts.extend(self.examine(hunt, part, parent)?);
+                }
+            }
+            proved = proved.max(parts.iter().map(|part| part.bound).fold(f64::INFINITY, f64::min));
+            let open = parts.iter().map(|part| hunt.open(part.bound)).sum();
+            if kept.is_empty() || open < least {
+                (least, kept) = (open, parts);
+            }
+            if least <= ENOUGH * hunt.open(whole.bound) {
+                break;
+            }
+        }
+        kept.iter_mut().for_each(|part| part.bound = part.bound.max(proved));
+        Ok(kept)
+    }
+
+    /// Bounds a box and tries the choice nearest to its optimum; `None` where it holds nothing better.
+    fn examine(
+        &mut self,
+        hunt: &mut Hunt,
+        choices: Choices,
+        parent: Parent,
+    ) -> Result<Option<Examined>, BalanceError> {
         self.nodes += 1;
-        let Some(mut problem) = self.ground.problem(&choices)? else { return Ok(()) };
+        let Some(mut problem) = self.ground.problem(&choices)? else { return Ok(None) };
         problem.programme.holds = BOUNDED;
         let optimum = match self.optimum(&problem, hunt.goal, hunt.held) {
             Ok(optimum) => optimum,
-            Err(Failure::Infeasible) => return Ok(()),
+            Err(Failure::Infeasible) => return Ok(None),
+            Err(Failure::NoPoint) if self.cannot_hold(&problem, hunt.held) => return Ok(None),
             Err(Failure::NoPoint) => {
                 // Nothing is known about it but what holds for the box that it came from.
-                let split = choices.widest(self.ground.task);
+                let splits = choices.widest(self.ground.task).into_iter().collect();
                 let (bound, spoiled) = (parent.bound, parent.spoiled);
-                let unknown = Examined { choices, bound, value: f64::NEG_INFINITY, split, spoiled };
-                hunt.queue.push(unknown);
-                return Ok(());
+                return Ok(Some(Examined { choices, bound, value: f64::NEG_INFINITY, splits, spoiled }));
             }
         };
         let bound = optimum.bound.max(parent.bound);
         if hunt.is_worse(bound) {
-            return Ok(());
+            return Ok(None);
+        }
+        // Where rounding spoils a certificate or a point the parts of the box may have better ones, but not for ever.
+        let (rounding, open) = (optimum.value - optimum.bound, hunt.open(bound));
+        let spoils = open > 0.0 && rounding > 0.5 * open;
+        if spoils && self.cannot_hold(&problem, hunt.held) {
+            return Ok(None);
         }
         let reading = Reading::of(self.ground.task, &choices, &problem, &optimum.x);
         if !hunt.closes(bound) {
             self.attempt(hunt, &reading.nearest())?;
         }
-        // Where rounding spoils a certificate or a point the parts of the box may have better ones, but not for ever.
-        let rounding = optimum.value - optimum.bound;
-        let open = hunt.best.as_ref().map_or(f64::INFINITY, |best| best.value - bound);
-        let spoiled = if rounding > 0.5 * open { parent.spoiled + 1 } else { 0 };
-        let split = reading.split().or_else(|| choices.widest(self.ground.task));
-        let split = split.filter(|_| spoiled < MOST_SPOILED);
-        hunt.queue.push(Examined { choices, bound, value: optimum.value, split, spoiled });
-        Ok(())
+        let spoiled = if spoils { parent.spoiled + 1 } else { 0 };
+        let mut splits = reading.splits();
+        if splits.is_empty() {
+            splits.extend(choices.widest(self.ground.task));
+        }
+        if spoiled >= MOST_SPOILED {
+            splits.clear();
+        }
+        Ok(Some(Examined { choices, bound, value: optimum.value, splits, spoiled }))
+    }
+
+    /// Whether an earlier stage is worse in a whole box than it may be. A box that no earlier stage allows, but for
+    /// rounding, has a poor certificate of a later one.
+    fn cannot_hold(&mut self, problem: &Problem, held: &[Held]) -> bool {
+        let inexact = held.iter().enumerate().filter(|one| !one.1.exact);
+        for (stage, one) in inexact {
+            match self.optimum(problem, Goal::Stage(stage), &held[..stage]) {
+                Ok(optimum) if optimum.bound > one.value + one.slack => return true,
+                Err(Failure::Infeasible) => return true,
+                Ok(_) | Err(Failure::NoPoint) => {}
+            }
+        }
+        false
     }
 
     /// Solves the programme of a choice whose places are given and keeps it if it is the best so far; then moves places
@@ -233,9 +290,10 @@ impl<'a> Search<'a> {
             if optimum.value >= before {
                 return Ok(());
             }
-            let target = (SEARCHED * optimum.target).max(hunt.gap * optimum.value);
-            let helps = before - optimum.value > target;
-            hunt.best = Some(Incumbent { choices: choices.clone(), value: optimum.value, target });
+            let slack = (SEARCHED * optimum.aim).max(hunt.gap * optimum.value);
+            let target = optimum.target.max(2.0 * slack);
+            let helps = before - optimum.value > slack;
+            hunt.best = Some(Incumbent { choices: choices.clone(), value: optimum.value, slack, target });
             let root = Choices::of(self.ground.task);
             let Some(everywhere) = root.first().filter(|_| helps) else { return Ok(()) };
             let reading = Reading::of(self.ground.task, &choices, &problem, &optimum.x);
@@ -261,13 +319,14 @@ impl<'a> Search<'a> {
                 walk.stage(&problem.stages[stage], &mut self.solves)?;
                 let proof = walk.proofs.pop().ok_or(Failure::NoPoint)?;
                 let value = proof.solution.value * proof.scale;
-                Ok(Optimum { x: walk.x, value, bound: proof.bound.min(value), target: proof.target })
+                let bound = proof.bound.min(value);
+                Ok(Optimum { x: walk.x, value, bound, aim: proof.aim, target: proof.target })
             }
             Goal::Relaxation => {
                 let relaxed = relaxation(problem, &mut self.solves)?;
                 let target = 10.0 * GAP * relaxed.value.max(1e-3);
                 let bound = relaxed.bound.min(relaxed.value);
-                Ok(Optimum { x: relaxed.x, value: relaxed.value, bound, target })
+                Ok(Optimum { x: relaxed.x, value: relaxed.value, bound, aim: target, target })
             }
         }
     }
@@ -288,19 +347,28 @@ struct Hunt<'a> {
 impl Hunt<'_> {
     /// Whether nothing in a box with this bound is better than the best by more than the gap.
     fn closes(&self, bound: f64) -> bool {
-        self.best.as_ref().is_some_and(|best| bound >= best.value - best.target)
+        self.best.as_ref().is_some_and(|best| bound >= best.value - best.slack)
+    }
+
+    /// How much better than the best a box with this bound may be, nothing where that is within the gap.
+    fn open(&self, bound: f64) -> f64 {
+        if self.closes(bound) {
+            0.0
+        } else {
+            self.best.as_ref().map_or(f64::INFINITY, |best| best.value - bound)
+        }
     }
 
     /// Whether everything in a box with this bound is worse than the best by more than the gap.
     fn is_worse(&self, bound: f64) -> bool {
-        self.best.as_ref().is_some_and(|best| bound > best.value + best.target)
+        self.best.as_ref().is_some_and(|best| bound > best.value + best.slack)
     }
 
     fn found(self, stopped: bool) -> Found {
         let value = self.best.as_ref().map_or(f64::INFINITY, |best| best.value);
         let bound = self.aside.iter().map(|one| one.bound).fold(value, f64::min);
         let left: Vec<&Examined> = self.aside.iter().filter(|one| !self.is_worse(one.bound)).collect();
-        let same = self.best.as_ref().map_or(0.0, |best| SAME * best.target);
+        let same = self.best.as_ref().map_or(0.0, |best| SAME * best.slack);
         Found {
             bound,
             exact: left.iter().all(|one| one.value >= value - same),

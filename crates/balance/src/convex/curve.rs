@@ -156,6 +156,16 @@ impl Harmonic {
         length(&self.cos) + length(&self.sin)
     }
 
+    /// Sets to 0 what is rounding of a sum of `own` and of `parts`, these in amount.
+    fn clear(&mut self, own: &Harmonic, parts: &Harmonic) {
+        let rounding = CANCELLED * (own.most() + parts.most());
+        self.cos
+            .iter_mut()
+            .chain(&mut self.sin)
+            .filter(|sum| sum.abs() <= rounding)
+            .for_each(|sum| *sum = 0.0);
+    }
+
     fn add(&mut self, other: &Harmonic) {
         for m in 0..WIDTH {
             self.cos[m] += other.cos[m];
@@ -163,6 +173,9 @@ impl Harmonic {
         }
     }
 }
+
+/// What is left of a harmonic when parts of it cancel is rounding below this share of the parts' amounts.
+const CANCELLED: f64 = 16.0 * f64::EPSILON;
 
 /// Cosine and sine of rising multiples of an angle, each from the one before.
 struct Turns {
@@ -254,8 +267,12 @@ impl Curve {
         let mut harmonics = self.base.clone();
         let mut grain = self.grain;
         let shift = self.columns.times(x);
-        for (place, change) in self.changes(&shift) {
-            harmonics[place].add(&change);
+        let parts = self.columns.amounts(x);
+        for ((place, change), (_, parts)) in self.changes(&shift).zip(self.changes(&parts)) {
+            let harmonic = &mut harmonics[place];
+            let own = *harmonic;
+            harmonic.add(&change);
+            harmonic.clear(&own, &parts);
             grain += GRAIN * change.most();
         }
         Fixed { curve: self, harmonics, grain }

@@ -43,6 +43,12 @@ impl Matrix {
         (0..self.rows).map(|i| dot(self.row(i), x)).collect()
     }
 
+    /// `|M| |x|`: what the parts of `M x` come to if none cancels another.
+    pub fn amounts(&self, x: &[f64]) -> Vec<f64> {
+        let amount = |row: &[f64]| row.iter().zip(x).map(|(a, b)| (a * b).abs()).sum();
+        (0..self.rows).map(|i| amount(self.row(i))).collect()
+    }
+
     /// Adds `factor M^T y` to `to`.
     pub fn add_transposed(&self, y: &[f64], factor: f64, to: &mut [f64]) {
         for i in 0..self.rows {

@@ -96,7 +96,8 @@ pub(crate) fn solve(
     found.taken(programme, whole).ok_or(if infeasible { Failure::Infeasible } else { Failure::NoPoint })
 }
 
-fn proved(solution: &Solution, relative: f64, floor: f64) -> bool {
+/// Whether the gap is no more than `relative` times the larger of the optimum and `floor`.
+pub(crate) fn proved(solution: &Solution, relative: f64, floor: f64) -> bool {
     solution.value - solution.bound <= relative * solution.value.max(floor)
 }
 
@@ -198,7 +199,7 @@ fn consider(
 }
 
 /// The better point of two with the better bound.
-fn better(before: Solution, found: Solution) -> Solution {
+pub(crate) fn better(before: Solution, found: Solution) -> Solution {
     let (mut kept, other) = if found.value < before.value { (found, before) } else { (before, found) };
     raise(&mut kept, &other);
     kept

@@ -5,7 +5,7 @@
 //! c_g + SUM b_rg price_r - SUM over k in g of m_k = 0
 //! |a_k| = t_g          at the angle where |a_k| is largest
 //! SUM b_rg t_g + h_r x = B_r     for the rows that hold it up
-//! a_i = 0              for vectors that vanish
+//! a_i = 0              for what vanishes: vectors, and curves at all the angles that they are judged at
 //! ```
 //! An angle that follows its peak adds `m q q^T / curvature` to the second derivative, with `q = (A'^T a + A^T a') / |a|`.
 //! The system is regularised so that more peaks than needed do no harm; since every step starts from the true
@@ -28,6 +28,16 @@ pub(crate) struct Peak {
     pub multiplier: f64,
 }
 
+/// What vanishes, judged at an angle.
+#[derive(Debug, Clone)]
+pub(crate) struct Pin {
+    pub group: usize,
+    pub member: usize,
+    pub angle: f64,
+    /// Its multiplier.
+    pub y: Vector,
+}
+
 /// What a peak contributes at the present point.
 struct Local {
     amount: f64,
@@ -46,8 +56,7 @@ pub(crate) struct State<'a> {
     pub x: Vec<f64>,
     pub levels: Vec<f64>,
     pub peaks: Vec<Peak>,
-    /// Vectors that vanish, with their multipliers.
-    pub pinned: Vec<(usize, Vector)>,
+    pub pinned: Vec<Pin>,
     /// Rows that hold it up, with their prices.
     pub rows: Vec<(usize, f64)>,
 }
@@ -172,8 +181,8 @@ impl<'a> State<'a> {
         let at_peak = n + groups.len();
         let at_row = at_peak + self.peaks.len();
         let at_pin = at_row + self.rows.len();
-        let dimension = |group: usize| self.programme.groups[group].members[0].dimension();
-        let size = at_pin + self.pinned.iter().map(|p| dimension(p.0)).sum::<usize>();
+        let pinned = |pin: &Pin| &self.programme.groups[pin.group].members[pin.member];
+        let size = at_pin + self.pinned.iter().map(|pin| pinned(pin).dimension()).sum::<usize>();
         let mut system = System {
             matrix: Matrix::zeros(size, size),
             right: vec![0.0; size],
@@ -203,11 +212,10 @@ impl<'a> State<'a> {
             system.right[at_row + k] = -self.programme.excess(r, &self.x, &self.levels);
         }
         let mut line = at_pin;
-        for (group, y) in &self.pinned {
-            let member = &self.programme.groups[*group].members[0];
-            let value = member.value(0.0, &self.x);
-            let columns = member.columns();
-            columns.add_transposed(y, 1.0, &mut gradient);
+        for pin in &self.pinned {
+            let value = pinned(pin).value(pin.angle, &self.x);
+            let columns = pinned(pin).directions(pin.angle);
+            columns.add_transposed(&pin.y, 1.0, &mut gradient);
             for m in 0..columns.rows {
                 let mut column = columns.row(m).to_vec();
                 column.resize(at_peak, 0.0);
@@ -249,9 +257,9 @@ impl<'a> State<'a> {
             row.1 += factor * step[system.at_row + k];
         }
         let mut line = system.at_pin;
-        for (group, y) in &mut self.pinned {
-            for m in 0..self.programme.groups[*group].members[0].dimension() {
-                y[m] += factor * step[line];
+        for pin in &mut self.pinned {
+            for m in 0..self.programme.groups[pin.group].members[pin.member].dimension() {
+                pin.y[m] += factor * step[line];
                 line += 1;
             }
         }

@@ -4,7 +4,7 @@ use super::cone::ConePoint;
 use super::curve::{Member, WIDTH, length};
 use super::dense::{add_scaled, least_squares};
 use super::exchange::apart;
-use super::kkt::{Newcomer, Peak, State};
+use super::kkt::{Newcomer, Peak, Pin, State};
 use super::programme::{Programme, Support, largest};
 
 /// A point with its multipliers.
@@ -20,7 +20,7 @@ const NOISE: f64 = 1e-5;
 /// Members that a unit of the variables moves by less than this share of their group's reach stay where they are.
 const FIXED: f64 = 1e-7;
 
-/// Vectors below this amount are taken to vanish.
+/// Vectors below this amount are taken to vanish, and curves that cost less than this share of all.
 const VANISHES: f64 = 1e-6;
 
 /// Peaks that stand above their level by less than this share of it are level.
@@ -62,6 +62,13 @@ impl<'a> State<'a> {
             pinned: Vec::new(),
             rows: Vec::new(),
         };
+        let value = programme.value(&state.x, &state.levels);
+        let nothing: Vec<bool> = programme
+            .cost
+            .iter()
+            .zip(&state.levels)
+            .map(|(cost, level)| *cost > 0.0 && cost * level < VANISHES * value)
+            .collect();
         for (r, &price) in point.prices.iter().enumerate() {
             if price > NOISE {
                 state.rows.push((r, price));
@@ -71,9 +78,13 @@ impl<'a> State<'a> {
             let weight = programme.weight(one.group, &point.prices);
             let size = length(&one.y);
             let member = &programme.groups[one.group].members[one.member];
-            let vanishes = matches!(member, Member::Vector { .. })
-                && length(&member.value(0.0, &state.x)) < VANISHES
-                && programme.groups[one.group].members.len() == 1;
+            let vanishes = match member {
+                Member::Vector { .. } => {
+                    length(&member.value(0.0, &state.x)) < VANISHES
+                        && programme.groups[one.group].members.len() == 1
+                }
+                Member::Curve(_) => nothing[one.group],
+            };
             // A limit is not held up by what stages before have fixed.
             let fixed = programme.cost[one.group] == 0.0
                 && largest(&member.directions(one.angle)) <= FIXED * programme.groups[one.group].reach;
@@ -81,7 +92,8 @@ impl<'a> State<'a> {
                 continue;
             }
             if vanishes {
-                state.pinned.push((one.group, one.y));
+                let &Support { group, member, angle, y } = one;
+                state.pinned.push(Pin { group, member, angle, y });
                 state.levels[one.group] = 0.0;
             } else if size > NOISE * weight {
                 state.peaks.push(Peak {
@@ -94,7 +106,7 @@ impl<'a> State<'a> {
         }
         // Nor does a row hold anything up whose groups are all fixed.
         let acts = |group: usize| {
-            state.peaks.iter().any(|p| p.group == group) || state.pinned.iter().any(|p| p.0 == group)
+            state.peaks.iter().any(|p| p.group == group) || state.pinned.iter().any(|p| p.group == group)
         };
         state.rows.retain(|&(r, _)| {
             let row = &programme.rows[r];
@@ -119,9 +131,12 @@ impl<'a> State<'a> {
             self.peaks.remove(k);
             return true;
         }
-        let over = self.pinned.iter().position(|(group, y)| length(y) > self.weight(*group) * (1.0 + 1e-9));
+        let over = self.pinned.iter().position(|pin| {
+            let member = &self.programme.groups[pin.group].members[pin.member];
+            matches!(member, Member::Vector { .. }) && length(&pin.y) > self.weight(pin.group) * (1.0 + 1e-9)
+        });
         let Some(k) = over else { return false };
-        let (group, y) = self.pinned.remove(k);
+        let Pin { group, y, .. } = self.pinned.remove(k);
         let size = length(&y);
         self.levels[group] = VANISHES;
         // It leaves 0 along the way that its multiplier pulls.
@@ -186,7 +201,7 @@ impl<'a> State<'a> {
 
     /// A group that begins to matter enters with its highest peak.
     fn enter(&mut self, group: usize, levels: &[f64]) {
-        if self.peaks.iter().any(|p| p.group == group) || self.pinned.iter().any(|p| p.0 == group) {
+        if self.peaks.iter().any(|p| p.group == group) || self.pinned.iter().any(|p| p.group == group) {
             return;
         }
         let programme: &'a Programme = self.programme;
@@ -215,8 +230,8 @@ impl<'a> State<'a> {
             }
             support.push(Support { group: peak.group, member: peak.member, angle: peak.angle, y });
         }
-        for (group, y) in &self.pinned {
-            support.push(Support { group: *group, member: 0, angle: 0.0, y: *y });
+        for &Pin { group, member, angle, y } in &self.pinned {
+            support.push(Support { group, member, angle, y });
         }
         Polished { x: self.x, support, prices }
     }

@@ -2,7 +2,7 @@
 //! allowed goes below its bounds.
 
 use crate::support::*;
-use lanchester_balance::{Answer, fitted, optimise};
+use lanchester_balance::{Answer, Outcome, fitted, optimise};
 use lanchester_model::*;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -138,7 +138,8 @@ proptest! {
             ..Default::default()
         };
         let answer = optimise(&engine, &task).unwrap();
-        proved_or_told(&engine, &answer).map_err(TestCaseError::fail)?;
+        prop_assert_eq!(&answer.outcome, &Outcome::Optimal, "{:?}", answer.method);
+        assert_proved(&engine, &answer);
         is_allowed(&task, &answer).map_err(TestCaseError::fail)?;
         let fit = fitted(&engine, &answer);
         let (value, bound) = (answer.stages[0].value, answer.stages[0].lower_bound);

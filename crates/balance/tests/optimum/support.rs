@@ -73,7 +73,7 @@ pub fn assert_proved(engine: &Engine, answer: &Answer) {
 
 /// A random search is proved, or says why the last digits are open: too many boxes, where a whole range of choices is
 /// equally good, or rounding.
-#[allow(dead_code, reason = "for the searches alone")]
+#[allow(dead_code, reason = "for searches of axes alone")]
 pub fn proved_or_told(engine: &Engine, answer: &Answer) -> Result<(), String> {
     match &answer.outcome {
         Outcome::Stopped { reason } => {
