@@ -1,7 +1,9 @@
 //! Kernels of studies: questions about many engines at once.
 //!
-//! [`explore`] searches all layouts of a given number of cylinders. Requests and results are plain data in SI units and
-//! radians; no file, no clock, and no result depends on the number of threads or on how a run was cut into parts.
+//! [`explore`] searches all layouts of a given number of cylinders; [`scatter`] tells what tolerances of parts do to the
+//! residual loads. Requests and results are plain data in SI units and radians; no file, no clock, and no result depends
+//! on the number of threads or on how a run was cut into parts.
 #![forbid(unsafe_code)]
 
 pub mod explore;
+pub mod scatter;

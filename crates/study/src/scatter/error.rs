@@ -1,0 +1,72 @@
+//! Why a study of scatter is refused.
+
+use lanchester_mechanism::LoadError;
+
+/// Why a study of scatter is refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ScatterError {
+    /// A number lies outside what is possible.
+    #[error("{quantity} must be {needed}, got {got}")]
+    Number {
+        /// Which number.
+        quantity: &'static str,
+        /// What is possible.
+        needed: &'static str,
+        /// What was asked for.
+        got: f64,
+    },
+    /// Nothing varies.
+    #[error("a scatter needs at least one tolerance, got none")]
+    NoTolerance,
+    /// Nothing is asked for.
+    #[error("a scatter needs at least one output, got none")]
+    NoOutput,
+    /// A limit on an output that is not asked for.
+    #[error("limit {place} is on the {output}, which is not among the outputs\nhint: ask for it too")]
+    LimitWithoutOutput {
+        /// Place of the limit in the list, from 1.
+        place: usize,
+        /// Its output in words.
+        output: String,
+    },
+    /// A tolerance on parts that the engine does not have.
+    #[error("tolerance {place} is on {quantity}, but the engine has none")]
+    NoSuchPart {
+        /// Place of the tolerance in the list, from 1.
+        place: usize,
+        /// What it is on.
+        quantity: &'static str,
+    },
+    /// A tolerance within which an engine cannot turn, or a mass is negative.
+    #[error(
+        "within the tolerances cylinder {cylinder} would be no cylinder: {reason}\nhint: make the tolerance smaller"
+    )]
+    Impossible {
+        /// Number of the cylinder, from 1.
+        cylinder: usize,
+        /// Why.
+        reason: &'static str,
+    },
+    /// An engine of a kind whose scatter is not computed.
+    #[error("the scatter needs {needed}, got {got}")]
+    Engine {
+        /// What is needed.
+        needed: &'static str,
+        /// What the engine has.
+        got: String,
+    },
+    /// Numbers of parts that do not fit the cylinders.
+    #[error("each of the {cylinders} cylinders needs one {part}, got {got}")]
+    Parts {
+        /// Cylinders.
+        cylinders: usize,
+        /// Which part.
+        part: &'static str,
+        /// How many there are.
+        got: usize,
+    },
+    /// The loads of the engine cannot be computed.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+}

@@ -1,0 +1,24 @@
+//! Production scatter: what tolerances of parts do to the residual forces and couples.
+//!
+//! [`scatter`] draws samples, each addressed by its number, so that no result depends on threads; [`worst_cases`]
+//! looks for the worst combination; [`assign`] tells which weighed piston and rod belongs into which cylinder.
+
+mod assignment;
+mod coefficients;
+mod error;
+mod lanes;
+mod model;
+mod peak;
+mod run;
+mod statistics;
+mod stream;
+mod tolerance;
+mod worst;
+
+pub use assignment::{Assignment, AssignmentRequest, WeighedRod, assign};
+pub use error::ScatterError;
+pub use run::{
+    Capability, Contribution, Limit, Output, OutputScatter, Percentile, Scatter, ScatterRequest, scatter,
+};
+pub use tolerance::{Distribution, Extent, Tolerance, Varied};
+pub use worst::{WorstCase, worst_cases};
