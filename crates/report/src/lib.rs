@@ -11,6 +11,7 @@ mod balance_plot;
 mod balance_share;
 mod balance_tables;
 mod balance_text;
+mod bearing_tables;
 mod cancellation;
 mod clearance_plot;
 mod component;
@@ -61,8 +62,11 @@ mod svg;
 mod swept_text;
 mod table;
 mod terminal;
+mod torque_figures;
+mod torque_tables;
 mod view;
 pub mod workshop;
+mod xy_plot;
 
 pub use arrangement::{
     arrangement_figure, arrangement_parts, arrangements_text, drive_sketches, front_table, narrowest_place,
@@ -73,6 +77,9 @@ pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
 pub use balance_text::{balance_text, equals_words, headline};
+pub use bearing_tables::{
+    BearingSizes, bearing_figures, bearings_csv, bearings_text, main_bearings_table, rod_bearings_tables,
+};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use clearance_plot::clearance_plot;
 pub use counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
@@ -124,3 +131,8 @@ pub use story::{Told, story};
 pub use swept_text::{sweep_steps_table, swept_table, swept_text};
 pub use table::{Cell, Column, Table};
 pub use terminal::loads_text;
+pub use torque_figures::{power_figure, ripple_figure, torque_figures};
+pub use torque_tables::{
+    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table, torque_csv,
+    torque_extremes_table, torque_orders_table, torque_table, torque_text,
+};

@@ -1,0 +1,214 @@
+//! Loads of pistons, pins and bearings in numbers and as polar diagrams.
+
+use crate::figure::{Figure, Panel};
+use crate::number;
+use crate::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
+use crate::torque_figures::closed;
+use crate::xy_plot::{XyCurve, XyPlot};
+use lanchester_mechanism::{BearingLoads, BearingSize, PinLoad};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Sizes of the bearings, where they are known.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BearingSizes {
+    /// Piston pin in the rod's small end.
+    pub piston_pin: Option<BearingSize>,
+    /// Crankpin.
+    pub crankpin: Option<BearingSize>,
+    /// Main journals.
+    pub main: Option<BearingSize>,
+}
+
+fn load_columns<'a>(
+    loads: impl Iterator<Item = &'a PinLoad> + Clone + 'a,
+    size: Option<BearingSize>,
+) -> Vec<(Column, Vec<Cell>)> {
+    let mut columns = vec![
+        numbers("peak", "N", loads.clone().map(|l| l.peak.value), 5),
+        numbers("at", "deg", loads.clone().map(|l| l.peak.theta.to_degrees()), 4),
+        numbers("mean", "N", loads.clone().map(|l| l.mean), 5),
+    ];
+    if let Some(size) = size {
+        columns.push(numbers("peak", "MPa", loads.clone().map(|l| l.pressure(size).peak / 1e6), 4));
+        columns.push(numbers("mean", "MPa", loads.map(|l| l.pressure(size).mean / 1e6), 4));
+    }
+    columns
+}
+
+/// Side thrust, piston pin and lower pin of every cylinder.
+pub fn rod_bearings_tables(loads: &BearingLoads, sizes: BearingSizes) -> Vec<Table> {
+    let cylinders = &loads.cylinders;
+    let names = || words("cylinder", cylinders.iter().map(|c| c.cylinder.to_string()));
+    let thrust = Table::of_columns(
+        "side-thrust",
+        "Side thrust",
+        "Piston on wall, positive along v of the cylinder.",
+        vec![
+            names(),
+            numbers("largest", "N", cylinders.iter().map(|c| c.largest_thrust.value), 5),
+            numbers("at", "deg", cylinders.iter().map(|c| c.largest_thrust.theta.to_degrees()), 4),
+        ],
+    );
+    let table = |id, title: &str, note: &str, columns: Vec<(Column, Vec<Cell>)>| {
+        Table::of_columns(id, title, note, std::iter::once(names()).chain(columns).collect())
+    };
+    vec![
+        thrust,
+        table(
+            "piston-pin",
+            "Piston pin",
+            "Rod on pin.",
+            load_columns(cylinders.iter().map(|c| &c.piston_pin), sizes.piston_pin),
+        ),
+        table(
+            "crankpin",
+            "Crankpin",
+            "Rod on crankpin; an articulated rod on its knuckle pin, a master with all that its articulated rods bring.",
+            load_columns(cylinders.iter().map(|c| &c.lower_pin), sizes.crankpin),
+        ),
+    ]
+}
+
+/// Main bearings, and what they carry without counterweights where that was computed too.
+pub fn main_bearings_table(loads: &BearingLoads, bare: Option<&BearingLoads>, sizes: BearingSizes) -> Table {
+    let mut columns = vec![
+        words("main", loads.mains.iter().map(|m| m.main.to_string())),
+        numbers("z", "mm", loads.mains.iter().map(|m| 1e3 * m.z), 4),
+    ];
+    if loads.mains.iter().any(|m| m.crankshaft > 1) {
+        columns.insert(0, words("crankshaft", loads.mains.iter().map(|m| m.crankshaft.to_string())));
+    }
+    columns.extend(load_columns(loads.mains.iter().map(|m| &m.load), sizes.main));
+    if let Some(bare) = bare {
+        columns.push(numbers("peak, bare", "N", bare.mains.iter().map(|m| m.load.peak.value), 5));
+        columns.push(numbers("mean, bare", "N", bare.mains.iter().map(|m| m.load.mean), 5));
+    }
+    Table::of_columns(
+        "main-bearings",
+        "Main bearings",
+        "Journal on bearing, throw by throw; bare: without counterweights.",
+        columns,
+    )
+}
+
+/// All of it as plain text.
+pub fn bearings_text(loads: &BearingLoads, bare: Option<&BearingLoads>, sizes: BearingSizes) -> String {
+    let rpm = number::terminal(loads.speed * 60.0 / TAU, 0);
+    let mut out = format!("{} at {rpm} rpm: {}\n", loads.engine, loads.part.name());
+    let tables = rod_bearings_tables(loads, sizes);
+    for table in tables.iter().chain([&main_bearings_table(loads, bare, sizes)]) {
+        out.push('\n');
+        out.push_str(&table.text());
+    }
+    out
+}
+
+/// Every load over the crank angle.
+pub fn bearings_csv(loads: &BearingLoads) -> String {
+    let mut head = vec!["theta [deg]".to_owned()];
+    for cylinder in &loads.cylinders {
+        let number = cylinder.cylinder;
+        head.extend(
+            [
+                "side thrust",
+                "piston pin u",
+                "piston pin v",
+                "lower pin x",
+                "lower pin y",
+                "radial",
+                "tangential",
+            ]
+            .map(|name| format!("cylinder {number} {name} [N]")),
+        );
+    }
+    for main in &loads.mains {
+        let name = format!("crankshaft {} main {}", main.crankshaft, main.main);
+        head.extend(["x", "y"].map(|axis| format!("{name} {axis} [N]")));
+    }
+    let mut out = String::with_capacity(18 * head.len() * (loads.theta.len() + 1));
+    push_csv_line(&mut out, head);
+    for (j, theta) in loads.theta.iter().enumerate() {
+        let mut row = vec![csv_number(theta.to_degrees())];
+        let word = |values: &[f64]| values.get(j).copied().map_or(String::new(), csv_number);
+        for cylinder in &loads.cylinders {
+            let (pin, lower) = (cylinder.piston_pin.load[j], cylinder.lower_pin.load[j]);
+            row.push(word(&cylinder.side_thrust));
+            row.extend([pin.re, pin.im, lower.re, lower.im].map(csv_number));
+            row.extend([word(&cylinder.radial), word(&cylinder.tangential)]);
+        }
+        row.extend(loads.mains.iter().flat_map(|m| [m.load.load[j].re, m.load.load[j].im].map(csv_number)));
+        push_csv_line(&mut out, row);
+    }
+    out
+}
+
+/// Polar diagrams: the crankpin of every cylinder as the pin and as the rod feel it, every main bearing and its journal.
+/// `parts`: the loads of all, of gas and of inertia, as far as they are to be drawn.
+pub fn bearing_figures(parts: &[BearingLoads]) -> Vec<Figure> {
+    let Some(first) = parts.first() else { return Vec::new() };
+    let styles = [0, 1, 2];
+    let panel = |axes: [&str; 2], of: &dyn Fn(&BearingLoads) -> Vec<Complex64>| -> Panel {
+        let curves = parts.iter().zip(styles).map(|(loads, style)| XyCurve {
+            name: loads.part.name().to_owned(),
+            style,
+            points: closed(of(loads).iter().map(|f| (f.im, f.re))),
+            dots: false,
+        });
+        XyPlot {
+            abscissa: axes[1],
+            ordinate: axes[0],
+            units: ["N", "N"],
+            polar: true,
+            curves: curves.collect(),
+        }
+        .panel()
+    };
+    let mut figures = Vec::new();
+    for (k, cylinder) in first.cylinders.iter().enumerate() {
+        let number = cylinder.cylinder;
+        let mut panels = Vec::new();
+        if !cylinder.radial.is_empty() {
+            panels.push(panel(["On the pin, outward", "on the pin, in the sense of rotation"], &|loads| {
+                let own = &loads.cylinders[k];
+                own.radial.iter().zip(&own.tangential).map(|(r, t)| Complex64::new(*r, *t)).collect()
+            }));
+        }
+        panels.push(panel(["On the rod, towards the piston", "on the rod, across"], &|loads| {
+            loads.cylinders[k].rod_frame.clone()
+        }));
+        figures.push(Figure {
+            id: format!("crankpin-{number}"),
+            title: format!("Crankpin of cylinder {number}"),
+            caption: "Load over the cycle in the frame that turns with the pin, and with opposite sign in that of the rod.".to_owned(),
+            panels,
+            columns: 2,
+        });
+    }
+    for (k, main) in first.mains.iter().enumerate() {
+        let name = format!("main bearing {}", main.main);
+        let (id, title) = if first.mains.iter().any(|m| m.crankshaft > 1) {
+            (
+                format!("main-{}-{}", main.crankshaft, main.main),
+                format!("Crankshaft {}, {name}", main.crankshaft),
+            )
+        } else {
+            (format!("main-{}", main.main), format!("Main bearing {}", main.main))
+        };
+        figures.push(Figure {
+            id,
+            title,
+            caption:
+                "Journal on bearing in the block's frame, bearing on journal in the frame that turns with it."
+                    .to_owned(),
+            panels: vec![
+                panel(["On the bearing, x", "on the bearing, y"], &|loads| loads.mains[k].load.load.clone()),
+                panel(["On the journal, along throw 1", "on the journal, a quarter turn on"], &|loads| {
+                    loads.mains[k].journal_frame.clone()
+                }),
+            ],
+            columns: 2,
+        });
+    }
+    figures
+}
