@@ -4,6 +4,7 @@ use crate::counterweight_arguments::CounterweightArguments;
 use crate::format::Format;
 use crate::published_arguments::PublishedArguments;
 use crate::search_arguments::SearchArguments;
+use crate::torque_arguments::{BearingsArguments, TorqueArguments};
 use crate::workshop_arguments::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -67,6 +68,21 @@ pub enum Command {
                             lanchester loads v8.toml --bending-share '50 %' --format csv --table internal"
     )]
     Loads(LoadsArguments),
+    /// Torque of gas and inertia, work, orders with halves, firing, speed ripple and flywheel, power.
+    #[command(
+        after_help = "Examples:\n  lanchester torque twin.toml\n  lanchester torque twin.toml --speed '2000 rpm' --lever sine\n  \
+                            lanchester torque twin.toml --speeds '1000 rpm, 2000 rpm, 3000 rpm, 4000 rpm' --fmep '1.2 bar'\n  \
+                            lanchester torque twin.toml --flywheel '0.1 kg m^2' --fluctuation '2 %'\n  \
+                            lanchester torque twin.toml --figures figures --format csv > torque.csv"
+    )]
+    Torque(TorqueArguments),
+    /// Loads of piston, pins and bearings over the cycle: side thrust, piston pin, crankpin, main bearings; polar diagrams.
+    #[command(
+        after_help = "Examples:\n  lanchester bearings twin.toml\n  lanchester bearings twin.toml --speed '2000 rpm' --part gas\n  \
+                            lanchester bearings twin.toml --figures figures\n  \
+                            lanchester bearings twin.toml --format csv > bearings.csv"
+    )]
+    Bearings(BearingsArguments),
     /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
     #[command(
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \

@@ -17,6 +17,7 @@ mod search_arguments;
 mod search_request;
 mod shaft_option;
 mod shape_request;
+mod torque_arguments;
 mod trace_files;
 mod workshop_arguments;
 
@@ -37,6 +38,8 @@ fn main() -> ExitCode {
         Command::Show(arguments) => commands::show::run(&arguments, colour),
         Command::New(arguments) => commands::new::run(&arguments),
         Command::Loads(arguments) => commands::loads::run(&arguments, colour),
+        Command::Torque(arguments) => commands::torque::run(&arguments, colour),
+        Command::Bearings(arguments) => commands::bearings::run(&arguments, colour),
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),

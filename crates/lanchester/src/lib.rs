@@ -23,6 +23,7 @@ mod counterweights;
 mod crankshaft_parts;
 mod pressure;
 mod shaft_weights;
+mod torque_report;
 pub mod validate;
 mod weights_as_parts;
 
@@ -54,3 +55,7 @@ pub use shaft_weights::{
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};
+pub use torque_report::{
+    TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest, bearing_report,
+    bearing_sizes, torque_report,
+};

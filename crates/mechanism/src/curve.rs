@@ -231,6 +231,9 @@ impl PeriodicCurve {
     }
 }
 
+/// Angles closer than this [rad] are one on a walk.
+const ROUNDING: f64 = 1e-10;
+
 /// A walk along a curve in equal steps.
 pub(crate) struct Samples<'a> {
     curve: &'a PeriodicCurve,
@@ -244,7 +247,8 @@ impl Samples<'_> {
     /// The value here; then a step further.
     #[inline]
     pub fn next(&mut self) -> f64 {
-        while self.u >= self.length {
+        // A knot that is missed by rounding is reached: all cylinders that fire alike see a jump on the same side.
+        while self.u >= self.length - ROUNDING {
             self.u -= self.length;
             self.piece = if self.piece + 1 == self.curve.knots.len() { 0 } else { self.piece + 1 };
             self.length = step(self.curve.period, &self.curve.knots, self.piece);

@@ -77,25 +77,26 @@ impl Breaks {
 
     /// Largest and smallest value of `function` over the continuous angle.
     pub fn extremes(&self, function: impl Fn(f64) -> f64) -> Extremes {
-        let largest = |sign: f64| {
-            let value = |theta: f64| sign * function(theta);
-            let mut best = (f64::NEG_INFINITY, [0.0; 2], 0.0);
-            for pair in self.0.windows(2) {
-                let points = points(pair[0], pair[1]);
-                for (k, theta) in points.iter().enumerate() {
-                    let here = value(*theta);
-                    if here > best.0 {
+        // Highest and lowest sample with its neighbours, in one pass.
+        let mut best = [(f64::NEG_INFINITY, [0.0; 2], 0.0); 2];
+        for pair in self.0.windows(2) {
+            let points = points(pair[0], pair[1]);
+            for (k, theta) in points.iter().enumerate() {
+                let here = function(*theta);
+                for (best, sign) in best.iter_mut().zip([1.0, -1.0]) {
+                    if sign * here > best.0 {
                         let around = [points[k.saturating_sub(1)], points[(k + 1).min(points.len() - 1)]];
-                        best = (here, around, *theta);
+                        *best = (sign * here, around, *theta);
                     }
                 }
             }
-            let (coarse, around, at) = best;
-            let (fine, theta) = peak(around, &value);
+        }
+        let refined = |(coarse, around, at): (f64, [f64; 2], f64), sign: f64| {
+            let (fine, theta) = peak(around, &|theta| sign * function(theta));
             let (value, theta) = if fine > coarse { (fine, theta) } else { (coarse, at) };
             Extreme { value: sign * value, theta }
         };
-        Extremes { max: largest(1.0), min: largest(-1.0) }
+        Extremes { max: refined(best[0], 1.0), min: refined(best[1], -1.0) }
     }
 
     /// Energy that `torque` stores and gives back, its mean given.

@@ -1,6 +1,6 @@
 //! When the cylinders fire, how evenly, and which stroke each of them is in.
 
-use crate::gas_train::GasTrain;
+use crate::gas_train::{GasTrain, firing_angle};
 use crate::result::CylinderMotion;
 use crate::torque_request::TorqueError;
 use crate::train::firing_period;
@@ -162,7 +162,7 @@ fn chart(engine: &Engine, motion: &[CylinderMotion], period: f64) -> Result<Firi
     let mut cylinders = Vec::new();
     let strokes = f64::from(engine.strokes.revolutions());
     for (index, motion) in motion.iter().enumerate() {
-        let first = motion.firing_angle.ok_or(TorqueError::NoFiring { cylinder: index + 1 })?;
+        let first = firing_angle(engine, motion)?;
         let throw = &engine.throws[engine.cylinders[index].throw];
         let turn = TAU / engine.crankshafts[throw.crankshaft].ratio.value().abs();
         let count = (period / (turn * strokes)).round() as usize;

@@ -337,6 +337,12 @@ pub fn merged_orders(one: &[OrderLoads], other: &[OrderLoads]) -> Vec<OrderLoads
     merged
 }
 
+/// `theta` of firing [rad]; a lone cylinder needs no firing in the file, it fires at its first top dead centre.
+pub(crate) fn firing_angle(engine: &Engine, motion: &CylinderMotion) -> Result<f64, TorqueError> {
+    let lone = (engine.cylinders.len() == 1).then_some(motion.top_dead_centre);
+    motion.firing_angle.or(lone).ok_or(TorqueError::NoFiring { cylinder: motion.cylinder })
+}
+
 fn area(bore: f64) -> f64 {
     PI / 4.0 * bore * bore
 }
@@ -351,7 +357,7 @@ fn gas_piston(
     let number = index + 1;
     let cylinder = &engine.cylinders[index];
     let bore = cylinder.bore.ok_or(TorqueError::NoBore { cylinder: number })?;
-    let firing = motion.firing_angle.ok_or(TorqueError::NoFiring { cylinder: number })?;
+    let firing = firing_angle(engine, motion)?;
     let needed = TAU * f64::from(engine.strokes.revolutions());
     for curve in [&gas.cylinder, &gas.crankcase] {
         let got = curve.period();

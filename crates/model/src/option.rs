@@ -61,6 +61,14 @@ pub fn inertia(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Inertia, option)
 }
 
+/// A pressure with its unit, such as "1.2 bar" [Pa]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of pressure.
+pub fn pressure(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Pressure, option)
+}
+
 /// A density with its unit, such as "7850 kg/m3" [kg/m^3]; `option` names what asks for it in the message.
 ///
 /// # Errors

@@ -1,6 +1,7 @@
 //! One file a command; each returns its exit status.
 
 pub mod balance;
+pub mod bearings;
 pub mod check;
 pub mod counterweight;
 mod found;
@@ -13,13 +14,15 @@ pub mod schema;
 pub mod search;
 pub mod show;
 pub mod sweep;
+pub mod torque;
 pub mod validate;
 pub mod workshop;
 
 use crate::failure::{Failure, WRONG_INPUT};
-use crate::files::{Source, read_source};
+use crate::files::{Source, read_source, write_result};
 use lanchester::mechanism::LoadError;
 use lanchester::model::{Diagnostic, Engine, read, render};
+use lanchester::report::Figure;
 use std::path::Path;
 
 /// An engine with the text it was read from.
@@ -45,6 +48,14 @@ pub fn open(path: &Path, colour: bool) -> Result<Opened, Failure> {
 /// Pretty JSON with a trailing newline.
 pub fn json(value: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(Failure::own)
+}
+
+/// Figures as SVG files of their own, each under its id.
+pub fn write_figures(folder: &Path, engine_file: &Path, figures: &[Figure]) -> Result<(), Failure> {
+    for figure in figures {
+        write_result(&folder.join(format!("{}.svg", figure.id)), engine_file, &figure.svg())?;
+    }
+    Ok(())
 }
 
 /// A calculation that cannot be done as asked.

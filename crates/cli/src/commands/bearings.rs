@@ -1,0 +1,62 @@
+//! `lanchester bearings`: what pistons, pins and bearings carry.
+
+use crate::commands::{json, open, write_figures};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::files::print;
+use crate::format::Format;
+use crate::torque_arguments::{BearingsArguments, PartOption};
+use crate::trace_files::trace_files;
+use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
+use lanchester::model::option;
+use lanchester::report::{bearing_figures, bearings_csv, bearings_text};
+use lanchester::{bearing_report, bearing_sizes};
+use serde::Serialize;
+
+/// Loads with counterweights, and without where the engine has some.
+#[derive(Serialize)]
+struct WithAndWithout<'a> {
+    #[serde(flatten)]
+    loads: &'a BearingLoads,
+    without_counterweights: Option<&'a BearingLoads>,
+}
+
+pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
+    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed").map_err(Failure::from));
+    let speed = speed.transpose()?;
+    let opened = open(&arguments.file, colour)?;
+    let engine = &opened.engine;
+    let traces = trace_files(engine, &arguments.file)?;
+    let part = match (engine.gas.is_some(), arguments.part) {
+        (false, PartOption::Gas) => {
+            return Err(Failure::input(
+                "the engine file says nothing of the gas",
+                "add [gas] with [[gas.trace]] or [gas.cycle]",
+            ));
+        }
+        (false, _) | (true, PartOption::Inertia) => BearingPart::Inertia,
+        (true, PartOption::All) => BearingPart::All,
+        (true, PartOption::Gas) => BearingPart::Gas,
+    };
+    let loads = |part, counterweights| {
+        let request = BearingRequest { speed, part, counterweights, ..BearingRequest::default() };
+        bearing_report(engine, &traces, &request)
+            .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })
+    };
+    let found = loads(part, true)?;
+    let has_weights = part != BearingPart::Gas && engine.counterweights.iter().any(|w| w.unbalance > 0.0);
+    let bare = if has_weights { Some(loads(part, false)?) } else { None };
+    if let Some(folder) = &arguments.figures {
+        let mut parts = vec![found.clone()];
+        if part == BearingPart::All {
+            parts.push(loads(BearingPart::Gas, true)?);
+            parts.push(loads(BearingPart::Inertia, true)?);
+        }
+        write_figures(folder, &arguments.file, &bearing_figures(&parts))?;
+    }
+    print(&match arguments.format {
+        Format::Text => bearings_text(&found, bare.as_ref(), bearing_sizes(engine)),
+        Format::Json => json(&WithAndWithout { loads: &found, without_counterweights: bare.as_ref() })?,
+        Format::Csv => bearings_csv(&found),
+    })?;
+    Ok(DONE)
+}

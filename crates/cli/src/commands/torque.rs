@@ -1,0 +1,87 @@
+//! `lanchester torque`: what the gas does to the crank.
+
+use crate::commands::{json, open, write_figures};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::files::print;
+use crate::format::Format;
+use crate::torque_arguments::{LeverOption, TorqueArguments};
+use crate::trace_files::trace_files;
+use lanchester::mechanism::{Friction, Lever, TorqueRequest};
+use lanchester::model::option;
+use lanchester::report::{
+    Figure, flywheel_table, power_figure, power_table, ripple_figure, ripple_table, torque_csv,
+    torque_figures, torque_text,
+};
+use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
+
+pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
+    let request = request(arguments)?;
+    let opened = open(&arguments.file, colour)?;
+    let traces = trace_files(&opened.engine, &arguments.file)?;
+    let report = torque_report(&opened.engine, &traces, &request)
+        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    for warning in &report.warnings {
+        eprintln!("warning: {warning}");
+    }
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.file, &figures(&report))?;
+    }
+    print(&match arguments.format {
+        Format::Text => text(&report),
+        Format::Json => json(&report)?,
+        Format::Csv => torque_csv(&report.torque),
+    })?;
+    Ok(DONE)
+}
+
+fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> {
+    let speed = |text: &str, name| option::speed(text, name).map_err(Failure::from);
+    let inertia = |text: &Option<String>, name| {
+        text.as_deref().map(|text| option::inertia(text, name).map_err(Failure::from)).transpose()
+    };
+    let speeds = arguments.speeds.as_deref().map_or(Ok(Vec::new()), |list| {
+        list.split(',').map(|one| speed(one.trim(), "--speeds")).collect::<Result<Vec<f64>, Failure>>()
+    })?;
+    let fmep = arguments.fmep.as_deref().map(|text| option::pressure(text, "--fmep").map_err(Failure::from));
+    let fluctuation = arguments
+        .fluctuation
+        .as_deref()
+        .map(|text| option::share(text, "--fluctuation").map_err(Failure::from));
+    Ok(TorqueReportRequest {
+        torque: TorqueRequest {
+            speed: arguments.speed.as_deref().map(|text| speed(text, "--speed")).transpose()?,
+            lever: match arguments.lever {
+                LeverOption::Exact => Lever::Exact,
+                LeverOption::Sine => Lever::Sine,
+            },
+            max_order: arguments.orders,
+            ..TorqueRequest::default()
+        },
+        speeds,
+        friction: fmep.transpose()?.map(|fmep| Friction::Given { fmep }),
+        flywheel: inertia(&arguments.flywheel, "--flywheel")?,
+        crankshaft: inertia(&arguments.crankshaft_inertia, "--crankshaft-inertia")?,
+        fluctuation: fluctuation.transpose()?,
+    })
+}
+
+fn text(report: &TorqueReport) -> String {
+    let mut out = torque_text(&report.torque, report.brake.as_ref());
+    let tables = [
+        Some(ripple_table(&report.ripples)),
+        report.flywheel.as_ref().map(flywheel_table),
+        report.power.as_ref().map(power_table),
+    ];
+    for table in tables.into_iter().flatten() {
+        out.push('\n');
+        out.push_str(&table.text());
+    }
+    out + &format!("\nPressures: {}.\n", report.source)
+}
+
+fn figures(report: &TorqueReport) -> Vec<Figure> {
+    let mut figures = torque_figures(&report.torque);
+    figures.push(ripple_figure(&report.ripples));
+    figures.extend(report.power.as_ref().map(power_figure));
+    figures
+}

@@ -1,0 +1,83 @@
+//! The command lines of `lanchester torque` and `lanchester bearings`.
+
+use crate::format::Format;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// `torque`
+#[derive(Debug, Args)]
+pub struct TorqueArguments {
+    /// Engine file with a section [gas]; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Speed of crankshaft 1, with its unit; default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Speeds for the power curve, three or more, with commas between: `1000 rpm, 2000 rpm, 3000 rpm`.
+    #[arg(long, value_name = "SPEEDS")]
+    pub speeds: Option<String>,
+    /// Lever of the piston forces.
+    #[arg(long, value_enum, default_value_t = LeverOption::Exact)]
+    pub lever: LeverOption,
+    /// Highest order listed.
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    pub orders: u32,
+    /// Friction mean effective pressure, with its unit: gives brake torque and power.
+    #[arg(long, value_name = "PRESSURE")]
+    pub fmep: Option<String>,
+    /// Inertia of the flywheel, with its unit.
+    #[arg(long, value_name = "INERTIA")]
+    pub flywheel: Option<String>,
+    /// Inertia of the crankshafts with their counterweights, with its unit; default: that of [crank.body], where the file has it.
+    #[arg(long, value_name = "INERTIA")]
+    pub crankshaft_inertia: Option<String>,
+    /// Find the flywheel that keeps this fluctuation of the speed, highest minus lowest over mean, at the lowest speed of the file.
+    #[arg(long, value_name = "SHARE")]
+    pub fluctuation: Option<String>,
+    /// Write the figures as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Form of the output; CSV is everything over the crank angle.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Lever of the piston forces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum LeverOption {
+    /// That of the linkage: virtual work.
+    Exact,
+    /// r sin(theta), as in the twin-cylinder thesis (Louvigny 2008, eq. 22).
+    Sine,
+}
+
+/// `bearings`
+#[derive(Debug, Args)]
+pub struct BearingsArguments {
+    /// Engine file; `-` reads standard input. Without a section [gas] the loads are those of inertia alone.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Speed of crankshaft 1, with its unit; default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Which loads count.
+    #[arg(long, value_enum, default_value_t = PartOption::All)]
+    pub part: PartOption,
+    /// Write polar diagrams as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Form of the output; CSV is everything over the crank angle.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Which loads count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum PartOption {
+    /// Gas and inertia.
+    All,
+    /// Gas alone.
+    Gas,
+    /// Inertia alone.
+    Inertia,
+}

@@ -1,0 +1,176 @@
+//! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
+
+use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use lanchester_geometry::crankshaft::crankshaft;
+use lanchester_mechanism::{
+    BearingLoads, BearingRequest, BearingSize, Brake, FlywheelNeed, Friction, PowerCurve, SpeedRipple,
+    Torque, TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need, speed_ripple, torque,
+};
+use lanchester_model::Engine;
+use lanchester_report::BearingSizes;
+use serde::Serialize;
+
+/// Version of the form of [`TorqueReport`].
+pub const TORQUE_REPORT_VERSION: u32 = 1;
+
+/// What to compute.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct TorqueReportRequest {
+    /// Torque at one speed.
+    pub torque: TorqueRequest,
+    /// Speeds of crankshaft 1 [rad/s] for the power curve; none: no curve.
+    pub speeds: Vec<f64>,
+    /// Friction, where it is known.
+    pub friction: Option<Friction>,
+    /// Inertia of the flywheel [kg m^2].
+    pub flywheel: Option<f64>,
+    /// Inertia of the crankshafts at crankshaft 1 [kg m^2]; `None`: of the crank's body in the file, where it has one.
+    pub crankshaft: Option<f64>,
+    /// Fluctuation of the speed that a flywheel is to keep [1].
+    pub fluctuation: Option<f64>,
+}
+
+/// Torque at one speed, and what follows from it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TorqueReport {
+    /// [`TORQUE_REPORT_VERSION`].
+    pub version: u32,
+    /// Where the pressures come from, in words.
+    pub source: String,
+    /// Torque, work, orders, energy, firing.
+    pub torque: Torque,
+    /// What friction leaves, where it is known.
+    pub brake: Option<Brake>,
+    /// Speed ripple at the lowest speed of the engine and at that of `torque`.
+    pub ripples: Vec<SpeedRipple>,
+    /// The flywheel for the fluctuation asked for, at the lowest speed of the engine.
+    pub flywheel: Option<FlywheelNeed>,
+    /// Power over speed, at the brake where friction is known, else net indicated.
+    pub power: Option<PowerCurve>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Why there is no torque.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TorqueReportError {
+    /// No pressures.
+    #[error(transparent)]
+    Gas(#[from] GasError),
+    /// No torque from them.
+    #[error(transparent)]
+    Torque(#[from] TorqueError),
+    /// Too few speeds for a cubic.
+    #[error("the power curve needs three or more different speeds, got {got}")]
+    Speeds {
+        /// Speeds given.
+        got: usize,
+    },
+}
+
+/// Torque of `engine` with its own gas; `traces` holds the files that its file names.
+///
+/// # Errors
+/// [`TorqueReportError`] where the file says nothing of gas, or too little.
+pub fn torque_report(
+    engine: &Engine,
+    traces: &[TraceFile],
+    request: &TorqueReportRequest,
+) -> Result<TorqueReport, TorqueReportError> {
+    let speed = request.torque.speed.unwrap_or(engine.speed.highest);
+    let gas = cylinder_gas(engine, traces, speed)?;
+    let found = torque(engine, &gas.cylinders, &request.torque)?;
+    let mut warnings = gas.warnings.clone();
+    let given = TurningInertia {
+        flywheel: request.flywheel.unwrap_or(0.0),
+        crankshaft: request.crankshaft.unwrap_or_else(|| body_inertia(engine)),
+    };
+    if given.crankshaft == 0.0 {
+        warnings.push(
+            "the inertia of the crankshaft itself is not known: speed ripple and flywheel leave it out"
+                .into(),
+        );
+    }
+    let idle = engine.speed.lowest;
+    let idle_gas =
+        if idle == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, idle)?.cylinders };
+    let mut ripples = vec![speed_ripple(engine, &idle_gas, idle, given)?];
+    if idle != speed {
+        ripples.push(speed_ripple(engine, &gas.cylinders, speed, given)?);
+    }
+    let flywheel = request.fluctuation.map(|wanted| flywheel_need(engine, &idle_gas, idle, given, wanted));
+    let points = request
+        .speeds
+        .iter()
+        .map(|&speed| {
+            let gas = cylinder_gas(engine, traces, speed)?;
+            // Means do not need the traces or the orders.
+            let own =
+                TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..request.torque.clone() };
+            let torque = torque(engine, &gas.cylinders, &own)?;
+            let brake = request.friction.map(|friction| friction.brake(&torque.indicated, speed).power);
+            Ok((speed, brake.unwrap_or(torque.indicated.power)))
+        })
+        .collect::<Result<Vec<_>, TorqueReportError>>()?;
+    let power = match points.len() {
+        0 => None,
+        got => Some(PowerCurve::fit(&points).ok_or(TorqueReportError::Speeds { got })?),
+    };
+    Ok(TorqueReport {
+        version: TORQUE_REPORT_VERSION,
+        source: gas.source,
+        brake: request.friction.map(|friction| friction.brake(&found.indicated, speed)),
+        torque: found,
+        ripples,
+        flywheel: flywheel.transpose()?,
+        power,
+        warnings,
+    })
+}
+
+/// Inertia of all crankshafts that are bodies, as seen at crankshaft 1 [kg m^2]; 0 where none is.
+fn body_inertia(engine: &Engine) -> f64 {
+    let of = |(index, shaft): (usize, &lanchester_model::Crankshaft)| {
+        crankshaft(engine, index).map_or(0.0, |body| body.polar_inertia * shaft.ratio.value().powi(2))
+    };
+    if engine.crank_body.is_none() { 0.0 } else { engine.crankshafts.iter().enumerate().map(of).sum() }
+}
+
+/// Loads of the bearings of `engine` with its own gas; without gas in the file those of inertia alone.
+///
+/// # Errors
+/// As [`torque_report`].
+pub fn bearing_report(
+    engine: &Engine,
+    traces: &[TraceFile],
+    request: &BearingRequest,
+) -> Result<BearingLoads, TorqueReportError> {
+    let speed = request.speed.unwrap_or(engine.speed.highest);
+    let gas = match &engine.gas {
+        Some(_) => Some(cylinder_gas(engine, traces, speed)?.cylinders),
+        None => None,
+    };
+    Ok(bearing_loads(engine, gas.as_deref(), request)?)
+}
+
+/// Sizes of crankpins and main journals of the crank's body: their diameters, pins as long as the webs leave room, main journals as
+/// long as the shortest stretch between the webs of neighbouring throws. `None` where the file gives no body.
+pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
+    let Some(body) = &engine.crank_body else { return BearingSizes::default() };
+    let size = |diameter: f64, width: f64| {
+        (diameter > 0.0 && width > 0.0 && width.is_finite()).then_some(BearingSize { diameter, width })
+    };
+    let least = |widths: &mut dyn Iterator<Item = f64>| widths.fold(f64::INFINITY, f64::min);
+    let webs: Vec<[f64; 2]> = engine.throws.iter().filter_map(|throw| throw.webs).collect();
+    let pin = least(&mut webs.iter().map(|[front, rear]| rear - front - body.web_thickness));
+    let mut rising = webs.clone();
+    rising.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let between = least(&mut rising.windows(2).map(|pair| pair[1][0] - pair[0][1] - body.web_thickness));
+    let main = between.min(body.end_journals[0]).min(body.end_journals[1]);
+    BearingSizes {
+        piston_pin: None,
+        crankpin: size(body.pin_diameter, pin),
+        main: size(body.journal_diameter, main),
+    }
+}
