@@ -174,7 +174,7 @@ fn firing_star(firing: &FiringChart) -> Figure {
         }
     }
     for (angle, labels) in &directions {
-        svg.arrow("a1", centre, at(*angle, radius), 10.0);
+        svg.arrow("arrow a1", centre, at(*angle, radius), 10.0);
         let (x, y) = at(*angle, radius + 26.0);
         for (row, label) in labels.iter().enumerate() {
             let y = y + 14.0 * (row as f64 - 0.5 * (labels.len() as f64 - 1.0)) + 4.0;
@@ -183,9 +183,9 @@ fn firing_star(firing: &FiringChart) -> Figure {
     }
     let panel = Panel::new(svg, format!("Sequence of firing: {}.", said.join(", ")));
     let caption =
-        "Throws as they stand at theta = 0, x up, the crank turning clockwise; numbers count the firings.";
+        "Throws as they stand at theta = 0, x up, seen so that the crank turns clockwise; numbers count the firings.";
     let stars: Vec<Bar> = firing.stars.iter().map(|s| Bar { at: s.order, value: s.share }).collect();
-    let bars = BarPlot { quantity: "Share", unit: "", bars: stars, noise: 1e-9, two_sided: false }.panel();
+    let bars = BarPlot { quantity: "Share", unit: "1", bars: stars, noise: 1e-9, two_sided: false }.panel();
     Figure {
         columns: 2,
         ..figure(

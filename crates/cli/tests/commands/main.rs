@@ -12,3 +12,4 @@ mod program;
 mod search;
 mod shaft_weights;
 mod sweep;
+mod torque;
