@@ -54,8 +54,8 @@ pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
-pub use weights_as_parts::{WeightAsPart, weights_as_parts};
 pub use torque_report::{
     TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest, bearing_report,
     bearing_sizes, torque_report,
 };
+pub use weights_as_parts::{WeightAsPart, weights_as_parts};

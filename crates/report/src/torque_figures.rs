@@ -182,8 +182,7 @@ fn firing_star(firing: &FiringChart) -> Figure {
         }
     }
     let panel = Panel::new(svg, format!("Sequence of firing: {}.", said.join(", ")));
-    let caption =
-        "Throws as they stand at theta = 0, x up, seen so that the crank turns clockwise; numbers count the firings.";
+    let caption = "Throws as they stand at theta = 0, x up, seen so that the crank turns clockwise; numbers count the firings.";
     let stars: Vec<Bar> = firing.stars.iter().map(|s| Bar { at: s.order, value: s.share }).collect();
     let bars = BarPlot { quantity: "Share", unit: "1", bars: stars, noise: 1e-9, two_sided: false }.panel();
     Figure {
