@@ -30,6 +30,9 @@ pub enum CycleError {
         /// What to do.
         hint: &'static str,
     },
+    /// A single zone was asked for as an ideal cycle.
+    #[error("a single zone is no ideal cycle\nhint: it is computed at a speed")]
+    NotIdeal,
     /// An open valve meets the piston.
     #[error(
         "the {valve} valve meets the piston: they overlap by {overlap:.3} mm at {angle:.1} deg after firing top dead centre\nhint: less lift, other timing, or a deeper pocket (piston_clearance)"

@@ -15,6 +15,7 @@ use std::f64::consts::TAU;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct IdealCycle {
     /// Absolute pressure [Pa] over the angle since firing top dead centre.
+    #[serde(skip)]
     pub pressure: PeriodicCurve,
     /// Mass of the gas [kg].
     pub mass: f64,
@@ -59,11 +60,11 @@ fn refuse<T>(quantity: &'static str, needed: String, got: f64, hint: &'static st
     Err(CycleError::Number { quantity, needed, got, hint })
 }
 
-/// The ideal cycle of a cylinder; `None` if the process is not an ideal one.
+/// The ideal cycle of a cylinder.
 ///
 /// # Errors
-/// [`CycleError::Number`] where the heat cannot be released as told.
-pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<Option<IdealCycle>, CycleError> {
+/// [`CycleError::Number`] where the heat cannot be released as told, [`CycleError::NotIdeal`] for a single zone.
+pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<IdealCycle, CycleError> {
     let gamma = cycle.heat_capacity_ratio;
     let specific_heat = cycle.gas_constant / (gamma - 1.0);
     let [small, large] = [0.0, volume.bottom_angle()].map(|psi| volume.at(psi)[0]);
@@ -102,7 +103,7 @@ pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<Option<I
             }
             [at_volume, all - at_volume]
         }
-        GasProcess::SingleZone(_) => return Ok(None),
+        GasProcess::SingleZone(_) => return Err(CycleError::NotIdeal),
     };
     let heat = at_volume + at_pressure;
     let lifted = compressed.temperature + at_volume / capacity;
@@ -145,7 +146,7 @@ pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<Option<I
         pieces.constant(TAU, cycle.intake.pressure);
     }
     pieces.smooth(volume.cycle() - TAU + bottom, volume.cycle(), &isentrope(start));
-    Ok(Some(IdealCycle {
+    Ok(IdealCycle {
         pressure: pieces.curve(volume.cycle())?,
         mass,
         heat,
@@ -154,7 +155,7 @@ pub fn ideal_cycle(cycle: &GasCycle, volume: &CylinderVolume) -> Result<Option<I
         states: [start, compressed, at_top, hot, expanded],
         efficiency: closed_work / heat,
         closed_work,
-    }))
+    })
 }
 
 /// Angle between the dead centres at which the volume is `wanted` on the way down.

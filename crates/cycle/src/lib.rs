@@ -1,4 +1,5 @@
-//! Gas in the cylinder: ideal cycles on the engine's own mechanism, and what the gas does there.
+//! Gas in the cylinder: measured traces, ideal cycles and single-zone filling and emptying on the engine's own mechanism, and what
+//! the gas does there.
 //!
 //! Angles `psi` [rad] are those through which the cylinder's own crankshaft has turned since its firing top dead centre, in
 //! the sense of rotation; pressures are absolute. Curves are [`PeriodicCurve`](lanchester_mechanism::PeriodicCurve)s over them.
@@ -8,9 +9,18 @@ mod error;
 mod ideal;
 mod indicated;
 mod pieces;
+mod trace;
 mod volume;
+mod zone;
 
 pub use error::CycleError;
 pub use ideal::{GasState, IdealCycle, ideal_cycle};
 pub use indicated::{Indicated, PvPoint, indicated, pressure_volume, work_between};
+pub use trace::{
+    MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing, read_trace,
+};
 pub use volume::CylinderVolume;
+pub use zone::{
+    Balance, Contents, PistonGap, ThroughFlow, ZoneCycle, ZoneOutcome, ZoneSettings, fill, mass_flow,
+    piston_gap, single_zone,
+};

@@ -75,6 +75,16 @@ impl CylinderVolume {
         self.top_angle
     }
 
+    /// Angle [rad] through which its crankshaft has turned since its firing top dead centre when crankshaft 1 stands at `theta`.
+    pub fn own_angle(&self, theta: f64) -> f64 {
+        (theta - self.top_angle) * self.ratio
+    }
+
+    /// Speed of its crankshaft over that of crankshaft 1, not signed.
+    pub fn speed_ratio(&self) -> f64 {
+        self.ratio
+    }
+
     /// Length of the working cycle [rad] of the cylinder's own crankshaft: 2 pi or 4 pi.
     pub fn cycle(&self) -> f64 {
         self.cycle

@@ -21,6 +21,7 @@ mod clearance;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
+mod measured_gas;
 mod pressure;
 mod shaft_weights;
 mod torque_report;
@@ -48,7 +49,8 @@ pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
 pub use pressure::{
-    CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas, trace_names,
+    ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
+    trace_names,
 };
 pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,

@@ -1,0 +1,215 @@
+//! What can be wrong with a file of pressures.
+
+use lanchester_mechanism::CurveError;
+
+/// Why a file of pressures is refused.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TraceError {
+    /// Name of the file.
+    pub file: String,
+    /// Line in it, from 1, where there is one.
+    pub line: Option<u64>,
+    /// What is wrong.
+    pub fault: TraceFault,
+}
+
+impl std::fmt::Display for TraceError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "{}:{line}: {}", self.file, self.fault),
+            None => write!(f, "{}: {}", self.file, self.fault),
+        }
+    }
+}
+
+impl std::error::Error for TraceError {}
+
+/// What is wrong with a file of pressures. Angles are those of the file [deg].
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TraceFault {
+    /// No CSV.
+    #[error(
+        "cannot be read as CSV: {message}\nhint: write a header `theta [deg],p [bar]` and one line for each angle"
+    )]
+    Csv {
+        /// What the reader says.
+        message: String,
+    },
+    /// A heading without a unit, or with one that is neither of an angle nor of a pressure.
+    #[error(
+        "the column \"{column}\" names no unit of an angle or a pressure\nhint: head it like `theta [deg]` or `p [bar]`; units are deg and rad, bar, Pa, kPa, MPa and psi"
+    )]
+    Heading {
+        /// Its heading.
+        column: String,
+    },
+    /// Not one column of angles.
+    #[error("one column of angles is needed, got {got}\nhint: head it `theta [deg]`")]
+    Angles {
+        /// How many there are.
+        got: usize,
+    },
+    /// No column of pressures.
+    #[error("no column of pressures\nhint: head it `p [bar]`")]
+    NoPressure,
+    /// A line with too many or too few values.
+    #[error("{got} values where the header has {needed}{}", if *.has_commas { "\nhint: are these decimal commas? write a decimal point, or part columns by semicolons" } else { "\nhint: every line needs a value for each column" })]
+    RowLength {
+        /// How many there are.
+        got: usize,
+        /// How many there should be.
+        needed: usize,
+        /// Whether columns are parted by commas, so that decimal commas would explain it.
+        has_commas: bool,
+    },
+    /// A decimal comma.
+    #[error("decimal comma in \"{text}\" of the column \"{column}\"\nhint: write a decimal point: {}", .text.replace(',', "."))]
+    DecimalComma {
+        /// The value.
+        text: String,
+        /// Its column.
+        column: String,
+    },
+    /// A value that is no number.
+    #[error(
+        "\"{text}\" in the column \"{column}\" is no number\nhint: write a plain decimal number; lines that begin with # are comments"
+    )]
+    Number {
+        /// The value.
+        text: String,
+        /// Its column.
+        column: String,
+    },
+    /// Too few samples to make a cycle.
+    #[error(
+        "{got} samples are too few for a cycle, which needs {needed}\nhint: sample every few degrees at least"
+    )]
+    TooFew {
+        /// How many there are.
+        got: usize,
+        /// How many there should be.
+        needed: usize,
+    },
+    /// All angles fall.
+    #[error(
+        "the angles fall from {from:.4} deg to {to:.4} deg: the wrong sense\nhint: angles count in the sense of rotation: sort the lines by rising angle if only their order is reversed, \
+             or change the sign of the angles if they were counted backwards"
+    )]
+    Falling {
+        /// The first angle.
+        from: f64,
+        /// The last angle.
+        to: f64,
+    },
+    /// An angle that does not rise.
+    #[error(
+        "the angle {angle:.4} deg does not lie beyond {before:.4} deg, the one before it\nhint: sort the lines by angle, each angle once; a cycle that begins within it goes on beyond \
+             its end, such as 719 deg, 720 deg, 721 deg"
+    )]
+    NotRising {
+        /// The angle.
+        angle: f64,
+        /// The one before it.
+        before: f64,
+    },
+    /// More than a cycle.
+    #[error(
+        "the angles span {span:.4} deg, more than the cycle of {cycle:.0} deg\nhint: average several cycles into one first; `strokes` in the engine file sets the length of the cycle"
+    )]
+    TooLong {
+        /// What they span.
+        span: f64,
+        /// The cycle.
+        cycle: f64,
+    },
+    /// A part of the cycle without samples.
+    #[error("nothing between {from:.4} deg and {to:.4} deg, a gap of {:.4} deg in a cycle of {cycle:.0} deg\nhint: give the whole cycle, at most {most:.0} deg from sample to sample; `strokes` in the engine file sets the length of the cycle", .to - .from)]
+    Gap {
+        /// Where it begins.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+        /// The cycle.
+        cycle: f64,
+        /// The widest step that is taken.
+        most: f64,
+    },
+    /// The end does not meet the beginning.
+    #[error("the column \"{column}\" does not close: its end and its beginning differ by {:.4} bar, {:.2} % of its range, where {:.0} % is spread over the cycle at most\nhint: drift of the amplifier? correct it, or cut the cycle where it is steady", .by / 1e5, 100.0 * .share, 100.0 * .most)]
+    NotClosed {
+        /// Its heading.
+        column: String,
+        /// By how much [Pa], with its sign.
+        by: f64,
+        /// By which share of the range.
+        share: f64,
+        /// Which share is mended.
+        most: f64,
+    },
+    /// A pressure below that of a vacuum or nearly so.
+    #[error("the column \"{column}\" falls to {:.4} bar {}\nhint: {}", .least / 1e5, if *.gauge { "gauge, which is below a vacuum" } else { "absolute, which no engine reaches" }, if *.gauge { "check the unit and the zero of the measurement" } else { "are these gauge pressures? add pressures = \"gauge\"; else check the unit and the zero of the measurement" })]
+    TooLow {
+        /// Its heading.
+        column: String,
+        /// Least pressure as the file counts it [Pa].
+        least: f64,
+        /// Whether the file is said to hold gauge pressures.
+        gauge: bool,
+    },
+    /// A pressure that no engine reaches.
+    #[error("the column \"{column}\" rises to {:.4} bar, more than the {:.0} bar that any engine reaches\nhint: check the unit in its heading", .peak / 1e5, .most / 1e5)]
+    TooHigh {
+        /// Its heading.
+        column: String,
+        /// Largest pressure [Pa].
+        peak: f64,
+        /// What is taken [Pa].
+        most: f64,
+    },
+    /// The spline between the samples falls below a vacuum.
+    #[error(
+        "the column \"{column}\" is sampled too coarsely near {degrees:.4} deg: the smooth curve through its samples falls below a vacuum\nhint: sample more densely where the pressure changes fast"
+    )]
+    TooCoarse {
+        /// Its heading.
+        column: String,
+        /// Where.
+        degrees: f64,
+    },
+    /// The peak lies far from firing top dead centre.
+    #[error("the peak of the column \"{column}\" lies {at:.1} deg after firing top dead centre, where it lies between {:.0} and {:.0} deg in any engine\nhint: {hint}", .between[0], .between[1])]
+    PeakAngle {
+        /// Its heading.
+        column: String,
+        /// Where, from -half to half a cycle.
+        at: f64,
+        /// Where it may lie.
+        between: [f64; 2],
+        /// What to do.
+        hint: String,
+    },
+    /// The gas takes up much work.
+    #[error("the column \"{column}\" takes up {:.1} J a cycle instead of giving work (mean effective pressure {:.2} bar): it runs backwards\nhint: angles count in the sense of rotation: change their sign", -.work, .mean_effective_pressure / 1e5)]
+    Backwards {
+        /// Its heading.
+        column: String,
+        /// Indicated work [J].
+        work: f64,
+        /// Indicated mean effective pressure [Pa].
+        mean_effective_pressure: f64,
+    },
+    /// Neither one column nor one for each cylinder.
+    #[error(
+        "{got} columns of pressure for {cylinders} cylinders\nhint: give one for all cylinders, or one for each in their order"
+    )]
+    Columns {
+        /// How many there are.
+        got: usize,
+        /// Cylinders of the engine.
+        cylinders: usize,
+    },
+    /// No curve.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
+}

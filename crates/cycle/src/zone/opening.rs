@@ -1,0 +1,128 @@
+//! Effective areas of valves and ports over the angle.
+
+use crate::volume::CylinderVolume;
+use lanchester_model::{Opening, OpeningShape, SingleZone};
+use serde::Serialize;
+use std::f64::consts::{PI, TAU};
+
+/// Angles of a cycle at which valve and piston are compared.
+const STEPS: u32 = 2880;
+
+/// Effective area over the angle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Area<'a> {
+    volume: &'a CylinderVolume,
+    opening: Opening,
+    opens: f64,
+    closes: f64,
+    /// Depth of the piston where ports open, and how far it goes beyond [m].
+    port: [f64; 2],
+}
+
+impl<'a> Area<'a> {
+    pub(crate) fn new(opening: Opening, volume: &'a CylinderVolume) -> Area<'a> {
+        let opens = opening.opens;
+        let (closes, port) = match opening.shape {
+            OpeningShape::Valve { closes, .. } | OpeningShape::Area { closes, .. } => (closes, [0.0; 2]),
+            OpeningShape::Port { .. } => {
+                let edge = volume.depth(opens)[0];
+                // The way up reaches the edge between bottom and next top dead centre.
+                let (mut low, mut high) = (volume.bottom_angle(), TAU);
+                for _ in 0..80 {
+                    let middle = low + (high - low) / 2.0;
+                    if volume.depth(middle)[0] > edge { low = middle } else { high = middle }
+                }
+                (high, [edge, volume.stroke() - edge])
+            }
+        };
+        Area { volume, opening, opens, closes, port }
+    }
+
+    /// Angle at which it closes [rad], less than a cycle beyond that at which it opens.
+    pub(crate) fn closes(&self) -> f64 {
+        self.closes
+    }
+
+    /// Angles at which the area begins, ends or has a kink.
+    pub(crate) fn kinks(&self) -> Vec<f64> {
+        let mut kinks = vec![self.opens, self.closes];
+        if let OpeningShape::Valve { lift, diameter, .. } = self.opening.shape
+            && lift > diameter / 4.0
+        {
+            let at = (diameter / 4.0 / lift).sqrt().asin() / PI * (self.closes - self.opens);
+            kinks.extend([self.opens + at, self.closes - at]);
+        }
+        kinks
+    }
+
+    /// Angle since it opened [rad], if it is open.
+    fn since(&self, psi: f64) -> Option<f64> {
+        let since = (psi - self.opens).rem_euclid(self.volume.cycle());
+        (since < self.closes - self.opens).then_some(since)
+    }
+
+    pub(crate) fn is_open(&self, psi: f64) -> bool {
+        self.since(psi).is_some()
+    }
+
+    /// Effective area [m^2].
+    pub(crate) fn at(&self, psi: f64) -> f64 {
+        let Some(since) = self.since(psi) else { return 0.0 };
+        let share = || (PI * since / (self.closes - self.opens)).sin().powi(2);
+        let geometric = match self.opening.shape {
+            OpeningShape::Valve { lift, diameter, number, .. } => {
+                f64::from(number) * PI * diameter * (lift * share()).min(diameter / 4.0)
+            }
+            OpeningShape::Area { area, .. } => area * share(),
+            OpeningShape::Port { area } => {
+                area * ((self.volume.depth(psi)[0] - self.port[0]) / self.port[1]).max(0.0)
+            }
+        };
+        geometric * self.opening.discharge_coefficient
+    }
+}
+
+/// Least distance of open valves from the piston.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PistonGap {
+    /// The intake valves or the exhaust valves.
+    pub is_intake: bool,
+    /// Along the cylinder axis [m]; negative where they meet.
+    pub gap: f64,
+    /// Where [rad], from 0 to the length of the cycle.
+    pub angle: f64,
+}
+
+/// Least distance of the valves from the piston while they are open, for those whose distance at top dead centre is given.
+///
+/// ```text
+/// gap(psi) = clearance + (s_top - s(psi)) - lift(psi)                                    (28.12)
+/// ```
+pub fn piston_gap(zone: &SingleZone, volume: &CylinderVolume) -> Vec<PistonGap> {
+    [(true, zone.intake), (false, zone.exhaust)]
+        .into_iter()
+        .filter_map(|(is_intake, opening)| {
+            let OpeningShape::Valve { closes, lift, piston_clearance: Some(clearance), .. } = opening.shape
+            else {
+                return None;
+            };
+            let open = closes - opening.opens;
+            let gap = |psi: f64| {
+                let lifted = lift * (PI * (psi - opening.opens) / open).sin().powi(2);
+                clearance + volume.depth(psi)[0] - lifted
+            };
+            let step = open / f64::from(STEPS);
+            let nearest = (0..=STEPS)
+                .map(|k| opening.opens + step * f64::from(k))
+                .min_by(|a, b| gap(*a).total_cmp(&gap(*b)))?;
+            // Golden section between the neighbours.
+            let (mut low, mut high) = (nearest - step, nearest + step);
+            for _ in 0..40 {
+                let third = (high - low) * 0.381_966_011_250_105;
+                if gap(low + third) < gap(high - third) { high -= third } else { low += third }
+            }
+            let angle = low + (high - low) / 2.0;
+            Some(PistonGap { is_intake, gap: gap(angle), angle: angle.rem_euclid(volume.cycle()) })
+        })
+        .collect()
+}

@@ -1,0 +1,225 @@
+//! The gas in a chamber and how it changes.
+
+use super::flow::FlowGas;
+use crate::error::CycleError;
+use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
+use lanchester_model::Reservoir;
+use serde::Serialize;
+
+/// What is integrated, each over its scale: pressure, mass, fresh mass; then since the start: work, heat to the walls, heat released, mass in from the
+/// intake and from the exhaust, enthalpy in from each.
+pub(crate) type State = [f64; 10];
+
+/// The gas in a chamber.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Contents {
+    /// Pressure [Pa].
+    pub pressure: f64,
+    /// Mass [kg].
+    pub mass: f64,
+    /// Mass that came through the intake and has not burned [kg].
+    pub fresh: f64,
+}
+
+/// What has passed since the start.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct ThroughFlow {
+    /// Work of the gas on the piston [J].
+    pub work: f64,
+    /// Heat to the walls [J].
+    pub wall_heat: f64,
+    /// Heat released [J].
+    pub released: f64,
+    /// Mass in from the intake and from the exhaust (negative: out) [kg].
+    pub mass: [f64; 2],
+    /// Enthalpy in with these masses [J].
+    pub enthalpy: [f64; 2],
+}
+
+/// What happens in a chamber at an angle, apart from its gas.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Chamber {
+    /// Volume [m^3] and its rate [m^3/rad].
+    pub(crate) volume: [f64; 2],
+    /// Effective areas to the two reservoirs [m^2].
+    pub(crate) areas: [f64; 2],
+    /// Heat released [J/rad].
+    pub(crate) release: f64,
+    /// Fresh mass that burns [kg/rad].
+    pub(crate) burning: f64,
+    /// Heat to the walls [J/rad].
+    pub(crate) wall_heat: f64,
+}
+
+/// Sizes by which the state is divided.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scale {
+    pub(crate) pressure: f64,
+    pub(crate) mass: f64,
+    pub(crate) energy: f64,
+}
+
+impl Scale {
+    pub(crate) fn state(&self, contents: Contents) -> State {
+        let mut state = [0.0; 10];
+        state[0] = contents.pressure / self.pressure;
+        state[1] = contents.mass / self.mass;
+        state[2] = contents.fresh / self.mass;
+        state
+    }
+
+    pub(crate) fn contents(&self, state: &State) -> Contents {
+        Contents {
+            pressure: state[0] * self.pressure,
+            mass: state[1] * self.mass,
+            fresh: state[2] * self.mass,
+        }
+    }
+
+    pub(crate) fn passed(&self, state: &State) -> ThroughFlow {
+        let [work, wall_heat, released] = [3, 4, 5].map(|k| state[k] * self.energy);
+        ThroughFlow {
+            work,
+            wall_heat,
+            released,
+            mass: [state[6] * self.mass, state[7] * self.mass],
+            enthalpy: [state[8] * self.energy, state[9] * self.energy],
+        }
+    }
+}
+
+/// A chamber with its reservoirs; `chamber` gives what happens at an angle to what is in it.
+pub(crate) struct Zone<F> {
+    pub(crate) gas: FlowGas,
+    pub(crate) reservoirs: [Reservoir; 2],
+    /// Seconds for a radian.
+    pub(crate) time: f64,
+    pub(crate) scale: Scale,
+    pub(crate) chamber: F,
+}
+
+impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
+    /// Rates per radian of the scaled state.
+    ///
+    /// ```text
+    /// dp/dpsi = ((gamma - 1) (Q' - Q_w' + SUM c_p T_up m') - gamma p V')/V,   dm/dpsi = SUM m'                (28.9)
+    /// ```
+    pub(crate) fn rates(&self, psi: f64, state: &State) -> State {
+        let Contents { pressure, mass, fresh } = self.scale.contents(state);
+        let FlowGas { gamma, gas_constant, .. } = self.gas;
+        let specific = gamma * gas_constant / (gamma - 1.0);
+        let chamber = (self.chamber)(psi, Contents { pressure, mass, fresh });
+        let [volume, volume_rate] = chamber.volume;
+        let temperature = pressure * volume / (mass * gas_constant);
+        let mut masses = [0.0; 2];
+        let mut enthalpies = [0.0; 2];
+        let mut fresh_rate = -chamber.burning;
+        for side in 0..2 {
+            let Reservoir { pressure: outside, temperature: reservoir } = self.reservoirs[side];
+            let area = chamber.areas[side];
+            if area <= 0.0 {
+                continue;
+            }
+            let (flow, upstream, share) = if outside > pressure {
+                let fresh_share = if side == 0 { 1.0 } else { 0.0 };
+                (self.gas.flow(area, [outside, reservoir], pressure), reservoir, fresh_share)
+            } else {
+                (-self.gas.flow(area, [pressure, temperature], outside), temperature, fresh / mass)
+            };
+            masses[side] = flow * self.time;
+            enthalpies[side] = masses[side] * specific * upstream;
+            fresh_rate += masses[side] * share;
+        }
+        let heat = chamber.release - chamber.wall_heat + enthalpies[0] + enthalpies[1];
+        let pressure_rate = ((gamma - 1.0) * heat - gamma * pressure * volume_rate) / volume;
+        let Scale { pressure: p, mass: m, energy: e } = self.scale;
+        [
+            pressure_rate / p,
+            (masses[0] + masses[1]) / m,
+            fresh_rate / m,
+            pressure * volume_rate / e,
+            chamber.wall_heat / e,
+            chamber.release / e,
+            masses[0] / m,
+            masses[1] / m,
+            enthalpies[0] / e,
+            enthalpies[1] / e,
+        ]
+    }
+
+    /// From one angle to another, within which nothing has a kink; states at `points` among them, rising.
+    pub(crate) fn run(
+        &self,
+        [from, to]: [f64; 2],
+        state: State,
+        points: &[f64],
+        tolerance: f64,
+    ) -> Result<(State, Vec<State>), CycleError> {
+        let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(MOST_STEPS);
+        let failed = |error: &dyn std::fmt::Debug| CycleError::Integration {
+            angle: from.to_degrees(),
+            reason: format!("{error:?}").chars().take_while(|c| c.is_alphanumeric()).collect(),
+        };
+        if points.is_empty() {
+            let solution =
+                IVP::ode(self, from, to, state).method(method).solve().map_err(|error| failed(&error))?;
+            let end = solution.y.last().copied().unwrap_or(state);
+            return Ok((end, Vec::new()));
+        }
+        // States between steps are interpolated, which the step control knows nothing of: steps are kept short.
+        let method = method.h_max(STEP_OF_POINTS * (to - from) / (points.len() + 1) as f64);
+        let mut wanted = points.to_vec();
+        wanted.push(to);
+        let solution = IVP::ode(self, from, to, state)
+            .method(method)
+            .t_eval(wanted)
+            .solve()
+            .map_err(|error| failed(&error))?;
+        let mut states = solution.y;
+        let end = states.pop().unwrap_or(state);
+        Ok((end, states))
+    }
+}
+
+impl<F: Fn(f64, Contents) -> Chamber> ODE<f64, State> for Zone<F> {
+    fn diff(&self, psi: f64, state: &State, rates: &mut State) {
+        *rates = self.rates(psi, state);
+    }
+}
+
+/// Longest step over the distance of the points at which states are wanted.
+const STEP_OF_POINTS: f64 = 3.0;
+/// Steps of one interval, at most.
+const MOST_STEPS: usize = 200_000;
+
+/// Fills a chamber of constant volume [m^3] through an effective area [m^2] from a reservoir for a time [s]; gives what is in it then.
+///
+/// The textbook's case behind the enthalpy in eq. 28.9: an evacuated chamber fills to `gamma` times the temperature of the reservoir.
+///
+/// # Errors
+/// [`CycleError::Integration`] where the solver gives up.
+pub fn fill(
+    from: Contents,
+    volume: f64,
+    reservoir: Reservoir,
+    area: f64,
+    seconds: f64,
+    [gamma, gas_constant]: [f64; 2],
+) -> Result<Contents, CycleError> {
+    let scale = Scale {
+        pressure: reservoir.pressure,
+        mass: reservoir.pressure * volume / (gas_constant * reservoir.temperature),
+        energy: reservoir.pressure * volume,
+    };
+    let chamber = move |_: f64, _: Contents| Chamber {
+        volume: [volume, 0.0],
+        areas: [area, 0.0],
+        release: 0.0,
+        burning: 0.0,
+        wall_heat: 0.0,
+    };
+    let gas = FlowGas::new(gamma, gas_constant);
+    let zone = Zone { gas, reservoirs: [reservoir; 2], time: seconds, scale, chamber };
+    let (end, _) = zone.run([0.0, 1.0], scale.state(from), &[], 1e-12)?;
+    Ok(scale.contents(&end))
+}
