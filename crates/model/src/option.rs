@@ -53,14 +53,6 @@ pub fn angle(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Angle, option)
 }
 
-/// A pressure with its unit, such as "180 bar" [Pa]; `option` names what asks for it in the message.
-///
-/// # Errors
-/// [`BadQuantity`] if the text is no number with a unit of pressure.
-pub fn pressure(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Pressure, option)
-}
-
 /// An inertia with its unit, such as "0.02 kg m2" [kg m^2]; `option` names what asks for it in the message.
 ///
 /// # Errors
