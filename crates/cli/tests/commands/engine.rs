@@ -213,3 +213,31 @@ fn report_shows_the_optimum_where_the_file_asks() {
     let plain: String = section.chars().filter(|letter| !letter.is_whitespace()).collect();
     assert!(plain.contains(&digits), "{digits}");
 }
+
+#[test]
+fn the_gas_of_a_file_is_checked_with_its_traces() {
+    let folder = folder("gas");
+    let text = fs::read_to_string(twin()).unwrap();
+    let gas = "\n[gas]\n[[gas.trace]]\nfile = \"pressure.csv\"\n";
+    fs::write(folder.join("twin.toml"), format!("{text}{gas}")).unwrap();
+    let refused = lanchester(&folder, &["check", "twin.toml"]);
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(said.contains("cannot read") && said.contains("pressure.csv"), "{said}");
+    let trace = |end: i32| {
+        let lines = (0..=end).map(|degrees| {
+            let half = (f64::from(degrees) - 10.0).to_radians() / 4.0;
+            format!("{degrees},{}\n", 1.0 + 60.0 * half.cos().powi(60))
+        });
+        format!("theta [deg],p [bar]\n{}", lines.collect::<String>())
+    };
+    fs::write(folder.join("pressure.csv"), trace(360)).unwrap();
+    let said = output_json(&folder, 2, &["check", "twin.toml", "--format", "json"]);
+    let gap = said[0]["gas"][0].as_str().unwrap();
+    assert!(
+        gap.contains("nothing between 360.0000 deg and 720.0000 deg") && said[0]["valid"] == false,
+        "{gap}"
+    );
+    fs::write(folder.join("pressure.csv"), trace(720)).unwrap();
+    assert!(output(&folder, 0, &["check", "twin.toml"]).contains("valid"));
+}
