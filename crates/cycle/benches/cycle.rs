@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 
 const GAS: &str = include_str!("../../../examples/single-gas.toml");
-const TRACE: &str = include_str!("../../../validation/twin-cylinder-thesis/traces/pressure-3000.csv");
+const TRACE: &str = include_str!("../../../validation/traces/pressure-3000.csv");
 
 fn cycle_of(engine: &Engine) -> &GasCycle {
     match engine.gas.as_ref().map(|gas| &gas.source) {
