@@ -2,7 +2,7 @@
 //!
 //! A [`Space`] is a product of lists. Its cases are numbered, and number and case determine each other, so that a run may
 //! be cut anywhere and memory does not grow with the number of cases. Equal layouts seen from another side are one
-//! ([`symmetry`]). [`Explorer`] judges cases; [`Exploration`] is what is known so far.
+//! (symmetry). [`Explorer`] judges cases; [`Exploration`] is what is known so far.
 
 mod candidate;
 mod constraint;
@@ -24,7 +24,7 @@ pub use candidate::Candidate;
 pub use constraint::Constraint;
 pub use counts::{Broken, Counts, Invalid, InvalidCount};
 pub use error::ExploreError;
-pub use explorer::{Exploration, ExploreRequest, Explorer, Run};
+pub use explorer::{EXPLORATION_VERSION, Exploration, ExploreRequest, Explorer, Run};
 pub use kernel::LayoutOrders;
 pub use layout::Layout;
 pub use objective::{Objective, Sense};

@@ -18,7 +18,8 @@ mod worst;
 pub use assignment::{Assignment, AssignmentRequest, WeighedRod, assign};
 pub use error::ScatterError;
 pub use run::{
-    Capability, Contribution, Limit, Output, OutputScatter, Percentile, Scatter, ScatterRequest, scatter,
+    Capability, Contribution, Limit, Output, OutputScatter, Percentile, SCATTER_VERSION, Scatter,
+    ScatterRequest, scatter,
 };
 pub use tolerance::{Distribution, Extent, Tolerance, Varied};
 pub use worst::{WorstCase, worst_cases};
