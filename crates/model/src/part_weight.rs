@@ -38,7 +38,7 @@ pub enum PartFault {
     Overlap(GeometryError),
 }
 
-/// Unbalances below this share of mass times swept radius are rounding, and so are directions and planes beside the own ones.
+/// Parts of an unbalance, along x and along y, below this share of mass times swept radius are rounding, and so are planes beside the own ones.
 const ROUNDING: f64 = 1e-12;
 /// Couples below this share of mass times swept radius times thickness are none.
 const NO_COUPLE: f64 = 1e-9;
@@ -87,10 +87,10 @@ pub(crate) fn part_weight(
     }
     let reach = moments.mass * part.part.outline().swept_radius();
     let thickness = part.part.thickness();
-    let mut unbalance = first.norm();
-    if unbalance <= ROUNDING * reach {
-        unbalance = 0.0;
-    }
+    // Without this a nearly balanced part would point where rounding does.
+    let clean = |value: f64| if value.abs() <= ROUNDING * reach { 0.0 } else { value };
+    let first = Point::new(clean(first.x), clean(first.y));
+    let unbalance = first.norm();
     let along = if unbalance > 0.0 { first * (1.0 / unbalance) } else { Point::new(1.0, 0.0) };
     let couple = if unbalance > 0.0 { along.cross(lever).abs() } else { lever.norm() };
     let offset = if unbalance > 0.0 { along.dot(lever) / unbalance } else { 0.0 };
@@ -103,13 +103,8 @@ pub(crate) fn part_weight(
     }
     let offset = if offset.abs() <= ROUNDING * thickness { 0.0 } else { offset };
     let turn = match along {
-        Point { x, y } if y.abs() <= ROUNDING => {
-            if x > 0.0 {
-                0.0
-            } else {
-                PI
-            }
-        }
+        Point { x, y: 0.0 } if x > 0.0 => 0.0,
+        Point { y: 0.0, .. } => PI,
         Point { x, y } => y.atan2(x),
     };
     let angle = if turn == 0.0 { part.angle } else { angle::direction(part.angle + turn) };
