@@ -199,6 +199,30 @@ fn one_free_dimension_agrees_with_golden_section() {
 }
 
 #[test]
+fn the_proof_halves_what_keeps_a_box_open() {
+    // The least swept radius of an arc that may not be smaller: the sum of the terms bends with the arc's angle alone, while a box stays
+    // open by the unbalance. Halved by the sum, the angle ended one last digit wide and the proof broke off.
+    let task = DesignTask {
+        unbalance: 0.004,
+        least_balance: 0.8,
+        web_radius: Range::new(0.01, 0.023_634_879_019_988_828),
+        rectangle_height: Range::fixed(0.0),
+        shoulder: Shoulder::Angle(Range::new(0.650_357_109_242_492_7, 1.021_336_831_346_578_3)),
+        arc_radius: Range::new(0.04, 0.045_584_421_367_720_23),
+        arc_angle: Range::new(1.151_572_103_051_497, 2.918_201_970_753_195),
+        thickness: Range::new(0.013_793_227_067_111_72, 0.021_831_605_863_818_722),
+        ..paper()
+    };
+    let optimum = found(&task, Objective::SweptRadius);
+    assert!(optimum.proved, "{optimum:?}");
+    // Web and arc as small as they may be; along what is left the swept radius is that of the chord's corner.
+    let shape = &optimum.design.shape;
+    assert!((shape.web_radius / 0.01 - 1.0).abs() < 1e-9 && (shape.arc_radius / 0.04 - 1.0).abs() < 1e-9);
+    let corner = shape.shoulder_height.hypot(0.04 * (shape.arc_angle / 2.0).sin());
+    assert!((optimum.value / corner - 1.0).abs() < 1e-9);
+}
+
+#[test]
 fn limits_that_no_shape_meets_have_a_nearest_value_that_is_met() {
     let task = DesignTask {
         thickness: Range::new(0.005, 0.02),

@@ -17,7 +17,7 @@ use std::rc::Rc;
 
 /// What rounding may make of a scaled term.
 pub(super) const ROUNDING: f64 = 1e-12;
-/// A box smaller than this in every variable is left as it is.
+/// A box smaller than this part of the ranges in every variable is left as it is.
 const SMALLEST: f64 = 1e-7;
 const MOST_BOXES: usize = 200_000;
 
@@ -61,12 +61,13 @@ enum Verdict {
 pub(super) struct Refuter {
     simplex: Simplex,
     rows: Vec<Row>,
-    /// Second derivatives of the terms with their multipliers, from the last programme.
-    whole: Option<Bend>,
+    /// Second derivatives of what keeps the last programme from refuting its box, if that is known.
+    open: Option<Bend>,
     /// Of each row the term, and how far that can lie below its tangent in the box.
     sources: Vec<(usize, f64)>,
     terms: Vec<Term<Slopes>>,
     curved: Vec<Term<Curvatures>>,
+    plain: Vec<Term<f64>>,
 }
 
 impl Refuter {
@@ -100,9 +101,8 @@ impl Refuter {
                 searched = 2 * boxes;
             }
             let widest = self.widest(problem, &cell);
-            let is_small = widest.is_none_or(|(_, width)| width < SMALLEST);
-            if is_searched || best.is_none() || is_small {
-                let found = descent.run(problem, kind, point, best.filter(|_| !is_small));
+            if is_searched || self.open.is_none() || widest.is_none() {
+                let found = descent.run(problem, kind, point, best.filter(|_| widest.is_some()));
                 // Steps of rounding would go on for ever.
                 let is_better = |old: Reached| sense(kind) * (old.level - found.level) > 1e-10 * old.level;
                 if found.is_feasible() && best.is_none_or(is_better) {
@@ -117,7 +117,7 @@ impl Refuter {
                 }
             }
             match widest {
-                Some((k, _)) if !is_small => {
+                Some(k) => {
                     let middle = (cell.low[k] + cell.high[k]) / 2.0;
                     cell.age += 1;
                     let (mut first, mut second) = (cell.clone(), cell);
@@ -125,7 +125,7 @@ impl Refuter {
                     second.low[k] = middle;
                     stack.extend([first, second]);
                 }
-                _ => left = true,
+                None => left = true,
             }
         }
         Refutation { best, proved: !left, boxes }
@@ -216,6 +216,7 @@ impl Refuter {
         let limit = ROUNDING - floor;
         let end = self.simplex.solve(&self.rows, &bounds[..=count], limit);
         let mut point = middle;
+        self.open = None;
         match end {
             End::Infeasible | End::Beyond => Verdict::Refuted,
             End::Stopped => Verdict::Left(cell, point),
@@ -239,7 +240,6 @@ impl Refuter {
                     .map(|(row, weight)| (weight, &cell.bends[self.sources[row].0]));
                 let whole = Bend::sum(terms);
                 let [drop_of_whole, least] = whole.least(&slope, &half);
-                self.whole = (drops < 0.0).then_some(whole);
                 if value + least > ROUNDING * sum {
                     return Verdict::Refuted;
                 }
@@ -260,32 +260,50 @@ impl Refuter {
                     cut.low[*k] = (cell.low[*k] + low.max(0.0) * width).min(cell.high[*k]);
                     cut.high[*k] = (cell.low[*k] + high.min(1.0) * width).max(cut.low[*k]);
                 }
+                // Without their drops the sum of the terms would refute the box, or one that the point breaks must be known better.
+                self.open = if self.simplex.least() - drops > limit {
+                    Some(whole)
+                } else {
+                    self.broken(problem, &levels, objective, &point).map(|number| cell.bends[number])
+                };
                 Verdict::Left(cut, point)
             }
         }
     }
 
-    /// The variable whose width moves the terms most, and the largest width as a part of the ranges.
-    fn widest(&self, problem: &Problem, cell: &Cell) -> Option<(usize, f64)> {
+    /// The term that a shape breaks most, if it breaks any.
+    fn broken(
+        &mut self,
+        problem: &Problem,
+        levels: &Levels<f64>,
+        objective: Option<Kind>,
+        x: &[f64; SHAPE],
+    ) -> Option<usize> {
+        problem.terms(&problem.quantities(x), levels, objective, &mut self.plain);
+        let values = self.plain.iter().map(|term| term.value).enumerate();
+        let worst = values.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        worst.filter(|(_, value)| *value > 0.0).map(|(number, _)| number)
+    }
+
+    /// The variable whose width moves the terms most, of those that are not small.
+    fn widest(&self, problem: &Problem, cell: &Cell) -> Option<usize> {
         let mut best: Option<(usize, f64)> = None;
-        let mut largest = 0.0f64;
         let widths: [f64; SHAPE] = std::array::from_fn(|k| cell.high[k] - cell.low[k]);
         for k in 0..SHAPE {
-            let (width, range) = (cell.high[k] - cell.low[k], problem.high[k] - problem.low[k]);
-            if width <= 0.0 {
+            let smallest = (SMALLEST * (problem.high[k] - problem.low[k])).max(ROUNDING);
+            if widths[k] <= smallest {
                 continue;
             }
-            largest = largest.max(width / range);
-            let most = match &self.whole {
-                Some(whole) => whole.turn(k, &widths),
+            let most = match &self.open {
+                Some(open) => open.turn(k, &widths),
                 None => cell.bends.iter().map(|bend| bend.turn(k, &widths)).fold(0.0, f64::max),
             };
-            let smear = most * width;
+            let smear = most * widths[k];
             if best.is_none_or(|(_, most)| smear > most) {
                 best = Some((k, smear));
             }
         }
-        best.map(|(k, _)| (k, largest))
+        best.map(|(k, _)| k)
     }
 }
 
