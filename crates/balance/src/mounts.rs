@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     fn mount(x: f64, y: f64, z: f64) -> Mount {
-        Mount { name: String::new(), x, y, z }
+        Mount { name: String::new(), x, y, z, spring: None }
     }
 
     /// What the mounts' forces add up to: force and moment about the origin.

@@ -55,6 +55,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: None,
         shape_task: None,

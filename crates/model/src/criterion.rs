@@ -1,6 +1,7 @@
 //! Criteria in words: how engine files, command lines and reports call them.
 
-use crate::engine::{Engine, Mount};
+use crate::engine::Engine;
+use crate::mount::Mount;
 use crate::nearest::nearest;
 use crate::option::BadQuantity;
 use crate::quantity::{Dimension, Refusal, one_of};
@@ -253,7 +254,13 @@ mod tests {
     use super::*;
 
     fn mounts(names: &[&str]) -> Vec<Mount> {
-        let at = |(z, name): (usize, &&str)| Mount { name: name.to_string(), x: 0.0, y: 0.0, z: z as f64 };
+        let at = |(z, name): (usize, &&str)| Mount {
+            name: name.to_string(),
+            x: 0.0,
+            y: 0.0,
+            z: z as f64,
+            spring: None,
+        };
         names.iter().enumerate().map(at).collect()
     }
 

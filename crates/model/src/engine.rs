@@ -7,8 +7,10 @@
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
+use crate::block::Block;
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
 use crate::gas::Gas;
+use crate::mount::Mount;
 use crate::ratio::Ratio;
 use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
 use crate::shape_task::ShapeTask;
@@ -40,6 +42,9 @@ pub struct Engine {
     pub shafts: Vec<BalanceShaft>,
     /// Engine mounts.
     pub mounts: Vec<Mount>,
+    /// The body that stands on them, if the file gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block: Option<Block>,
     /// Journals, pins and webs, if the file gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crank_body: Option<CrankBody>,
@@ -310,19 +315,6 @@ impl ShaftWeight {
     pub fn new(z: f64, unbalance: f64, phase: f64) -> ShaftWeight {
         ShaftWeight { z, unbalance, phase, part: None }
     }
-}
-
-/// An engine mount.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Mount {
-    /// Name for tables and pictures.
-    pub name: String,
-    /// Position [m].
-    pub x: f64,
-    /// Position [m].
-    pub y: f64,
-    /// Position [m], from the origin.
-    pub z: f64,
 }
 
 impl Engine {

@@ -33,6 +33,7 @@
 #![forbid(unsafe_code)]
 
 mod angle;
+mod block;
 mod codes;
 mod crank_body;
 mod criterion;
@@ -45,6 +46,7 @@ mod firing;
 mod gas;
 mod layout;
 mod mains;
+mod mount;
 mod nearest;
 pub mod option;
 mod part_weight;
@@ -60,6 +62,7 @@ mod template;
 pub mod workshop;
 mod write_back;
 
+pub use block::*;
 pub use codes::diagnostic_codes;
 pub use crank_body::*;
 pub use criterion::{criterion, criterion_name, criterion_unit};
@@ -68,6 +71,7 @@ pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use expanded::expanded;
 pub use gas::*;
+pub use mount::*;
 pub use part_weight::{PartFault, PartWeight};
 pub use ratio::{Ratio, greatest_common_divisor};
 pub use read::{Reading, read};

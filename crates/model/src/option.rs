@@ -1,7 +1,7 @@
 //! Quantities outside an engine file: the options of a command line.
 
 use crate::criterion::{self, criterion};
-use crate::engine::Mount;
+use crate::mount::Mount;
 use crate::quantity::{Dimension, Refusal, parse};
 use crate::task::{Limit, Load, Stage};
 

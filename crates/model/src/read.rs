@@ -150,6 +150,7 @@ impl<'a> Reader<'a> {
             counterweights: counterweights?,
             shafts: shafts?,
             mounts: mounts?,
+            block: None,
             crank_body: body?,
             envelope: envelope?,
             shape_task: shape_task?,

@@ -64,6 +64,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
             .collect(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: None,
         shape_task: None,
@@ -85,8 +86,8 @@ pub fn twin() -> Engine {
         weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
     });
     engine.mounts = vec![
-        Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0 },
-        Mount { name: "right".to_owned(), x: -0.05, y: 0.2, z: 0.0 },
+        Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0, spring: None },
+        Mount { name: "right".to_owned(), x: -0.05, y: 0.2, z: 0.0, spring: None },
     ];
     engine
 }

@@ -50,6 +50,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: None,
         shape_task: None,

@@ -93,7 +93,13 @@ fn mounts(engine: &Engine, request: &ArrangementRequest) -> Vec<Mount> {
     match request.mounts {
         MountPlaces::Engine => engine.mounts.clone(),
         MountPlaces::Spacing(apart) => [("front", -0.5), ("rear", 0.5)]
-            .map(|(name, side)| Mount { name: name.to_owned(), x: 0.0, y: 0.0, z: side * apart })
+            .map(|(name, side)| Mount {
+                name: name.to_owned(),
+                x: 0.0,
+                y: 0.0,
+                z: side * apart,
+                spring: None,
+            })
             .to_vec(),
     }
 }

@@ -138,6 +138,7 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         counterweights,
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: Some(Envelope::default()),
         shape_task: None,

@@ -173,6 +173,7 @@ fn empty() -> Engine {
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: None,
         shape_task: None,

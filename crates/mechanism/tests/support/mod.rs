@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod brute;
+pub mod mounted;
 pub mod pressure;
 pub mod random;
 
@@ -73,6 +74,7 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         counterweights: Vec::new(),
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: None,
         shape_task: None,

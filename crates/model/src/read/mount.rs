@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::diagnostic::Mistake;
 use crate::document::Section;
-use crate::engine::Mount;
+use crate::mount::Mount;
 
 impl<'a> Reader<'a> {
     pub(super) fn mounts(&mut self) -> Option<Vec<Mount>> {
@@ -33,6 +33,6 @@ impl<'a> Reader<'a> {
     fn mount(&mut self, index: usize, section: &'a Section) -> Option<Mount> {
         let name = section.text("name").or(format!("mount {}", index + 1));
         let [x, y, z] = ["x", "y", "z"].map(|key| self.required(section, key, section.number(key)));
-        Some(Mount { name: name?, x: x?, y: y?, z: z? })
+        Some(Mount { name: name?, x: x?, y: y?, z: z?, spring: None })
     }
 }

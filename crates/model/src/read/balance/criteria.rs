@@ -4,7 +4,7 @@ use super::Reader;
 use crate::criterion;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span, Term};
-use crate::engine::Mount;
+use crate::mount::Mount;
 use crate::quantity::{self, Refusal};
 use crate::task::{BalanceTask, Criterion, Limit, Load, Stage};
 

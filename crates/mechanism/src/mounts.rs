@@ -1,0 +1,25 @@
+//! The engine as a rigid body on elastic mounts (book, chapter "Mounts").
+//!
+//! ```text
+//! q = (u, phi)          displacement of the block's centre [m] and small rotation [rad], axes of the frame
+//! u_j = B_j q           B_j = ( E , -[rho_j]x )     rho_j: mount j from the centre
+//! K = SUM B_j^T K_j B_j                              K_j = SUM over its directions of k a a^T
+//! M q'' + C q' + K q = (F, M about the centre)
+//! ```
+
+mod at_rest;
+mod axes;
+mod body;
+mod error;
+mod excitation;
+mod free_motion;
+mod modes;
+mod peaks;
+mod response;
+mod result;
+mod system;
+
+pub use error::MountError;
+pub use excitation::{Excitation, inertia_excitations};
+pub use result::*;
+pub use system::MountSystem;
