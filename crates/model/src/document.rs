@@ -157,8 +157,9 @@ impl Section {
         match self.table.key(name)?.kind {
             Kind::Quantity(dimension, _)
             | Kind::Quantities(dimension, _)
-            | Kind::QuantityOrPair(dimension, _) => Some(dimension),
-            Kind::Share | Kind::ShareOrPair => Some(Dimension::Share),
+            | Kind::QuantityOrPair(dimension, _)
+            | Kind::QuantityOrThree(dimension, _) => Some(dimension),
+            Kind::Share | Kind::ShareOrPair | Kind::ShareOrThree => Some(Dimension::Share),
             _ => None,
         }
     }

@@ -2,6 +2,7 @@
 
 mod balance;
 mod gas;
+mod mount;
 mod part;
 mod shaft_part;
 
@@ -50,6 +51,7 @@ pub fn expanded(engine: &Engine) -> String {
         file.cylinder(index, cylinder, engine);
     }
     file.weights(engine);
+    file.mounts(engine);
     file.shape_task(engine);
     file.shaft_weight_task(engine);
     file.clearance(engine);
@@ -212,13 +214,6 @@ impl File {
             self.entry("y", &quantity(shaft.y, Dimension::Length));
             let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
             self.entry("weights", &format!("[\n{list}]"));
-        }
-        for mount in &engine.mounts {
-            self.header("[[mount]]", "");
-            self.entry("name", &quoted(&mount.name));
-            for (key, value) in [("x", mount.x), ("y", mount.y), ("z", mount.z)] {
-                self.entry(key, &quantity(value, Dimension::Length));
-            }
         }
     }
 }

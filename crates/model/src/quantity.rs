@@ -31,11 +31,13 @@ pub(crate) enum Dimension {
     Energy,
     SpecificEnergy,
     SpecificHeat,
+    Stiffness,
+    Damping,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub(crate) const ALL: [Dimension; 18] = [
+    pub(crate) const ALL: [Dimension; 20] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -54,6 +56,8 @@ impl Dimension {
         Dimension::Energy,
         Dimension::SpecificEnergy,
         Dimension::SpecificHeat,
+        Dimension::Stiffness,
+        Dimension::Damping,
     ];
 
     /// Name with its article, for messages.
@@ -77,6 +81,8 @@ impl Dimension {
             Dimension::Energy => "an energy",
             Dimension::SpecificEnergy => "an energy per mass",
             Dimension::SpecificHeat => "a specific heat",
+            Dimension::Stiffness => "a stiffness",
+            Dimension::Damping => "a damping coefficient",
         }
     }
 
@@ -122,7 +128,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-static UNITS: [Unit; 66] = {
+static UNITS: [Unit; 73] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -191,6 +197,13 @@ static UNITS: [Unit; 66] = {
         unit(SpecificEnergy, "J/kg", 0, 1.0),
         unit(SpecificHeat, "J/kg/K", 0, 1.0),
         unit(SpecificHeat, "kJ/kg/K", 3, 1.0),
+        unit(Stiffness, "N/mm", 3, 1.0),
+        unit(Stiffness, "N/m", 0, 1.0),
+        unit(Stiffness, "kN/mm", 6, 1.0),
+        unit(Stiffness, "lbf/in", 0, POUND * STANDARD_GRAVITY / INCH),
+        unit(Damping, "N s/m", 0, 1.0),
+        unit(Damping, "N s/mm", 3, 1.0),
+        unit(Damping, "lbf s/in", 0, POUND * STANDARD_GRAVITY / INCH),
     ]
 };
 
@@ -482,6 +495,8 @@ pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> 
         Dimension::Energy => ("J", "J"),
         Dimension::SpecificEnergy => ("MJ/kg", "J/kg"),
         Dimension::SpecificHeat => ("J/kg/K", "J/kg/K"),
+        Dimension::Stiffness => ("N/mm", "N/m"),
+        Dimension::Damping => ("N s/m", "N s/m"),
     };
     let guess = guess + 0.0;
     neighbours(guess)

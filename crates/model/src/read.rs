@@ -95,6 +95,7 @@ impl<'a> Reader<'a> {
         let shafts = self.shafts();
         self.check_period(crankshafts.as_deref(), shafts.as_deref());
         let mounts = self.mounts();
+        let block = self.block();
         let count = drafts.as_ref().map(|drafts| drafts.throws.len());
         let body = self.crank_body();
         let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len), &body);
@@ -150,7 +151,7 @@ impl<'a> Reader<'a> {
             counterweights: counterweights?,
             shafts: shafts?,
             mounts: mounts?,
-            block: None,
+            block: block?,
             crank_body: body?,
             envelope: envelope?,
             shape_task: shape_task?,
@@ -170,6 +171,9 @@ impl<'a> Reader<'a> {
         }
         for mount in &mut engine.mounts {
             mount.z -= origin;
+        }
+        if let Some(block) = &mut engine.block {
+            block.centre[2] -= origin;
         }
         for (cylinder, angle) in engine.cylinders.iter_mut().zip(firing_angles?) {
             cylinder.firing_angle = angle;

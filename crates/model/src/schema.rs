@@ -89,10 +89,16 @@ pub(crate) enum Kind {
     Quantities(Dimension, Bound),
     /// A quantity, or a list of two.
     QuantityOrPair(Dimension, Bound),
+    /// A quantity, or a list of three, one for each direction.
+    QuantityOrThree(Dimension, Bound),
     /// `"50 %"` or a bare fraction.
     Share,
     /// A share, or a list of two.
     ShareOrPair,
+    /// A share, or a list of three, one for each direction.
+    ShareOrThree,
+    /// A list of three bare numbers, not all 0.
+    Direction,
     /// A bare number.
     Number(Bound),
     /// `true` or `false`.
@@ -141,8 +147,13 @@ impl Kind {
             Kind::QuantityOrPair(dimension, _) => {
                 format!("{} with its unit, or a list of the lowest and the highest", dimension.with_article())
             }
+            Kind::QuantityOrThree(dimension, _) => {
+                format!("{} with its unit, or a list of three", dimension.with_article())
+            }
             Kind::Share => "a share such as \"50 %\"".into(),
             Kind::ShareOrPair => "a share such as \"50 %\", or a list of the least and the most".into(),
+            Kind::ShareOrThree => "a share such as 0.1 or \"10 %\", or a list of three".into(),
+            Kind::Direction => "a direction: a list of three bare numbers".into(),
             Kind::Number(_) => "a bare number".into(),
             Kind::Truth => "true or false".into(),
             Kind::Stages => "a list of criteria".into(),

@@ -14,8 +14,8 @@ use crate::result::Extreme;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
-/// Angles in one turn of the highest harmonic, eight for the square of the force.
-const ANGLES: usize = 16;
+/// Angles in one turn of the highest harmonic, six for that of the square of the force.
+const ANGLES: usize = 12;
 
 /// Two orders closer than this are one.
 const SAME_ORDER: f64 = 1e-6;
@@ -33,12 +33,12 @@ pub(crate) struct Cycle {
     /// The orders as harmonics of the cycle.
     harmonics: Vec<usize>,
     revolutions: u32,
-    /// Cosine and sine of each harmonic at the angles of the first quarter, by harmonic.
-    waves: Vec<Vec<(f64, f64)>>,
+    /// Cosines and sines of each harmonic at the angles of the first quarter, by harmonic.
+    waves: Vec<[Vec<f64>; 2]>,
     /// Angles in the whole cycle, a multiple of four.
     angles: usize,
-    /// Sums over even and odd harmonics, of cosines and of sines.
-    sums: Vec<[[f64; 3]; 4]>,
+    /// Sums of cosines over even and odd harmonics, then of sines, for each component.
+    sums: [[Vec<f64>; 3]; 4],
     /// Squares of the force at all angles.
     squares: Vec<f64>,
 }
@@ -69,10 +69,12 @@ impl Cycle {
         let harmonic = |order: &f64| (order * f64::from(self.revolutions)).round() as usize;
         self.harmonics = self.orders.iter().map(harmonic).collect();
         self.angles = ANGLES * self.harmonics.iter().copied().max().unwrap_or(1);
-        let turn = |k: usize| (TAU * k as f64 / self.angles as f64).sin_cos();
-        let table: Vec<(f64, f64)> = (0..self.angles).map(turn).map(|(sin, cos)| (cos, sin)).collect();
+        let turn = |k: usize| (TAU * (k % self.angles) as f64 / self.angles as f64).sin_cos();
         let quarter = 0..=self.angles / 4;
-        let wave = |n: &usize| quarter.clone().map(|j| table[n * j % self.angles]).collect();
+        let wave = |&n: &usize| {
+            let (sines, cosines) = quarter.clone().map(|j| turn(n * j)).unzip();
+            [cosines, sines]
+        };
         self.waves = self.harmonics.iter().map(wave).collect();
         Ok(())
     }
@@ -86,12 +88,15 @@ impl Cycle {
         for j in 0..count {
             let here = self.squares[j];
             let (before, after) = (self.squares[(j + count - 1) % count], self.squares[(j + 1) % count]);
-            // A parabola rises by an eighth of the second difference between angles; half of it is ample.
-            let curvature = 2.0 * here - before - after;
-            if here < before || here < after || here + 0.5 * curvature < best {
+            if here < before || here < after {
                 continue;
             }
+            let curvature = 2.0 * here - before - after;
             let aside = if curvature > 0.0 { 0.5 * (after - before) / curvature } else { 0.0 };
+            // The top of the parabola, and ample room for what it misses of a wave of the highest harmonic.
+            if here + 0.25 * (after - before) * aside + 0.1 * curvature < best {
+                continue;
+            }
             let (square, t) = self.top(orders, mount, step * (j as f64 + aside), step * j as f64, step);
             let top = if square > here { (square, t) } else { (here, step * j as f64) };
             if found.is_none_or(|f| top.0 > f.0 * (1.0 + TIE)) {
@@ -105,31 +110,36 @@ impl Cycle {
     /// Squares of the force at all angles.
     fn fill(&mut self, orders: &[OrderResponse], mount: usize) {
         let quarter = self.angles / 4;
-        self.sums.clear();
-        self.sums.resize(quarter + 1, [[0.0; 3]; 4]);
-        for ((order, harmonic), wave) in orders.iter().zip(&self.harmonics).zip(&self.waves) {
+        for sum in self.sums.iter_mut().flatten() {
+            sum.clear();
+            sum.resize(quarter + 1, 0.0);
+        }
+        for ((order, harmonic), waves) in orders.iter().zip(&self.harmonics).zip(&self.waves) {
             let odd = harmonic % 2;
             let force = order.forces[mount];
-            for (sums, (cos, sin)) in self.sums.iter_mut().zip(wave) {
-                for i in 0..3 {
-                    sums[odd][i] += force[i].re * cos;
-                    sums[2 + odd][i] += force[i].im * sin;
+            for i in 0..3 {
+                for (part, wave, size) in [(odd, &waves[0], force[i].re), (2 + odd, &waves[1], force[i].im)] {
+                    self.sums[part][i].iter_mut().zip(wave).for_each(|(sum, wave)| *sum += size * wave);
                 }
             }
         }
+        self.squares.clear();
         self.squares.resize(self.angles, 0.0);
         let (count, half) = (self.angles, self.angles / 2);
-        for (j, [even_cos, odd_cos, even_sin, odd_sin]) in self.sums.iter().enumerate() {
-            let square = |odd: f64, sin: f64, odd_sine: f64| -> f64 {
-                (0..3)
-                    .map(|i| even_cos[i] + odd * odd_cos[i] + sin * even_sin[i] + odd_sine * odd_sin[i])
-                    .map(|f| f * f)
-                    .sum()
-            };
-            self.squares[j] = square(1.0, -1.0, -1.0);
-            self.squares[(count - j) % count] = square(1.0, 1.0, 1.0);
-            self.squares[half - j] = square(-1.0, 1.0, -1.0);
-            self.squares[(half + j) % count] = square(-1.0, -1.0, 1.0);
+        for j in 0..=quarter {
+            let mut squares = [0.0; 4];
+            for i in 0..3 {
+                let [even_cos, odd_cos, even_sin, odd_sin] = [0, 1, 2, 3].map(|part| self.sums[part][i][j]);
+                let (cos, sin) = (even_cos + odd_cos, even_sin + odd_sin);
+                let (far_cos, far_sin) = (even_cos - odd_cos, even_sin - odd_sin);
+                let forces = [cos - sin, cos + sin, far_cos + far_sin, far_cos - far_sin];
+                squares.iter_mut().zip(forces).for_each(|(square, force)| *square += force * force);
+            }
+            for (place, square) in
+                [j, (count - j) % count, half - j, (half + j) % count].into_iter().zip(squares)
+            {
+                self.squares[place] = square;
+            }
         }
     }
 

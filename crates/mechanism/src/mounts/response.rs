@@ -80,7 +80,7 @@ impl MountSystem {
                 );
             }
         }
-        solved(matrix, *load)
+        solved(&matrix, load)
     }
 
     /// Forces on the mounts for a unit of each of F_x, F_y, F_z, M_x, M_y, M_z about the origin that turns with `e^{i w t}`:
@@ -180,33 +180,30 @@ impl Spring {
 }
 
 /// Solution of six linear equations by elimination with the largest pivot of each column; `None` where a pivot vanishes.
-fn solved(mut matrix: Complex6x6, mut right: Vector6<Complex64>) -> Option<Vector6<Complex64>> {
+fn solved(matrix: &Complex6x6, right: &Vector6<Complex64>) -> Option<Vector6<Complex64>> {
+    let mut rows: [[Complex64; 7]; 6] =
+        std::array::from_fn(|i| std::array::from_fn(|j| if j < 6 { matrix[(i, j)] } else { right[i] }));
     for k in 0..6 {
-        let size = |i: usize| matrix[(i, k)].norm_sqr();
-        let pivot = (k + 1..6).fold(k, |best, i| if size(i) > size(best) { i } else { best });
-        let largest = size(pivot);
-        if !(largest > 0.0 && largest.is_finite()) {
+        let pivot = (k + 1..6)
+            .fold(k, |best, i| if rows[i][k].norm_sqr() > rows[best][k].norm_sqr() { i } else { best });
+        rows.swap(pivot, k);
+        let size = rows[k][k].norm_sqr();
+        if !(size > 0.0 && size.is_finite()) {
             return None;
         }
-        if pivot != k {
-            matrix.swap_rows(pivot, k);
-            right.swap_rows(pivot, k);
+        let inverse = rows[k][k].conj() / size;
+        let (above, below) = rows.split_at_mut(k + 1);
+        let above = &mut above[k];
+        above.iter_mut().for_each(|value| *value *= inverse);
+        for row in below {
+            let factor = row[k];
+            row.iter_mut().zip(above.iter()).skip(k + 1).for_each(|(value, above)| *value -= factor * above);
         }
-        let inverse = matrix[(k, k)].conj() / largest;
-        for i in k + 1..6 {
-            let factor = matrix[(i, k)] * inverse;
-            for j in k + 1..6 {
-                let above = matrix[(k, j)];
-                matrix[(i, j)] -= factor * above;
-            }
-            let above = right[k];
-            right[i] -= factor * above;
-        }
-        matrix[(k, k)] = inverse;
     }
+    let mut result = Vector6::zeros();
     for k in (0..6).rev() {
-        let known: Complex64 = (k + 1..6).map(|j| matrix[(k, j)] * right[j]).sum();
-        right[k] = (right[k] - known) * matrix[(k, k)];
+        let known: Complex64 = (k + 1..6).map(|j| rows[k][j] * result[j]).sum();
+        result[k] = rows[k][6] - known;
     }
-    right.iter().all(|c| c.is_finite()).then_some(right)
+    result.iter().all(|c: &Complex64| c.is_finite()).then_some(result)
 }

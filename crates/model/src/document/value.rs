@@ -174,6 +174,18 @@ impl Walk<'_> {
         }
     }
 
+    /// A component of a direction: a bare number.
+    pub(super) fn component(&mut self, key: &Key, item: &Item<'_>) -> Option<Spot<f64>> {
+        let span = item.span().range();
+        match item.as_f64() {
+            Some(value) if value.is_finite() && value.abs() <= LARGEST => Some(Spot { value, span }),
+            _ => {
+                self.wrong_kind(key, item, &span);
+                None
+            }
+        }
+    }
+
     pub(super) fn bare_share(&mut self, key: &Key, item: &Item<'_>) -> Option<Spot<f64>> {
         let span = item.span().range();
         let value = item.as_f64()?;

@@ -137,7 +137,9 @@ impl Walk<'_> {
                 self.list(key, item, |walk, item| walk.whole(key, item, least, most)).map(Value::Wholes)
             }
             (
-                Kind::Quantity(dimension, bound) | Kind::QuantityOrPair(dimension, bound),
+                Kind::Quantity(dimension, bound)
+                | Kind::QuantityOrPair(dimension, bound)
+                | Kind::QuantityOrThree(dimension, bound),
                 Toml::String(_) | Toml::Integer(_) | Toml::Float(_),
             ) => {
                 let spot = self.quantity(key, item, dimension, bound)?;
@@ -147,9 +149,16 @@ impl Walk<'_> {
                     Value::Numbers(vec![spot])
                 })
             }
-            (Kind::Quantities(dimension, bound) | Kind::QuantityOrPair(dimension, bound), Toml::Array(_)) => {
-                self.list(key, item, |walk, item| walk.quantity(key, item, dimension, bound))
-                    .map(Value::Numbers)
+            (
+                Kind::Quantities(dimension, bound)
+                | Kind::QuantityOrPair(dimension, bound)
+                | Kind::QuantityOrThree(dimension, bound),
+                Toml::Array(_),
+            ) => self
+                .list(key, item, |walk, item| walk.quantity(key, item, dimension, bound))
+                .map(Value::Numbers),
+            (Kind::Direction, Toml::Array(_)) => {
+                self.list(key, item, |walk, item| walk.component(key, item)).map(Value::Numbers)
             }
             (Kind::Share, Toml::String(_)) => self
                 .quantity(key, item, Dimension::Share, Bound::NotNegative)
@@ -157,10 +166,10 @@ impl Walk<'_> {
             (Kind::Share, Toml::Integer(_) | Toml::Float(_)) => {
                 self.bare_share(key, item).map(|spot| Value::Number(spot.value))
             }
-            (Kind::ShareOrPair, Toml::String(_) | Toml::Integer(_) | Toml::Float(_)) => {
+            (Kind::ShareOrPair | Kind::ShareOrThree, Toml::String(_) | Toml::Integer(_) | Toml::Float(_)) => {
                 self.share(key, item).map(|spot| Value::Numbers(vec![spot]))
             }
-            (Kind::ShareOrPair, Toml::Array(_)) => {
+            (Kind::ShareOrPair | Kind::ShareOrThree, Toml::Array(_)) => {
                 self.list(key, item, |walk, item| walk.share(key, item)).map(Value::Numbers)
             }
             (Kind::Number(bound), Toml::Integer(_) | Toml::Float(_)) => self.bare_number(key, item, bound),

@@ -60,10 +60,21 @@ fn key_schema(key: &Key) -> Value {
             bounded(dimension, bound),
             { "type": "array", "items": bounded(dimension, bound), "minItems": 2, "maxItems": 2 },
         ] }),
+        Kind::QuantityOrThree(dimension, bound) => json!({ "anyOf": [
+            bounded(dimension, bound),
+            { "type": "array", "items": bounded(dimension, bound), "minItems": 3, "maxItems": 3 },
+        ] }),
         Kind::Share => share_schema(),
         Kind::ShareOrPair => {
             let share = share_schema();
             json!({ "anyOf": [share, { "type": "array", "items": share, "minItems": 2, "maxItems": 2 }] })
+        }
+        Kind::ShareOrThree => {
+            let share = share_schema();
+            json!({ "anyOf": [share, { "type": "array", "items": share, "minItems": 3, "maxItems": 3 }] })
+        }
+        Kind::Direction => {
+            json!({ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 })
         }
         Kind::Number(Bound::Any) => json!({ "type": "number" }),
         Kind::Number(Bound::NotNegative) => json!({ "type": "number", "minimum": 0 }),

@@ -7,6 +7,7 @@ mod design;
 mod devices;
 mod gas;
 mod layout;
+mod mount;
 mod part;
 mod shaft_part;
 mod train;
@@ -18,9 +19,10 @@ use crate::quantity::Dimension::{self, Angle, Length, Speed};
 use balance::BALANCE;
 use clearance::CLEARANCE;
 use design::COUNTERWEIGHT_DESIGN;
-use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, MOUNT, SHAFT};
+use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, SHAFT};
 use gas::GAS;
 use layout::LAYOUT;
+use mount::{BLOCK, MOUNT};
 use shaft_part::SHAFT_WEIGHT_DESIGN;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
@@ -186,6 +188,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Gas in the cylinders: measured traces, or a cycle to be computed.",
             "{ cycle = { type = \"otto\" } }",
+        ),
+        key(
+            "block",
+            Kind::Table(&BLOCK),
+            Optional,
+            "The body that stands on the mounts.",
+            "{ mass = \"140 kg\", centre = [\"80 mm\", \"0 mm\", \"40 mm\"], inertia = [\"9 kg m2\", \"8 kg m2\", \"5 kg m2\"] }",
         ),
         key("mount", Kind::Tables(&MOUNT, MOST_MOUNTS), Optional, "Engine mounts.", "[{ name = \"front\" }]"),
         key(

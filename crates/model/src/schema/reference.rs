@@ -68,8 +68,11 @@ fn holds(kind: Kind) -> String {
         Kind::Quantity(dimension, bound) => bounded(dimension, bound),
         Kind::Quantities(dimension, bound) => format!("list: {}", bounded(dimension, bound)),
         Kind::QuantityOrPair(dimension, bound) => format!("{}; one or two", bounded(dimension, bound)),
+        Kind::QuantityOrThree(dimension, bound) => format!("{}; one or three", bounded(dimension, bound)),
         Kind::Share => "share, or a bare fraction".into(),
         Kind::ShareOrPair => "share, or a bare fraction; one or two".into(),
+        Kind::ShareOrThree => "share, or a bare fraction; one or three".into(),
+        Kind::Direction => "list of three numbers".into(),
         Kind::Number(bound) => match bound {
             Bound::Any => "number".into(),
             Bound::NotNegative => "number, not negative".into(),

@@ -128,14 +128,3 @@ pub(super) static SHAFT_WEIGHT: Table = Table {
         ),
     ],
 };
-
-pub(super) static MOUNT: Table = Table {
-    header: "[[mount]]",
-    doc: "An engine mount.",
-    keys: &[
-        key("name", Kind::Text(100), Optional, "Its name in tables.", "\"front\""),
-        key("x", Kind::Quantity(Length, Any), Required, "Position.", "\"0 mm\""),
-        key("y", Kind::Quantity(Length, Any), Required, "Position.", "\"0 mm\""),
-        key("z", Kind::Quantity(Length, Any), Required, "Position along the crank.", "\"-88 mm\""),
-    ],
-};
