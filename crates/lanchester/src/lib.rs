@@ -22,6 +22,7 @@ mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
 mod measured_gas;
+mod mounted;
 mod pressure;
 mod shaft_weights;
 mod torque_report;
@@ -48,6 +49,7 @@ pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
+pub use mounted::{MountSpeeds, mounts};
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,

@@ -17,9 +17,11 @@ mod modes;
 mod peaks;
 mod response;
 mod result;
+mod study;
 mod system;
 
 pub use error::MountError;
 pub use excitation::{Excitation, inertia_excitations};
 pub use result::*;
+pub use study::{MountRequest, mount_study};
 pub use system::MountSystem;

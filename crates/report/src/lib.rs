@@ -40,6 +40,10 @@ mod load_tables;
 mod magnitude;
 mod mechanism_sketch;
 mod motion_plot;
+mod mount_figures;
+mod mount_shapes;
+mod mount_tables;
+mod mount_text;
 mod number;
 mod optimum_section;
 mod over_angle;
@@ -110,6 +114,12 @@ pub use load_tables::{
     peaks_table, rod_inertia_table, roll_orders_table,
 };
 pub use motion_plot::motion_plot;
+pub use mount_figures::mount_figures;
+pub use mount_tables::{
+    damped_modes_table, mount_axes_words, mount_modes_table, mount_orders_table, mount_speeds_table,
+    mount_tables, mounted_body_words, mounts_at_rest_table,
+};
+pub use mount_text::{mount_forces_csv, mount_modes_csv, mount_motion_csv, mount_remarks, mounts_text};
 pub use optimum_section::OptimumInput;
 pub use over_angle::{over_angle, vanishing};
 pub use page::{Provenance, ReportInput, figures, report};

@@ -202,6 +202,45 @@ fn ratio(out: &[Complex64], load: &[Complex64]) -> Option<f64> {
     (load > 0.0).then(|| size(out) / load)
 }
 
+/// All that is told of an engine on its mounts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MountStudy {
+    /// [`MOUNT_RESULT_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// The body that moves.
+    pub body: MountedBody,
+    /// At rest.
+    pub at_rest: MountStatics,
+    /// Natural motions.
+    pub modes: MountModes,
+    /// Against speed, by order.
+    pub response: MountResponse,
+    /// Motion of the points asked for, against speed, by order.
+    pub points: Vec<PointMotion>,
+    /// What all mounts together pass on, against frequency.
+    pub transmissibility: Transmissibility,
+}
+
+/// Motion of a point of the block.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PointMotion {
+    /// The point [m].
+    pub point: [f64; 3],
+    /// Displacement [m] at each speed, for each order of the response.
+    pub displacement: Vec<Vec<[Complex64; 3]>>,
+}
+
+/// Force transmissibility against frequency.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Transmissibility {
+    /// Angular frequencies [rad/s], rising in equal ratios.
+    pub angular_frequency: Vec<f64>,
+    /// For a unit load in each coordinate at the block's centre: what the mounts pass on in the same coordinate.
+    pub ratio: Vec<[f64; 6]>,
+}
+
 /// Largest size of the vector `Re( V e^{i alpha} )` over alpha: the major half axis of its ellipse.
 ///
 /// ```text
