@@ -9,7 +9,7 @@ use crate::convex::curve::{Curve, Grid, Member, WIDTH};
 use crate::convex::dense::Matrix;
 use crate::convex::programme::Group;
 use crate::error::BalanceError;
-use crate::mounts::shares;
+use crate::mounts;
 use crate::operator::{Channel, Operator};
 use crate::wave::{Wave, curve};
 use lanchester_model::{BalanceTask, Criterion, Engine, Load};
@@ -76,11 +76,7 @@ fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, 
             "add [[mount]] entries to the engine file",
         ));
     }
-    let one = |share: &[[f64; 5]; 3]| {
-        let rows = share.iter().map(|row| Wave::sum(row.iter().copied().zip(&operator.channels)));
-        rows.collect::<Vec<_>>()
-    };
-    Ok(shares(&engine.mounts).iter().map(one).collect())
+    mounts::forces(engine, operator)
 }
 
 /// Adds the groups of `criterion` to `groups` and says how to read them.

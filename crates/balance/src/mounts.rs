@@ -1,6 +1,10 @@
-//! Forces at the mounts of a rigid block on equal isotropic springs.
+//! Forces at the mounts: of the block on its real springs and dampers where the file gives them, else of a block held by
+//! equal isotropic springs that are stiff.
 //!
-//! Of all forces at the mounts that carry the load the springs take those with the least sum of squares. What the
+//! On real mounts each order of a load reaches a mount through the complex transfer of its frequency
+//! ([`MountSystem::transfer`]); forces stay linear in the devices, so the optimum stays convex.
+//!
+//! On stiff ones, of all forces at the mounts that carry the load the springs take those with the least sum of squares. What the
 //! mounts cannot carry is the moment about a line through all of them (about any line for a single mount): the block
 //! would turn there. That moment is left out, the force is kept whole.
 //!
@@ -9,10 +13,68 @@
 //! ```
 
 use crate::convex::dense::{Matrix, RowFactors, dot};
-use lanchester_model::Mount;
+use crate::error::BalanceError;
+use crate::operator::Operator;
+use crate::wave::Wave;
+use lanchester_mechanism::MountSystem;
+use lanchester_model::{Engine, Mount};
+use num_complex::Complex64;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Directions that carry less than this share count as not carried.
 const NOT_CARRIED: f64 = 1e-9;
+
+/// Places of the channels among force and moment about x, y and z.
+const PLACES: [usize; 5] = [0, 1, 3, 4, 5];
+
+/// Forces at each mount of `engine` under the loads of `operator`: three components each.
+pub(crate) fn forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
+    if engine.block.is_some() && engine.mounts.iter().all(|m| m.spring.is_some()) {
+        return on_springs(engine, operator);
+    }
+    let one = |share: &[[f64; 5]; 3]| {
+        let rows = share.iter().map(|row| Wave::sum(row.iter().copied().zip(&operator.channels)));
+        rows.collect::<Vec<_>>()
+    };
+    Ok(shares(&engine.mounts).iter().map(one).collect())
+}
+
+/// The transfer of a frequency: by mount, component and force or moment.
+type Transfer = Vec<[[Complex64; 6]; 3]>;
+
+fn on_springs(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
+    let system = MountSystem::new(engine)?;
+    let mut transfers: BTreeMap<u32, Transfer> = BTreeMap::new();
+    for channel in &operator.channels {
+        for key in channel.base.keys().copied().chain(channel.parts.iter().map(|p| p.1)) {
+            if let Entry::Vacant(place) = transfers.entry(key) {
+                let order = f64::from(key) / f64::from(operator.grid.revolutions);
+                place.insert(system.transfer(order * operator.speed)?);
+            }
+        }
+    }
+    let component = |mount: usize, j: usize| {
+        let mut wave = Wave::default();
+        // a cos + b sin = Re( (a - i b) e^{i key phi} )
+        let passed = |key: u32, load: usize, [cos, sin]: [f64; 2]| {
+            let force = transfers[&key][mount][j][load] * Complex64::new(cos, -sin);
+            (force.re, -force.im)
+        };
+        for (channel, load) in operator.channels.iter().zip(PLACES) {
+            for (&key, &values) in &channel.base {
+                let (cos, sin) = passed(key, load, values);
+                wave.add_base(key, cos, sin);
+            }
+            for &(variable, key, values) in &channel.parts {
+                let (cos, sin) = passed(key, load, values);
+                wave.add_part(variable, key, cos, sin);
+            }
+        }
+        wave
+    };
+    Ok((0..engine.mounts.len()).map(|mount| (0..3).map(|j| component(mount, j)).collect()).collect())
+}
 
 /// Forces at each mount for a unit of F_x, F_y, M_x, M_y, M_z about the origin: `[mount][component][channel]`.
 pub(crate) fn shares(mounts: &[Mount]) -> Vec<[[f64; 5]; 3]> {

@@ -5,4 +5,5 @@ mod conditions;
 mod equals;
 mod gallery;
 mod limits;
+mod mounts;
 mod support;
