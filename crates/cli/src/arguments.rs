@@ -2,6 +2,7 @@
 
 use crate::counterweight_arguments::CounterweightArguments;
 use crate::format::Format;
+use crate::mounts_arguments::MountsArguments;
 use crate::published_arguments::PublishedArguments;
 use crate::search_arguments::SearchArguments;
 use crate::torque_arguments::{BearingsArguments, TorqueArguments};
@@ -83,6 +84,14 @@ pub enum Command {
                             lanchester bearings twin.toml --format csv > bearings.csv"
     )]
     Bearings(BearingsArguments),
+    /// The block on its mounts: at rest, its six modes, forces at the mounts by order and speed.
+    #[command(
+        after_help = "Examples:\n  lanchester mounts four.toml\n  lanchester mounts four.toml --speed '3000 rpm' --orders 12 \
+                            --point '300 mm, 0 mm, 100 mm'\n  lanchester mounts four.toml --steps 200 --figures figures\n  \
+                            lanchester mounts four.toml --format csv > forces.csv\n  \
+                            lanchester mounts four.toml --format csv --table modes"
+    )]
+    Mounts(MountsArguments),
     /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
     #[command(
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \

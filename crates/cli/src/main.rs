@@ -10,6 +10,7 @@ mod counterweight_arguments;
 mod failure;
 mod files;
 mod format;
+mod mounts_arguments;
 mod provenance;
 mod published_arguments;
 mod request;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         Command::Loads(arguments) => commands::loads::run(&arguments, colour),
         Command::Torque(arguments) => commands::torque::run(&arguments, colour),
         Command::Bearings(arguments) => commands::bearings::run(&arguments, colour),
+        Command::Mounts(arguments) => commands::mounts::run(&arguments, colour),
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),

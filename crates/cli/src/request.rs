@@ -12,7 +12,7 @@ pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure
         request.speed = Some(option::speed(speed, "--speed").map_err(Failure::from)?);
     }
     if let Some(about) = &arguments.about {
-        request.reference = point(about)?;
+        request.reference = point(about, "--about")?;
     }
     request.kinematics = series(&arguments.series)?;
     if let Some(grid) = arguments.grid {
@@ -34,15 +34,16 @@ pub fn internal_request(arguments: &RequestArguments, samples: usize) -> Result<
     })
 }
 
-fn point(text: &str) -> Result<[f64; 3], Failure> {
+/// A point that an option gives as `x, y, z`.
+pub fn point(text: &str, name: &str) -> Result<[f64; 3], Failure> {
     let parts: Vec<&str> = text.split(',').map(str::trim).collect();
     let [x, y, z] = parts[..] else {
         return Err(Failure::input(
-            format_args!("--about needs three coordinates x, y, z, got {}: `{text}`", parts.len()),
-            "write it like --about \"0 mm, 0 mm, 120 mm\"",
+            format_args!("{name} needs three coordinates x, y, z, got {}: `{text}`", parts.len()),
+            format_args!("write it like {name} \"0 mm, 0 mm, 120 mm\""),
         ));
     };
-    let coordinate = |text| option::length(text, "--about").map_err(Failure::from);
+    let coordinate = |text| option::length(text, name).map_err(Failure::from);
     Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
 }
 

@@ -49,7 +49,7 @@ pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
-pub use mounted::{MountSpeeds, mounts};
+pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,

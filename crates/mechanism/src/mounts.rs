@@ -1,4 +1,4 @@
-//! The engine as a rigid body on elastic mounts (book, chapter "Mounts").
+//! The engine as a rigid body on elastic mounts (book, eq. 27.1 to 27.11).
 //!
 //! ```text
 //! q = (u, phi)          displacement of the block's centre [m] and small rotation [rad], axes of the frame

@@ -58,7 +58,7 @@ impl Block {
         [[xx, -xy, -zx], [-xy, yy, -yz], [-zx, -yz, zz]]
     }
 
-    /// Why no body has this inertia, if none has.
+    /// Why no body has this inertia, if none has (book, eq. 27.3).
     ///
     /// The second moments `S_ij = SUM x_i x_j dm` of a body are a positive semidefinite matrix. Its diagonal is
     /// `S_xx = (I_yy + I_zz - I_xx) / 2`, the rest are the products; all principal minors must not be negative.

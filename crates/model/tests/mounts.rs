@@ -48,6 +48,12 @@ fn a_block_with_all_its_keys() {
         moving_parts = "added"
         gravity = [-2, 0.7, 0]
         driveline_torque = "-45.5 N m"
+
+        [[mount]]
+        x = "0 mm"
+        y = "0 mm"
+        z = "0 mm"
+        stiffness = "200 N/mm"
         "#,
     );
     let block = engine.block.expect("it has a block");
@@ -74,6 +80,11 @@ fn a_block_with_the_least() {
 fn mounts_yield_as_they_say() {
     let engine = engine(
         r#"
+        [block]
+        mass = "80 kg"
+        centre = ["0 mm", "0 mm", "0 mm"]
+        inertia = ["3 kg m2", "2 kg m2", "2 kg m2"]
+
         [[mount]]
         name = "left"
         x = "-50 mm"

@@ -40,6 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         internal: &internal,
         optimum: None,
         crankshaft: None,
+        mounts: None,
         provenance: &provenance,
         warnings: &warnings,
     });

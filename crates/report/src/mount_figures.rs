@@ -157,8 +157,9 @@ fn waterfall_panel(study: &MountStudy, name: &str, rows: &[(f64, &[f64])], high:
     let mut svg = Svg::new(WIDTH, 30.0 + summit + foot * rows.len() as f64 + BOTTOM);
     let bottom = svg.height - BOTTOM;
     let scale = number::Scale::of(high, "N");
-    let head = format!("{name}: largest amplitude {} {}", number::short(high / scale.divisor, 4), scale.unit);
-    svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{head} is {summit:.0} px high"));
+    let most = rows.iter().map(|(_, values)| largest(values)).fold(0.0, f64::max);
+    let head = format!("{name}: up to {} {}", number::short(most / scale.divisor, 4), scale.unit);
+    svg.text("muted small", (4.0, 13.0), Anchor::Start, &head);
     let speeds = speed_axis(&mut svg, study, 24.0, bottom);
     let right = WIDTH - RIGHT;
     let (first, last) =

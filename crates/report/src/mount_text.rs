@@ -15,8 +15,8 @@ pub fn mount_remarks(study: &MountStudy) -> Vec<String> {
         remarks.push(format!("Point {} is x = {x}, y = {y}, z = {z} mm.", number + 1));
     }
     for beyond in &study.response.beyond_table {
-        let [from, to] = beyond.table.map(|w| number::short(w / TAU, 4));
-        let [low, high] = beyond.excitation.map(|w| number::short(w / TAU, 4));
+        let [from, to] = beyond.table.map(|w| number::trimmed(w / TAU, 4));
+        let [low, high] = beyond.excitation.map(|w| number::trimmed(w / TAU, 4));
         remarks.push(format!(
             "The table of mount {} goes from {from} to {to} Hz, the excitation from {low} to {high} Hz: beyond its ends the \
              table's last values are used.",
@@ -28,7 +28,7 @@ pub fn mount_remarks(study: &MountStudy) -> Vec<String> {
 
 /// All tables as aligned plain text.
 pub fn mounts_text(study: &MountStudy) -> String {
-    let mut out = format!("{} on its mounts\n\n", study.engine);
+    let mut out = format!("{} on its mounts, shaken by {}\n\n", study.engine, study.excitation);
     push_wrapped(&mut out, "", &mounted_body_words(study));
     push_wrapped(&mut out, "", &mount_axes_words(study));
     for table in mount_tables(study) {

@@ -8,6 +8,9 @@ use crate::gallery::Gallery;
 use crate::internal_figure::internal_figures;
 use crate::internal_tables::{internal_table, mains_table};
 use crate::load_tables;
+use crate::mount_figures::mount_figures;
+use crate::mount_tables::{mount_axes_words, mount_tables, mounted_body_words};
+use crate::mount_text::mount_remarks;
 use crate::number;
 use crate::optimum_section::{OptimumInput, OptimumSection};
 use crate::over_angle;
@@ -15,7 +18,7 @@ use crate::speed_table::speed_table;
 use crate::svg::escape;
 use crate::table::{Table, push_rich};
 use askama::Template;
-use lanchester_mechanism::{InternalMoments, Loads};
+use lanchester_mechanism::{InternalMoments, Loads, MountStudy};
 use lanchester_model::{Engine, Rotation};
 use std::f64::consts::TAU;
 
@@ -45,6 +48,8 @@ pub struct ReportInput<'a> {
     pub optimum: Option<OptimumInput<'a>>,
     /// The crankshaft as a real part; `None` where the file says nothing of it.
     pub crankshaft: Option<CrankshaftInput<'a>>,
+    /// The block on its mounts; `None` where the file does not give it.
+    pub mounts: Option<&'a MountStudy>,
     /// What made the report.
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
@@ -77,6 +82,7 @@ struct Page<'a> {
     stories: String,
     optimum: Option<OptimumHtml>,
     crankshaft: Option<CrankshaftHtml>,
+    mounts: Option<MountsHtml>,
     bending_curves: String,
     bending_tables: String,
     motion_curves: String,
@@ -101,9 +107,30 @@ struct CrankshaftHtml {
     figures: String,
 }
 
+/// The section on the block and its mounts.
+struct MountsHtml {
+    excitation: String,
+    paragraphs: Vec<String>,
+    tables: String,
+    figures: String,
+}
+
+impl MountsHtml {
+    fn of(engine: &Engine, study: &MountStudy) -> MountsHtml {
+        let mut paragraphs = vec![mounted_body_words(study), mount_axes_words(study)];
+        paragraphs.extend(mount_remarks(study));
+        MountsHtml {
+            excitation: study.excitation.clone(),
+            paragraphs: paragraphs.iter().map(|text| unbroken(text)).collect(),
+            tables: tables_html(&mount_tables(study)),
+            figures: figures_html(&mount_figures(engine, study)),
+        }
+    }
+}
+
 /// The report as one self-contained HTML page.
 pub fn report(input: &ReportInput<'_>) -> String {
-    let ReportInput { engine, loads, internal, optimum, crankshaft, provenance, warnings } = *input;
+    let ReportInput { engine, loads, internal, optimum, crankshaft, mounts, provenance, warnings } = *input;
     let crankshaft = crankshaft.map(|input| CrankshaftSection::of(engine, &input));
     let optimum = optimum.map(|input| OptimumSection::of(engine, &input));
     let gallery = Gallery::of(engine, loads);
@@ -159,6 +186,7 @@ pub fn report(input: &ReportInput<'_>) -> String {
             tables: tables_html(&section.tables),
             figures: figures_html(&section.figures),
         }),
+        mounts: mounts.map(|study| MountsHtml::of(engine, study)),
         bending_curves: figures_html(&internal_figures(engine, internal)),
         bending_tables: bending_tables(engine, internal),
         motion_curves: figures_html(gallery.motion.as_slice()),

@@ -6,6 +6,7 @@ pub mod check;
 pub mod counterweight;
 mod found;
 pub mod loads;
+pub mod mounts;
 pub mod new;
 pub mod published;
 mod put_back;

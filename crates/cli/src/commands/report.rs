@@ -7,15 +7,20 @@ use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::provenance::provenance;
 use crate::request::{internal_request, load_request};
+use crate::trace_files::trace_files;
 use lanchester::balance::{Answer, fitted, optimise};
-use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
+use lanchester::mechanism::{LoadRequest, Loads, MountStudy, internal_cases, loads};
 use lanchester::model::{Diagnostic, Engine};
 use lanchester::report::{
     ArrangementsInput, CrankshaftInput, OptimumInput, ReportInput, arrangements_report, figures,
     internal_figures, optimum_figures, report,
 };
-use lanchester::{CounterweightCheck, arrangements, check_counterweights};
+use lanchester::{CounterweightCheck, MountSpeeds, arrangements, check_counterweights, mounts};
 use std::path::{Path, PathBuf};
+
+/// Speeds and highest order of the section on mounts.
+const MOUNT_SPEEDS: usize = 31;
+const MOUNT_ORDERS: u32 = 8;
 
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let request = load_request(&arguments.request)?;
@@ -27,6 +32,11 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let found = if arguments.all_arrangements { None } else { optimum(&opened.engine, &mut warnings)? };
     let provenance = provenance(&opened.source, &loads, &request);
     let checked = crankshaft(&opened.engine, &mut warnings);
+    let mounted = if arguments.all_arrangements {
+        None
+    } else {
+        on_mounts(&opened.engine, &arguments.file, &mut warnings)
+    };
     let input = ReportInput {
         engine: &opened.engine,
         loads: &loads,
@@ -37,6 +47,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
             clearances: checked.clearances.as_ref(),
             swept_overlaps: &checked.swept_overlaps,
         }),
+        mounts: mounted.as_ref(),
         provenance: &provenance,
         warnings: &warnings,
     };
@@ -101,6 +112,29 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum
     let fitted = fitted(engine, &answer);
     let (before, after) = (loads(engine)?, loads(&fitted)?);
     Ok(Some(Optimum { answer, before, fitted, after }))
+}
+
+/// The block on its mounts, where the file gives it; what it leaves out is one more warning.
+fn on_mounts(engine: &Engine, file: &Path, warnings: &mut Vec<String>) -> Option<MountStudy> {
+    if engine.block.is_none() || engine.mounts.iter().any(|mount| mount.spring.is_none()) {
+        return None;
+    }
+    let study = trace_files(engine, file).map_err(|failure| failure.message).and_then(|traces| {
+        mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(&traces), &[])
+            .map_err(|e| e.to_string())
+    });
+    match study {
+        Ok(study) => {
+            warnings.extend(study.warnings.iter().cloned());
+            Some(study)
+        }
+        Err(error) => {
+            let message = format!("the block on its mounts is left out: {error}").replace("\nhint:", ";");
+            eprintln!("warning: {message}");
+            warnings.push(message);
+            None
+        }
+    }
 }
 
 /// The crankshaft as parts, where the file says something of it; what it leaves out is one more warning.

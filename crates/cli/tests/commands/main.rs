@@ -8,6 +8,7 @@ mod counterweight;
 mod crank_workshop;
 mod engine;
 mod methods;
+mod mounts;
 mod program;
 mod search;
 mod shaft_weights;

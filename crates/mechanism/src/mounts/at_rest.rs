@@ -1,4 +1,4 @@
-//! The block at rest: shares of gravity, of the driveline's torque and of preloads.
+//! The block at rest: shares of gravity, of the driveline's torque and of preloads (book, eq. 27.4).
 //!
 //! ```text
 //! K q = ( m g , -T ) + SUM B_j^T p_j        force on mount j:  K_j B_j q - p_j

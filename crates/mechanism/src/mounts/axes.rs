@@ -15,7 +15,7 @@ impl MountSystem {
         AxisLine { point: self.body().centre, direction: direction.into() }
     }
 
-    /// Centre of stiffness of the mounts at rest, with the principal directions of translation.
+    /// Centre of stiffness of the mounts at rest, with the principal directions of translation (book, eq. 27.8).
     ///
     /// ```text
     /// K = ( A  B ; B^T  D ) about the centre;  about a point r from it  B(r) = B + A [r]x

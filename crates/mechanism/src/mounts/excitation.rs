@@ -53,7 +53,7 @@ pub fn inertia_excitations(
     Ok(speeds.iter().map(at).collect())
 }
 
-/// Force and moment about `centre` as complex amplitudes.
+/// Force and moment about `centre` as complex amplitudes (book, eq. 27.9).
 ///
 /// ```text
 /// F_x = Re( ( f_n + conj f_-n ) e^{i n theta} )      F_y = Re( -i ( f_n - conj f_-n ) e^{i n theta} )

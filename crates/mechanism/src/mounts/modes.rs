@@ -1,4 +1,4 @@
-//! Natural motions of the block: undamped and damped.
+//! Natural motions of the block: undamped and damped (book, eq. 27.5 to 27.7).
 //!
 //! ```text
 //! undamped   K s = w^2 M s                           M = L L^T,  A = L^{-1} K L^{-T},  s = L^{-T} y
@@ -40,8 +40,11 @@ impl MountSystem {
 
     /// Storage stiffness in mass-normalised coordinates.
     fn normalised(&self, inverse: &Matrix6<f64>, frequency: f64) -> Matrix6<f64> {
-        let stiffness =
-            if self.has_table() { self.complex_stiffness(frequency).map(|k| k.re) } else { self.stiffness };
+        let stiffness = if self.has_table() {
+            self.complex_stiffness(&self.mount_stiffness(frequency)).map(|k| k.re)
+        } else {
+            self.stiffness
+        };
         let normal = inverse * stiffness * inverse.transpose();
         0.5 * (normal + normal.transpose())
     }
@@ -112,7 +115,8 @@ impl MountSystem {
     /// Roots of the block with the stiffness and loss at one frequency, without the mirrored ones.
     fn roots(&self, inverse: &Matrix6<f64>, frequency: f64) -> Result<Vec<DampedMode>, MountError> {
         let normal = inverse.map(Complex64::from);
-        let stiffness = normal * self.complex_stiffness(frequency) * normal.transpose();
+        let stiffness =
+            normal * self.complex_stiffness(&self.mount_stiffness(frequency)) * normal.transpose();
         let damping = inverse * self.damping * inverse.transpose();
         let unit = (stiffness.trace().re / 6.0).sqrt();
         let mut matrix = Complex12x12::zeros();

@@ -1,4 +1,4 @@
-//! Steady motion of the block and forces at the mounts, by order and speed.
+//! Steady motion of the block and forces at the mounts, by order and speed (book, eq. 27.10).
 //!
 //! ```text
 //! ( K(w) + i w C - w^2 M ) Q = F        w = n times the speed        force on mount j = ( K_j(w) + i w C_j ) B_j Q
@@ -53,10 +53,11 @@ impl MountSystem {
         let frequency = load.order * speed;
         let exciting = amplitudes(load, self.body().centre);
         let resonance = || MountError::Resonance { order: load.order, speed };
-        let motion = self.solve(frequency, &exciting).ok_or_else(resonance)?;
+        let stiffness = self.mount_stiffness(frequency);
+        let motion = self.solve(frequency, &stiffness, &exciting).ok_or_else(resonance)?;
         let mut transmitted = Vector6::zeros();
-        let forces = self.mounts.iter().map(|mount| {
-            let force = mount.force(frequency, &motion);
+        let forces = self.mounts.iter().zip(&stiffness).map(|(mount, stiffness)| {
+            let force = mount.force(frequency, stiffness, &motion);
             transmitted += mount.on_centre(&force);
             force.into()
         });
@@ -70,8 +71,13 @@ impl MountSystem {
     }
 
     /// Motion of the centre under a harmonic load; `None` where there is none.
-    fn solve(&self, frequency: f64, load: &Vector6<Complex64>) -> Option<Vector6<Complex64>> {
-        let mut matrix = self.complex_stiffness(frequency);
+    fn solve(
+        &self,
+        frequency: f64,
+        stiffness: &[[Complex64; 3]],
+        load: &Vector6<Complex64>,
+    ) -> Option<Vector6<Complex64>> {
+        let mut matrix = self.complex_stiffness(stiffness);
         for j in 0..6 {
             for i in 0..6 {
                 matrix[(i, j)] += Complex64::new(
@@ -90,6 +96,7 @@ impl MountSystem {
     /// [`MountError::Resonance`] where the block is undamped and this is a natural frequency.
     pub fn transfer(&self, frequency: f64) -> Result<Vec<[[Complex64; 6]; 3]>, MountError> {
         let mut result = vec![[[Complex64::ZERO; 6]; 3]; self.mounts.len()];
+        let stiffness = self.mount_stiffness(frequency);
         let centre = Vector3::from(self.body().centre);
         for unit in 0..6 {
             let mut load = Vector6::zeros();
@@ -102,8 +109,10 @@ impl MountSystem {
                 self.rigid_share(load.into()).iter().map(|f| f.map(Complex64::from)).collect()
             } else {
                 let resonance = || MountError::Resonance { order: 1.0, speed: frequency };
-                let motion = self.solve(frequency, &load.map(Complex64::from)).ok_or_else(resonance)?;
-                self.mounts.iter().map(|m| m.force(frequency, &motion).into()).collect()
+                let motion =
+                    self.solve(frequency, &stiffness, &load.map(Complex64::from)).ok_or_else(resonance)?;
+                let pairs = self.mounts.iter().zip(&stiffness);
+                pairs.map(|(m, stiffness)| m.force(frequency, stiffness, &motion).into()).collect()
             };
             for (share, force) in result.iter_mut().zip(forces) {
                 for j in 0..3 {
@@ -122,13 +131,15 @@ impl MountSystem {
     pub fn transmissibility(&self, frequencies: &[f64]) -> Result<Vec<[f64; 6]>, MountError> {
         let one = |&frequency: &f64| {
             let mut result = [0.0; 6];
+            let stiffness = self.mount_stiffness(frequency);
             for (unit, result) in result.iter_mut().enumerate() {
                 let mut load = Vector6::zeros();
                 load[unit] = Complex64::ONE;
                 let resonance = || MountError::Resonance { order: 1.0, speed: frequency };
-                let motion = self.solve(frequency, &load).ok_or_else(resonance)?;
+                let motion = self.solve(frequency, &stiffness, &load).ok_or_else(resonance)?;
+                let pairs = self.mounts.iter().zip(&stiffness);
                 let passed: Vector6<Complex64> =
-                    self.mounts.iter().map(|m| m.on_centre(&m.force(frequency, &motion))).sum();
+                    pairs.map(|(m, own)| m.on_centre(&m.force(frequency, own, &motion))).sum();
                 *result = passed[unit].norm();
             }
             Ok(result)
@@ -153,8 +164,12 @@ impl MountSystem {
 
 impl Spring {
     /// Force on the mount for the motion of the centre.
-    fn force(&self, frequency: f64, motion: &Vector6<Complex64>) -> Vector3<Complex64> {
-        let stiffness = self.stiffness(frequency);
+    fn force(
+        &self,
+        frequency: f64,
+        stiffness: &[Complex64; 3],
+        motion: &Vector6<Complex64>,
+    ) -> Vector3<Complex64> {
         let mut force = Vector3::zeros();
         for k in 0..3 {
             let yielding: Complex64 = (0..6).map(|i| motion[i] * self.along[k][i]).sum();

@@ -209,6 +209,10 @@ pub struct MountStudy {
     pub version: u32,
     /// Name of the engine.
     pub engine: String,
+    /// What shakes it, in words.
+    pub excitation: String,
+    /// What the user should know of that.
+    pub warnings: Vec<String>,
     /// The body that moves.
     pub body: MountedBody,
     /// At rest.
@@ -241,7 +245,7 @@ pub struct Transmissibility {
     pub ratio: Vec<[f64; 6]>,
 }
 
-/// Largest size of the vector `Re( V e^{i alpha} )` over alpha: the major half axis of its ellipse.
+/// Largest size of the vector `Re( V e^{i alpha} )` over alpha: the major half axis of its ellipse (book, eq. 27.11).
 ///
 /// ```text
 /// |Re(V e^{i a})|^2 = ( |V|^2 + Re( V.V e^{2 i a} ) ) / 2

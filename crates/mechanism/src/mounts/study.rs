@@ -16,6 +16,10 @@ const ABOVE: f64 = 8.0;
 pub struct MountRequest {
     /// Points of the block whose motion is told [m].
     pub points: Vec<[f64; 3]>,
+    /// What the excitation is, in words.
+    pub excitation: String,
+    /// What the user should know of it.
+    pub warnings: Vec<String>,
 }
 
 /// The block of `engine` on its mounts: at rest, its natural motions, and shaken by `excitations`.
@@ -49,6 +53,8 @@ pub fn mount_study(
     Ok(MountStudy {
         version: MOUNT_RESULT_VERSION,
         engine: engine.name.clone(),
+        excitation: request.excitation.clone(),
+        warnings: request.warnings.clone(),
         body: system.body().clone(),
         at_rest: system.at_rest(),
         points: request.points.iter().map(motion).collect(),

@@ -107,11 +107,16 @@ impl MountSystem {
         self.mounts.iter().any(|m| !m.spring.table.is_empty())
     }
 
-    /// Complex stiffness about the centre at an angular frequency [rad/s], without viscous damping.
-    pub(crate) fn complex_stiffness(&self, frequency: f64) -> Complex6x6 {
+    /// Complex stiffness of each mount along its directions at an angular frequency [rad/s].
+    pub(crate) fn mount_stiffness(&self, frequency: f64) -> Vec<[Complex64; 3]> {
+        self.mounts.iter().map(|m| m.stiffness(frequency)).collect()
+    }
+
+    /// Complex stiffness about the centre, without viscous damping, with these of the mounts.
+    pub(crate) fn complex_stiffness(&self, mounts: &[[Complex64; 3]]) -> Complex6x6 {
         let mut sum = self.fixed;
-        for mount in self.mounts.iter().filter(|m| !m.spring.table.is_empty()) {
-            mount.add_to(&mut sum, mount.stiffness(frequency));
+        for (mount, stiffness) in self.mounts.iter().zip(mounts).filter(|(m, _)| !m.spring.table.is_empty()) {
+            mount.add_to(&mut sum, *stiffness);
         }
         sum
     }
@@ -167,9 +172,12 @@ impl Spring {
         for (value, along) in values.into_iter().zip(&self.along) {
             for j in 0..6 {
                 let column = value * along[j];
-                for i in 0..6 {
-                    matrix[(i, j)] += column * along[i];
+                for i in 0..j {
+                    let element = column * along[i];
+                    matrix[(i, j)] += element;
+                    matrix[(j, i)] += element;
                 }
+                matrix[(j, j)] += column * along[j];
             }
         }
     }

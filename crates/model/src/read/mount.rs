@@ -40,6 +40,23 @@ impl<'a> Reader<'a> {
             }
         }
         self.all_or_none(sections);
+        let stiff = sections.iter().find(|section| section.has("stiffness"));
+        match (stiff, self.section("block")) {
+            (Some(stiff), (None, false)) => self.missing(
+                stiff.key_span("stiffness"),
+                "`stiffness` needs the body that stands on the mounts, and [block] is missing".into(),
+                self.root.example("block"),
+            ),
+            (None, (Some(block), _)) if self.whole => self.mistakes.push(
+                Mistake::warning(
+                    "W0204",
+                    block.span.clone(),
+                    "[block] has no effect, since no mount has a stiffness",
+                )
+                .hint("give every [[mount]] a `stiffness`"),
+            ),
+            _ => {}
+        }
         mounts.into_iter().collect()
     }
 

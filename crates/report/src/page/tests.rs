@@ -89,6 +89,7 @@ fn page(engine: &Engine, loads: &Loads, warnings: &[String]) -> String {
         internal: &[],
         optimum: None,
         crankshaft: None,
+        mounts: None,
         provenance: &provenance,
         warnings,
     })

@@ -248,6 +248,7 @@ pub(crate) fn engine(
         counterweights,
         shafts: Vec::new(),
         mounts: Vec::new(),
+        block: None,
         crank_body: None,
         envelope: None,
         shape_task: None,

@@ -1,0 +1,52 @@
+//! `lanchester mounts`: the block on its mounts.
+
+use crate::commands::{json, open, write_figures};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::files::print;
+use crate::format::Format;
+use crate::mounts_arguments::{MountsArguments, MountsTable};
+use crate::request::point;
+use crate::trace_files::trace_files;
+use lanchester::model::option;
+use lanchester::report::{mount_figures, mount_forces_csv, mount_modes_csv, mount_motion_csv, mounts_text};
+use lanchester::{MountSpeeds, mounts};
+
+pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
+    if arguments.table.is_some() && arguments.format != Format::Csv {
+        return Err(Failure::input(
+            "--table chooses what --format csv writes",
+            "add --format csv, or leave --table out",
+        ));
+    }
+    let speed = |text: &str, name| option::speed(text.trim(), name).map_err(Failure::from);
+    let speeds = match (&arguments.speed, &arguments.speeds) {
+        (Some(one), _) => MountSpeeds::List(vec![speed(one, "--speed")?]),
+        (None, Some(list)) => {
+            MountSpeeds::List(list.split(',').map(|one| speed(one, "--speeds")).collect::<Result<_, _>>()?)
+        }
+        (None, None) => MountSpeeds::Range(arguments.steps as usize),
+    };
+    let points =
+        arguments.point.iter().map(|text| point(text, "--point")).collect::<Result<Vec<_>, Failure>>()?;
+    let opened = open(&arguments.file, colour)?;
+    let traces = match arguments.inertia_only {
+        true => None,
+        false => Some(trace_files(&opened.engine, &arguments.file)?),
+    };
+    let study = mounts(&opened.engine, &speeds, arguments.orders, traces.as_deref(), &points)
+        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    for warning in &study.warnings {
+        eprintln!("warning: {warning}");
+    }
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.file, &mount_figures(&opened.engine, &study))?;
+    }
+    print(&match (arguments.format, arguments.table) {
+        (Format::Text, _) => mounts_text(&study),
+        (Format::Json, _) => json(&study)?,
+        (Format::Csv, Some(MountsTable::Motion)) => mount_motion_csv(&study),
+        (Format::Csv, Some(MountsTable::Modes)) => mount_modes_csv(&study),
+        (Format::Csv, _) => mount_forces_csv(&study),
+    })?;
+    Ok(DONE)
+}

@@ -1,0 +1,51 @@
+//! Options of `lanchester mounts`.
+
+use crate::format::Format;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// `mounts`
+#[derive(Debug, Args)]
+pub struct MountsArguments {
+    /// Engine file with a section [block] and a stiffness in each [[mount]]; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// One speed of crankshaft 1, with its unit, instead of the file's range.
+    #[arg(long, value_name = "SPEED", conflicts_with_all = ["speeds", "steps"], allow_hyphen_values = true)]
+    pub speed: Option<String>,
+    /// Speeds with commas between, instead of the file's range: `700 rpm, 1500 rpm, 3000 rpm`.
+    #[arg(long, value_name = "SPEEDS", conflicts_with = "steps", allow_hyphen_values = true)]
+    pub speeds: Option<String>,
+    /// How many speeds, from the lowest to the highest of the file.
+    #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=2000))]
+    pub steps: u32,
+    /// Highest order.
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    pub orders: u32,
+    /// Point of the block whose motion is told, `x, y, z` with units; may be given several times.
+    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
+    pub point: Vec<String>,
+    /// Leave out the gas that the file gives.
+    #[arg(long)]
+    pub inertia_only: bool,
+    /// Write every figure as an SVG file into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Table written with `--format csv`; default: forces.
+    #[arg(long, value_enum, requires = "format")]
+    pub table: Option<MountsTable>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Tables of `mounts --format csv`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum MountsTable {
+    /// Force at every mount by speed and order.
+    Forces,
+    /// Motion of the block's centre and of the points asked for, by speed and order.
+    Motion,
+    /// Frequencies, shapes and energy shares of the undamped modes.
+    Modes,
+}
