@@ -223,6 +223,30 @@ fn the_proof_halves_what_keeps_a_box_open() {
 }
 
 #[test]
+fn a_thin_end_of_a_front_is_proved() {
+    // The lightest of the shapes of least inertia: they lie in a curved sliver, out of which a step along the tangents leads. The
+    // search for a better shape forgot those within it, and the proof went round in circles.
+    let task = DesignTask {
+        unbalance: 0.014_960_077_054_843_519,
+        least_balance: 0.935_248_913_391_119_6,
+        most_balance: Some(1.295_643_120_183_726_6),
+        web_radius: Range::new(0.013_683_987_094_744_15, 0.026_797_772_683_945_058),
+        rectangle_height: Range::new(0.022_851_399_759_532_952, 0.027_755_308_024_649_462),
+        shoulder: Shoulder::Height(Range::new(0.011_376_472_094_876_381, 0.012_975_898_203_118_21)),
+        arc_radius: Range::new(0.040_185_089_940_933_415, 0.065_251_839_823_739_4),
+        arc_angle: Range::new(1.853_470_386_225_835_3, 4.130_837_394_829_095),
+        thickness: Range::new(0.012_643_418_743_852_44, 0.026_253_654_255_670_097),
+        limits: DesignLimits { swept_radius: Some(0.098_936_500_243_379_45), ..DesignLimits::default() },
+        ..paper()
+    };
+    let front = front(&task, [Objective::Inertia, Objective::Mass], 6).unwrap();
+    assert!(front.proved && front.designs.len() == 6, "{front:?}");
+    // It begins with the least inertia.
+    let least = found(&task, Objective::Inertia).value;
+    assert!((front.designs[0].inertia / least - 1.0).abs() < PROVED_GAP, "{front:?}");
+}
+
+#[test]
 fn limits_that_no_shape_meets_have_a_nearest_value_that_is_met() {
     let task = DesignTask {
         thickness: Range::new(0.005, 0.02),

@@ -27,6 +27,15 @@ impl Reached {
     pub fn is_feasible(&self) -> bool {
         self.violation <= FEASIBLE && self.level.is_finite()
     }
+
+    /// The other where it is feasible and better, or where this is not feasible; else this.
+    fn or_better(self, other: Reached, kind: Kind) -> Reached {
+        let is_better = match (self.is_feasible(), other.is_feasible()) {
+            (true, true) => sense(kind) * other.level < sense(kind) * self.level,
+            (is_feasible, _) => !is_feasible,
+        };
+        if is_better { other } else { self }
+    }
 }
 
 /// Working memory of the search.
@@ -62,6 +71,7 @@ impl Descent {
     /// The best shape near `x`; given up where it does not get near to what is known already.
     pub fn run(&mut self, problem: &Problem, kind: Kind, x: [f64; SHAPE], known: Option<Reached>) -> Reached {
         let mut here = self.reached(problem, kind, x);
+        let mut best = here;
         let mut radius = 0.25;
         let mut penalty: f64 = 10.0;
         let mut stalled = 0;
@@ -81,6 +91,7 @@ impl Descent {
                 let gain = (here.level - next.level).abs() / here.level.abs();
                 stalled = if gain < 1e-13 && next.violation <= FEASIBLE { stalled + 1 } else { 0 };
                 here = next;
+                best = best.or_better(here, kind);
                 radius = (radius * 2.0).min(0.5);
             } else {
                 radius *= 0.3;
@@ -96,12 +107,12 @@ impl Descent {
             {
                 let now = sense(kind) * (here.level - known.level) / known.level + penalty * here.violation;
                 if now > 0.5 * behind || (now > 0.0 && now < 1e-8) {
-                    return here;
+                    return best.or_better(here, kind);
                 }
                 behind = now.max(0.0);
             }
         }
-        self.restored(problem, kind, here)
+        best.or_better(self.restored(problem, kind, here), kind)
     }
 
     /// The nearest shape within the limits, if it lies as near as the last digits.
