@@ -116,7 +116,7 @@ pub use load_tables::{
 pub use motion_plot::motion_plot;
 pub use mount_figures::mount_figures;
 pub use mount_tables::{
-    damped_modes_table, mount_axes_words, mount_modes_table, mount_orders_table, mount_speeds_table,
+    damped_modes_table, mount_axes_words, mount_modes_table, mount_orders_tables, mount_speeds_table,
     mount_tables, mounted_body_words, mounts_at_rest_table,
 };
 pub use mount_text::{mount_forces_csv, mount_modes_csv, mount_motion_csv, mount_remarks, mounts_text};

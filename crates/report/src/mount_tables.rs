@@ -2,7 +2,10 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, numbers, words};
-use lanchester_mechanism::{COORDINATES, DampedMode, MountMode, MountStudy, SpeedResponse, vector_amplitude};
+use lanchester_mechanism::{
+    COORDINATES, DampedMode, MountMode, MountStudy, OrderResponse, SpeedResponse, vector_amplitude,
+};
+use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// Most rows of a table against speed.
@@ -117,29 +120,24 @@ pub fn damped_modes_table(study: &MountStudy) -> Table {
     )
 }
 
-/// The response at the highest speed.
-pub(crate) fn fastest(study: &MountStudy) -> Option<(usize, &SpeedResponse)> {
-    let speeds = study.response.speeds.iter().enumerate();
-    speeds.max_by(|a, b| a.1.speed.total_cmp(&b.1.speed))
+/// Forces at the mounts by order, at the lowest speed and at the highest.
+pub fn mount_orders_tables(study: &MountStudy) -> Vec<Table> {
+    let speeds = || study.response.speeds.iter().enumerate();
+    let by_speed = |a: &(usize, &SpeedResponse), b: &(usize, &SpeedResponse)| a.1.speed.total_cmp(&b.1.speed);
+    let (Some(slow), Some(fast)) = (speeds().min_by(by_speed), speeds().max_by(by_speed)) else {
+        return Vec::new();
+    };
+    let mut tables = Vec::new();
+    if slow.1.speed < fast.1.speed {
+        tables.push(orders_table(study, "mount-orders-slow", slow));
+    }
+    tables.push(orders_table(study, "mount-orders", fast));
+    tables.push(stiff_orders_table(study, fast.1));
+    tables
 }
 
-/// Forces at the mounts by order, at the highest speed.
-pub fn mount_orders_table(study: &MountStudy) -> Option<Table> {
-    let (place, at) = fastest(study)?;
-    let largest = at.peaks.iter().map(|p| p.value).fold(0.0, f64::max);
-    let sizes: Vec<Vec<f64>> =
-        at.orders.iter().map(|o| o.forces.iter().map(vector_amplitude).collect()).collect();
-    let gone: Vec<usize> =
-        (0..sizes.len()).filter(|&k| sizes[k].iter().all(|f| *f <= VANISHING * largest)).collect();
-    let mut columns = vec![
-        words("order", at.orders.iter().map(|o| number::order(o.order))),
-        numbers("frequency", "Hz", at.orders.iter().map(|o| o.order * at.speed / TAU), 4),
-    ];
-    for (mount, name) in study.response.mounts.iter().enumerate() {
-        let noise = VANISHING * largest;
-        let cells = column_cells(sizes.iter().map(|f| f[mount]), 5, noise);
-        columns.push((Column::numbers(name.clone(), "N"), cells));
-    }
+fn orders_table(study: &MountStudy, id: &'static str, (place, at): (usize, &SpeedResponse)) -> Table {
+    let (gone, mut columns) = order_columns(study, at, |order| &order.forces);
     for (number, motion) in study.points.iter().enumerate() {
         let values = motion.displacement[place].iter().map(|d| 1e3 * vector_amplitude(d));
         columns.push(numbers(&format!("point {}", number + 1), "mm", values, 4));
@@ -149,17 +147,55 @@ pub fn mount_orders_table(study: &MountStudy) -> Option<Table> {
     columns.push((Column::numbers("passes force", ""), cells));
     let cells = at.orders.iter().map(|o| ratio(o.moment_transmissibility())).collect();
     columns.push((Column::numbers("passes moment", ""), cells));
+    let title = format!("Forces at the mounts by order at {} rpm", rpm(at));
+    let note = "Amplitude of the force at each mount (major half axis of its ellipse); what all mounts together pass on over \
+                what excites the block. More than all of a force is passed on also where a moment is what excites.";
+    let remark = vanishing(at, &gone);
+    Table::of_columns(id, title, note, columns).without(&gone, remark)
+}
+
+fn stiff_orders_table(study: &MountStudy, at: &SpeedResponse) -> Table {
+    let (gone, columns) = order_columns(study, at, |order| &order.stiff_forces);
+    let title = format!("Stiff mounts: forces by order at {} rpm", rpm(at));
+    let note = "What the same mounts would carry if they were stiff, in the proportions of their static stiffness: the loads \
+                shared as at rest.";
+    let remark = vanishing(at, &gone);
+    Table::of_columns("mount-stiff-orders", title, note, columns).without(&gone, remark)
+}
+
+/// Order, frequency and the amplitude at each mount, with the places of the orders that vanish at all of them.
+fn order_columns(
+    study: &MountStudy,
+    at: &SpeedResponse,
+    forces: impl Fn(&OrderResponse) -> &Vec<[Complex64; 3]>,
+) -> (Vec<usize>, Vec<(Column, Vec<Cell>)>) {
+    let sizes: Vec<Vec<f64>> =
+        at.orders.iter().map(|o| forces(o).iter().map(vector_amplitude).collect()).collect();
+    let noise = VANISHING * sizes.iter().flatten().copied().fold(0.0, f64::max);
+    let gone = (0..sizes.len()).filter(|&k| sizes[k].iter().all(|f| *f <= noise)).collect();
+    let mut columns = vec![
+        words("order", at.orders.iter().map(|o| number::order(o.order))),
+        numbers("frequency", "Hz", at.orders.iter().map(|o| o.order * at.speed / TAU), 4),
+    ];
+    for (mount, name) in study.response.mounts.iter().enumerate() {
+        let cells = column_cells(sizes.iter().map(|f| f[mount]), 5, noise);
+        columns.push((Column::numbers(name.clone(), "N"), cells));
+    }
+    (gone, columns)
+}
+
+fn rpm(at: &SpeedResponse) -> String {
+    number::fixed(at.speed * 60.0 / TAU, 0)
+}
+
+/// Which orders vanish, in a sentence.
+fn vanishing(at: &SpeedResponse, gone: &[usize]) -> String {
     let names: Vec<String> = gone.iter().map(|&k| number::order(at.orders[k].order)).collect();
-    let remark = match names.len() {
+    match names.len() {
         0 => String::new(),
         1 => format!("Order {} vanishes.", names[0]),
         _ => format!("Orders {} vanish.", names.join(", ")),
-    };
-    let rpm = number::fixed(at.speed * 60.0 / TAU, 0);
-    let title = format!("Forces at the mounts by order at {rpm} rpm");
-    let note = "Amplitude of the force at each mount (major half axis of its ellipse); what all mounts together pass on over \
-                what excites the block.";
-    Some(Table::of_columns("mount-orders", title, note, columns).without(&gone, remark))
+    }
 }
 
 /// Largest force at each mount over the cycle against speed.
@@ -185,6 +221,6 @@ pub fn mount_speeds_table(study: &MountStudy) -> Table {
 pub fn mount_tables(study: &MountStudy) -> Vec<Table> {
     let mut tables = vec![mounts_at_rest_table(study), mount_modes_table(study), damped_modes_table(study)];
     tables.push(mount_speeds_table(study));
-    tables.extend(mount_orders_table(study));
+    tables.extend(mount_orders_tables(study));
     tables
 }

@@ -45,7 +45,7 @@ pub fn mounts_text(study: &MountStudy) -> String {
     out
 }
 
-/// Force at every mount by speed and order: amplitude, and components with their phases.
+/// Force at every mount by speed and order: amplitude, components with their phases, and the amplitude if the mounts were stiff.
 pub fn mount_forces_csv(study: &MountStudy) -> String {
     let mut out = String::new();
     let mut head =
@@ -55,10 +55,12 @@ pub fn mount_forces_csv(study: &MountStudy) -> String {
         head.push(format!("force_{axis} [N]"));
         head.push(format!("force_{axis}_phase [deg]"));
     }
+    head.push("force_if_stiff [N]".to_owned());
     push_csv_line(&mut out, head);
     for at in &study.response.speeds {
         for order in &at.orders {
-            for (name, force) in study.response.mounts.iter().zip(&order.forces) {
+            let forces = order.forces.iter().zip(&order.stiff_forces);
+            for (name, (force, stiff)) in study.response.mounts.iter().zip(forces) {
                 let mut line = vec![csv_number(at.speed * 60.0 / TAU), csv_number(order.order)];
                 line.push(csv_number(order.order * at.speed / TAU));
                 line.push(name.clone());
@@ -67,6 +69,7 @@ pub fn mount_forces_csv(study: &MountStudy) -> String {
                     line.push(csv_number(component.norm()));
                     line.push(csv_number(phase_degrees(component.arg())));
                 }
+                line.push(csv_number(vector_amplitude(stiff)));
                 push_csv_line(&mut out, line);
             }
         }

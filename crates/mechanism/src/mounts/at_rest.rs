@@ -49,8 +49,8 @@ impl MountSystem {
     ///
     /// `load`: force [N] and moment about the block's centre [N m].
     pub fn rigid_share(&self, load: [f64; 6]) -> Vec<[f64; 3]> {
-        let motion = self.rest(&Vector6::from(load));
-        self.mounts.iter().map(|m| m.force_at_rest(&motion).into()).collect()
+        let load = Vector6::from(load);
+        self.shares.iter().map(|share| (share * load).into()).collect()
     }
 
     /// Motion of the centre under a constant load.

@@ -10,7 +10,7 @@ use crate::mounts::peaks::Cycle;
 use crate::mounts::result::{BeyondTable, MOUNT_RESULT_VERSION, MountResponse, OrderResponse, SpeedResponse};
 use crate::mounts::system::{Complex6x6, MountSystem, Spring};
 use crate::result::OrderLoads;
-use nalgebra::{Vector3, Vector6};
+use nalgebra::{Matrix3x6, Vector3, Vector6};
 use num_complex::Complex64;
 
 impl MountSystem {
@@ -66,6 +66,7 @@ impl MountSystem {
             load: exciting.into(),
             motion: motion.into(),
             forces: forces.collect(),
+            stiff_forces: self.shares.iter().map(|share| shared(share, &exciting)).collect(),
             transmitted: transmitted.into(),
         })
     }
@@ -192,6 +193,11 @@ impl Spring {
         }
         sum
     }
+}
+
+/// Force on a mount for a load, from what it takes of a unit of each.
+fn shared(share: &Matrix3x6<f64>, load: &Vector6<Complex64>) -> [Complex64; 3] {
+    [0, 1, 2].map(|i| (0..6).map(|c| load[c] * share[(i, c)]).sum())
 }
 
 /// Solution of six linear equations by elimination with the largest pivot of each column; `None` where a pivot vanishes.

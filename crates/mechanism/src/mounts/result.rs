@@ -172,6 +172,8 @@ pub struct OrderResponse {
     pub motion: [Complex64; 6],
     /// Force of the block on each mount [N].
     pub forces: Vec<[Complex64; 3]>,
+    /// The same if the mounts were stiff, in the proportions of their static stiffness: the load shared as at rest [N].
+    pub stiff_forces: Vec<[Complex64; 3]>,
     /// All mounts together: force [N] and moment about the block's centre [N m].
     pub transmitted: [Complex64; 6],
 }

@@ -5,7 +5,7 @@ use crate::mounts::error::MountError;
 use crate::mounts::free_motion::free_motion;
 use crate::mounts::result::MountedBody;
 use lanchester_model::{Block, Engine, MAX_LOSS_FACTOR, Mount, MountPoint, MountSpring};
-use nalgebra::{Cholesky, Matrix3, Matrix6, U6, Vector3, Vector6};
+use nalgebra::{Cholesky, Matrix3, Matrix3x6, Matrix6, U6, Vector3, Vector6};
 use num_complex::Complex64;
 
 pub(crate) type Complex6x6 = Matrix6<Complex64>;
@@ -22,6 +22,8 @@ pub struct MountSystem {
     pub(crate) stiffness: Matrix6<f64>,
     /// Its factors.
     pub(crate) held: Cholesky<f64, U6>,
+    /// Force on each mount at rest for a unit of each load at the centre.
+    pub(crate) shares: Vec<Matrix3x6<f64>>,
     /// Viscous damping about the centre.
     pub(crate) damping: Matrix6<f64>,
     /// Complex stiffness of the mounts without a table.
@@ -75,7 +77,9 @@ impl MountSystem {
         let held = stiffness.cholesky().ok_or_else(|| MountError::Free {
             motion: "one of its motions is held too weakly beside the others to tell it from free".to_owned(),
         })?;
+        let shares = mounts.iter().map(|m| m.share(&held)).collect();
         Ok(MountSystem {
+            shares,
             block: block.clone(),
             mass,
             stiffness,
@@ -155,6 +159,16 @@ impl Spring {
     /// Force on the mount at rest for a motion of the centre.
     pub fn force_at_rest(&self, motion: &Vector6<f64>) -> Vector3<f64> {
         self.along_frame([0, 1, 2].map(|k| self.spring.stiffness[k] * self.along[k].dot(motion)))
+    }
+
+    /// Force on the mount at rest for a unit of each load at the centre: `K_j B_j K^{-1}`, with the factors of K.
+    fn share(&self, held: &Cholesky<f64, U6>) -> Matrix3x6<f64> {
+        let mut share = Matrix3x6::zeros();
+        for k in 0..3 {
+            let force = self.axes.row(k).transpose() * self.spring.stiffness[k];
+            share += force * held.solve(&self.along[k]).transpose();
+        }
+        share
     }
 
     /// A vector from its components along the mount's directions.
