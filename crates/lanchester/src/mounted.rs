@@ -46,6 +46,18 @@ pub enum MountedError {
 /// The block of `engine` on its mounts, shaken by its inertia loads of orders up to `max_order`, and by the gas at each speed
 /// if the file gives it and `gas` has the files that [`crate::trace_names`] names. `points`: of the block, whose motion is told [m].
 ///
+/// ```
+/// use lanchester::{MountSpeeds, mounts};
+///
+/// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4-mounts.toml"));
+/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
+/// let study = mounts(&engine, &MountSpeeds::Range(3), 8, Some(&[]), &[])?;
+/// let (idle, top) = (&study.response.speeds[0], &study.response.speeds[2]);
+/// // The torque rod feels the gas at idle far more than the inertia forces at top speed.
+/// assert!(idle.peaks[2].value > 10.0 * top.peaks[2].value);
+/// # Ok::<(), lanchester::MountedError>(())
+/// ```
+///
 /// # Errors
 /// [`MountedError`]: as [`mount_study`], [`cylinder_gas`] and [`GasTrain::new`], and where a speed is not positive.
 pub fn mounts(
@@ -58,10 +70,13 @@ pub fn mounts(
     let mut excitations = inertia_excitations(engine, &speeds.of(engine), max_order)?;
     let mut words = "inertia loads".to_owned();
     let mut warnings: Vec<String> = Vec::new();
+    let mut driven = 0.0f64;
     if let (Some(traces), true) = (gas, engine.gas.is_some()) {
         for excitation in &mut excitations {
             let report = cylinder_gas(engine, traces, excitation.speed)?;
-            let orders = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.orders(max_order);
+            let train = GasTrain::new(engine, &report.cylinders, Lever::Exact)?;
+            driven = driven.max(train.mean_torques().iter().sum());
+            let orders = train.orders(max_order);
             excitation.orders = merged_orders(&excitation.orders, &orders);
             words = format!("inertia loads and gas ({})", report.source);
             for warning in report.warnings {
@@ -70,6 +85,13 @@ pub fn mounts(
                 }
             }
         }
+    }
+    let reacting = engine.block.as_ref().is_none_or(|block| block.driveline_torque != [0.0; 3]);
+    if driven > 0.0 && !reacting {
+        warnings.push(format!(
+            "the gas drives with up to {driven:.1} N m on average, and `driveline_torque` of [block] is 0: at rest the mounts \
+             carry none of it"
+        ));
     }
     let request = MountRequest { points: points.to_vec(), excitation: words, warnings };
     Ok(mount_study(engine, &excitations, &request)?)
@@ -126,6 +148,37 @@ mod tests {
         let (with, without) = (second(&with), second(&without));
         assert!((0..5).all(|c| (with[c] - without[c]).norm() < 1e-9 * without[0].norm()));
         assert!((with[5] - without[5]).norm() > 10.0, "{} {}", with[5], without[5]);
+    }
+
+    #[test]
+    fn a_torque_that_nothing_reacts_to_is_told() {
+        let mut engine = example();
+        let speeds = MountSpeeds::List(vec![200.0, 400.0]);
+        let told = |engine: &Engine, gas: Option<&[TraceFile]>| {
+            mounts(engine, &speeds, 4, gas, &[]).expect("it is held").warnings
+        };
+        assert_eq!(told(&engine, Some(&[])), Vec::<String>::new());
+        engine.block.as_mut().expect("it has a block").driveline_torque = [0.0; 3];
+        assert_eq!(told(&engine, None), Vec::<String>::new());
+        let warnings = told(&engine, Some(&[]));
+        assert!(warnings.len() == 1 && warnings[0].contains("N m on average"), "{warnings:?}");
+    }
+
+    #[test]
+    fn a_three_of_four_strokes_shakes_its_mounts_at_half_orders() {
+        let mut engine = example();
+        let template = lanchester_model::template("in-line-3").expect("the gallery has it");
+        let three = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+        engine = Engine { gas: engine.gas, block: engine.block, mounts: engine.mounts, ..three };
+        let study = mounts(&engine, &MountSpeeds::List(vec![100.0]), 4, Some(&[]), &[]).expect("it is held");
+        let at = &study.response.speeds[0];
+        let roll =
+            |order: f64| at.orders.iter().find(|o| o.order == order).expect("it is listed").load[5].norm();
+        // Evenly fired every 240 deg: order 1.5 and its multiples.
+        assert!(roll(1.5) > 50.0, "{} N m", roll(1.5));
+        for order in [0.5, 1.0, 2.0, 2.5] {
+            assert!(roll(order) < 1e-6 * roll(1.5), "{order}: {} N m", roll(order));
+        }
     }
 
     /// Section 6.1.1 of the twin thesis: two mounts 88 mm from the middle take 8253 N each in the in-line twin and 4126 N in
