@@ -17,6 +17,7 @@ mod case;
 mod files;
 mod fitting;
 mod method;
+mod mount;
 mod quantity;
 mod render;
 mod shape;

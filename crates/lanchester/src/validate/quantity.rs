@@ -14,10 +14,11 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`].
 
 use super::case::Run;
 use super::method::DeviceKey;
+use super::mount::MountKey;
 use super::shape::ShapeKey;
 use lanchester_mechanism::{Extremes, LoadSet, Part};
 use lanchester_model::Engine;
@@ -54,6 +55,8 @@ pub(super) enum Key {
     Device(DeviceKey),
     /// Of a counterweight's shape.
     Shape(ShapeKey),
+    /// Of a mount.
+    Mount(MountKey),
 }
 
 /// A datum of the engine as it was read.
@@ -177,6 +180,9 @@ impl Key {
         if let Some(shape) = ShapeKey::parse(text) {
             return Ok(Key::Shape(shape));
         }
+        if let Some(mount) = MountKey::parse(text) {
+            return Ok(Key::Mount(mount));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -199,6 +205,7 @@ impl Key {
             Key::Loads(key, selection) => key.of(run, selection),
             Key::Device(device) => device.of(&run.engine).map(Value::Number),
             Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
+            Key::Mount(mount) => mount.of(run).map(Value::Number),
         }
     }
 
@@ -420,7 +427,7 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 /// The twin thesis's `M_z`: balance shafts and weights, without side thrust and torque reaction.
-fn roll_of_shafts(run: &Run) -> Vec<f64> {
+pub(super) fn roll_of_shafts(run: &Run) -> Vec<f64> {
     let weights = [Part::Counterweights, Part::Shafts];
     let traces: Vec<_> = run
         .loads
