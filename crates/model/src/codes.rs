@@ -90,4 +90,5 @@ static CODES: &[(&str, &str)] = &[
     ("W0801", "a suspicious size"),
     ("W0802", "a suspicious share"),
     ("W0901", "a shape that misses its unbalance"),
+    ("W0902", "weights of a shaft that overlap"),
 ];

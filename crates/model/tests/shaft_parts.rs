@@ -87,6 +87,36 @@ fn a_shape_that_misses_its_unbalance_is_told() {
 }
 
 #[test]
+fn weights_of_one_shaft_that_share_metal_are_told() {
+    let text = |z: f64, phase: f64, chord: f64| {
+        let one = |z: f64, phase: f64| {
+            format!(
+                "[[shaft.weights]]\nz = \"{z} mm\"\nphase = \"{phase} deg\"\n{HALF}chord = \"{chord} mm\"\n"
+            )
+        };
+        format!("{HEAD}[[shaft]]\nratio = -1\n{}{}", one(40.0, 0.0), one(z, phase))
+    };
+    // 40 mm long each: side by side they touch.
+    assert_eq!(codes(&text(80.0, 0.0, 0.0)), Vec::<&str>::new());
+    assert_eq!(codes(&text(79.0, 0.0, 0.0)), ["W0902"]);
+    // Opposite halves share nothing, more than halves do.
+    assert_eq!(codes(&text(50.0, 180.0, 0.0)), Vec::<&str>::new());
+    assert_eq!(codes(&text(50.0, 180.0, -5.0)), ["W0902"]);
+    let told = read(&text(79.0, 0.0, 0.0)).diagnostics;
+    assert_eq!(
+        told[0].message,
+        "weights 1 and 2 of one shaft overlap by 1 mm along it: what both have counts twice"
+    );
+    // A shaft of its own has nothing to do with it.
+    let apart = text(79.0, 0.0, 0.0).replacen(
+        "[[shaft.weights]]\nz = \"79",
+        "[[shaft]]\nratio = 1\n[[shaft.weights]]\nz = \"79",
+        1,
+    );
+    assert_eq!(codes(&apart), Vec::<&str>::new());
+}
+
+#[test]
 fn shapes_to_search_have_their_defaults() {
     let section = "[shaft_weight_design]\ndensity = \"17.5 g/cm3\"\nshaft_diameter = \"24 mm\"\nradius = \"36 mm\"\n\
                    length = [\"10 mm\", \"6 cm\"]\n";

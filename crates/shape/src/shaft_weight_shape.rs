@@ -20,6 +20,9 @@ use crate::point::Point;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::FRAC_PI_2;
 
+/// Weights that overlap by less [m] touch.
+const TOUCH: f64 = 1e-9;
+
 /// A weight that is part of a disc around a shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ShaftWeightShape {
@@ -67,6 +70,17 @@ impl ShaftWeightShape {
         beyond(self.radius, self.chord) - beyond(self.shaft_radius, self.chord)
     }
 
+    /// Whether it shares metal outside the shaft with another weight about the same axis, turned from it by `angle` [rad]. What overlaps by
+    /// less than a nanometre touches.
+    ///
+    /// What lies beyond both chords reaches outwards without end, so that it has points at every distance from the axis beyond its least.
+    pub fn meets(&self, other: &ShaftWeightShape, angle: f64) -> bool {
+        let inner = self.shaft_radius.max(other.shaft_radius);
+        let outer = self.radius.min(other.radius) - TOUCH;
+        let chords = [self.chord + TOUCH, other.chord + TOUCH];
+        beyond_both(chords, angle).is_some_and(|distance| distance.max(inner) < outer)
+    }
+
     /// Outline of the shaft with the weight.
     ///
     /// # Errors
@@ -86,6 +100,25 @@ impl ShaftWeightShape {
         }
         Outline::new(Contour::new(&corners)?, Vec::new())
     }
+}
+
+/// Least distance from the axis of what lies beyond two chords, whose normals enclose `angle`; none where nothing does.
+fn beyond_both(chords: [f64; 2], angle: f64) -> Option<f64> {
+    let (sine, cosine) = (angle.sin(), angle.cos());
+    let [one, other] = chords.map(|chord| chord.max(0.0));
+    // The foot of one normal, if it lies beyond the other chord too.
+    if one * cosine >= chords[1] {
+        return Some(one);
+    }
+    if other * cosine >= chords[0] {
+        return Some(other);
+    }
+    if sine == 0.0 {
+        return None;
+    }
+    // Else the corner where the chords meet.
+    let [c, d] = chords;
+    Some(((c * c + d * d - 2.0 * c * d * cosine).max(0.0)).sqrt() / sine.abs())
 }
 
 /// Integrals over what a disc about the axis has beyond a chord.

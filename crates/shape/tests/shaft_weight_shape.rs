@@ -28,6 +28,46 @@ proptest! {
         prop_assert!((ours.yy - exact.yy).abs() < 1e-13 * whole.area * radius * radius);
         prop_assert!((outline.swept_radius() - radius).abs() < 1e-14);
     }
+
+    #[test]
+    fn prop_weights_meet_where_some_place_is_in_both(
+        shafts in (0.005..0.02f64, 0.005..0.02f64),
+        beyond in (0.001..0.06f64, 0.001..0.06f64),
+        parts in (0.02..0.98f64, 0.02..0.98f64),
+        angle in prop_oneof![-7.0..7.0f64, Just(PI), Just(0.0), Just(-PI / 2.0)],
+    ) {
+        let shape = |shaft_radius: f64, beyond: f64, part: f64| {
+            let radius = shaft_radius + beyond;
+            ShaftWeightShape { shaft_radius, radius, chord: -radius + part * (radius + shaft_radius) }
+        };
+        let (one, other) = (shape(shafts.0, beyond.0, parts.0), shape(shafts.1, beyond.1, parts.1));
+        let within = |shape: &ShaftWeightShape, place: Point, room: f64| {
+            let norm = place.norm();
+            norm > shape.shaft_radius + room && norm < shape.radius - room && place.x > shape.chord + room
+        };
+        let shared = |one: &ShaftWeightShape, other: &ShaftWeightShape, room: f64| {
+            (0..40_000).any(|k| {
+                let norm = (f64::from(k / 400) + 0.5) / 100.0 * one.radius;
+                let turn = f64::from(k % 400) / 400.0 * 2.0 * PI;
+                let place = |turn: f64| Point::new(norm * turn.cos(), norm * turn.sin());
+                within(one, place(turn), room) && within(other, place(turn - angle), room)
+            })
+        };
+        prop_assert_eq!(one.meets(&other, angle), other.meets(&one, -angle));
+        if shared(&one, &other, 1e-8) {
+            prop_assert!(one.meets(&other, angle));
+        }
+        // A millimetre more all round is enough for the grid to find what they share.
+        let wider = |shape: &ShaftWeightShape| ShaftWeightShape {
+            shaft_radius: shape.shaft_radius - 1e-3,
+            radius: shape.radius + 1e-3,
+            chord: shape.chord - 1e-3,
+        };
+        if one.meets(&other, angle) {
+            let (one, other) = (wider(&one), wider(&other));
+            prop_assert!(shared(&one, &other, 0.0), "{one:?} and {other:?}");
+        }
+    }
 }
 
 #[test]
@@ -37,6 +77,20 @@ fn half_a_disc_around_a_shaft_is_the_textbook_one() {
     assert!((moments.area - PI / 2.0 * (0.04f64.powi(2) - 0.01f64.powi(2))).abs() < 1e-17);
     assert!((moments.first.x - 2.0 / 3.0 * (0.04f64.powi(3) - 0.01f64.powi(3))).abs() < 1e-19);
     assert!((moments.polar() - PI / 4.0 * (0.04f64.powi(4) - 0.01f64.powi(4))).abs() < 1e-20);
+}
+
+#[test]
+fn halves_of_one_disc_touch_and_more_than_halves_meet() {
+    let half = ShaftWeightShape { shaft_radius: 0.01, radius: 0.04, chord: 0.0 };
+    assert!(!half.meets(&half, PI) && half.meets(&half, 3.1) && half.meets(&half, 0.0));
+    let more = ShaftWeightShape { chord: -1e-6, ..half };
+    assert!(more.meets(&half, PI));
+    // Chords across each other, whose corner lies beyond the smaller disc.
+    let thin = ShaftWeightShape { chord: 0.009, ..half };
+    let small = ShaftWeightShape { radius: 0.0127, ..thin };
+    assert!(
+        !thin.meets(&small, PI / 2.0) && thin.meets(&ShaftWeightShape { radius: 0.0128, ..small }, PI / 2.0)
+    );
 }
 
 #[test]

@@ -1,6 +1,5 @@
 use super::*;
 use proptest::prelude::*;
-use std::time::Instant;
 
 fn tops(degrees: &[f64]) -> Vec<f64> {
     degrees.iter().map(|angle| angle.to_radians()).collect()
@@ -76,14 +75,13 @@ fn dead_centre_with_offset_and_turning_backwards() {
 }
 
 #[test]
-fn forty_eight_cylinders_take_no_time() {
+fn forty_eight_cylinders_come_to_an_end() {
+    // Trying all 2^48 choices of a turn would not.
     let count = 48;
     let degrees: Vec<f64> = (0..count).map(|k| f64::from(k) * 7.5 + 0.01 * f64::from(k * k % 7)).collect();
     let order: Vec<usize> = (0..48).map(|k| (k * 5) % 48 + 1).collect();
-    let start = Instant::now();
     let problem = assign(Strokes::Four, &tops(&degrees), &order).unwrap_err();
     assert_eq!(problem.hint.unwrap().matches(", ").count(), MOST_LISTED + 1);
-    assert!(start.elapsed().as_millis() < 500, "{:?}", start.elapsed());
 }
 
 /// Sum of squared intervals of the cylinders of `order`, or `None` if the angles do not rise within the cycle.

@@ -4,6 +4,11 @@ use super::Reader;
 use crate::diagnostic::Mistake;
 use crate::document::Section;
 use crate::engine::{BalanceShaft, ShaftWeight};
+use crate::quantity::{self, Dimension};
+use crate::shaft_part::ShaftWeightPart;
+
+/// Weights that overlap by less [m] touch.
+const TOUCH: f64 = 1e-9;
 
 impl<'a> Reader<'a> {
     pub(super) fn shafts(&mut self) -> Option<Vec<BalanceShaft>> {
@@ -28,8 +33,10 @@ impl<'a> Reader<'a> {
                 .hint(section.example("weights")),
             );
         }
+        let tables = weights?;
         let weights: Vec<Option<ShaftWeight>> =
-            weights?.iter().map(|section| self.shaft_weight(section)).collect();
+            tables.iter().map(|section| self.shaft_weight(section)).collect();
+        self.check_weights_apart(tables, &weights);
         Some(BalanceShaft {
             name: name?,
             ratio: ratio?,
@@ -37,5 +44,37 @@ impl<'a> Reader<'a> {
             y: y?,
             weights: weights.into_iter().collect::<Option<Vec<ShaftWeight>>>()?,
         })
+    }
+
+    /// Weights of one shaft that are parts and share metal, which then counts twice.
+    fn check_weights_apart(&mut self, tables: &[Section], weights: &[Option<ShaftWeight>]) {
+        let parts: Vec<(usize, &ShaftWeight, &ShaftWeightPart)> = weights
+            .iter()
+            .enumerate()
+            .filter_map(|(index, weight)| {
+                let weight = weight.as_ref()?;
+                Some((index, weight, weight.part.as_ref()?))
+            })
+            .collect();
+        for (number, (one, first, front)) in parts.iter().enumerate() {
+            for (two, second, rear) in &parts[number + 1..] {
+                let apart = (first.z - second.z).abs();
+                let overlap = ((front.length + rear.length) / 2.0 - apart).min(front.length).min(rear.length);
+                if overlap <= TOUCH || !front.shape.meets(&rear.shape, second.phase - first.phase) {
+                    continue;
+                }
+                let overlap = quantity::readable(overlap, Dimension::Length);
+                let message = format!(
+                    "weights {} and {} of one shaft overlap by {overlap} along it: what both have counts twice",
+                    one + 1,
+                    two + 1
+                );
+                self.mistakes.push(
+                    Mistake::warning("W0902", tables[*two].value_span("z"), message)
+                        .related(tables[*one].value_span("z"), "the other weight")
+                        .hint("set them farther apart, or make them shorter"),
+                );
+            }
+        }
     }
 }
