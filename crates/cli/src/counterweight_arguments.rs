@@ -206,7 +206,8 @@ pub struct CounterweightCheckArguments {
     /// Engine file; `-` reads standard input.
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// Write drawings of the counterweights, and the clearances over the crank angle, as SVG files into this folder.
+    /// Write drawings of the counterweights and of the weights of balance shafts, and the clearances over the crank angle, as SVG files into this
+    /// folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
     /// Table written with `--format csv`; default: counterweights.

@@ -1,6 +1,9 @@
 //! How long the best counterweight, its proof and a front take, on one thread: the ranges of the tool paper's table 3.
 use criterion::{Criterion, criterion_group, criterion_main};
-use lanchester_geometry::{DesignLimits, DesignTask, Objective, Range, Shoulder, design, front};
+use lanchester_geometry::{
+    DesignLimits, DesignTask, Objective, Range, ShaftWeightAim, ShaftWeightTask, Shoulder, best_shaft_weight,
+    design, front,
+};
 use std::hint::black_box;
 
 /// All dimensions free, as in the tool paper, with a crankcase of 75 mm around it.
@@ -20,6 +23,18 @@ fn task() -> DesignTask {
     }
 }
 
+/// Half a second-order pair of a two-litre in-line four, with every dimension free.
+fn shaft_weight(minimise: ShaftWeightAim) -> ShaftWeightTask {
+    ShaftWeightTask {
+        minimise,
+        density: 7850.0,
+        shaft_radius: 0.012,
+        radius: Range::new(0.02, 0.036),
+        chord: Range::new(-0.01, 0.01),
+        length: Range::new(0.01, 0.06),
+    }
+}
+
 fn bench(criterion: &mut Criterion) {
     let task = task();
     let objectives = [Objective::Mass, Objective::SweptRadius, Objective::Inertia, Objective::Thickness];
@@ -32,6 +47,13 @@ fn bench(criterion: &mut Criterion) {
     for objective in objectives {
         let name = format!("least {objective:?}, web given");
         criterion.bench_function(&name, |b| b.iter(|| design(black_box(&web), objective)));
+    }
+    for minimise in
+        [ShaftWeightAim::Mass, ShaftWeightAim::Length, ShaftWeightAim::Radius, ShaftWeightAim::Inertia]
+    {
+        let weight = shaft_weight(minimise);
+        let name = format!("least {minimise:?} of a balance shaft's weight");
+        criterion.bench_function(&name, |b| b.iter(|| best_shaft_weight(black_box(1.2e-3), &weight)));
     }
     let pair = [Objective::Mass, Objective::SweptRadius];
     let mut slow = criterion.benchmark_group("front");

@@ -3,21 +3,10 @@
 use crate::dimension::{horizontal, leader, millimetres, vertical};
 use crate::figure::{Figure, Panel};
 use crate::number;
+use crate::part_sheet::{SECTION, Sheet, WIDTH, identifier};
 use crate::svg::{Anchor, Path, Svg, text_width};
-use lanchester_geometry::{
-    Chamfer, Contour, CounterweightShape, Cut, Face, MassProperties, Outline, Part, Point,
-};
+use lanchester_geometry::{Chamfer, CounterweightShape, Cut, Face, MassProperties, Outline, Part, Point};
 use lanchester_model::{CounterweightForm, CounterweightPart};
-
-const WIDTH: f64 = 560.0;
-/// Room for dimensions on each side [px].
-const SIDE: f64 = 120.0;
-const ABOVE: f64 = 62.0;
-const BELOW: f64 = 64.0;
-/// Largest extent of the outline on the drawing [px].
-const LARGEST: f64 = 330.0;
-/// Room for the section along the crank, beside it [px].
-const SECTION: f64 = 190.0;
 
 /// What a counterweight's drawing shows.
 #[derive(Debug, Clone, Copy)]
@@ -61,7 +50,13 @@ pub fn counterweight_drawing(drawn: &DrawnCounterweight<'_>) -> Figure {
         },
         if drawn.crankcase.is_some() { "; dashed: the crankcase, where it is near" } else { "" },
     );
-    let sheet = Sheet::new(drawn);
+    let [mut low, mut high] = part.outline().bounds();
+    if let Some(web) = drawn.web {
+        let [l, h] = web.bounds();
+        (low, high) =
+            (Point::new(low.x.min(l.x), low.y.min(l.y)), Point::new(high.x.max(h.x), high.y.max(h.y)));
+    }
+    let sheet = Sheet::new([low, high], part.outline().swept_radius());
     let mut svg = Svg::new(WIDTH + SECTION, sheet.height);
     across(&mut svg, drawn, &sheet);
     along(&mut svg, part, &sheet);
@@ -79,74 +74,6 @@ pub fn counterweight_drawing(drawn: &DrawnCounterweight<'_>) -> Figure {
         caption,
         panels: vec![Panel::new(svg, description)],
         columns: 1,
-    }
-}
-
-/// Lower case, digits and hyphens.
-fn identifier(name: &str) -> String {
-    let mapped: String =
-        name.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
-    mapped.split('-').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-")
-}
-
-/// Places on the sheet: `x` of the part points up, `y` to the right.
-struct Sheet {
-    scale: f64,
-    centre: (f64, f64),
-    /// Corners of the box around what is drawn [m].
-    low: Point,
-    high: Point,
-    /// Top of the circle that the part sweeps [m].
-    swept: f64,
-    height: f64,
-}
-
-impl Sheet {
-    fn new(drawn: &DrawnCounterweight<'_>) -> Sheet {
-        let [mut low, mut high] = drawn.part.part.outline().bounds();
-        if let Some(web) = drawn.web {
-            let [l, h] = web.bounds();
-            (low, high) =
-                (Point::new(low.x.min(l.x), low.y.min(l.y)), Point::new(high.x.max(h.x), high.y.max(h.y)));
-        }
-        let swept = drawn.part.part.outline().swept_radius();
-        let scale = (LARGEST / (swept - low.x)).min((WIDTH - 2.0 * SIDE) / (high.y - low.y));
-        let height = (swept - low.x) * scale + ABOVE + BELOW;
-        let centre = (WIDTH / 2.0 - (low.y + high.y) / 2.0 * scale, ABOVE + swept * scale);
-        Sheet { scale, centre, low, high, swept, height }
-    }
-
-    fn at(&self, point: Point) -> (f64, f64) {
-        (self.centre.0 + point.y * self.scale, self.centre.1 - point.x * self.scale)
-    }
-
-    fn x(&self, x: f64) -> f64 {
-        self.centre.1 - x * self.scale
-    }
-
-    fn path(&self, contour: &Contour) -> Path {
-        contour
-            .edges()
-            .iter()
-            .fold(Path::new(), |path, edge| {
-                let path = if edge.from == contour.edges()[0].from {
-                    path.move_to(self.at(edge.from))
-                } else {
-                    path
-                };
-                if edge.bulge == 0.0 {
-                    path.line_to(self.at(edge.to))
-                } else {
-                    // Anticlockwise from x to y is clockwise on the sheet, where x points up and y to the right.
-                    path.arc_to(
-                        edge.radius() * self.scale,
-                        edge.bulge.abs() > 1.0,
-                        edge.bulge > 0.0,
-                        self.at(edge.to),
-                    )
-                }
-            })
-            .close()
     }
 }
 
@@ -169,22 +96,14 @@ fn across(svg: &mut Svg, drawn: &DrawnCounterweight<'_>, sheet: &Sheet) {
     for chamfer in part.chamfers() {
         chamfer_line(svg, sheet, chamfer);
     }
-    let axis = sheet.centre;
-    let overhang = 14.0;
-    svg.line(
-        "axis-line",
-        (axis.0, sheet.x(sheet.swept) - overhang),
-        (axis.0, sheet.x(sheet.low.x) + overhang),
-    );
-    let [left, right] = [sheet.low.y, sheet.high.y].map(|y| sheet.at(Point::new(0.0, y)).0);
-    svg.line("axis-line", (left - overhang, axis.1), (right + overhang, axis.1));
-    svg.circle("dot", axis, 2.6);
+    sheet.axes(svg);
     swept_circle(svg, sheet, part.outline(), drawn.crankcase);
     match &drawn.part.form {
         CounterweightForm::Family(shape) => family_dimensions(svg, sheet, shape),
         _ => overall_dimensions(svg, sheet, part),
     }
-    centre_of_mass(svg, sheet, drawn.properties);
+    let [x, y, _] = drawn.properties.centre;
+    sheet.centre_of_mass(svg, Point::new(x, y));
 }
 
 /// The circle that the part sweeps, as far as its outline comes near it, and the crankcase.
@@ -293,21 +212,6 @@ fn overall_dimensions(svg: &mut Svg, sheet: &Sheet, part: &Part) {
     let places = [low.y, high.y].map(|y| sheet.at(Point::new(0.0, y)).0);
     let below = sheet.x(sheet.low.x) + 30.0;
     horizontal(svg, below, places, [sheet.x(sheet.low.x); 2], &millimetres(high.y - low.y));
-}
-
-/// The centre of mass: a circle with two filled quarters.
-fn centre_of_mass(svg: &mut Svg, sheet: &Sheet, properties: &MassProperties) {
-    let [x, y, _] = properties.centre;
-    let at = sheet.at(Point::new(x, y));
-    svg.circle("pin", at, 5.5);
-    for sign in [-1.0, 1.0] {
-        let path = Path::new()
-            .move_to(at)
-            .line_to((at.0 + sign * 5.5, at.1))
-            .arc_to(5.5, false, true, (at.0, at.1 + sign * 5.5))
-            .close();
-        svg.path("dot", &path);
-    }
 }
 
 /// Where a chamfer leaves the face; dashed on the rear face.

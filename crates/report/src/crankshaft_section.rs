@@ -5,6 +5,7 @@ use crate::crankshaft_tables::{
     clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
 };
 use crate::figure::Figure;
+use crate::shaft_weight_drawing::shaft_weight_drawings;
 use crate::shaft_weight_tables::{shaft_weight_parts_table, swept_overlap_words};
 use crate::table::Table;
 use lanchester_geometry::clearance::{Clearances, SweptOverlap};
@@ -39,7 +40,9 @@ impl CrankshaftSection {
         tables.extend(shaft_weight_parts_table(engine));
         tables.extend(input.clearances.map(|clearances| clearances_table(clearances, true)));
         tables.extend(input.bodies.iter().map(crank_sections_table));
-        CrankshaftSection { paragraphs, tables, figures: counterweight_drawings(engine) }
+        let mut figures = counterweight_drawings(engine);
+        figures.extend(shaft_weight_drawings(engine));
+        CrankshaftSection { paragraphs, tables, figures }
     }
 }
 

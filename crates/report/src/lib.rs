@@ -49,12 +49,14 @@ mod optimum_section;
 mod over_angle;
 mod page;
 mod part_masses;
+mod part_sheet;
 mod plot;
 mod pose;
 mod published_tables;
 mod published_text;
 #[cfg(test)]
 mod sample;
+mod shaft_weight_drawing;
 mod shaft_weight_tables;
 mod share_plot;
 mod side_view;
@@ -128,6 +130,7 @@ pub use published_tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 pub use published_text::method_text;
+pub use shaft_weight_drawing::shaft_weight_drawings;
 pub use shaft_weight_tables::{
     DesignedShaftShape, designed_shaft_weights_table, nearest_shaft_limits_table, shaft_aim_words,
     shaft_weight_parts_table, swept_overlap_words,

@@ -13,7 +13,7 @@ use crate::failure::{Failure, WRONG_INPUT};
 use crate::files::write_result;
 use lanchester::geometry::clearance::SweptRoom;
 use lanchester::model::Engine;
-use lanchester::report::{counterweight_drawings, obstacle_name};
+use lanchester::report::{counterweight_drawings, obstacle_name, shaft_weight_drawings};
 use std::fmt::Display;
 use std::path::Path;
 
@@ -47,9 +47,9 @@ fn refused(error: impl Display) -> Failure {
     Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }
 
-/// Draws the counterweights of an engine into the folder, those of one shape once.
+/// Draws the counterweights and the weights of balance shafts of an engine into the folder, those of one shape once.
 fn draw(engine: &Engine, folder: &Path, file: &Path) -> Result<(), Failure> {
-    for figure in counterweight_drawings(engine) {
+    for figure in counterweight_drawings(engine).into_iter().chain(shaft_weight_drawings(engine)) {
         write_result(&folder.join(format!("{}.svg", figure.id)), file, &figure.svg())?;
     }
     Ok(())

@@ -55,6 +55,14 @@ fn from_the_file_to_step_in_two_commands() {
     let csv = ["counterweight", "check", "four.toml", "--format", "csv", "--table", "shaft-weights"];
     assert_eq!(output(&folder, 0, &csv).lines().count(), 5);
 
+    output(&folder, 0, &["counterweight", "check", "four.toml", "--figures", "figures"]);
+    // All four have one shape: one drawing.
+    assert_eq!(fs::read_dir(folder.join("figures")).unwrap().count(), 1);
+    let drawing = folder.join("figures/shaft-weight-with-the-crank-weight-1.svg");
+    let drawing = fs::read_to_string(drawing).unwrap();
+    assert!(drawing.contains("Likewise: with the crank weight 2"), "{drawing}");
+    assert!(drawing.contains("Ø ") && drawing.contains("R 28"), "{drawing}");
+
     output(&folder, 0, &["counterweight", "export", "four.toml", "--output", "shafts.step"]);
     let step = fs::read_to_string(folder.join("shafts.step")).unwrap();
     // Two weights and the bar between them, for each shaft.
