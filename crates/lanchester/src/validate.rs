@@ -16,6 +16,7 @@
 mod case;
 mod files;
 mod fitting;
+mod gas;
 mod method;
 mod mount;
 mod quantity;
@@ -126,6 +127,8 @@ pub struct Counts {
     pub rounded: usize,
     /// [`Verdict::MatchWithUnprintedInput`].
     pub unprinted: usize,
+    /// [`Verdict::MatchWithSyntheticInput`].
+    pub synthetic: usize,
     /// [`Verdict::Close`].
     pub close: usize,
     /// [`Verdict::Differs`] and [`Verdict::NotComputed`].
@@ -158,6 +161,7 @@ impl Counts {
                 Verdict::Match => &mut counts.matches,
                 Verdict::MatchWithRoundedInput => &mut counts.rounded,
                 Verdict::MatchWithUnprintedInput => &mut counts.unprinted,
+                Verdict::MatchWithSyntheticInput => &mut counts.synthetic,
                 Verdict::Close => &mut counts.close,
                 Verdict::Differs | Verdict::NotComputed => &mut counts.differs,
             } += 1;
@@ -237,7 +241,10 @@ fn validate_cell(bench: &mut Bench, place: &Place, engine: &[Edit], cell: &Cell)
     };
     let verdict = match &plain {
         Err(_) => Verdict::NotComputed,
-        Ok(value) if printed.agrees(value) => Verdict::Match,
+        Ok(value) if printed.agrees(value) => {
+            let is_synthetic = row.synthetic.unwrap_or(place.table.synthetic);
+            if is_synthetic { Verdict::MatchWithSyntheticInput } else { Verdict::Match }
+        }
         Ok(_) if matches_with(cell.rounded()) => Verdict::MatchWithRoundedInput,
         Ok(_) if matches_with(cell.unprinted()) => Verdict::MatchWithUnprintedInput,
         Ok(value) if printed.is_close(value) => Verdict::Close,

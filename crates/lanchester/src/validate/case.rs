@@ -2,10 +2,12 @@
 
 use super::files::Source;
 use super::fitting::Fitting;
+use super::gas::GasRun;
 use super::shape::ShapeFit;
 use super::source::{Change, Edit, KinematicsName, NewValue};
-use lanchester_mechanism::{LoadRequest, Loads, PeakMode, loads};
+use lanchester_mechanism::{Kinematics, LoadRequest, Loads, PeakMode, loads};
 use lanchester_model::{Engine, read};
+use std::cell::OnceCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -14,6 +16,9 @@ pub(super) struct Run {
     pub engine: Engine,
     pub loads: Loads,
     pub shape: ShapeFit,
+    pub kinematics: Kinematics,
+    /// What the gas does, once it was asked for.
+    pub gas: OnceCell<Result<GasRun, String>>,
 }
 
 /// Keeps what was computed, for a table asks for the same engine many times.
@@ -51,7 +56,13 @@ impl Bench {
             request.reference = reference_point(&engine, about)?;
         }
         let loads = loads(&engine, &request).map_err(|error| error.to_string())?;
-        let run = Rc::new(Run { engine, loads, shape: fitting.shape });
+        let run = Rc::new(Run {
+            engine,
+            loads,
+            shape: fitting.shape,
+            kinematics: request.kinematics,
+            gas: OnceCell::new(),
+        });
         self.runs.insert(id, run.clone());
         Ok(run)
     }

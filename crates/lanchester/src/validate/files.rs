@@ -46,6 +46,15 @@ pub(super) const FILES: &[(&str, &str)] = embedded![
     "twin-cylinder-thesis/table-24.json",
     "twin-cylinder-thesis/table-25.json",
     "twin-cylinder-thesis/table-26.json",
+    "twin-cylinder-thesis/table-27.json",
+    "twin-cylinder-thesis/table-28.json",
+    "twin-cylinder-thesis/table-29.json",
+    "twin-cylinder-thesis/table-30.json",
+    "twin-cylinder-thesis/table-31.json",
+    "twin-cylinder-thesis/table-32.json",
+    "twin-cylinder-thesis/table-33.json",
+    "twin-cylinder-thesis/table-34.json",
+    "twin-cylinder-thesis/table-35.json",
     "twin-cylinder-thesis/table-36.json",
     "twin-cylinder-thesis/table-37.json",
     "twin-cylinder-thesis/table-38.json",
@@ -66,6 +75,7 @@ pub(super) const FILES: &[(&str, &str)] = embedded![
     "twin-cylinder-thesis/table-53.json",
     "twin-cylinder-thesis/table-54.json",
     "twin-cylinder-thesis/table-55.json",
+    "twin-cylinder-thesis/section-5.json",
     "twin-cylinder-thesis/text.json",
     "three-four-cylinder-thesis/source.json",
     "three-four-cylinder-thesis/four-cylinder.toml",
@@ -80,6 +90,7 @@ pub(super) const FILES: &[(&str, &str)] = embedded![
     "three-four-cylinder-thesis/table-4.4.json",
     "flexible-paper/source.json",
     "flexible-paper/single.toml",
+    "flexible-paper/crankpin.json",
     "flexible-paper/text.json",
     "balancing-tool-paper/source.json",
     "balancing-tool-paper/in-line-three.toml",
@@ -88,6 +99,14 @@ pub(super) const FILES: &[(&str, &str)] = embedded![
     "balancing-tool-paper/table-3.json",
     "balancing-tool-paper/table-5.json",
     "balancing-tool-paper/text.json",
+];
+
+/// The synthetic pressure traces, by the names under which engine files ask for them.
+pub(super) const TRACES: [(&str, &str); 4] = [
+    ("pressure-1000.csv", include_str!("../../../../validation/traces/pressure-1000.csv")),
+    ("pressure-2000.csv", include_str!("../../../../validation/traces/pressure-2000.csv")),
+    ("pressure-3000.csv", include_str!("../../../../validation/traces/pressure-3000.csv")),
+    ("pressure-4000.csv", include_str!("../../../../validation/traces/pressure-4000.csv")),
 ];
 
 /// A source: its `source.json`, tables and engine files.

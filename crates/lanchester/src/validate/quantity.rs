@@ -14,9 +14,10 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`].
 
 use super::case::Run;
+use super::gas::GasKey;
 use super::method::DeviceKey;
 use super::mount::MountKey;
 use super::shape::ShapeKey;
@@ -57,6 +58,8 @@ pub(super) enum Key {
     Shape(ShapeKey),
     /// Of a mount.
     Mount(MountKey),
+    /// Of the gas.
+    Gas(GasKey),
 }
 
 /// A datum of the engine as it was read.
@@ -183,6 +186,9 @@ impl Key {
         if let Some(mount) = MountKey::parse(text) {
             return Ok(Key::Mount(mount));
         }
+        if let Some(gas) = GasKey::parse(text) {
+            return Ok(Key::Gas(gas));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -206,6 +212,7 @@ impl Key {
             Key::Device(device) => device.of(&run.engine).map(Value::Number),
             Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
             Key::Mount(mount) => mount.of(run).map(Value::Number),
+            Key::Gas(gas) => gas.of(run).map(Value::Number),
         }
     }
 

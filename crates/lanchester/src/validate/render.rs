@@ -97,6 +97,8 @@ pub fn markdown(validation: &Validation) -> String {
          * **match**: ours lies within half a unit of the last printed digit.\n\
          * **match with rounded input**, **match with unprinted input**: it does so with an input that the source\n  \
          rounded, or needs but does not print; the reason names it.\n\
+         * **match with synthetic input**: the source does not print its input; one was made that gives this number, among\n  \
+         others, so that the row shows that they are consistent, and no more.\n\
          * **close**: within 0.5 %. **differs**: further away.\n\n\
          A row that is no plain match says why, and gives the correct value, which ours must equal to its digits.\n\n",
     );
@@ -187,6 +189,7 @@ fn words(counts: &Counts) -> String {
         (counts.matches, "match"),
         (counts.rounded, "match with rounded input"),
         (counts.unprinted, "match with unprinted input"),
+        (counts.synthetic, "match with synthetic input"),
         (counts.close, "close"),
         (counts.differs, if counts.differs == 1 { "differs" } else { "differ" }),
         (counts.unexpected, "NOT AS EXPECTED"),

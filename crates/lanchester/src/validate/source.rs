@@ -18,6 +18,9 @@ pub(super) struct Table {
     pub how: Option<String>,
     /// Engine file, then changes.
     pub engine: Vec<Edit>,
+    /// Whether its numbers come from an input that was fitted to them.
+    #[serde(default)]
+    pub synthetic: bool,
     #[serde(default)]
     pub columns: Vec<Column>,
     pub rows: Vec<Row>,
@@ -50,6 +53,9 @@ pub(super) struct Row {
     pub with: Vec<Edit>,
     #[serde(default)]
     pub kinematics: Option<KinematicsName>,
+    /// Whether it comes from an input that was fitted to it; as the table says unless given.
+    #[serde(default)]
+    pub synthetic: Option<bool>,
     /// Point that couples are about, if not the origin.
     #[serde(default)]
     pub about: Option<String>,

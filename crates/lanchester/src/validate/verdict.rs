@@ -19,6 +19,9 @@ pub enum Verdict {
     /// It does so with an input that the source does not print.
     #[serde(rename = "match with unprinted input")]
     MatchWithUnprintedInput,
+    /// It does so with an input that the source does not print and that was fitted to this number, among others.
+    #[serde(rename = "match with synthetic input")]
+    MatchWithSyntheticInput,
     /// Within 0.5 %.
     #[serde(rename = "close")]
     Close,
@@ -36,6 +39,7 @@ impl fmt::Display for Verdict {
             Verdict::Match => "match",
             Verdict::MatchWithRoundedInput => "match with rounded input",
             Verdict::MatchWithUnprintedInput => "match with unprinted input",
+            Verdict::MatchWithSyntheticInput => "match with synthetic input",
             Verdict::Close => "close",
             Verdict::Differs => "differs",
             Verdict::NotComputed => "not computed",
