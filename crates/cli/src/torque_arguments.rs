@@ -22,16 +22,16 @@ pub struct TorqueArguments {
     /// Highest order listed.
     #[arg(long, value_name = "N", default_value_t = 8)]
     pub orders: u32,
-    /// Friction mean effective pressure, with its unit: gives brake torque and power.
+    /// Friction mean effective pressure, with its unit: gives brake torque and power; default: [friction] of the file.
     #[arg(long, value_name = "PRESSURE")]
     pub fmep: Option<String>,
-    /// Inertia of the flywheel, with its unit.
+    /// Inertia of the flywheel, with its unit; default: that of [flywheel].
     #[arg(long, value_name = "INERTIA")]
     pub flywheel: Option<String>,
-    /// Inertia of the crankshafts with their counterweights, with its unit; default: that of [crank.body], where the file has it.
+    /// Inertia of the crankshafts with their counterweights, with its unit; default: that of [flywheel] or [crank.body].
     #[arg(long, value_name = "INERTIA")]
     pub crankshaft_inertia: Option<String>,
-    /// Find the flywheel that keeps this fluctuation of the speed, highest minus lowest over mean, at the lowest speed of the file.
+    /// Find the flywheel that keeps this fluctuation of the speed, highest minus lowest over mean, at the speeds of [flywheel] or at the lowest speed of the file.
     #[arg(long, value_name = "SHARE")]
     pub fluctuation: Option<String>,
     /// Write the figures as SVG files into this folder.

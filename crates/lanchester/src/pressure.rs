@@ -137,11 +137,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
     if !(speed > 0.0 && speed.is_finite()) {
         return Err(GasError::Speed { got: speed });
     }
-    let compression_ratio = match &gas.source {
-        GasSource::Traces { compression_ratio, .. } => *compression_ratio,
-        GasSource::Cycle(cycle) => Some(cycle.compression_ratio),
-    };
-    let volumes = CylinderVolume::of_engine(engine, compression_ratio)?;
+    let volumes = CylinderVolume::of_engine(engine, gas.compression_ratio())?;
     let mut warnings = Vec::new();
     let (source, pressures, cycles) = match &gas.source {
         GasSource::Traces { traces: named, .. } => {

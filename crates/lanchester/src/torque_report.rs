@@ -3,10 +3,10 @@
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
-    BearingLoads, BearingRequest, BearingSize, Brake, FlywheelNeed, Friction, PowerCurve, SpeedRipple,
-    Torque, TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need, speed_ripple, torque,
+    BearingLoads, BearingRequest, BearingSize, Brake, FlywheelNeed, PowerCurve, SpeedRipple, Torque,
+    TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need, speed_ripple, torque,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Flywheel, Friction, PlainBearing, RodJoint};
 use lanchester_report::BearingSizes;
 use serde::Serialize;
 
@@ -20,13 +20,13 @@ pub struct TorqueReportRequest {
     pub torque: TorqueRequest,
     /// Speeds of crankshaft 1 [rad/s] for the power curve; none: no curve.
     pub speeds: Vec<f64>,
-    /// Friction, where it is known.
+    /// Friction; `None`: that of the file, where it gives some.
     pub friction: Option<Friction>,
-    /// Inertia of the flywheel [kg m^2].
+    /// Inertia of the flywheel [kg m^2]; `None`: that of the file.
     pub flywheel: Option<f64>,
-    /// Inertia of the crankshafts at crankshaft 1 [kg m^2]; `None`: of the crank's body in the file, where it has one.
+    /// Inertia of the crankshafts at crankshaft 1 [kg m^2]; `None`: that of the file, or of its crank's body.
     pub crankshaft: Option<f64>,
-    /// Fluctuation of the speed that a flywheel is to keep [1].
+    /// Fluctuation of the speed that a flywheel is to keep [1]; `None`: that of the file.
     pub fluctuation: Option<f64>,
 }
 
@@ -41,9 +41,10 @@ pub struct TorqueReport {
     pub torque: Torque,
     /// What friction leaves, where it is known.
     pub brake: Option<Brake>,
-    /// Speed ripple at the lowest speed of the engine and at that of `torque`.
+    /// Speed ripple at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`.
     pub ripples: Vec<SpeedRipple>,
-    /// The flywheel for the fluctuation asked for, at the lowest speed of the engine.
+    /// The flywheel for the fluctuation asked for, at that speed of the file's flywheel that needs most; without these at the lowest
+    /// speed of the engine.
     pub flywheel: Option<FlywheelNeed>,
     /// Power over speed, at the brake where friction is known, else net indicated.
     pub power: Option<PowerCurve>,
@@ -82,9 +83,12 @@ pub fn torque_report(
     let gas = cylinder_gas(engine, traces, speed)?;
     let found = torque(engine, &gas.cylinders, &request.torque)?;
     let mut warnings = gas.warnings.clone();
+    let friction = request.friction.or(engine.friction);
+    let none = Flywheel::default();
+    let wheel = engine.flywheel.as_ref().unwrap_or(&none);
     let given = TurningInertia {
-        flywheel: request.flywheel.unwrap_or(0.0),
-        crankshaft: request.crankshaft.unwrap_or_else(|| body_inertia(engine)),
+        flywheel: request.flywheel.or(wheel.inertia).unwrap_or(0.0),
+        crankshaft: request.crankshaft.or(wheel.crankshaft_inertia).unwrap_or_else(|| body_inertia(engine)),
     };
     if given.crankshaft == 0.0 {
         warnings.push(
@@ -93,13 +97,24 @@ pub fn torque_report(
         );
     }
     let idle = engine.speed.lowest;
-    let idle_gas =
-        if idle == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, idle)?.cylinders };
-    let mut ripples = vec![speed_ripple(engine, &idle_gas, idle, given)?];
-    if idle != speed {
-        ripples.push(speed_ripple(engine, &gas.cylinders, speed, given)?);
+    let mut speeds = if wheel.speeds.is_empty() { vec![idle, speed] } else { wheel.speeds.clone() };
+    speeds.dedup();
+    let fluctuation = request.fluctuation.or(wheel.fluctuation);
+    let mut ripples = Vec::new();
+    let mut flywheel: Option<FlywheelNeed> = None;
+    for own in speeds {
+        let own_gas =
+            if own == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, own)?.cylinders };
+        ripples.push(speed_ripple(engine, &own_gas, own, given)?);
+        if let Some(wanted) = fluctuation.filter(|_| own == idle || !wheel.speeds.is_empty()) {
+            let need = flywheel_need(engine, &own_gas, own, given, wanted)?;
+            // None that keeps it is more than any.
+            let amount = |need: &FlywheelNeed| need.flywheel.unwrap_or(f64::INFINITY);
+            if flywheel.as_ref().is_none_or(|most| amount(&need) > amount(most)) {
+                flywheel = Some(need);
+            }
+        }
     }
-    let flywheel = request.fluctuation.map(|wanted| flywheel_need(engine, &idle_gas, idle, given, wanted));
     let points = request
         .speeds
         .iter()
@@ -109,7 +124,7 @@ pub fn torque_report(
             let own =
                 TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..request.torque.clone() };
             let torque = torque(engine, &gas.cylinders, &own)?;
-            let brake = request.friction.map(|friction| friction.brake(&torque.indicated, speed).power);
+            let brake = friction.map(|friction| torque.indicated.brake(&friction, speed).power);
             Ok((speed, brake.unwrap_or(torque.indicated.power)))
         })
         .collect::<Result<Vec<_>, TorqueReportError>>()?;
@@ -117,13 +132,17 @@ pub fn torque_report(
         0 => None,
         got => Some(PowerCurve::fit(&points).ok_or(TorqueReportError::Speeds { got })?),
     };
+    let brake = friction.map(|friction| found.indicated.brake(&friction, speed));
+    if brake.is_some_and(|brake| brake.torque <= 0.0) {
+        warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
+    }
     Ok(TorqueReport {
         version: TORQUE_REPORT_VERSION,
         source: gas.source,
-        brake: request.friction.map(|friction| friction.brake(&found.indicated, speed)),
+        brake,
         torque: found,
         ripples,
-        flywheel: flywheel.transpose()?,
+        flywheel,
         power,
         warnings,
     })
@@ -154,17 +173,41 @@ pub fn bearing_report(
     Ok(bearing_loads(engine, gas.as_deref(), request)?)
 }
 
-/// Sizes of crankpins and main journals of the crank's body: their diameters, pins as long as the webs leave room, main journals as
-/// long as the shortest stretch between the webs of neighbouring throws. `None` where the file gives no body.
+/// Sizes of the bearings: those of the file, else of the crank's body. Of the body come the diameters; crankpins as long as the webs leave
+/// room, shared by the rods that sit on them, main journals as long as the shortest stretch between the webs of neighbouring throws.
 pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
+    let body = body_bearings(engine);
+    let given = engine.bearings.unwrap_or_default();
+    let size = |given: Option<PlainBearing>, body: Option<BearingSize>| match given {
+        Some(given) => {
+            let diameter = given.diameter.or(body.map(|body| body.diameter))?;
+            Some(BearingSize { diameter, width: given.width })
+        }
+        None => body,
+    };
+    BearingSizes {
+        piston_pin: size(given.piston_pin, None),
+        crankpin: size(given.crankpin, body.crankpin),
+        main: size(given.main, body.main),
+    }
+}
+
+fn body_bearings(engine: &Engine) -> BearingSizes {
     let Some(body) = &engine.crank_body else { return BearingSizes::default() };
     let size = |diameter: f64, width: f64| {
         (diameter > 0.0 && width > 0.0 && width.is_finite()).then_some(BearingSize { diameter, width })
     };
     let least = |widths: &mut dyn Iterator<Item = f64>| widths.fold(f64::INFINITY, f64::min);
     let webs: Vec<[f64; 2]> = engine.throws.iter().filter_map(|throw| throw.webs).collect();
-    let pin = least(&mut webs.iter().map(|[front, rear]| rear - front - body.web_thickness));
-    let mut rising = webs.clone();
+    let rods = |throw: usize| {
+        let on_pin = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
+        on_pin.filter(|c| matches!(c.rod.joint, RodJoint::Crankpin)).count().max(1) as f64
+    };
+    let pin = least(&mut engine.throws.iter().enumerate().filter_map(|(index, throw)| {
+        let [front, rear] = throw.webs?;
+        Some((rear - front - body.web_thickness) / rods(index))
+    }));
+    let mut rising = webs;
     rising.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let between = least(&mut rising.windows(2).map(|pair| pair[1][0] - pair[0][1] - body.web_thickness));
     let main = between.min(body.end_journals[0]).min(body.end_journals[1]);

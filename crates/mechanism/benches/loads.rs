@@ -60,6 +60,9 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
         shaft_weight_task: None,
         balance: None,
     }

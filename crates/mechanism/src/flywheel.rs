@@ -84,6 +84,8 @@ pub struct SpeedRipple {
 /// A flywheel for a wanted fluctuation.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FlywheelNeed {
+    /// Mean speed at which it is kept [rad/s].
+    pub speed: f64,
     /// Wanted fluctuation `C_s = (w_max - w_min) / w_mean` [1].
     pub fluctuation: f64,
     /// Inertia of everything by the formula `J = dE / (C_s w^2)` [kg m^2], book, eq. 25.4.
@@ -371,6 +373,7 @@ pub fn flywheel_need(
         })
     };
     Ok(FlywheelNeed {
+        speed,
         fluctuation,
         by_formula,
         train: own.mean,

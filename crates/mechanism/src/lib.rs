@@ -60,7 +60,7 @@ pub use internal::*;
 pub use loads::{loads, total_loads};
 pub use motion::motion;
 pub use mounts::*;
-pub use power_curve::{Brake, Friction, PowerCurve};
+pub use power_curve::{Brake, PowerCurve};
 pub use request::{Kinematics, LoadError, LoadRequest, PeakMode};
 pub use result::*;
 pub use rod_place::{RodLinkage, RodPlace, RodReach};

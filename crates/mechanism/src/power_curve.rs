@@ -7,30 +7,9 @@
 //! ```
 
 use crate::torque_result::Indicated;
+use lanchester_model::Friction;
 use serde::Serialize;
 use std::f64::consts::TAU;
-
-/// Friction as a mean effective pressure. Its constants come with the engine; none is built in.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(rename_all = "kebab-case", tag = "kind")]
-pub enum Friction {
-    /// The same at every speed and load.
-    Given {
-        /// Mean effective pressure [Pa].
-        fmep: f64,
-    },
-    /// Chen and Flynn's form, SAE 650733, book, eq. 24.8.
-    ChenFlynn {
-        /// `A` [Pa].
-        constant: f64,
-        /// `B` [1]: share of the highest cylinder pressure (absolute).
-        peak_pressure: f64,
-        /// `C` [Pa s/m]: by mean piston speed.
-        speed: f64,
-        /// `D` [Pa s^2/m^2]: by its square.
-        speed_squared: f64,
-    },
-}
 
 /// What friction leaves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -47,15 +26,15 @@ pub struct Brake {
     pub efficiency: f64,
 }
 
-impl Friction {
+impl Indicated {
     /// Friction mean effective pressure at this working point [Pa].
-    pub fn fmep(&self, indicated: &Indicated) -> f64 {
-        match *self {
+    pub fn fmep(&self, friction: &Friction) -> f64 {
+        match *friction {
             Friction::Given { fmep } => fmep,
             Friction::ChenFlynn { constant, peak_pressure, speed, speed_squared } => {
-                let piston = indicated.mean_piston_speed;
+                let piston = self.mean_piston_speed;
                 constant
-                    + peak_pressure * indicated.peak_pressure
+                    + peak_pressure * self.peak_pressure
                     + speed * piston
                     + speed_squared * piston * piston
             }
@@ -65,12 +44,12 @@ impl Friction {
     /// Brake torque and power at `speed` [rad/s].
     ///
     /// The work of friction a cycle is `fmep V`, as that of the gas is `imep V`: both are spread over the cycle alike.
-    pub fn brake(&self, indicated: &Indicated, speed: f64) -> Brake {
-        let fmep = self.fmep(indicated);
-        let mep = indicated.imep - indicated.crankcase_mep;
+    pub fn brake(&self, friction: &Friction, speed: f64) -> Brake {
+        let fmep = self.fmep(friction);
+        let mep = self.imep - self.crankcase_mep;
         // Torque a unit of mean effective pressure: V over the angle of the cycle, gears included.
-        let torque = indicated.torque - fmep * indicated.torque_per_mep;
-        Brake { fmep, bmep: mep - fmep, torque, power: torque * speed, efficiency: torque / indicated.torque }
+        let torque = self.torque - fmep * self.torque_per_mep;
+        Brake { fmep, bmep: mep - fmep, torque, power: torque * speed, efficiency: torque / self.torque }
     }
 }
 
@@ -166,6 +145,49 @@ impl Indicated {
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    /// A two-litre four-stroke with a mean effective pressure of 10 bar.
+    fn indicated() -> Indicated {
+        let torque_per_mep = 2e-3 / (2.0 * TAU);
+        Indicated {
+            torque: 10e5 * torque_per_mep,
+            power: 0.0,
+            displacement: 2e-3,
+            imep: 10e5,
+            crankcase_mep: 0.0,
+            torque_per_mep,
+            mean_piston_speed: 10.0,
+            peak_pressure: 60e5,
+        }
+    }
+
+    #[test]
+    fn every_term_of_chen_and_flynn_counts_once() {
+        let friction = Friction::ChenFlynn {
+            constant: 0.4e5,
+            peak_pressure: 0.005,
+            speed: 0.09e5,
+            speed_squared: 900.0,
+        };
+        // 0.4 + 0.005 * 60 + 0.09 * 10 + 0.009 * 100 = 2.5 bar.
+        let fmep = indicated().fmep(&friction);
+        assert!((fmep - 2.5e5).abs() < 1e-6, "{fmep}");
+        for (peak_pressure, speed, speed_squared, bar) in
+            [(0.0, 0.0, 0.0, 0.4), (0.005, 0.0, 0.0, 0.7), (0.0, 0.09e5, 0.0, 1.3), (0.0, 0.0, 900.0, 1.3)]
+        {
+            let one = Friction::ChenFlynn { constant: 0.4e5, peak_pressure, speed, speed_squared };
+            assert!((indicated().fmep(&one) - bar * 1e5).abs() < 1e-6, "{one:?}");
+        }
+    }
+
+    #[test]
+    fn friction_takes_its_share_of_torque_and_power() {
+        let brake = indicated().brake(&Friction::Given { fmep: 2.5e5 }, 300.0);
+        assert!((brake.efficiency - 0.75).abs() < 1e-14 && (brake.bmep - 7.5e5).abs() < 1e-6, "{brake:?}");
+        // 7.5 bar of two litres over two turns: 119.366 N m.
+        assert!((brake.torque - 1500.0 / (2.0 * TAU)).abs() < 1e-10, "{brake:?}");
+        assert_eq!(brake.power, 300.0 * brake.torque);
+    }
 
     /// Louvigny 2008, Tables 27, 28 and 29 with figures 60, 65 and 67: 26.9, 53.7 and 59.4 kW at 3800 rpm.
     #[test]

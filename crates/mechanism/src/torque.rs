@@ -90,10 +90,14 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
     let theta: Vec<f64> = (0..count).map(|j| period * j as f64 / count as f64).collect();
     let over = |function: &dyn Fn(f64) -> f64| theta.iter().map(|theta| function(*theta)).collect::<Vec<_>>();
 
+    let ratio = engine.gas.as_ref().and_then(lanchester_model::Gas::compression_ratio);
     let cylinders = (0..engine.cylinders.len())
         .map(|index| {
             let own = InertiaTorque::of(engine, request, Selection::Cylinder(index))?;
-            Ok(cylinder_torque(&train, gas, index, &theta, over(&|theta| own.at(theta))))
+            Ok(CylinderTorque {
+                clearance: ratio.map(|ratio| train.areas[index] * train.motion[index].stroke / (ratio - 1.0)),
+                ..cylinder_torque(&train, gas, index, &theta, over(&|theta| own.at(theta)))
+            })
         })
         .collect::<Result<Vec<_>, TorqueError>>()?;
     let sum = |part: fn(&CylinderTorque) -> &Vec<f64>| -> Vec<f64> {
@@ -251,6 +255,7 @@ fn cylinder_torque(
         pressure: over(&|own| gas.cylinder.at(own)),
         crankcase: over(&|own| gas.crankcase.at(own)),
         volume: over(&|own| area * (motion.top - piston.travel(own))),
+        clearance: None,
         work: IndicatedWork {
             swept: area * motion.stroke,
             by_torque: piston.work(train.lever),

@@ -111,6 +111,8 @@ pub struct CylinderTorque {
     /// Volume that the piston has left free below its top dead centre [m^3]: with `pressure` the p-V diagram, without the
     /// clearance volume.
     pub volume: Vec<f64>,
+    /// Clearance volume [m^3], of the compression ratio of the engine's gas; `None` where the file gives none.
+    pub clearance: Option<f64>,
     /// Work in one working cycle.
     pub work: IndicatedWork,
     /// Highest cylinder pressure [Pa] and the angle after firing [rad] at which it stands, from -half to half a working cycle.

@@ -7,8 +7,11 @@
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
+use crate::bearings::Bearings;
 use crate::block::Block;
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
+use crate::flywheel::Flywheel;
+use crate::friction::Friction;
 use crate::gas::Gas;
 use crate::mount::Mount;
 use crate::ratio::Ratio;
@@ -57,6 +60,15 @@ pub struct Engine {
     /// Gas in the cylinders, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas: Option<Gas>,
+    /// Its friction, if the file says something of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<Friction>,
+    /// Its flywheel, if the file says something of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flywheel: Option<Flywheel>,
+    /// Sizes of its bearings, if the file gives some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bearings: Option<Bearings>,
     /// Shapes among which the weights of balance shafts are to be found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shaft_weight_task: Option<ShaftWeightTask>,

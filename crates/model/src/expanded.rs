@@ -4,6 +4,7 @@ mod balance;
 mod gas;
 mod mount;
 mod part;
+mod running;
 mod shaft_part;
 
 pub(crate) use part::shape_entries;
@@ -56,6 +57,9 @@ pub fn expanded(engine: &Engine) -> String {
     file.shaft_weight_task(engine);
     file.clearance(engine);
     file.gas(engine);
+    file.friction(engine);
+    file.flywheel(engine);
+    file.bearings(engine);
     file.balance(engine);
     file.text
 }

@@ -18,6 +18,16 @@ pub struct Gas {
     pub crankcase: CrankcasePressure,
 }
 
+impl Gas {
+    /// Largest over smallest volume of a cylinder, where it is known.
+    pub fn compression_ratio(&self) -> Option<f64> {
+        match &self.source {
+            GasSource::Traces { compression_ratio, .. } => *compression_ratio,
+            GasSource::Cycle(cycle) => Some(cycle.compression_ratio),
+        }
+    }
+}
+
 /// Where the pressure in the cylinders comes from.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case", tag = "kind")]

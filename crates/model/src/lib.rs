@@ -33,6 +33,7 @@
 #![forbid(unsafe_code)]
 
 mod angle;
+mod bearings;
 mod block;
 mod codes;
 mod crank_body;
@@ -43,6 +44,8 @@ mod document;
 mod engine;
 mod expanded;
 mod firing;
+mod flywheel;
+mod friction;
 mod gas;
 mod layout;
 mod mains;
@@ -62,6 +65,7 @@ mod template;
 pub mod workshop;
 mod write_back;
 
+pub use bearings::{Bearings, PlainBearing};
 pub use block::*;
 pub use codes::diagnostic_codes;
 pub use crank_body::*;
@@ -70,6 +74,8 @@ pub use default_task::{CrankWeightPlaces, crank_weights, default_task};
 pub use diagnostic::{Diagnostic, Related, Severity, render};
 pub use engine::*;
 pub use expanded::expanded;
+pub use flywheel::Flywheel;
+pub use friction::Friction;
 pub use gas::*;
 pub use mount::*;
 pub use part_weight::{PartFault, PartWeight};

@@ -33,11 +33,13 @@ pub(crate) enum Dimension {
     SpecificHeat,
     Stiffness,
     Damping,
+    PressurePerSpeed,
+    PressurePerSpeedSquared,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub(crate) const ALL: [Dimension; 20] = [
+    pub(crate) const ALL: [Dimension; 22] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -58,6 +60,8 @@ impl Dimension {
         Dimension::SpecificHeat,
         Dimension::Stiffness,
         Dimension::Damping,
+        Dimension::PressurePerSpeed,
+        Dimension::PressurePerSpeedSquared,
     ];
 
     /// Name with its article, for messages.
@@ -83,6 +87,8 @@ impl Dimension {
             Dimension::SpecificHeat => "a specific heat",
             Dimension::Stiffness => "a stiffness",
             Dimension::Damping => "a damping coefficient",
+            Dimension::PressurePerSpeed => "a pressure per speed",
+            Dimension::PressurePerSpeedSquared => "a pressure per speed squared",
         }
     }
 
@@ -128,7 +134,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-static UNITS: [Unit; 73] = {
+static UNITS: [Unit; 79] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -204,6 +210,12 @@ static UNITS: [Unit; 73] = {
         unit(Damping, "N s/m", 0, 1.0),
         unit(Damping, "N s/mm", 3, 1.0),
         unit(Damping, "lbf s/in", 0, POUND * STANDARD_GRAVITY / INCH),
+        unit(PressurePerSpeed, "bar s/m", 5, 1.0),
+        unit(PressurePerSpeed, "kPa s/m", 3, 1.0),
+        unit(PressurePerSpeed, "Pa s/m", 0, 1.0),
+        unit(PressurePerSpeedSquared, "bar s2/m2", 5, 1.0),
+        unit(PressurePerSpeedSquared, "kPa s2/m2", 3, 1.0),
+        unit(PressurePerSpeedSquared, "Pa s2/m2", 0, 1.0),
     ]
 };
 
@@ -497,6 +509,8 @@ pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> 
         Dimension::SpecificHeat => ("J/kg/K", "J/kg/K"),
         Dimension::Stiffness => ("N/mm", "N/m"),
         Dimension::Damping => ("N s/m", "N s/m"),
+        Dimension::PressurePerSpeed => ("bar s/m", "Pa s/m"),
+        Dimension::PressurePerSpeedSquared => ("bar s2/m2", "Pa s2/m2"),
     };
     let guess = guess + 0.0;
     neighbours(guess)

@@ -17,6 +17,7 @@ mod mount;
 mod part;
 mod places;
 mod rod;
+mod running;
 mod shaft;
 mod shaft_part;
 mod sizes;
@@ -103,6 +104,9 @@ impl<'a> Reader<'a> {
         let shaft_weight_task = self.shaft_weight_task();
         let envelope = self.clearance();
         let gas = self.gas(strokes);
+        let friction = self.friction();
+        let flywheel = self.flywheel(speed, &body);
+        let bearings = self.bearings(&body);
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
         if drafts.is_none() {
@@ -116,6 +120,7 @@ impl<'a> Reader<'a> {
         self.check_body(&body, &drafts);
         self.check_bores(&envelope, &drafts);
         self.check_gas(&drafts);
+        self.check_bearings(&bearings, &body, &drafts);
         self.check_sizes(&drafts);
 
         let middle = drafts.middle();
@@ -156,6 +161,9 @@ impl<'a> Reader<'a> {
             envelope: envelope?,
             shape_task: shape_task?,
             gas: gas?,
+            friction: friction?,
+            flywheel: flywheel?,
+            bearings: bearings?,
             shaft_weight_task: shaft_weight_task?,
             balance: None,
         };

@@ -69,6 +69,9 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
         shaft_weight_task: None,
         balance: None,
     }

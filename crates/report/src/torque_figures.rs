@@ -63,7 +63,9 @@ fn by_cylinder(torque: &Torque) -> Figure {
 
 fn pressure_volume(torque: &Torque) -> Figure {
     let curves = torque.cylinders.iter().enumerate().map(|(k, cylinder)| {
-        let points = cylinder.volume.iter().zip(&cylinder.pressure).map(|(v, p)| (v * 1e6, *p));
+        let clearance = cylinder.clearance.unwrap_or(0.0);
+        let points = cylinder.volume.iter().zip(&cylinder.pressure);
+        let points = points.map(|(v, p)| ((clearance + v) * 1e6, *p));
         // One working cycle closes on itself.
         let points: Vec<(f64, f64)> = points.collect();
         let closing = points.first().copied();
@@ -74,8 +76,9 @@ fn pressure_volume(torque: &Torque) -> Figure {
             dots: false,
         }
     });
+    let has_clearance = torque.cylinders.iter().all(|cylinder| cylinder.clearance.is_some());
     let plot = XyPlot {
-        abscissa: "Volume from top dead centre",
+        abscissa: if has_clearance { "Volume" } else { "Volume above that at top dead centre" },
         ordinate: "Pressure, absolute",
         units: ["cm\u{b3}", "Pa"],
         polar: false,
@@ -84,7 +87,11 @@ fn pressure_volume(torque: &Torque) -> Figure {
     figure(
         "pressure-volume",
         "Pressure over volume",
-        "The area within is the work of a cycle. The clearance volume is not counted.",
+        if has_clearance {
+            "The area within is the work of a cycle."
+        } else {
+            "The area within is the work of a cycle. The file gives no compression ratio: the volume counts from top dead centre."
+        },
         vec![plot.panel()],
     )
 }

@@ -218,7 +218,8 @@ pub fn flywheel_table(need: &FlywheelNeed) -> Table {
     if let Some(flywheel) = need.flywheel {
         rows.push(("flywheel by the true ripple", 1e3 * flywheel, "g m^2", 5));
     }
-    let mut table = named("flywheel", "Flywheel", "", rows);
+    let note = format!("At {} rpm.", number::terminal(rpm(need.speed), 0));
+    let mut table = named("flywheel", "Flywheel", &note, rows);
     if need.flywheel.is_none() {
         table.remark = "No flywheel keeps it.".to_owned();
     }

@@ -55,6 +55,9 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
         shaft_weight_task: None,
         balance: None,
     }

@@ -6,8 +6,8 @@ use crate::files::print;
 use crate::format::Format;
 use crate::torque_arguments::{LeverOption, TorqueArguments};
 use crate::trace_files::trace_files;
-use lanchester::mechanism::{Friction, Lever, TorqueRequest};
-use lanchester::model::option;
+use lanchester::mechanism::{Lever, TorqueRequest};
+use lanchester::model::{Friction, option};
 use lanchester::report::{
     Figure, flywheel_table, power_figure, power_table, ripple_figure, ripple_table, torque_csv,
     torque_figures, torque_text,

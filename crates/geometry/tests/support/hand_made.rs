@@ -143,6 +143,9 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         envelope: Some(Envelope::default()),
         shape_task: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
         shaft_weight_task: None,
         balance: None,
     }

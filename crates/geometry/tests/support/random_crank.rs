@@ -178,6 +178,9 @@ fn empty() -> Engine {
         envelope: None,
         shape_task: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
         shaft_weight_task: None,
         balance: None,
     }

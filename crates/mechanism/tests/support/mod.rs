@@ -79,6 +79,9 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         envelope: None,
         shape_task: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
         shaft_weight_task: None,
         balance: None,
     }

@@ -10,11 +10,7 @@ impl File {
         let Some(gas) = &engine.gas else { return };
         self.header("[gas]", "angles from the firing top dead centre");
         self.entry("ambient_pressure", &quantity(gas.ambient_pressure, Dimension::Pressure));
-        let ratio = match &gas.source {
-            GasSource::Traces { compression_ratio, .. } => *compression_ratio,
-            GasSource::Cycle(cycle) => Some(cycle.compression_ratio),
-        };
-        if let Some(ratio) = ratio {
+        if let Some(ratio) = gas.compression_ratio() {
             self.entry("compression_ratio", &format!("{ratio:?}"));
         }
         self.header("[gas.crankcase]", "");

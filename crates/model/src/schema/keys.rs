@@ -9,6 +9,7 @@ mod gas;
 mod layout;
 mod mount;
 mod part;
+mod running;
 mod shaft_part;
 mod train;
 
@@ -23,6 +24,7 @@ use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, SHAFT};
 use gas::GAS;
 use layout::LAYOUT;
 use mount::{BLOCK, MOUNT};
+use running::{BEARINGS, FLYWHEEL, FRICTION};
 use shaft_part::SHAFT_WEIGHT_DESIGN;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
@@ -188,6 +190,27 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Gas in the cylinders: measured traces, or a cycle to be computed.",
             "{ cycle = { type = \"otto\" } }",
+        ),
+        key(
+            "friction",
+            Kind::Table(&FRICTION),
+            Optional,
+            "Friction of the engine: gives brake torque and power.",
+            "{ fmep = \"1.2 bar\" }",
+        ),
+        key(
+            "flywheel",
+            Kind::Table(&FLYWHEEL),
+            Optional,
+            "The flywheel, and how evenly the engine is to turn.",
+            "{ inertia = \"0.15 kg m2\" }",
+        ),
+        key(
+            "bearings",
+            Kind::Table(&BEARINGS),
+            Optional,
+            "Sizes of the bearings, for the pressures on them.",
+            "{ crankpin = { diameter = \"48 mm\", width = \"22 mm\" } }",
         ),
         key(
             "block",

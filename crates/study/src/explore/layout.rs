@@ -255,5 +255,8 @@ pub(crate) fn engine(
         shaft_weight_task: None,
         balance: None,
         gas: None,
+        friction: None,
+        flywheel: None,
+        bearings: None,
     }
 }

@@ -1,0 +1,56 @@
+//! `[friction]`, `[flywheel]` and `[bearings]`.
+
+use super::{File, quantity};
+use crate::engine::Engine;
+use crate::friction::Friction;
+use crate::quantity::Dimension;
+
+impl File {
+    pub(super) fn friction(&mut self, engine: &Engine) {
+        let Some(friction) = engine.friction else { return };
+        self.header("[friction]", "");
+        match friction {
+            Friction::Given { fmep } => self.entry("fmep", &quantity(fmep, Dimension::Pressure)),
+            Friction::ChenFlynn { constant, peak_pressure, speed, speed_squared } => {
+                self.entry("constant", &quantity(constant, Dimension::Pressure));
+                self.entry("peak_pressure", &format!("{peak_pressure:?}"));
+                self.entry("speed", &quantity(speed, Dimension::PressurePerSpeed));
+                self.entry("speed_squared", &quantity(speed_squared, Dimension::PressurePerSpeedSquared));
+            }
+        }
+    }
+
+    pub(super) fn flywheel(&mut self, engine: &Engine) {
+        let Some(flywheel) = &engine.flywheel else { return };
+        self.header("[flywheel]", "");
+        let inertias = [("inertia", flywheel.inertia), ("crankshaft_inertia", flywheel.crankshaft_inertia)];
+        for (key, inertia) in inertias {
+            if let Some(inertia) = inertia {
+                self.entry(key, &quantity(inertia, Dimension::Inertia));
+            }
+        }
+        if let Some(fluctuation) = flywheel.fluctuation {
+            self.entry("fluctuation", &format!("{fluctuation:?}"));
+        }
+        if !flywheel.speeds.is_empty() {
+            let list: Vec<String> =
+                flywheel.speeds.iter().map(|&speed| quantity(speed, Dimension::Speed)).collect();
+            self.entry("speeds", &format!("[{}]", list.join(", ")));
+        }
+    }
+
+    pub(super) fn bearings(&mut self, engine: &Engine) {
+        let Some(bearings) = &engine.bearings else { return };
+        self.header("[bearings]", "");
+        let kinds =
+            [("piston_pin", bearings.piston_pin), ("crankpin", bearings.crankpin), ("main", bearings.main)];
+        for (key, bearing) in kinds {
+            let Some(bearing) = bearing else { continue };
+            self.header(&format!("[bearings.{key}]"), "");
+            if let Some(diameter) = bearing.diameter {
+                self.entry("diameter", &quantity(diameter, Dimension::Length));
+            }
+            self.entry("width", &quantity(bearing.width, Dimension::Length));
+        }
+    }
+}
