@@ -10,7 +10,7 @@ use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
 use crate::infeasible::obstacle;
-use crate::operator::{Operator, inertia_of, middle};
+use crate::operator::{Operator, WeightColumns, inertia_of, middle};
 use crate::problem::{Problem, Rule};
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
@@ -57,6 +57,7 @@ pub fn optimise_with(
     let mut answer = empty(engine, task);
     match run(&problem, &mut solves) {
         Ok(reached) => {
+            let reached = cleared(&problem, reached);
             let stand = Stand::given(task, &places);
             fill(&mut answer, engine, task, &problem, &reached, &stand);
             answer.outcome = outcome(&answer.stages, &reached.stages, None);
@@ -76,7 +77,7 @@ fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Resu
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
     match ending {
         Ending::Chosen(best) => {
-            let reached = best.reached;
+            let reached = cleared(&best.problem, best.reached);
             let stand = Stand { planes: best.planes, axes: best.axes, inertia: best.inertia };
             fill(&mut answer, engine, task, &best.problem, &reached, &stand);
             answer.outcome = outcome(&answer.stages, &reached.stages, best.stopped);
@@ -157,6 +158,58 @@ impl Stand {
             inertia: (!task.inertias.is_empty()).then_some(0),
         }
     }
+}
+
+/// Share of its natural amount below which a weight is what the solver leaves open, if nothing is lost without it.
+const LEFTOVER: f64 = 1e-9;
+
+/// The weights that are no more than leftovers set to nothing, where every gap that is closed and every rule that is
+/// held stays so: all of them, as they may hold each other, or one by one.
+fn cleared(problem: &Problem, mut reached: Reached) -> Reached {
+    let leftovers: Vec<&WeightColumns> = problem
+        .operator
+        .weights
+        .iter()
+        .filter(|columns| {
+            let amount: f64 = columns.corners.iter().map(|corner| corner.unbalance(&reached.x).norm()).sum();
+            amount > 0.0 && amount <= LEFTOVER * columns.unit
+        })
+        .collect();
+    let mut clear = |weights: &[&WeightColumns]| {
+        let mut without = reached.x.clone();
+        for (variable, _) in weights.iter().flat_map(|w| &w.corners).flat_map(|corner| &corner.terms) {
+            without[*variable] = 0.0;
+        }
+        let holds = stays_proved(problem, &reached, &without);
+        if holds {
+            reached.x = without;
+        }
+        holds
+    };
+    if !leftovers.is_empty() && !clear(&leftovers) {
+        for weight in &leftovers {
+            clear(&[weight]);
+        }
+    }
+    reached
+}
+
+/// Whether `x` is as good as what was reached: gaps within what counts as closed, or no wider; rules and ties no worse.
+fn stays_proved(problem: &Problem, reached: &Reached, x: &[f64]) -> bool {
+    let implied = reached.among_equals.iter().map(|(place, proof)| (&problem.implied[*place], proof));
+    let mut stages = problem.stages.iter().zip(&reached.stages).chain(implied);
+    let is_closed = |(terms, proof): (&Vec<(f64, Judged)>, &StageProof)| {
+        let value = |x: &[f64]| -> f64 { terms.iter().map(|(w, judged)| w * problem.value(judged, x)).sum() };
+        value(x) - proof.bound <= proof.target || value(x) <= value(&reached.x)
+    };
+    let passed = |x: &[f64]| problem.programme.violation(x, &problem.programme.levels(x));
+    let missed = |x: &[f64]| {
+        let rows = problem.operator.equalities.times(x);
+        rows.iter().zip(&problem.operator.equal_to).map(|(row, to)| (row - to).abs()).fold(0.0, f64::max)
+    };
+    stages.all(is_closed)
+        && passed(x) <= passed(&reached.x).max(0.0)
+        && missed(x) <= missed(&reached.x).max(LEFTOVER)
 }
 
 fn fill(

@@ -129,3 +129,16 @@ fn what_changes_no_load_is_decided_by_the_weights() {
     let (free, lightest) = (amount(&free), amount(&lightest));
     assert!((free - lightest).abs() < 1e-6 * lightest, "{free} {lightest}");
 }
+
+/// Of four webs the outer two do it; what the solver leaves on the inner two is no weight.
+#[test]
+fn leftovers_of_the_solver_are_no_weights() {
+    let text = include_str!("../../../../examples/in-line-3-counterweights.toml");
+    let engine = read(text).engine.expect("a valid example");
+    let task = default_task(&engine);
+    let answer = optimise(&engine, &task).unwrap();
+    assert_proved(&engine, &answer);
+    let used: Vec<bool> = answer.weights.iter().map(|weight| weight.used).collect();
+    assert_eq!(used, [true, false, false, true], "{:?}", answer.weights);
+    assert!(answer.weights.iter().all(|weight| weight.used == (weight.unbalance.norm() > 0.0)));
+}
