@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::compare_arguments::CompareArguments;
 use crate::counterweight_arguments::CounterweightArguments;
 use crate::format::Format;
 use crate::mounts_arguments::MountsArguments;
@@ -112,6 +113,14 @@ pub enum Command {
     Balance(Box<BalanceArguments>),
     /// Counterweights as real parts: the best shape with its proof, clearance, drawing, CAD.
     Counterweight(CounterweightArguments),
+    /// Engines and arrangements side by side, as they are or made equal in displacement or power.
+    #[command(
+        after_help = "Examples:\n  lanchester compare twin.toml four.toml\n  lanchester compare twin.toml four.toml --equal displacement\n  \
+                            lanchester compare twin.toml boxer.toml --equal power --hold piston-speed --reference 2\n  \
+                            lanchester compare twin.toml --arrangements 1,2,4 --optimum --figures figures\n  \
+                            lanchester compare twin.toml boxer.toml --format csv > comparison.csv"
+    )]
+    Compare(CompareArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \

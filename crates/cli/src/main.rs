@@ -6,6 +6,7 @@
 mod arguments;
 mod balance_request;
 mod commands;
+mod compare_arguments;
 mod counterweight_arguments;
 mod failure;
 mod files;
@@ -44,6 +45,7 @@ fn main() -> ExitCode {
         Command::Mounts(arguments) => commands::mounts::run(&arguments, colour),
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
+        Command::Compare(arguments) => commands::compare::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

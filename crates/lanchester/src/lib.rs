@@ -18,6 +18,7 @@
 
 mod arrangements;
 mod clearance;
+mod comparison;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
@@ -33,6 +34,7 @@ pub use arrangements::arrangements;
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
+pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
 pub use counterweight_check::{
     COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CheckedShaftWeight, CounterweightCheck,
     check_counterweights,
@@ -49,6 +51,7 @@ pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
+pub use lanchester_study as study;
 pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,

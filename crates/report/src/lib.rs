@@ -14,6 +14,7 @@ mod balance_text;
 mod bearing_tables;
 mod cancellation;
 mod clearance_plot;
+mod comparison;
 mod component;
 mod counterweight_drawing;
 mod counterweight_tables;
@@ -88,6 +89,9 @@ pub use bearing_tables::{
 };
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use clearance_plot::clearance_plot;
+pub use comparison::{
+    comparison_figure, comparison_table, comparison_text, equal_words, ranking_words, relative_table,
+};
 pub use counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
 pub use counterweight_tables::{
     DesignedShape, designed_dimensions_table, designed_properties_table, front_designs_table,

@@ -14,7 +14,13 @@ const ARROWS: [(&str, &[&str]); 11] = [
     ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
     (
         "lanchester-report",
-        &["lanchester-model", "lanchester-mechanism", "lanchester-geometry", "lanchester-balance"],
+        &[
+            "lanchester-model",
+            "lanchester-mechanism",
+            "lanchester-geometry",
+            "lanchester-balance",
+            "lanchester-study",
+        ],
     ),
     (
         "lanchester",
@@ -25,6 +31,7 @@ const ARROWS: [(&str, &[&str]); 11] = [
             "lanchester-geometry",
             "lanchester-balance",
             "lanchester-report",
+            "lanchester-study",
         ],
     ),
     ("lanchester-cli", &["lanchester"]),

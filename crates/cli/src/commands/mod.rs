@@ -3,6 +3,7 @@
 pub mod balance;
 pub mod bearings;
 pub mod check;
+pub mod compare;
 pub mod counterweight;
 mod found;
 pub mod loads;

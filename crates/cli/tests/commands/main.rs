@@ -4,6 +4,7 @@
 
 mod bad_runs;
 mod balance;
+mod compare;
 mod counterweight;
 mod crank_workshop;
 mod engine;

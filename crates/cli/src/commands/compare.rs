@@ -1,0 +1,86 @@
+//! `lanchester compare`: engines and arrangements side by side.
+
+use crate::commands::{json, open, write_figures};
+use crate::compare_arguments::{CompareArguments, EqualOption, HeldOption};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::files::print;
+use crate::format::Format;
+use crate::trace_files::trace_files;
+use lanchester::balance::TwinArrangement;
+use lanchester::model::option;
+use lanchester::report::{comparison_figure, comparison_table, comparison_text};
+use lanchester::study::compare::{Equal, Held};
+use lanchester::{CompareEntry, CompareRequest, ComparedWith, compare};
+
+pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
+    let request = request(arguments)?;
+    let with = with(arguments)?;
+    let mut entries = Vec::with_capacity(arguments.files.len() * with.len());
+    for file in &arguments.files {
+        let opened = open(file, colour)?;
+        let traces = trace_files(&opened.engine, file)?;
+        entries.extend(with.iter().map(|&with| CompareEntry {
+            engine: opened.engine.clone(),
+            traces: traces.clone(),
+            with,
+        }));
+    }
+    let comparison = compare(&entries, &request)
+        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    for warning in &comparison.warnings {
+        eprintln!("warning: {warning}");
+    }
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.files[0], &[comparison_figure(&comparison)])?;
+    }
+    print(&match arguments.format {
+        Format::Text => comparison_text(&comparison),
+        Format::Json => json(&comparison)?,
+        Format::Csv => comparison_table(&comparison).csv(),
+    })?;
+    Ok(DONE)
+}
+
+fn request(arguments: &CompareArguments) -> Result<CompareRequest, Failure> {
+    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+    let fluctuation = option::share(&arguments.fluctuation, "--fluctuation")?;
+    let Some(reference) = arguments.reference.checked_sub(1) else {
+        return Err(Failure::input("--reference counts the engines from 1, got 0", "the first one is 1"));
+    };
+    let equal = match arguments.equal {
+        EqualOption::Nothing => Equal::AsTheyAre,
+        EqualOption::Displacement => Equal::Displacement,
+        EqualOption::Power => Equal::Power,
+    };
+    let held = match arguments.hold {
+        HeldOption::Speed => Held::Speed,
+        HeldOption::PistonSpeed => Held::PistonSpeed,
+    };
+    Ok(CompareRequest { equal, held, speed, reference, fluctuation })
+}
+
+/// What every file is compared with.
+fn with(arguments: &CompareArguments) -> Result<Vec<ComparedWith>, Failure> {
+    let mut with = match arguments.arrangements.as_deref() {
+        None => vec![ComparedWith::OwnDevices],
+        Some("all") => TwinArrangement::ALL.map(ComparedWith::Arrangement).to_vec(),
+        Some(list) => list
+            .split(',')
+            .map(|one| {
+                let number = one.trim().parse().ok();
+                number.and_then(TwinArrangement::from_number).map(ComparedWith::Arrangement).ok_or_else(
+                    || {
+                        Failure::input(
+                            format!("--arrangements needs numbers from 1 to 9, got `{}`", one.trim()),
+                            "write `1,2,4`, or `all`",
+                        )
+                    },
+                )
+            })
+            .collect::<Result<_, _>>()?,
+    };
+    if arguments.optimum {
+        with.push(ComparedWith::Optimum);
+    }
+    Ok(with)
+}

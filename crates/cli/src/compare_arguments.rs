@@ -1,0 +1,60 @@
+//! The command line of `lanchester compare`.
+
+use crate::format::Format;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// `compare`
+#[derive(Debug, Args)]
+pub struct CompareArguments {
+    /// Engine files, two or more, or one with --arrangements or --optimum.
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Number of the engine with which the others are compared, from 1: in the order of the table.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub reference: usize,
+    /// In what the engines are made equal to the reference, as similar engines of another size.
+    #[arg(long, value_enum, default_value_t = EqualOption::Nothing)]
+    pub equal: EqualOption,
+    /// What a similar engine keeps.
+    #[arg(long, value_enum, default_value_t = HeldOption::Speed, requires = "equal")]
+    pub hold: HeldOption,
+    /// Speed of crankshaft 1 of all engines, with its unit; default: the highest of each file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Compare arrangements of the twin-cylinder thesis, by their numbers, for every file: `1,2,4`, or `all`.
+    #[arg(long, value_name = "NUMBERS")]
+    pub arrangements: Option<String>,
+    /// Compare every file with the best counterweights and shafts for its own task too.
+    #[arg(long)]
+    pub optimum: bool,
+    /// Fluctuation of the speed that the flywheels keep at the lowest speed, highest minus lowest over mean.
+    #[arg(long, value_name = "SHARE", default_value = "2 %")]
+    pub fluctuation: String,
+    /// Write the bars as an SVG file into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// In what engines are made equal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EqualOption {
+    /// In nothing: the engines as they are.
+    Nothing,
+    /// In displacement.
+    Displacement,
+    /// In net indicated power; without gas in all files at equal mean effective pressure.
+    Power,
+}
+
+/// What a similar engine keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum HeldOption {
+    /// Its speed.
+    Speed,
+    /// Its mean piston speed.
+    PistonSpeed,
+}

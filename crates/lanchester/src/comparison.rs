@@ -1,0 +1,473 @@
+//! Engines and arrangements side by side.
+
+use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use lanchester_balance::{
+    ArrangementOptions, BalanceError, Outcome, TwinArrangement, arranged, fitted, optimise,
+};
+use lanchester_mechanism::{
+    GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, TorqueError, TorqueRequest,
+    TurningInertia, firing_chart, flywheel_need, inertia_excitations, merged_orders, motion, torque, total_loads,
+};
+use lanchester_model::{Engine, SpeedRange, default_task};
+use lanchester_study::compare::{
+    COMPARISON_VERSION, Compared, ComparedTorque, Comparison, Criterion, Equal, Held, Leading, Ranking,
+    Similar, SimilarError,
+};
+use std::f64::consts::{PI, TAU};
+
+/// What the engines of a comparison get before they are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ComparedWith {
+    /// What their files give them.
+    #[default]
+    OwnDevices,
+    /// The best counterweights and shafts for the task of their files, or for the default task.
+    Optimum,
+    /// An arrangement of the twin-cylinder thesis, in place of their own counterweights and shafts.
+    Arrangement(TwinArrangement),
+}
+
+/// One engine to compare.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CompareEntry {
+    /// The engine of a file.
+    pub engine: Engine,
+    /// The files of pressures that its file names.
+    pub traces: Vec<TraceFile>,
+    /// What it gets.
+    pub with: ComparedWith,
+}
+
+/// How engines are compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CompareRequest {
+    /// In what they are made equal: similar engines of the displacement or power of the reference.
+    pub equal: Equal,
+    /// What a similar engine keeps.
+    pub held: Held,
+    /// Speed of crankshaft 1 [rad/s] before the size changes; `None`: the highest of each engine.
+    pub speed: Option<f64>,
+    /// Place of the engine with which the others are compared.
+    pub reference: usize,
+    /// Fluctuation of the speed that the flywheels keep at the lowest speed [1].
+    pub fluctuation: f64,
+}
+
+impl Default for CompareRequest {
+    /// As they are, at their highest speeds, with the first one, flywheels for a fluctuation of 2 %.
+    fn default() -> CompareRequest {
+        CompareRequest {
+            equal: Equal::AsTheyAre,
+            held: Held::Speed,
+            speed: None,
+            reference: 0,
+            fluctuation: 0.02,
+        }
+    }
+}
+
+/// Why engines cannot be compared.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompareError {
+    /// Nothing to compare.
+    #[error("a comparison needs two or more engines or arrangements, got {got}")]
+    TooFew {
+        /// Engines given.
+        got: usize,
+    },
+    /// A reference that there is not.
+    #[error("the reference is number {got} of {count} engines\nhint: count from 1")]
+    Reference {
+        /// Its number, from 1.
+        got: usize,
+        /// Engines given.
+        count: usize,
+    },
+    /// Displacement without a bore.
+    #[error("{engine}: equal {measure} needs the bore of every cylinder\nhint: add bore to [piston]")]
+    Bore {
+        /// Name of the engine.
+        engine: String,
+        /// What is to be equal.
+        measure: &'static str,
+    },
+    /// Its loads cannot be computed.
+    #[error("{engine}: {error}")]
+    Load {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<LoadError>,
+    },
+    /// It cannot be balanced as asked.
+    #[error("{engine}: {error}")]
+    Balance {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<BalanceError>,
+    },
+    /// The optimum that was asked for is none.
+    #[error("{engine}: its balance has no optimum: {reason}\nhint: `lanchester balance` tells more")]
+    NoOptimum {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        reason: String,
+    },
+    /// Its gas cannot be computed.
+    #[error("{engine}: {error}")]
+    Gas {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<GasError>,
+    },
+    /// Its torque cannot be computed.
+    #[error("{engine}: {error}")]
+    Torque {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<TorqueError>,
+    },
+    /// Its mounts do not hold it.
+    #[error("{engine}: {error}")]
+    Mounts {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<MountError>,
+    },
+    /// It cannot be made equal to the reference.
+    #[error(transparent)]
+    Similar(#[from] SimilarError),
+}
+
+/// The engines side by side, each in the size that the request asks for.
+///
+/// A similar engine is computed as the original at the speed of equal piston speed, times the factors of similarity (book, eqs.
+/// 31.1 to 31.3); its pressures over the crank angle are those of the original at its own speed. Where not all files have gas,
+/// powers are made equal at equal mean effective pressure, which is said.
+///
+/// # Errors
+/// [`CompareError`] names the engine and what stands in the way.
+///
+/// # Example
+/// ```
+/// use lanchester::{CompareEntry, CompareRequest, ComparedWith, compare};
+/// let entry = |name| CompareEntry {
+///     engine: lanchester::model::read(lanchester::model::template(name).expect("it is in the gallery").text)
+///         .engine
+///         .expect("the gallery has no mistakes"),
+///     traces: Vec::new(),
+///     with: ComparedWith::OwnDevices,
+/// };
+/// let both = compare(&[entry("in-line-4"), entry("in-line-6")], &CompareRequest::default())?;
+/// // An in-line six has no force but that of the sixth order.
+/// assert!(both.engines[1].force < 0.01 * both.engines[0].force);
+/// # Ok::<(), lanchester::CompareError>(())
+/// ```
+pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Comparison, CompareError> {
+    if entries.len() < 2 {
+        return Err(CompareError::TooFew { got: entries.len() });
+    }
+    if request.reference >= entries.len() {
+        return Err(CompareError::Reference { got: request.reference + 1, count: entries.len() });
+    }
+    let mut warnings = Vec::new();
+    let candidates = entries
+        .iter()
+        .map(|entry| Candidate::new(entry, request, &mut warnings))
+        .collect::<Result<Vec<_>, _>>()?;
+    let measures = measures(&candidates, request.equal, &mut warnings)?;
+    let wanted = measures[request.reference];
+    let engines = candidates
+        .iter()
+        .zip(&measures)
+        .map(|(candidate, &own)| {
+            let similar = Similar::of(request.equal, request.held, own, wanted)?;
+            candidate.compared(similar, request.fluctuation)
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    let rankings = Criterion::ALL.iter().filter_map(|criterion| Ranking::of(*criterion, &engines)).collect();
+    Ok(Comparison {
+        version: COMPARISON_VERSION,
+        equal: request.equal,
+        held: request.held,
+        reference: request.reference,
+        fluctuation: request.fluctuation,
+        engines,
+        rankings,
+        warnings,
+    })
+}
+
+/// What is made equal, engine by engine; ones where nothing is.
+fn measures(
+    candidates: &[Candidate<'_>],
+    equal: Equal,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<f64>, CompareError> {
+    let displacement = |candidate: &Candidate<'_>, measure| {
+        candidate.displacement.ok_or(CompareError::Bore { engine: candidate.engine.name.clone(), measure })
+    };
+    match equal {
+        Equal::AsTheyAre => Ok(vec![1.0; candidates.len()]),
+        Equal::Displacement => candidates.iter().map(|c| displacement(c, "displacement")).collect(),
+        Equal::Power => {
+            let powers = candidates.iter().map(Candidate::power).collect::<Result<Option<Vec<f64>>, _>>()?;
+            if let Some(powers) = powers {
+                return Ok(powers);
+            }
+            warnings.push(
+                "not every file says what the gas does: powers are made equal at equal mean effective pressure"
+                    .to_owned(),
+            );
+            let relative = |c: &Candidate<'_>| {
+                let revolutions = f64::from(c.engine.strokes.revolutions());
+                displacement(c, "power").map(|volume| volume * c.speed / (TAU * revolutions))
+            };
+            candidates.iter().map(relative).collect()
+        }
+    }
+}
+
+/// An engine with its devices and speed, in the size of its file.
+struct Candidate<'a> {
+    engine: Engine,
+    traces: &'a [TraceFile],
+    with: Option<String>,
+    speed: f64,
+    displacement: Option<f64>,
+}
+
+impl<'a> Candidate<'a> {
+    fn new(
+        entry: &'a CompareEntry,
+        request: &CompareRequest,
+        warnings: &mut Vec<String>,
+    ) -> Result<Candidate<'a>, CompareError> {
+        let speed = request.speed.unwrap_or(entry.engine.speed.highest);
+        let range = SpeedRange { lowest: entry.engine.speed.lowest.min(speed), highest: speed };
+        let own = Engine { speed: range, ..entry.engine.clone() };
+        let own_name = own.name.clone();
+        let balance = |error| CompareError::Balance { engine: own_name.clone(), error: Box::new(error) };
+        let (engine, with) = match entry.with {
+            ComparedWith::OwnDevices => (own, None),
+            ComparedWith::Arrangement(arrangement) => {
+                let options = ArrangementOptions::default();
+                let with = arranged(&own, arrangement, &options).map_err(balance)?;
+                (with, Some(arrangement.name().to_owned()))
+            }
+            ComparedWith::Optimum => (optimal(&own, warnings)?, Some("optimum".to_owned())),
+        };
+        let refused = |error| CompareError::Load { engine: own_name.clone(), error: Box::new(error) };
+        let strokes =
+            motion(&engine, &LoadRequest { samples: 1, ..LoadRequest::default() }).map_err(refused)?;
+        let swept = engine
+            .cylinders
+            .iter()
+            .zip(&strokes)
+            .map(|(cylinder, motion)| Some(PI / 4.0 * cylinder.bore?.powi(2) * motion.stroke));
+        Ok(Candidate { displacement: swept.sum(), traces: &entry.traces, with, speed, engine })
+    }
+
+    /// Net indicated power in the size of the file [W]; `None` without gas.
+    fn power(&self) -> Result<Option<f64>, CompareError> {
+        if self.engine.gas.is_none() {
+            return Ok(None);
+        }
+        let gas = self.gas(self.speed)?;
+        let request =
+            TorqueRequest { speed: Some(self.speed), samples: 1, max_order: 1, ..TorqueRequest::default() };
+        let found = torque(&self.engine, &gas, &request).map_err(|error| self.no_torque(error))?;
+        Ok(Some(found.indicated.power))
+    }
+
+    fn gas(&self, speed: f64) -> Result<Vec<lanchester_mechanism::CylinderGas>, CompareError> {
+        cylinder_gas(&self.engine, self.traces, speed)
+            .map(|report| report.cylinders)
+            .map_err(|error| CompareError::Gas { engine: self.engine.name.clone(), error: error.into() })
+    }
+
+    fn no_torque(&self, error: TorqueError) -> CompareError {
+        CompareError::Torque { engine: self.engine.name.clone(), error: error.into() }
+    }
+
+    /// The engine in the size and at the speed of `similar`.
+    fn compared(&self, similar: Similar, fluctuation: f64) -> Result<Compared, CompareError> {
+        let engine = &self.engine;
+        let request = LoadRequest {
+            speed: Some(self.speed * similar.speed_of_original()),
+            samples: 1,
+            ..LoadRequest::default()
+        };
+        let loads = total_loads(engine, &request)
+            .map_err(|error| CompareError::Load { engine: self.engine.name.clone(), error: error.into() })?;
+        let natural = natural_loads(engine, self.speed * similar.speed_of_original());
+        let left = |value: f64, natural: f64| if value <= ROUNDING * natural { 0.0 } else { value };
+        let peaks = &loads.peaks;
+        let roll = peaks.roll_moment.max.value.max(-peaks.roll_moment.min.value);
+        let force = similar.force() * left(peaks.force.max.value, natural[0]);
+        let couple = similar.moment() * left(peaks.couple.max.value, natural[1]);
+        let counterweights: f64 = engine.counterweights.iter().map(|weight| weight.unbalance).sum();
+        let shaft_weights: f64 =
+            engine.shafts.iter().flat_map(|shaft| &shaft.weights).map(|weight| weight.unbalance).sum();
+        Ok(Compared {
+            engine: engine.name.clone(),
+            with: self.with.clone(),
+            similar,
+            speed: self.speed * similar.speed,
+            displacement: self.displacement.map(|volume| volume * similar.mass()),
+            force,
+            force_leading: leading(&loads.orders, similar.force(), force, |order| {
+                [order.force_forward.norm(), order.force_backward.norm()]
+            }),
+            couple,
+            couple_leading: leading(&loads.orders, similar.moment(), couple, |order| {
+                [order.couple_forward.norm(), order.couple_backward.norm()]
+            }),
+            roll_moment: similar.moment() * left(roll, natural[1]),
+            mount_force: self.mount_force(similar)?,
+            firing_unevenness: firing_chart(engine).ok().map(|chart| chart.unevenness),
+            torque: self.torque(similar, fluctuation)?,
+            counterweights: similar.unbalance() * counterweights,
+            shafts: engine.shafts.len(),
+            shaft_weights: similar.unbalance() * shaft_weights,
+            added_mass: added_mass(engine).map(|mass| mass * similar.mass()),
+        })
+    }
+
+    /// Largest force at any mount, with mounts that are similar too.
+    fn mount_force(&self, similar: Similar) -> Result<Option<f64>, CompareError> {
+        if self.engine.block.is_none() {
+            return Ok(None);
+        }
+        let refused =
+            |error| CompareError::Mounts { engine: self.engine.name.clone(), error: Box::new(error) };
+        let speed = self.speed * similar.speed_of_original();
+        let mut excitations =
+            inertia_excitations(&self.engine, &[speed], MOUNT_ORDERS).map_err(refused)?;
+        if self.engine.gas.is_some() {
+            let gas = self.gas(self.speed)?;
+            let orders = GasTrain::new(&self.engine, &gas, Lever::Exact)
+                .map_err(|error| self.no_torque(error))?
+                .orders(MOUNT_ORDERS);
+            for excitation in &mut excitations {
+                excitation.orders = merged_orders(&excitation.orders, &orders);
+            }
+        }
+        let response = MountSystem::new(&self.engine)
+            .and_then(|system| system.response(&excitations))
+            .map_err(refused)?;
+        let peaks = response.speeds.iter().flat_map(|at| &at.peaks).map(|peak| peak.value);
+        Ok(Some(similar.force() * peaks.fold(0.0, f64::max)))
+    }
+
+    fn torque(&self, similar: Similar, fluctuation: f64) -> Result<Option<ComparedTorque>, CompareError> {
+        let engine = &self.engine;
+        if engine.gas.is_none() {
+            return Ok(None);
+        }
+        // The pressures are those of the engine at its own speed, the inertia that of equal piston speed.
+        let gas = self.gas(self.speed)?;
+        let speed = self.speed * similar.speed_of_original();
+        let request =
+            TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..TorqueRequest::default() };
+        let found = torque(engine, &gas, &request).map_err(|error| self.no_torque(error))?;
+        let idle = engine.speed.lowest * similar.speed_of_original();
+        let need = flywheel_need(
+            engine,
+            &self.gas(engine.speed.lowest)?,
+            idle,
+            TurningInertia::default(),
+            fluctuation,
+        )
+        .map_err(|error| self.no_torque(error))?;
+        let moment = similar.moment();
+        let work = found.indicated.torque * found.energy.own_period;
+        Ok(Some(ComparedTorque {
+            power: moment * found.indicated.torque * self.speed * similar.speed,
+            mean: moment * found.indicated.torque,
+            most: moment * found.total_extremes.max.value,
+            least: moment * found.total_extremes.min.value,
+            excess: moment * found.energy.excess,
+            excess_share: found.energy.excess / work.abs().max(f64::MIN_POSITIVE),
+            inertia: similar.inertia() * need.by_formula,
+            flywheel: need.flywheel.map(|flywheel| similar.inertia() * flywheel),
+        }))
+    }
+}
+
+/// The engine with the best devices for the task of its file.
+fn optimal(engine: &Engine, warnings: &mut Vec<String>) -> Result<Engine, CompareError> {
+    let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
+    let answer = optimise(engine, &task)
+        .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: error.into() })?;
+    match &answer.outcome {
+        Outcome::Optimal => {}
+        Outcome::Stopped { reason } if !answer.weights.is_empty() => {
+            warnings.push(format!("{}: the best that was found is not proved: {reason}", engine.name));
+        }
+        Outcome::Stopped { reason }
+        | Outcome::Infeasible { reason, .. }
+        | Outcome::CannotVanish { reason, .. } => {
+            return Err(CompareError::NoOptimum { engine: engine.name.clone(), reason: reason.clone() });
+        }
+    }
+    Ok(fitted(engine, &answer))
+}
+
+/// Highest order of the forces at the mounts.
+const MOUNT_ORDERS: u32 = 12;
+
+/// Share of what the masses of single cylinders do below which a load is rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// Force [N] and moment [N m] that all cylinders would have together if nothing cancelled.
+fn natural_loads(engine: &Engine, speed: f64) -> [f64; 2] {
+    let mut natural = [0.0; 2];
+    for cylinder in &engine.cylinders {
+        let throw = &engine.throws[cylinder.throw];
+        let crank_speed = engine.crankshafts[throw.crankshaft].ratio.value() * speed;
+        let mass = cylinder.piston_mass + cylinder.rod.mass();
+        let force = mass * throw.radius * crank_speed.powi(2);
+        natural[0] += force;
+        natural[1] += force * cylinder.z.abs().max(throw.radius);
+    }
+    natural
+}
+
+/// The order of the largest resultant; `None` where nothing is left.
+fn leading(
+    orders: &[OrderLoads],
+    factor: f64,
+    peak: f64,
+    sizes: impl Fn(&OrderLoads) -> [f64; 2],
+) -> Option<Leading> {
+    let of = |order: &OrderLoads| {
+        let [forward, backward] = sizes(order);
+        let size = forward + backward;
+        Leading {
+            order: order.order,
+            size: factor * size,
+            forward: if size > 0.0 { forward / size } else { 0.0 },
+        }
+    };
+    let most = orders.iter().map(of).max_by(|a, b| a.size.total_cmp(&b.size))?;
+    (peak > 0.0).then_some(most)
+}
+
+/// Mass of all weights [kg], where all of them are parts.
+fn added_mass(engine: &Engine) -> Option<f64> {
+    let crank =
+        engine.counterweights.iter().map(|weight| weight.part.as_ref().map(|part| part.part.moments().mass));
+    let shafts = engine
+        .shafts
+        .iter()
+        .flat_map(|shaft| &shaft.weights)
+        .map(|weight| weight.part.as_ref().map(|part| part.mass()));
+    crank.chain(shafts).sum()
+}
