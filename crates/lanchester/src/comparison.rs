@@ -6,7 +6,8 @@ use lanchester_balance::{
 };
 use lanchester_mechanism::{
     GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, TorqueError, TorqueRequest,
-    TurningInertia, firing_chart, flywheel_need, inertia_excitations, merged_orders, motion, torque, total_loads,
+    TurningInertia, firing_chart, flywheel_need, inertia_excitations, merged_orders, motion, torque,
+    total_loads,
 };
 use lanchester_model::{Engine, SpeedRange, default_task};
 use lanchester_study::compare::{
@@ -348,8 +349,7 @@ impl<'a> Candidate<'a> {
         let refused =
             |error| CompareError::Mounts { engine: self.engine.name.clone(), error: Box::new(error) };
         let speed = self.speed * similar.speed_of_original();
-        let mut excitations =
-            inertia_excitations(&self.engine, &[speed], MOUNT_ORDERS).map_err(refused)?;
+        let mut excitations = inertia_excitations(&self.engine, &[speed], MOUNT_ORDERS).map_err(refused)?;
         if self.engine.gas.is_some() {
             let gas = self.gas(self.speed)?;
             let orders = GasTrain::new(&self.engine, &gas, Lever::Exact)

@@ -154,13 +154,15 @@ fn level_words(comparison: &Comparison, criterion: Criterion, level: &[Place]) -
         };
         leading.unwrap_or_default()
     };
-    let names: Vec<String> = level
-        .iter()
-        .map(|place| format!("no. {}, {}", place.engine + 1, label(comparison, place.engine)))
-        .collect();
+    let mut engines: Vec<usize> = level.iter().map(|place| place.engine).collect();
+    engines.sort_unstable();
+    let who = match engines.as_slice() {
+        [one] => format!("no. {}, {}", one + 1, label(comparison, *one)),
+        several => format!("no. {}", number::list(&several.iter().map(|k| k + 1).collect::<Vec<_>>())),
+    };
     let why = reason(first);
     let why = if why.is_empty() { why } else { format!(": {why}") };
-    format!("{}. {value}{why} ({})", first.rank, names.join("; "))
+    format!("{}. {value}{why} ({who})", first.rank)
 }
 
 /// "mostly order 1, against the crank".
