@@ -106,7 +106,14 @@ proptest! {
             let other = ShaftWeightDesign::new(other, needed, task.density);
             let (ours, theirs) = (aimed(task.minimise, &best), aimed(task.minimise, &other));
             prop_assert!(ours <= theirs * slack * slack, "{} {} {:?} {:?}", ours, theirs, best, other);
-            if !is_inertia && (ours - theirs).abs() <= 1e-9 * theirs {
+            // The shortest weight is alone: beside it the length grows with the square of a change of the chord, the mass
+            // changes with the change itself, so that a billionth more length may be much less mass.
+            let is_as_good = match task.minimise {
+                ShaftWeightAim::Inertia => false,
+                ShaftWeightAim::Length => theirs <= ours,
+                _ => (ours - theirs).abs() <= 1e-9 * theirs,
+            };
+            if is_as_good {
                 prop_assert!(best.mass <= other.mass * (1.0 + 1e-6), "{:?} {:?}", best, other);
             }
         }
