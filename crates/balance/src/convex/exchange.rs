@@ -3,6 +3,7 @@
 use super::certificate::certify;
 use super::cone::{self, Frame, Touch};
 use super::curve::{FixedMember, Member, Summit, length};
+use super::dense::{add_scaled, dot};
 use super::polish::polish;
 use super::programme::{Programme, Solution};
 use std::f64::consts::TAU;
@@ -28,6 +29,10 @@ pub(crate) const HOLDS: f64 = 1e-10;
 
 /// Nothing is looked for further out than this many natural amounts where no criterion bounds the variables.
 const FARTHEST: f64 = 1e3;
+
+/// Rounds in which a point is moved over the rows that it passes, and how far beyond them, as a share of the row.
+const PUSHES: usize = 8;
+const BEYOND: f64 = 1e-6;
 
 /// Why a programme has no solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -151,26 +156,41 @@ impl Found {
     }
 }
 
-/// Draws a point that passes a row towards 0 until it holds, if 0 itself does: what earlier stages left is kept at 0, and
-/// what is allowed is convex.
+/// Draws a point that passes a row towards one that holds all of them until it holds, as what is allowed is convex: towards
+/// 0, where what earlier stages left is kept, or, where 0 does not hold, the nearest point beyond the rows of variables alone.
 fn drawn_in(programme: &Programme, nearly: Solution) -> Option<Solution> {
-    let at = |share: f64| -> Vec<f64> { nearly.x.iter().map(|x| share * x).collect() };
-    let holds = |share: f64| {
-        let x = at(share);
-        programme.violation(&x, &programme.levels(&x)) <= HOLDS
-    };
-    if !holds(0.0) {
+    let holds = |x: &[f64]| programme.violation(x, &programme.levels(x)) <= HOLDS;
+    let origin = beyond_plain_rows(programme);
+    if !holds(&origin) {
         return None;
     }
+    let at = |share: f64| -> Vec<f64> {
+        nearly.x.iter().zip(&origin).map(|(x, from)| from + share * (x - from)).collect()
+    };
     let (mut inside, mut outside) = (0.0, 1.0);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (inside + outside);
-        *(if holds(middle) { &mut inside } else { &mut outside }) = middle;
+        *(if holds(&at(middle)) { &mut inside } else { &mut outside }) = middle;
     }
     let x = at(inside);
     let levels = programme.levels(&x);
     let value = programme.value(&x, &levels);
     Some(Solution { x, levels, value, ..nearly })
+}
+
+/// 0, moved straight over every row of variables alone that it passes, such as that of a least amount, and a little beyond.
+fn beyond_plain_rows(programme: &Programme) -> Vec<f64> {
+    let mut x = vec![0.0; programme.variables];
+    for _ in 0..PUSHES {
+        for row in programme.rows.iter().filter(|row| row.shares.is_empty()) {
+            let (excess, square) =
+                (dot(&row.directions, &x) - row.most, dot(&row.directions, &row.directions));
+            if excess > 0.0 && square > 0.0 {
+                add_scaled(&mut x, -(excess + BEYOND * row.most.abs()) / square, &row.directions);
+            }
+        }
+    }
+    x
 }
 
 /// Adds a point with the bound that its multipliers prove; `levels` are those at `x`.
