@@ -34,7 +34,9 @@ pub fn engines(program: &Path) -> Result<String> {
                 }
                 Ok(())
             };
-            let named = block.text.lines().any(|line| line.starts_with("name = "));
+            // A name below a header is that of a part.
+            let mut head = block.text.lines().take_while(|line| !line.starts_with('['));
+            let named = head.any(|line| line.starts_with("name = "));
             match (block.language, block.tag.split_once('=')) {
                 ("toml", Some((put @ ("file" | "append"), name))) => {
                     let path = folder.join(name);
