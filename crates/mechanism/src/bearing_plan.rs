@@ -50,6 +50,9 @@ pub struct RodTrace {
 #[derive(Debug, Clone, PartialEq)]
 struct RodRow {
     cylinder: usize,
+    /// The same rod at one angle at a time.
+    force: RodForce,
+    ratio: f64,
     crank: CrankRow,
     mass: f64,
     inertia: f64,
@@ -80,6 +83,7 @@ struct SlaveRow {
 struct TurningRow {
     main: usize,
     table: usize,
+    ratio: f64,
     force: Complex64,
     sense: f64,
 }
@@ -200,6 +204,7 @@ impl BearingPlan {
         self.turning.extend(forces.into_iter().enumerate().map(|(main, force)| TurningRow {
             main: first + main,
             table,
+            ratio: ratio.value(),
             force,
             sense,
         }));
@@ -231,6 +236,8 @@ impl BearingPlan {
         match &piston.drive {
             Drive::Exact(Linkage::Plain(slider)) => self.rods.push(RodRow {
                 cylinder: index,
+                force: RodForce::new(piston.clone(), linkage(engine, index)?, cylinder.angle),
+                ratio: crankshaft.ratio.value(),
                 crank: CrankRow::of(&piston, slider, &self.grid),
                 mass: piston.mass,
                 inertia: piston.inertia,
@@ -291,6 +298,66 @@ impl BearingPlan {
                 }
             }
         }
+    }
+}
+
+/// Forces of one rod and its piston at one angle [N], as in [`RodTrace`].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct RodInstant {
+    pub thrust: f64,
+    pub piston_pin: Complex64,
+    pub lower_pin: Complex64,
+}
+
+impl BearingPlan {
+    /// Forces of the rod of cylinder `index` at any crank angle `theta` [rad]; `gas` gives the gas force towards the crank by cylinder
+    /// and angle. What is not carried by any main is zero, as in the traces.
+    pub(crate) fn rod_at(&self, index: usize, theta: f64, gas: &impl Fn(usize, f64) -> f64) -> RodInstant {
+        if let Some(row) = self.slaves.iter().find(|row| row.cylinder == index) {
+            let gas = gas(index, theta);
+            let loads = row.force.loads(theta, gas);
+            let piston_pin = Complex64::new(row.piston_mass * loads.acceleration + gas, -loads.thrust);
+            return RodInstant { thrust: loads.thrust, piston_pin, lower_pin: loads.knuckle };
+        }
+        let Some(row) = self.rods.iter().find(|row| row.cylinder == index) else {
+            return RodInstant::default();
+        };
+        let own_gas = gas(index, theta);
+        let loads = row.force.loads(theta, own_gas);
+        let mut instant = RodInstant {
+            thrust: loads.thrust,
+            piston_pin: Complex64::new(row.piston_mass * loads.acceleration + own_gas, -loads.thrust),
+            lower_pin: loads.crankpin + row.big_end * Complex64::cis(row.ratio * theta),
+        };
+        for slave in self.slaves.iter().filter(|slave| slave.master == index) {
+            let loads = slave.force.loads(theta, gas(slave.cylinder, theta));
+            instant.thrust += loads.master_thrust;
+            instant.piston_pin.im -= loads.master_thrust;
+            instant.lower_pin += loads.crankpin + slave.big_end * Complex64::cis(slave.ratio * theta);
+        }
+        instant
+    }
+
+    /// Journal on main bearing `main` at any crank angle `theta` [rad] [N].
+    pub(crate) fn main_at(&self, main: usize, theta: f64, gas: &impl Fn(usize, f64) -> f64) -> Complex64 {
+        let turning = self.turning.iter().filter(|row| row.main == main);
+        let mut force: Complex64 = turning.map(|row| row.force * Complex64::cis(row.ratio * theta)).sum();
+        let share = |shares: &[(usize, f64); 2]| -> f64 {
+            shares.iter().filter(|share| share.0 == main).map(|share| share.1).sum()
+        };
+        for row in &self.rods {
+            let share = share(&row.shares);
+            if share != 0.0 {
+                force += share * row.force.loads(theta, gas(row.cylinder, theta)).crankpin;
+            }
+        }
+        for row in &self.slaves {
+            let share = share(&row.shares);
+            if share != 0.0 {
+                force += share * row.force.loads(theta, gas(row.cylinder, theta)).crankpin;
+            }
+        }
+        force
     }
 }
 

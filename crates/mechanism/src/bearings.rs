@@ -3,9 +3,11 @@
 use crate::bearing_plan::{BearingPlan, BearingTrace};
 use crate::bearing_request::{BearingPart, BearingRequest};
 use crate::gas::CylinderGas;
+use crate::gas_train::GasTrain;
 use crate::result::Extreme;
 use crate::rod_place::RodLinkage;
-use crate::torque_request::TorqueError;
+use crate::torque_request::{Lever, TorqueError};
+use crate::true_peak::true_peak;
 use lanchester_model::Engine;
 use num_complex::Complex64;
 use serde::Serialize;
@@ -45,7 +47,7 @@ pub struct CylinderBearings {
     pub cylinder: usize,
     /// Side thrust: piston on the cylinder wall along `v` [N].
     pub side_thrust: Vec<f64>,
-    /// Largest of its sizes; `value` keeps the sign.
+    /// Largest of its sizes over the continuous angle; `value` keeps the sign.
     pub largest_thrust: Extreme,
     /// Rod on the piston pin, `u + i v` of the cylinder frame [N].
     pub piston_pin: PinLoad,
@@ -81,24 +83,18 @@ pub struct MainBearing {
 pub struct PinLoad {
     /// At every angle [N].
     pub load: Vec<Complex64>,
-    /// Largest size and its angle, among the angles.
+    /// Largest size and its angle, over the continuous angle.
     pub peak: Extreme,
     /// Mean size [N].
     pub mean: f64,
 }
 
 impl PinLoad {
-    fn of(load: Vec<Complex64>, theta: &[f64]) -> PinLoad {
-        let mut peak = Extreme::default();
-        let mut sum = 0.0;
-        for (force, theta) in load.iter().zip(theta) {
-            let size = force.norm();
-            sum += size;
-            if size > peak.value {
-                peak = Extreme { value: size, theta: *theta };
-            }
-        }
-        let mean = sum / load.len().max(1) as f64;
+    /// From its samples at equal angles of `period` and its value at any angle.
+    fn of(load: Vec<Complex64>, period: f64, jumps: &[f64], value: impl Fn(f64) -> Complex64) -> PinLoad {
+        let sizes: Vec<f64> = load.iter().map(|force| force.norm()).collect();
+        let mean = sizes.iter().sum::<f64>() / load.len().max(1) as f64;
+        let peak = true_peak(&sizes, period, jumps, |theta| value(theta).norm());
         PinLoad { load, peak, mean }
     }
 
@@ -142,6 +138,15 @@ pub fn bearing_loads(
     let mut trace = BearingTrace::default();
     plan.loads_into(&mut trace);
     let theta = plan.grid.theta().to_vec();
+    let train = match gas.filter(|_| request.part != BearingPart::Inertia) {
+        Some(gas) => Some(GasTrain::new(engine, gas, Lever::Exact)?),
+        None => None,
+    };
+    let force = |cylinder: usize, theta: f64| {
+        let piston = train.as_ref().map(|train| &train.pistons[cylinder]);
+        piston.map_or(0.0, |piston| piston.force.at(piston.own_angle(theta)))
+    };
+    let jumps = train.as_ref().map_or_else(Vec::new, |train| train.jumps(plan.period));
     let count = theta.len();
     let cylinders = trace
         .rods
@@ -158,15 +163,23 @@ pub fn bearing_loads(
                 .map(|(theta, force)| -force * Complex64::cis(-linkage.at(*theta).direction[0]))
                 .collect();
             let side_thrust: Vec<f64> = rod.thrust[..count].iter().map(|thrust| -thrust).collect();
+            let sizes: Vec<f64> = side_thrust.iter().map(|thrust| thrust.abs()).collect();
+            let thrust_at = |theta: f64| -plan.rod_at(index, theta, &force).thrust;
+            let size = true_peak(&sizes, plan.period, &jumps, |theta| thrust_at(theta).abs());
+            let sign = if thrust_at(size.theta) < 0.0 { -1.0 } else { 1.0 };
             Ok(CylinderBearings {
                 cylinder: index + 1,
-                largest_thrust: largest(&side_thrust, &theta),
+                largest_thrust: Extreme { value: sign * size.value, theta: size.theta },
                 side_thrust,
-                piston_pin: PinLoad::of(complex(&rod.piston_pin), &theta),
+                piston_pin: PinLoad::of(complex(&rod.piston_pin), plan.period, &jumps, |theta| {
+                    plan.rod_at(index, theta, &force).piston_pin
+                }),
                 radial,
                 tangential,
                 rod_frame,
-                lower_pin: PinLoad::of(lower_pin, &theta),
+                lower_pin: PinLoad::of(lower_pin, plan.period, &jumps, |theta| {
+                    plan.rod_at(index, theta, &force).lower_pin
+                }),
             })
         })
         .collect::<Result<Vec<_>, TorqueError>>()?;
@@ -182,7 +195,7 @@ pub fn bearing_loads(
             main: before + 1,
             z,
             journal_frame: theta.iter().zip(&load).map(journal).collect(),
-            load: PinLoad::of(load, &theta),
+            load: PinLoad::of(load, plan.period, &jumps, |theta| plan.main_at(place, theta, &force)),
         }
     });
     let mains = mains.collect();
@@ -217,14 +230,4 @@ fn on_crankpin(engine: &Engine, index: usize, theta: &[f64], forces: &[Complex64
 
 fn joined([re, im]: &[Vec<f64>; 2], count: usize) -> Vec<Complex64> {
     re[..count].iter().zip(im).map(|(re, im)| Complex64::new(*re, *im)).collect()
-}
-
-fn largest(values: &[f64], theta: &[f64]) -> Extreme {
-    let mut largest = Extreme::default();
-    for (value, theta) in values.iter().zip(theta) {
-        if value.abs() > largest.value.abs() {
-            largest = Extreme { value: *value, theta: *theta };
-        }
-    }
-    largest
 }

@@ -173,7 +173,7 @@ fn gauss(from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Largest value within a bracket, and where.
-fn peak([mut from, mut to]: [f64; 2], value: &impl Fn(f64) -> f64) -> (f64, f64) {
+pub(crate) fn peak([mut from, mut to]: [f64; 2], value: &impl Fn(f64) -> f64) -> (f64, f64) {
     let (mut left, mut right) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
     let (mut at_left, mut at_right) = (value(left), value(right));
     for _ in 0..60 {

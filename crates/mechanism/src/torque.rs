@@ -20,6 +20,10 @@ use std::f64::consts::{PI, TAU};
 /// Stretches of a revolution within which no torque hides an extreme, at least.
 const STRETCHES: usize = 120;
 
+/// Share of the range of a gas force that it must change by within [`JUMP_BESIDE`] of its period to be called a jump.
+const JUMP: f64 = 1e-3;
+const JUMP_BESIDE: f64 = 1e-9;
+
 /// Inertia torque of an engine, with the lever asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct InertiaTorque {
@@ -137,6 +141,27 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
 }
 
 impl GasTrain {
+    /// Angles from 0 to `period` at which a gas force jumps, rising.
+    pub(crate) fn jumps(&self, period: f64) -> Vec<f64> {
+        let mut jumps = Vec::new();
+        for piston in &self.pistons {
+            let ratio = piston.ratio.value().abs();
+            let own = piston.force.period();
+            let [(least, _), (most, _)] = piston.force.extremes();
+            let cycles = (period * ratio / own).round() as usize;
+            let beside = JUMP_BESIDE * own;
+            for knot in piston.force.knots() {
+                let height = piston.force.at(knot + beside) - piston.force.at(knot - beside);
+                if height.abs() > JUMP * (most - least) {
+                    let turned = (0..cycles).map(|k| piston.firing + (knot + own * k as f64) / ratio);
+                    jumps.extend(turned.map(|theta| theta.rem_euclid(period)));
+                }
+            }
+        }
+        jumps.sort_by(f64::total_cmp);
+        jumps
+    }
+
     /// Angles at which the torque may jump or bend, and enough in between.
     pub(crate) fn breaks(&self) -> Breaks {
         let period = self.period();

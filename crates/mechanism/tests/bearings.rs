@@ -194,6 +194,28 @@ fn a_slow_engine_has_the_textbook_triangle() {
     );
 }
 
+/// The peaks of coarse and of fine traces are the same.
+#[test]
+fn peaks_do_not_depend_on_the_angles_of_the_traces() {
+    let engine = fired(vee(90.0, &[0.0, 90.0, 270.0, 180.0]), 0.09, Strokes::Four);
+    let gas = vec![diesel_like(&engine, 2.0); engine.cylinders.len()];
+    let at = |samples| {
+        bearing_loads(&engine, Some(&gas), &BearingRequest { samples, ..BearingRequest::default() })
+    };
+    let (coarse, fine) = (at(180).unwrap(), at(1440).unwrap());
+    let peaks = |loads: &BearingLoads| -> Vec<f64> {
+        let rods = loads.cylinders.iter();
+        let rods =
+            rods.flat_map(|c| [c.largest_thrust.value, c.piston_pin.peak.value, c.lower_pin.peak.value]);
+        rods.chain(loads.mains.iter().map(|m| m.load.peak.value)).collect()
+    };
+    let on_grid = fine.mains[0].load.load.iter().map(|force| force.norm()).fold(0.0, f64::max);
+    assert!(fine.mains[0].load.peak.value >= on_grid);
+    for (coarse, fine) in peaks(&coarse).into_iter().zip(peaks(&fine)) {
+        assert_close("peak", coarse, fine, 0.0, 1e-9, "both are maxima over the continuous angle");
+    }
+}
+
 /// A counterweight that holds rotating masses and half of the reciprocating ones lowers the main bearings' load at speed.
 #[test]
 fn counterweights_unload_the_mains() {
