@@ -30,7 +30,7 @@ const PLACES: [usize; 5] = [0, 1, 3, 4, 5];
 
 /// Forces at each mount of `engine` under the loads of `operator`: three components each.
 pub(crate) fn forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
-    if engine.block.is_some() && engine.mounts.iter().all(|m| m.spring.is_some()) {
+    if engine.is_on_springs() {
         return on_springs(engine, operator);
     }
     let one = |share: &[[f64; 5]; 3]| {

@@ -13,9 +13,9 @@ pub struct CompareArguments {
     /// Number of the engine with which the others are compared, from 1: in the order of the table.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub reference: usize,
-    /// In what the engines are made equal to the reference, as similar engines of another size.
-    #[arg(long, value_enum, default_value_t = EqualOption::Nothing)]
-    pub equal: EqualOption,
+    /// In what the engines are made equal to the reference, as similar engines of another size; default: in nothing.
+    #[arg(long, value_enum)]
+    pub equal: Option<EqualOption>,
     /// What a similar engine keeps.
     #[arg(long, value_enum, default_value_t = HeldOption::Speed, requires = "equal")]
     pub hold: HeldOption,
@@ -28,9 +28,9 @@ pub struct CompareArguments {
     /// Compare every file with the best counterweights and shafts for its own task too.
     #[arg(long)]
     pub optimum: bool,
-    /// Fluctuation of the speed that the flywheels keep at the lowest speed, highest minus lowest over mean.
-    #[arg(long, value_name = "SHARE", default_value = "2 %")]
-    pub fluctuation: String,
+    /// Fluctuation of the speed that the flywheels keep at the lowest speed, highest minus lowest over mean; default: 2 %.
+    #[arg(long, value_name = "SHARE")]
+    pub fluctuation: Option<String>,
     /// Write the bars as an SVG file into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
@@ -42,8 +42,6 @@ pub struct CompareArguments {
 /// In what engines are made equal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum EqualOption {
-    /// In nothing: the engines as they are.
-    Nothing,
     /// In displacement.
     Displacement,
     /// In net indicated power; without gas in all files at equal mean effective pressure.

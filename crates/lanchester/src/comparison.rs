@@ -1,13 +1,14 @@
 //! Engines and arrangements side by side.
 
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::torque_report::{UNKNOWN_CRANKSHAFT, crankshaft_inertia};
 use lanchester_balance::{
     ArrangementOptions, BalanceError, Outcome, TwinArrangement, arranged, fitted, optimise,
 };
 use lanchester_mechanism::{
-    GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, TorqueError, TorqueRequest,
-    TurningInertia, firing_chart, flywheel_need, inertia_excitations, merged_orders, motion, torque,
-    total_loads,
+    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, Torque,
+    TorqueError, TorqueRequest, TurningInertia, firing_chart, flywheel_need, inertia_excitations,
+    merged_orders, motion, torque, total_loads,
 };
 use lanchester_model::{Engine, SpeedRange, default_task};
 use lanchester_study::compare::{
@@ -50,19 +51,22 @@ pub struct CompareRequest {
     pub speed: Option<f64>,
     /// Place of the engine with which the others are compared.
     pub reference: usize,
-    /// Fluctuation of the speed that the flywheels keep at the lowest speed [1].
-    pub fluctuation: f64,
+    /// Fluctuation of the speed that the flywheels keep at the lowest speed [1]; `None`: [`FLUCTUATION`].
+    pub fluctuation: Option<f64>,
 }
 
+/// Fluctuation of the speed that flywheels are compared at, where nobody says [1].
+pub const FLUCTUATION: f64 = 0.02;
+
 impl Default for CompareRequest {
-    /// As they are, at their highest speeds, with the first one, flywheels for a fluctuation of 2 %.
+    /// As they are, at their highest speeds, with the first one, flywheels for [`FLUCTUATION`].
     fn default() -> CompareRequest {
         CompareRequest {
             equal: Equal::AsTheyAre,
             held: Held::Speed,
             speed: None,
             reference: 0,
-            fluctuation: 0.02,
+            fluctuation: None,
         }
     }
 }
@@ -125,6 +129,11 @@ pub enum CompareError {
         /// Why.
         error: Box<GasError>,
     },
+    /// A fluctuation for flywheels that no engine needs.
+    #[error(
+        "a fluctuation of the speed needs an engine with gas, got none\nhint: add [gas] to an engine file, or leave the fluctuation out"
+    )]
+    NoGas,
     /// Its torque cannot be computed.
     #[error("{engine}: {error}")]
     Torque {
@@ -182,6 +191,10 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
         .iter()
         .map(|entry| Candidate::new(entry, request, &mut warnings))
         .collect::<Result<Vec<_>, _>>()?;
+    if request.fluctuation.is_some() && candidates.iter().all(|candidate| candidate.gas.is_none()) {
+        return Err(CompareError::NoGas);
+    }
+    let fluctuation = request.fluctuation.unwrap_or(FLUCTUATION);
     let measures = measures(&candidates, request.equal, &mut warnings)?;
     let wanted = measures[request.reference];
     let engines = candidates
@@ -189,7 +202,7 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
         .zip(&measures)
         .map(|(candidate, &own)| {
             let similar = Similar::of(request.equal, request.held, own, wanted)?;
-            candidate.compared(similar, request.fluctuation)
+            candidate.compared(similar, fluctuation)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let rankings = Criterion::ALL.iter().filter_map(|criterion| Ranking::of(*criterion, &engines)).collect();
@@ -198,7 +211,7 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
         equal: request.equal,
         held: request.held,
         reference: request.reference,
-        fluctuation: request.fluctuation,
+        fluctuation,
         engines,
         rankings,
         warnings,
@@ -207,11 +220,11 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
 
 /// What is made equal, engine by engine; ones where nothing is.
 fn measures(
-    candidates: &[Candidate<'_>],
+    candidates: &[Candidate],
     equal: Equal,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<f64>, CompareError> {
-    let displacement = |candidate: &Candidate<'_>, measure| {
+    let displacement = |candidate: &Candidate, measure| {
         candidate.displacement.ok_or(CompareError::Bore { engine: candidate.engine.name.clone(), measure })
     };
     match equal {
@@ -226,7 +239,7 @@ fn measures(
                 "not every file says what the gas does: powers are made equal at equal mean effective pressure"
                     .to_owned(),
             );
-            let relative = |c: &Candidate<'_>| {
+            let relative = |c: &Candidate| {
                 let revolutions = f64::from(c.engine.strokes.revolutions());
                 displacement(c, "power").map(|volume| volume * c.speed / (TAU * revolutions))
             };
@@ -236,20 +249,28 @@ fn measures(
 }
 
 /// An engine with its devices and speed, in the size of its file.
-struct Candidate<'a> {
+struct Candidate {
     engine: Engine,
-    traces: &'a [TraceFile],
     with: Option<String>,
     speed: f64,
     displacement: Option<f64>,
+    gas: Option<Gas>,
 }
 
-impl<'a> Candidate<'a> {
+/// Pressures on all pistons of an engine.
+struct Gas {
+    /// At the speed of the comparison.
+    own: Vec<CylinderGas>,
+    /// At the lowest speed.
+    lowest: Vec<CylinderGas>,
+}
+
+impl Candidate {
     fn new(
-        entry: &'a CompareEntry,
+        entry: &CompareEntry,
         request: &CompareRequest,
         warnings: &mut Vec<String>,
-    ) -> Result<Candidate<'a>, CompareError> {
+    ) -> Result<Candidate, CompareError> {
         let speed = request.speed.unwrap_or(entry.engine.speed.highest);
         let range = SpeedRange { lowest: entry.engine.speed.lowest.min(speed), highest: speed };
         let own = Engine { speed: range, ..entry.engine.clone() };
@@ -272,25 +293,22 @@ impl<'a> Candidate<'a> {
             .iter()
             .zip(&strokes)
             .map(|(cylinder, motion)| Some(PI / 4.0 * cylinder.bore?.powi(2) * motion.stroke));
-        Ok(Candidate { displacement: swept.sum(), traces: &entry.traces, with, speed, engine })
+        let displacement = swept.sum();
+        let gas = Gas::of(&engine, &entry.traces, speed, warnings)?;
+        Ok(Candidate { displacement, gas, with, speed, engine })
     }
 
     /// Net indicated power in the size of the file [W]; `None` without gas.
     fn power(&self) -> Result<Option<f64>, CompareError> {
-        if self.engine.gas.is_none() {
-            return Ok(None);
-        }
-        let gas = self.gas(self.speed)?;
-        let request =
-            TorqueRequest { speed: Some(self.speed), samples: 1, max_order: 1, ..TorqueRequest::default() };
-        let found = torque(&self.engine, &gas, &request).map_err(|error| self.no_torque(error))?;
-        Ok(Some(found.indicated.power))
+        let Some(gas) = &self.gas else { return Ok(None) };
+        Ok(Some(self.torque_at(self.speed, gas)?.indicated.power))
     }
 
-    fn gas(&self, speed: f64) -> Result<Vec<lanchester_mechanism::CylinderGas>, CompareError> {
-        cylinder_gas(&self.engine, self.traces, speed)
-            .map(|report| report.cylinders)
-            .map_err(|error| CompareError::Gas { engine: self.engine.name.clone(), error: error.into() })
+    /// Torque under the pressures of the comparison with the inertia of another speed [rad/s].
+    fn torque_at(&self, speed: f64, gas: &Gas) -> Result<Torque, CompareError> {
+        let request =
+            TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..TorqueRequest::default() };
+        torque(&self.engine, &gas.own, &request).map_err(|error| self.no_torque(error))
     }
 
     fn no_torque(&self, error: TorqueError) -> CompareError {
@@ -343,20 +361,18 @@ impl<'a> Candidate<'a> {
 
     /// Largest force at any mount, with mounts that are similar too.
     fn mount_force(&self, similar: Similar) -> Result<Option<f64>, CompareError> {
-        if self.engine.block.is_none() {
+        if !self.engine.is_on_springs() {
             return Ok(None);
         }
         let refused =
             |error| CompareError::Mounts { engine: self.engine.name.clone(), error: Box::new(error) };
         let speed = self.speed * similar.speed_of_original();
         let mut excitations = inertia_excitations(&self.engine, &[speed], MOUNT_ORDERS).map_err(refused)?;
-        if self.engine.gas.is_some() {
-            let gas = self.gas(self.speed)?;
-            let orders = GasTrain::new(&self.engine, &gas, Lever::Exact)
-                .map_err(|error| self.no_torque(error))?
-                .orders(MOUNT_ORDERS);
+        if let Some(gas) = &self.gas {
+            let train =
+                GasTrain::new(&self.engine, &gas.own, Lever::Exact).map_err(|error| self.no_torque(error))?;
             for excitation in &mut excitations {
-                excitation.orders = merged_orders(&excitation.orders, &orders);
+                excitation.orders = merged_orders(&excitation.orders, &train.orders(MOUNT_ORDERS));
             }
         }
         let response = MountSystem::new(&self.engine)
@@ -367,25 +383,13 @@ impl<'a> Candidate<'a> {
     }
 
     fn torque(&self, similar: Similar, fluctuation: f64) -> Result<Option<ComparedTorque>, CompareError> {
-        let engine = &self.engine;
-        if engine.gas.is_none() {
-            return Ok(None);
-        }
+        let (engine, Some(gas)) = (&self.engine, &self.gas) else { return Ok(None) };
         // The pressures are those of the engine at its own speed, the inertia that of equal piston speed.
-        let gas = self.gas(self.speed)?;
-        let speed = self.speed * similar.speed_of_original();
-        let request =
-            TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..TorqueRequest::default() };
-        let found = torque(engine, &gas, &request).map_err(|error| self.no_torque(error))?;
-        let idle = engine.speed.lowest * similar.speed_of_original();
-        let need = flywheel_need(
-            engine,
-            &self.gas(engine.speed.lowest)?,
-            idle,
-            TurningInertia::default(),
-            fluctuation,
-        )
-        .map_err(|error| self.no_torque(error))?;
+        let found = self.torque_at(self.speed * similar.speed_of_original(), gas)?;
+        let lowest = engine.speed.lowest * similar.speed_of_original();
+        let train = TurningInertia { flywheel: 0.0, crankshaft: crankshaft_inertia(engine) };
+        let need = flywheel_need(engine, &gas.lowest, lowest, train, fluctuation)
+            .map_err(|error| self.no_torque(error))?;
         let moment = similar.moment();
         let work = found.indicated.torque * found.energy.own_period;
         Ok(Some(ComparedTorque {
@@ -398,6 +402,37 @@ impl<'a> Candidate<'a> {
             inertia: similar.inertia() * need.by_formula,
             flywheel: need.flywheel.map(|flywheel| similar.inertia() * flywheel),
         }))
+    }
+}
+
+impl Gas {
+    /// That of an engine at `speed` [rad/s] and at its lowest speed; `None` where its file does not say.
+    fn of(
+        engine: &Engine,
+        traces: &[TraceFile],
+        speed: f64,
+        warnings: &mut Vec<String>,
+    ) -> Result<Option<Gas>, CompareError> {
+        if engine.gas.is_none() {
+            return Ok(None);
+        }
+        let mut told = |text: &str| {
+            let warning = format!("{}: {text}", engine.name);
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        };
+        let mut at = |speed: f64| -> Result<Vec<CylinderGas>, CompareError> {
+            let report = cylinder_gas(engine, traces, speed)
+                .map_err(|error| CompareError::Gas { engine: engine.name.clone(), error: error.into() })?;
+            report.warnings.iter().for_each(|warning| told(warning));
+            Ok(report.cylinders)
+        };
+        let gas = Gas { own: at(speed)?, lowest: at(engine.speed.lowest)? };
+        if crankshaft_inertia(engine) == 0.0 {
+            told(UNKNOWN_CRANKSHAFT);
+        }
+        Ok(Some(gas))
     }
 }
 

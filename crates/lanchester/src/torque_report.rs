@@ -88,13 +88,10 @@ pub fn torque_report(
     let wheel = engine.flywheel.as_ref().unwrap_or(&none);
     let given = TurningInertia {
         flywheel: request.flywheel.or(wheel.inertia).unwrap_or(0.0),
-        crankshaft: request.crankshaft.or(wheel.crankshaft_inertia).unwrap_or_else(|| body_inertia(engine)),
+        crankshaft: request.crankshaft.unwrap_or_else(|| crankshaft_inertia(engine)),
     };
     if given.crankshaft == 0.0 {
-        warnings.push(
-            "the inertia of the crankshaft itself is not known: speed ripple and flywheel leave it out"
-                .into(),
-        );
+        warnings.push(UNKNOWN_CRANKSHAFT.into());
     }
     let idle = engine.speed.lowest;
     let mut speeds = if wheel.speeds.is_empty() { vec![idle, speed] } else { wheel.speeds.clone() };
@@ -148,8 +145,16 @@ pub fn torque_report(
     })
 }
 
-/// Inertia of all crankshafts that are bodies, as seen at crankshaft 1 [kg m^2]; 0 where none is.
-fn body_inertia(engine: &Engine) -> f64 {
+/// What the user is told where [`crankshaft_inertia`] is 0.
+pub(crate) const UNKNOWN_CRANKSHAFT: &str =
+    "the inertia of the crankshaft itself is not known: speed ripple and flywheel leave it out";
+
+/// Inertia of the crankshafts as seen at crankshaft 1 [kg m^2]: that of the file, or of all crankshafts that are bodies; 0 where
+/// neither is known.
+pub(crate) fn crankshaft_inertia(engine: &Engine) -> f64 {
+    if let Some(given) = engine.flywheel.as_ref().and_then(|wheel| wheel.crankshaft_inertia) {
+        return given;
+    }
     let of = |(index, shaft): (usize, &lanchester_model::Crankshaft)| {
         crankshaft(engine, index).map_or(0.0, |body| body.polar_inertia * shaft.ratio.value().powi(2))
     };

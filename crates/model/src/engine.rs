@@ -337,6 +337,11 @@ impl Engine {
         crankshaft.ratio.value() * theta + crankshaft.phase + throw.angle
     }
 
+    /// Whether the file says how the block stands on its mounts: its body, and the spring of every mount.
+    pub fn is_on_springs(&self) -> bool {
+        self.block.is_some() && self.mounts.iter().all(|mount| mount.spring.is_some())
+    }
+
     /// Rotating mass at the pin of throw `throw` times its radius [kg m]: big ends of its rods, masters carrying the
     /// big ends of their articulated rods, without the crank itself and without counterweights.
     pub fn rod_unbalance(&self, throw: usize) -> f64 {

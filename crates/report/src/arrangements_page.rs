@@ -16,7 +16,6 @@ use askama::Template;
 use lanchester_balance::{Answer, CrankLoad, CrankSweep, Outcome, SweptCrank, TwinArrangement};
 use lanchester_mechanism::{Loads, Part};
 use lanchester_model::{Criterion, Engine};
-use std::f64::consts::TAU;
 
 /// An engine in one arrangement.
 #[derive(Debug, Clone)]
@@ -114,7 +113,7 @@ pub fn arrangements_report(input: &ArrangementsInput<'_>) -> String {
         engine,
         provenance,
         warnings,
-        speed: number::short(speed * 60.0 / TAU, 4),
+        speed: number::short(number::rpm(speed), 4),
         kinematics: arrangements.first().map_or_else(String::new, |a| a.loads.kinematics.clone()),
         main_data: engine_tables::main_data(engine, speed),
         judged: judged(arrangements),

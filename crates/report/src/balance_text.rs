@@ -9,14 +9,13 @@ use crate::number;
 use crate::terminal::push_wrapped;
 use lanchester_balance::{Answer, Method, Outcome};
 use lanchester_model::{Engine, criterion_name, criterion_unit};
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
 /// of the engine with the answer fitted.
 pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
     let mut out = String::with_capacity(4096);
-    let rpm = number::terminal(answer.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(answer.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(answer));
     push_wrapped(&mut out, "", &headline(engine, answer));

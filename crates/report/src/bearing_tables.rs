@@ -7,7 +7,6 @@ use crate::torque_figures::closed;
 use crate::xy_plot::{XyCurve, XyPlot};
 use lanchester_mechanism::{BearingLoads, BearingSize, PinLoad};
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 /// Sizes of the bearings, where they are known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -94,7 +93,7 @@ pub fn main_bearings_table(loads: &BearingLoads, bare: Option<&BearingLoads>, si
 
 /// All of it as plain text.
 pub fn bearings_text(loads: &BearingLoads, bare: Option<&BearingLoads>, sizes: BearingSizes) -> String {
-    let rpm = number::terminal(loads.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(loads.speed), 0);
     let mut out = format!("{} at {rpm} rpm: {}\n", loads.engine, loads.part.name());
     let tables = rod_bearings_tables(loads, sizes);
     for table in tables.iter().chain([&main_bearings_table(loads, bare, sizes)]) {

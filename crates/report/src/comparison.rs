@@ -6,7 +6,6 @@ use crate::number::{self, Scale};
 use crate::svg::{Anchor, Svg, text_width, wrap};
 use crate::table::{Cell, Column, Table, column_cells, numbers, words};
 use lanchester_study::compare::{Compared, Comparison, Criterion, Equal, Held, Leading, Place, Ranking};
-use std::f64::consts::TAU;
 
 /// What an engine is called beside the others: its name, what it got, or both.
 fn label(comparison: &Comparison, index: usize) -> String {
@@ -33,12 +32,11 @@ fn numbered(comparison: &Comparison) -> Vec<(Column, Vec<Cell>)> {
 pub fn comparison_table(comparison: &Comparison) -> Table {
     let engines = &comparison.engines;
     let of = |value: fn(&Compared) -> f64| engines.iter().map(value).collect::<Vec<_>>().into_iter();
-    let rpm = |engine: &Compared| engine.speed * 60.0 / TAU;
     let mut columns = numbered(comparison);
     if comparison.equal != Equal::AsTheyAre {
         columns.push(numbers("size", "%", of(|engine| 100.0 * engine.similar.length), 4));
     }
-    columns.push(numbers("speed", "rpm", engines.iter().map(rpm), 4));
+    columns.push(numbers("speed", "rpm", engines.iter().map(|engine| number::rpm(engine.speed)), 4));
     let optional =
         |value: &dyn Fn(&Compared) -> Option<f64>, header: &str, unit: &'static str, digits: i32| {
             let values: Vec<Option<f64>> = engines.iter().map(value).collect();
@@ -124,7 +122,7 @@ pub fn ranking_words(comparison: &Comparison) -> Vec<RankingWords> {
     let told = comparison.rankings.iter().filter(|ranking| ranking.criterion != Criterion::Shafts);
     told.filter(differ)
         .map(|ranking| RankingWords {
-            title: capital(ranking.criterion.name()),
+            title: number::capital(ranking.criterion.name()),
             lines: ranking
                 .places
                 .chunk_by(|a, b| a.rank == b.rank)
@@ -180,11 +178,6 @@ fn leading_words(leading: &Leading, whole: f64) -> String {
 
 fn terminal(value: f64, digits: i32) -> String {
     number::terminal(value, number::decimals(value, digits))
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }
 
 /// The comparison for a terminal.
@@ -251,7 +244,7 @@ fn bars(comparison: &Comparison, criterion: Criterion) -> Panel {
     let bottom = HEAD + ROW * values.len() as f64;
     let mut svg = Svg::new(NAMES + BARS + VALUES, bottom + 26.0);
     let unit = if scale.unit.is_empty() { String::new() } else { format!(" [{}]", scale.unit) };
-    svg.text("strong", (4.0, 15.0), Anchor::Start, &format!("{}{unit}", capital(criterion.name())));
+    svg.text("strong", (4.0, 15.0), Anchor::Start, &format!("{}{unit}", number::capital(criterion.name())));
     let at = |value: f64| axis.place(value / scale.divisor, NAMES, NAMES + BARS);
     for &tick in &axis.ticks {
         let x = axis.place(tick, NAMES, NAMES + BARS);
@@ -275,7 +268,7 @@ fn bars(comparison: &Comparison, criterion: Criterion) -> Panel {
     }
     let reference = at(values[comparison.reference]);
     svg.line("limit", (reference, HEAD - 8.0), (reference, bottom));
-    Panel::new(svg, format!("{}{unit}: {}.", capital(criterion.name()), said.join("; ")))
+    Panel::new(svg, format!("{}{unit}: {}.", number::capital(criterion.name()), said.join("; ")))
 }
 
 /// A name in at most two lines beside the bars.
@@ -300,13 +293,14 @@ fn shortened(name: &str) -> Vec<String> {
 mod tests {
     use super::*;
     use lanchester_study::compare::{COMPARISON_VERSION, Similar};
+    use std::f64::consts::PI;
 
     fn engine(name: &str, force: f64, shafts: usize) -> Compared {
         Compared {
             engine: name.to_owned(),
             with: None,
             similar: Similar { length: 1.1, speed: 1.0 },
-            speed: 100.0 * TAU,
+            speed: 200.0 * PI,
             displacement: None,
             force,
             force_leading: (force > 0.0).then_some(Leading { order: 2.0, size: force, forward: 0.5 }),

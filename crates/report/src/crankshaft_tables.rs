@@ -88,7 +88,7 @@ pub fn crank_body_words(body: &CrankshaftBody) -> String {
     format!(
         "{} has a mass of {} kg, its centre at x {x}, y {y}, z {z} mm, and a polar inertia of {} kg mm². About its centre the tensor \
          is I_xx {}, I_yy {}, I_zz {}, I_xy {}, I_yz {}, I_zx {} kg mm². It is out of balance by {} kg mm, and by {} kg mm² as a couple about the origin.",
-        capital(&body.name),
+        number::capital(&body.name),
         number::fixed(body.mass.mass, 3),
         square(body.polar_inertia),
         square(inertia[0][0]),
@@ -100,12 +100,6 @@ pub fn crank_body_words(body: &CrankshaftBody) -> String {
         number::fixed(1e3 * unbalance, 3),
         number::fixed(1e6 * couple, 1),
     )
-}
-
-/// With a capital at its beginning.
-fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What an obstacle is called.

@@ -34,7 +34,7 @@ pub fn main_data(engine: &Engine, speed: f64) -> Vec<(&'static str, String)> {
     if let Some(order) = firing_order(engine) {
         data.push(("firing order", order));
     }
-    data.push(("speed", format!("{} rpm", number::short(speed * 60.0 / TAU, 4))));
+    data.push(("speed", format!("{} rpm", number::short(number::rpm(speed), 4))));
     data
 }
 

@@ -28,10 +28,6 @@ pub fn mount_figures(engine: &Engine, study: &MountStudy) -> Vec<Figure> {
     figures
 }
 
-fn rpm(speed: f64) -> f64 {
-    speed * 60.0 / TAU
-}
-
 /// Amplitudes at one mount of one order against speed.
 fn of_order(study: &MountStudy, mount: usize, order: f64) -> Vec<f64> {
     let at = |s: &lanchester_mechanism::SpeedResponse| {
@@ -56,7 +52,7 @@ fn largest(values: &[f64]) -> f64 {
 
 /// Speeds along the foot of a plot, with the grid above.
 fn speed_axis(svg: &mut Svg, study: &MountStudy, top: f64, bottom: f64) -> Axis {
-    let speeds = study.response.speeds.iter().map(|s| rpm(s.speed));
+    let speeds = study.response.speeds.iter().map(|s| number::rpm(s.speed));
     let (low, high) = speeds.fold((f64::INFINITY, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
     let axis = Axis::of(low, high, 6);
     let right = svg.width - RIGHT;
@@ -113,7 +109,7 @@ fn force_panel(study: &MountStudy, name: &str, series: &[(String, Vec<f64>)], hi
     let speeds = speed_axis(&mut svg, study, top, bottom);
     for (style, (_, values)) in series.iter().enumerate().rev() {
         let points = study.response.speeds.iter().zip(values).map(|(s, value)| {
-            let x = speeds.place(rpm(s.speed), LEFT, WIDTH - RIGHT);
+            let x = speeds.place(number::rpm(s.speed), LEFT, WIDTH - RIGHT);
             (x, axis.place(value / scale.divisor, bottom, top))
         });
         svg.path(&format!("s{style}"), &Path::through(points));
@@ -168,15 +164,12 @@ fn waterfall_panel(study: &MountStudy, name: &str, rows: &[(f64, &[f64])], high:
         let level = bottom - foot * index as f64;
         svg.line("grid", (LEFT, level), (right, level));
         svg.text("small", (LEFT - 6.0, level + 4.0), Anchor::End, &number::order(*order));
-        let points = study
-            .response
-            .speeds
-            .iter()
-            .zip(*values)
-            .map(|(s, value)| (speeds.place(rpm(s.speed), LEFT, right), level - summit * value / high));
+        let points = study.response.speeds.iter().zip(*values).map(|(s, value)| {
+            (speeds.place(number::rpm(s.speed), LEFT, right), level - summit * value / high)
+        });
         svg.path(&format!("s{}", 1 + index % 5), &Path::through(points));
         for mode in &study.modes.modes {
-            let meets = rpm(mode.angular_frequency / order);
+            let meets = number::rpm(mode.angular_frequency / order);
             if meets >= first && meets <= last {
                 svg.circle("dot", (speeds.place(meets, LEFT, right), level), 2.2);
             }

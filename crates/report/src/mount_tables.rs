@@ -185,7 +185,7 @@ fn order_columns(
 }
 
 fn rpm(at: &SpeedResponse) -> String {
-    number::fixed(at.speed * 60.0 / TAU, 0)
+    number::fixed(number::rpm(at.speed), 0)
 }
 
 /// Which orders vanish, in a sentence.
@@ -205,7 +205,7 @@ pub fn mount_speeds_table(study: &MountStudy) -> Table {
     let rows = all.len().min(ROWS);
     let chosen: Vec<&SpeedResponse> =
         (0..rows).map(|k| &all[k * last / rows.saturating_sub(1).max(1)]).collect();
-    let mut columns = vec![numbers("speed", "rpm", chosen.iter().map(|s| s.speed * 60.0 / TAU), 4)];
+    let mut columns = vec![numbers("speed", "rpm", chosen.iter().map(|s| number::rpm(s.speed)), 4)];
     for (mount, name) in study.response.mounts.iter().enumerate() {
         columns.push(numbers(name, "N", chosen.iter().map(|s| s.peaks[mount].value), 5));
     }

@@ -61,7 +61,7 @@ pub fn mount_forces_csv(study: &MountStudy) -> String {
         for order in &at.orders {
             let forces = order.forces.iter().zip(&order.stiff_forces);
             for (name, (force, stiff)) in study.response.mounts.iter().zip(forces) {
-                let mut line = vec![csv_number(at.speed * 60.0 / TAU), csv_number(order.order)];
+                let mut line = vec![csv_number(number::rpm(at.speed)), csv_number(order.order)];
                 line.push(csv_number(order.order * at.speed / TAU));
                 line.push(name.clone());
                 line.push(csv_number(vector_amplitude(force)));
@@ -90,7 +90,7 @@ pub fn mount_motion_csv(study: &MountStudy) -> String {
     push_csv_line(&mut out, head);
     for (place, at) in study.response.speeds.iter().enumerate() {
         for (index, order) in at.orders.iter().enumerate() {
-            let start = [csv_number(at.speed * 60.0 / TAU), csv_number(order.order)];
+            let start = [csv_number(number::rpm(at.speed)), csv_number(order.order)];
             let points = study.points.iter().enumerate();
             let points =
                 points.map(|(k, p)| (format!("point {}", k + 1), p.displacement[place][index].to_vec()));

@@ -1,5 +1,7 @@
 //! Numbers as people read them: few digits, grouped thousands, a true minus, never "NaN" and never "-0".
 
+use std::f64::consts::TAU;
+
 /// What stands where a number is missing or not finite.
 pub const MISSING: &str = "\u{2013}";
 
@@ -47,6 +49,17 @@ pub fn trimmed(value: f64, significant: i32) -> String {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,
     }
+}
+
+/// Revolutions a minute from rad/s.
+pub fn rpm(speed: f64) -> f64 {
+    speed * 60.0 / TAU
+}
+
+/// With a capital at its beginning.
+pub fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// Degrees from radians, folded to (-180, 180].

@@ -20,7 +20,6 @@ use crate::table::{Table, push_rich};
 use askama::Template;
 use lanchester_mechanism::{InternalMoments, Loads, MountStudy};
 use lanchester_model::{Engine, Rotation};
-use std::f64::consts::TAU;
 
 /// What made a report: printed at its foot.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -158,7 +157,7 @@ pub fn report(input: &ReportInput<'_>) -> String {
         loads,
         provenance,
         warnings,
-        speed: number::short(loads.speed * 60.0 / TAU, 4),
+        speed: number::short(number::rpm(loads.speed), 4),
         main_data: engine_tables::main_data(engine, loads.speed),
         summary: unbroken(&loads.diagnosis.summary),
         findings: findings_table(loads).html(),

@@ -8,13 +8,12 @@ use crate::published_tables::{
 use crate::terminal::push_wrapped;
 use lanchester_balance::published::{MethodAnswer, MethodFound};
 use lanchester_model::{Engine, criterion_name, criterion_unit};
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// What the method found, what it leaves, and how much better the same devices could do, as aligned plain text.
 pub fn method_text(engine: &Engine, answer: &MethodAnswer) -> String {
     let mut out = String::with_capacity(4096);
-    let rpm = number::terminal(answer.optimum.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(answer.optimum.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
     push_wrapped(&mut out, "", &format!("Method: {}.", source(&answer.found)));
     out.push('\n');

@@ -1,10 +1,10 @@
 //! How the loads grow over the speed range of the engine.
 
 use crate::magnitude::Magnitude;
+use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
 use lanchester_mechanism::Loads;
 use lanchester_model::Engine;
-use std::f64::consts::TAU;
 
 /// Speeds of the table, both ends of the range included.
 const STEPS: u32 = 5;
@@ -25,7 +25,7 @@ pub fn speed_table(engine: &Engine, loads: &Loads) -> Option<Table> {
         let peak = if peak <= noise { 0.0 } else { peak };
         column_cells(speeds.iter().map(|speed| peak * (speed / loads.speed).powi(2)), 4, 0.0)
     };
-    let rpm = speeds.iter().map(|speed| Cell::Number { value: speed * 60.0 / TAU, decimals: 0 }).collect();
+    let rpm = speeds.iter().map(|speed| Cell::Number { value: number::rpm(*speed), decimals: 0 }).collect();
     Some(Table::of_columns(
         "speeds",
         "Over the speed range",

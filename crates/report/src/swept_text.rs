@@ -5,13 +5,12 @@ use crate::number;
 use crate::table::{Cell, Column, Table};
 use crate::terminal::push_wrapped;
 use lanchester_balance::{CrankSweep, Swept, SweptCrank};
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
 /// What the sweep found, what its crank really does, and what the true optimum does, as aligned plain text.
 pub fn swept_text(swept: &Swept) -> String {
     let mut out = String::with_capacity(2048);
-    let rpm = number::terminal(swept.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(swept.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", swept.engine);
     let _ = writeln!(
         out,

@@ -4,7 +4,6 @@ use crate::findings_table::findings_table;
 use crate::load_tables;
 use crate::number;
 use lanchester_mechanism::Loads;
-use std::f64::consts::TAU;
 use std::fmt::Write;
 
 const WIDTH: usize = 96;
@@ -12,7 +11,7 @@ const WIDTH: usize = 96;
 /// Diagnosis and tables as aligned plain text, without colour.
 pub fn loads_text(loads: &Loads) -> String {
     let mut out = String::with_capacity(8192);
-    let rpm = number::terminal(loads.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(loads.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm", loads.engine);
     let [x, y, z] = loads.reference.map(|v| number::terminal(1e3 * v, 1));
     let _ = writeln!(out, "Motion: {}. Couples about x = {x}, y = {y}, z = {z} mm.\n", loads.kinematics);

@@ -211,7 +211,7 @@ pub fn ripple_figure(ripples: &[SpeedRipple]) -> Figure {
         .iter()
         .map(|ripple| {
             let rpm: Vec<f64> = ripple.speed.iter().map(|w| 100.0 * (w / ripple.mean_speed - 1.0)).collect();
-            let speed = number::terminal(ripple.mean_speed * 60.0 / TAU, 0);
+            let speed = number::terminal(number::rpm(ripple.mean_speed), 0);
             AnglePlot {
                 quantity: &format!("Speed over its mean of {speed} rpm, less 1"),
                 unit: "%",
@@ -227,15 +227,14 @@ pub fn ripple_figure(ripples: &[SpeedRipple]) -> Figure {
 
 /// Power over speed with the cubic through the origin.
 pub fn power_figure(curve: &PowerCurve) -> Figure {
-    let rpm = |speed: f64| speed * 60.0 / TAU;
     let highest = curve.points.iter().map(|p| p.0).fold(0.0, f64::max);
-    let cubic = (0..=120).map(|k| highest * f64::from(k) / 120.0).map(|w| (rpm(w), curve.power(w)));
+    let cubic = (0..=120).map(|k| highest * f64::from(k) / 120.0).map(|w| (number::rpm(w), curve.power(w)));
     let curves = vec![
         XyCurve { name: "cubic".to_owned(), style: 0, points: cubic.collect(), dots: false },
         XyCurve {
             name: "points".to_owned(),
             style: 1,
-            points: curve.points.iter().map(|p| (rpm(p.0), p.1)).collect(),
+            points: curve.points.iter().map(|p| (number::rpm(p.0), p.1)).collect(),
             dots: true,
         },
     ];

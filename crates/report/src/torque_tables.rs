@@ -3,12 +3,7 @@
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, csv_number, numbers, push_csv_line, words};
 use lanchester_mechanism::{Brake, FiringChart, FlywheelNeed, PowerCurve, SpeedRipple, Torque};
-use std::f64::consts::TAU;
 use std::fmt::Write;
-
-fn rpm(speed: f64) -> f64 {
-    speed * 60.0 / TAU
-}
 
 /// A table of named values with their units.
 fn named(id: &'static str, title: &str, note: &str, rows: Vec<(&str, f64, &str, i32)>) -> Table {
@@ -43,7 +38,7 @@ pub fn torque_table(torque: &Torque, brake: Option<&Brake>) -> Table {
             ("mechanical efficiency", 100.0 * brake.efficiency, "%", 4),
         ]);
     }
-    let note = format!("At {} rpm, {}.", number::terminal(rpm(torque.speed), 0), torque.lever.name());
+    let note = format!("At {} rpm, {}.", number::terminal(number::rpm(torque.speed), 0), torque.lever.name());
     named("torque", "Torque and power", &note, rows)
 }
 
@@ -194,9 +189,9 @@ pub fn ripple_table(ripples: &[SpeedRipple]) -> Table {
         "Periodic speed with the inertia of the train over the angle, under a load that takes the mean torque. C_s: highest minus lowest over mean speed; \
          by formula: largest excess energy over inertia times speed squared.",
         vec![
-            column("speed", "rpm", |r| rpm(r.mean_speed), 5),
-            column("highest", "rpm", |r| rpm(r.extremes.max.value), 6),
-            column("lowest", "rpm", |r| rpm(r.extremes.min.value), 6),
+            column("speed", "rpm", |r| number::rpm(r.mean_speed), 5),
+            column("highest", "rpm", |r| number::rpm(r.extremes.max.value), 6),
+            column("lowest", "rpm", |r| number::rpm(r.extremes.min.value), 6),
             column("C_s", "%", |r| 100.0 * r.fluctuation, 4),
             column("by formula", "%", |r| 100.0 * r.simple_fluctuation, 4),
             column("excess", "J", |r| r.excess, 5),
@@ -218,7 +213,7 @@ pub fn flywheel_table(need: &FlywheelNeed) -> Table {
     if let Some(flywheel) = need.flywheel {
         rows.push(("flywheel by the true ripple", 1e3 * flywheel, "g m^2", 5));
     }
-    let note = format!("At {} rpm.", number::terminal(rpm(need.speed), 0));
+    let note = format!("At {} rpm.", number::terminal(number::rpm(need.speed), 0));
     let mut table = named("flywheel", "Flywheel", &note, rows);
     if need.flywheel.is_none() {
         table.remark = "No flywheel keeps it.".to_owned();
@@ -233,7 +228,7 @@ pub fn power_table(curve: &PowerCurve) -> Table {
         "Power over speed",
         "Points and the cubic through the origin that fits them with the least squares, as in the twin thesis.",
         vec![
-            numbers("speed", "rpm", curve.points.iter().map(|p| rpm(p.0)), 5),
+            numbers("speed", "rpm", curve.points.iter().map(|p| number::rpm(p.0)), 5),
             numbers("power", "kW", curve.points.iter().map(|p| p.1 / 1e3), 4),
             numbers("cubic", "kW", curve.points.iter().map(|p| curve.power(p.0) / 1e3), 4),
             numbers("torque", "N m", curve.points.iter().map(|p| p.1 / p.0), 4),
@@ -243,14 +238,14 @@ pub fn power_table(curve: &PowerCurve) -> Table {
     table.remark = format!(
         "Largest by the cubic: {} kW at {} rpm.",
         number::short(curve.peak.1 / 1e3, 4),
-        number::terminal(rpm(curve.peak.0), 0)
+        number::terminal(number::rpm(curve.peak.0), 0)
     );
     table
 }
 
 /// All of it as plain text.
 pub fn torque_text(torque: &Torque, brake: Option<&Brake>) -> String {
-    let mut out = format!("{} at {} rpm\n", torque.engine, number::terminal(rpm(torque.speed), 0));
+    let mut out = format!("{} at {} rpm\n", torque.engine, number::terminal(number::rpm(torque.speed), 0));
     let _ =
         writeln!(out, "Gas and inertia with the {}; net indicated, without friction.", torque.lever.name());
     for table in [

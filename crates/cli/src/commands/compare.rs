@@ -43,14 +43,15 @@ pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
 
 fn request(arguments: &CompareArguments) -> Result<CompareRequest, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
-    let fluctuation = option::share(&arguments.fluctuation, "--fluctuation")?;
+    let fluctuation =
+        arguments.fluctuation.as_deref().map(|text| option::share(text, "--fluctuation")).transpose()?;
     let Some(reference) = arguments.reference.checked_sub(1) else {
         return Err(Failure::input("--reference counts the engines from 1, got 0", "the first one is 1"));
     };
     let equal = match arguments.equal {
-        EqualOption::Nothing => Equal::AsTheyAre,
-        EqualOption::Displacement => Equal::Displacement,
-        EqualOption::Power => Equal::Power,
+        None => Equal::AsTheyAre,
+        Some(EqualOption::Displacement) => Equal::Displacement,
+        Some(EqualOption::Power) => Equal::Power,
     };
     let held = match arguments.hold {
         HeldOption::Speed => Held::Speed,

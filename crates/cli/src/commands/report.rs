@@ -116,7 +116,7 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum
 
 /// The block on its mounts, where the file gives it; what it leaves out is one more warning.
 fn on_mounts(engine: &Engine, file: &Path, warnings: &mut Vec<String>) -> Option<MountStudy> {
-    if engine.block.is_none() || engine.mounts.iter().any(|mount| mount.spring.is_none()) {
+    if !engine.is_on_springs() {
         return None;
     }
     let study = trace_files(engine, file).map_err(|failure| failure.message).and_then(|traces| {

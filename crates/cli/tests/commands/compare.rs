@@ -108,6 +108,9 @@ fn mistakes_of_a_comparison_are_told() {
     refused(&["compare", &twin, &twin, "--reference", "3"], "the reference is number 3 of 2 engines");
     refused(&["compare", &twin, &twin, "--reference", "0"], "counts the engines from 1");
     refused(&["compare", &twin, "--arrangements", "1,10"], "numbers from 1 to 9, got `10`");
+    refused(&["compare", &twin, &twin, "--hold", "speed"], "--equal");
+    let four = example("in-line-4");
+    refused(&["compare", &four, &four, "--fluctuation", "3 %"], "needs an engine with gas");
     let text = std::fs::read_to_string(&twin).expect("it is shipped");
     let bore = text.lines().filter(|line| !line.starts_with("bore")).collect::<Vec<_>>().join("\n");
     std::fs::write(folder.join("bare.toml"), bore).expect("the folder is ours");

@@ -40,7 +40,7 @@ fn panel(found: &Arrangements, spacing: &SpacingArrangements) -> Panel {
     let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
     let head = format!(
         "{} [{}]{}",
-        capital(found.criterion.name()),
+        number::capital(found.criterion.name()),
         scale.unit,
         at_spacing(spacing, found.spacings.len() == 1)
     );
@@ -184,10 +184,4 @@ fn labels(
 /// Its label with true minus signs; a star for the lightest within the limit.
 fn short(arrangement: &Arrangement) -> String {
     arrangement.label.replace('-', "\u{2212}").replace(", lightest", "*")
-}
-
-/// With a capital first letter.
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -4,7 +4,6 @@ use super::mass::{grams, percent};
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
 use lanchester_balance::workshop::BobweightAnswer;
-use std::f64::consts::TAU;
 
 /// Weighed parts, bobweights, shares and the comparison with the optimum.
 pub fn bobweight_tables(answer: &BobweightAnswer) -> Vec<Table> {
@@ -152,7 +151,7 @@ fn comparison(answer: &BobweightAnswer) -> Option<Table> {
             column_cells(ways.iter().map(|w| w.couple), 5, 1e-9 * couple),
         ),
     ];
-    let rpm = number::terminal(comparison.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(comparison.speed), 0);
     let title = format!("The engine with these parts at {rpm} rpm");
     Some(Table::of_columns("bobweight-comparison", title, "All orders, exact motion.", columns))
 }

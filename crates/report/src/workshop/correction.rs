@@ -157,7 +157,7 @@ fn shown(vibration: Option<ShownVibration>) -> [Cell; 2] {
 }
 
 fn rpm(speed: f64) -> Cell {
-    Cell::Number { value: speed * 60.0 / TAU, decimals: 0 }
+    Cell::Number { value: number::rpm(speed), decimals: 0 }
 }
 
 fn sensors_table(runs: &RunFindings) -> Table {

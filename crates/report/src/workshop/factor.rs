@@ -4,7 +4,6 @@ use super::mass::{grams, percent};
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
 use lanchester_balance::workshop::{FactorAnswer, FactorEffect, FactorGiven, ThrowFactor};
-use std::f64::consts::TAU;
 
 /// Definitions, ellipses, and what one factor for all throws does.
 pub fn factor_tables(answer: &FactorAnswer) -> Vec<Table> {
@@ -15,7 +14,7 @@ pub fn factor_tables(answer: &FactorAnswer) -> Vec<Table> {
 
 /// Balance factors for a terminal.
 pub fn factor_text(answer: &FactorAnswer) -> String {
-    let rpm = number::terminal(answer.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(answer.speed), 0);
     let mut out =
         format!("{}: balance factors {}, forces at {rpm} rpm\n", answer.engine, given(answer.given));
     for table in factor_tables(answer) {

@@ -5,7 +5,6 @@ use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::workshop::Grade;
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 /// Shares of the bearings and of the correction planes; empty ones are left out.
 pub fn grade_tables(grade: &Grade) -> Vec<Table> {
@@ -62,7 +61,7 @@ pub fn grade_tables(grade: &Grade) -> Vec<Table> {
 
 /// The grade for a terminal.
 pub fn grade_text(grade: &Grade) -> String {
-    let rpm = grade.speed * 60.0 / TAU;
+    let rpm = number::rpm(grade.speed);
     let mut out = format!(
         "{}: G {} at {} rpm, {} kg\n\npermissible residual unbalance  {} g mm\npermissible eccentricity        {} um\n",
         grade.name,

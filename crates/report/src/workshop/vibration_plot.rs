@@ -125,7 +125,7 @@ fn sensor_panel(runs: &RunFindings, sensor: &SensorPrediction) -> Panel {
 
     let mut svg = Svg::new(WIDTH, HEIGHT);
     svg.name("strong", (WIDTH / 2.0, 16.0), Anchor::Middle, &sensor.sensor);
-    let rpm = number::fixed(sensor.speed * 60.0 / TAU, 0);
+    let rpm = number::fixed(number::rpm(sensor.speed), 0);
     svg.text("muted small", (WIDTH / 2.0, 33.0), Anchor::Middle, &format!("{rpm} rpm, {unit}"));
     dial.degrees(&mut svg);
     for tick in axis.ticks.iter().filter(|tick| **tick > 0.0) {
