@@ -2,6 +2,7 @@
 
 use crate::compare_arguments::CompareArguments;
 use crate::counterweight_arguments::CounterweightArguments;
+use crate::explore_arguments::ExploreArguments;
 use crate::format::Format;
 use crate::mounts_arguments::MountsArguments;
 use crate::published_arguments::PublishedArguments;
@@ -121,6 +122,19 @@ pub enum Command {
                             lanchester compare twin.toml boxer.toml --format csv > comparison.csv"
     )]
     Compare(CompareArguments),
+    /// All layouts that the parts of an engine can make, and those that nothing beats: throw angles, firing order, banks, pins, weights.
+    #[command(
+        after_help = "Examples:\n  lanchester explore four.toml\n  lanchester explore four.toml --even-firing --figures figures\n  \
+                            lanchester explore v6.toml --bank-angle '60 deg .. 120 deg by 15 deg' --split-angle '-60 deg .. 60 deg by 15 deg' \
+                            --even-firing\n  \
+                            lanchester explore three.toml --shafts none --shafts '-1 @ 0 mm, 100 mm @ couple -80 mm, 80 mm' --minimise shafts \
+                            --minimise 'couple order 1'\n  \
+                            lanchester explore four.toml --cylinders 6 --limit 'length = 650 mm' --minimise 'bending moment' --minimise 'force order 2'\n  \
+                            lanchester explore v6.toml --even-firing --adopt 1 --output best.toml\n  \
+                            lanchester explore v6.toml --format csv > front.csv\n\n\
+                            Exit status 1: nothing was judged, and the answer says why."
+    )]
+    Explore(Box<ExploreArguments>),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \

@@ -8,6 +8,8 @@ mod balance_request;
 mod commands;
 mod compare_arguments;
 mod counterweight_arguments;
+mod explore_arguments;
+mod explore_request;
 mod failure;
 mod files;
 mod format;
@@ -21,6 +23,7 @@ mod shaft_option;
 mod shape_request;
 mod torque_arguments;
 mod trace_files;
+mod value_list;
 mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
         Command::Compare(arguments) => commands::compare::run(&arguments, colour),
+        Command::Explore(arguments) => commands::explore::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

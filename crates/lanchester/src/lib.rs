@@ -22,8 +22,11 @@ mod comparison;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
+mod layout_search;
+mod layout_space;
 mod measured_gas;
 mod mounted;
+mod own_layout;
 mod pressure;
 mod shaft_weights;
 mod torque_report;
@@ -52,6 +55,8 @@ pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
 pub use lanchester_study as study;
+pub use layout_search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
+pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
 pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,

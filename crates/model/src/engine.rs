@@ -18,7 +18,7 @@ use crate::ratio::Ratio;
 use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
 use crate::shape_task::ShapeTask;
 use crate::task::BalanceTask;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A piston engine in its general form.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -78,7 +78,7 @@ pub struct Engine {
 }
 
 /// Strokes in a working cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Strokes {
     /// One revolution a cycle.

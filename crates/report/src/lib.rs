@@ -37,6 +37,8 @@ mod hodograph;
 mod internal_figure;
 mod internal_noise;
 mod internal_tables;
+mod layout_front;
+mod layout_front_plot;
 mod load_tables;
 mod magnitude;
 mod mechanism_sketch;
@@ -115,6 +117,8 @@ pub use front_view::front_view;
 pub use hodograph::{couple_hodograph, force_hodograph};
 pub use internal_figure::internal_figures;
 pub use internal_tables::{internal_csv, internal_table, internal_text, mains_table};
+pub use layout_front::{layout_front_table, layout_ranking_table, layout_search_text, layout_search_words};
+pub use layout_front_plot::layout_front_figure;
 pub use load_tables::{
     articulation_table, couple_orders_table, cylinders_table, force_orders_table, motion_table, parts_table,
     peaks_table, rod_inertia_table, roll_orders_table,

@@ -37,6 +37,11 @@ pub fn terminal(value: f64, decimals: usize) -> String {
     grouped(&plain(value, decimals), ' ')
 }
 
+/// A whole number for a terminal, in groups from five digits on.
+pub fn whole(value: u128) -> String {
+    grouped(&value.to_string(), ' ')
+}
+
 /// `value` with about `significant` digits, for running text and labels.
 pub fn short(value: f64, significant: i32) -> String {
     fixed(value, decimals(value.abs(), significant))

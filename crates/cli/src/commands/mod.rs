@@ -5,6 +5,7 @@ pub mod bearings;
 pub mod check;
 pub mod compare;
 pub mod counterweight;
+pub mod explore;
 mod found;
 pub mod loads;
 pub mod mounts;

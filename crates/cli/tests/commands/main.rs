@@ -8,6 +8,7 @@ mod compare;
 mod counterweight;
 mod crank_workshop;
 mod engine;
+mod explore;
 mod methods;
 mod mounts;
 mod program;

@@ -1,10 +1,10 @@
 //! What a layout must hold to be judged at all.
 
 use crate::explore::objective::{Level, Objective};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What a layout must hold to be judged.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Constraint {
     /// Every firing interval is even within `tolerance` [rad].

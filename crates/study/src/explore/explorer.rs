@@ -27,7 +27,7 @@ const STRETCH: u128 = 1 << 15;
 const STRETCHES: u128 = 64;
 
 /// What to search and how to judge it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ExploreRequest {
     /// Which layouts.
     pub space: Space,
@@ -253,7 +253,7 @@ impl Explorer {
                 .into_par_iter()
                 .map(|k| {
                     let start = from + u128::from(k) * STRETCH;
-                    Walk::new(self).run(start, to.min(start + STRETCH))
+                    Walk::new(self, &mut |_, _| ()).run(start, to.min(start + STRETCH))
                 })
                 .collect();
             for found in found {
@@ -267,6 +267,28 @@ impl Explorer {
         (grown.front, grown.ranking) = (front.sorted(), ranking.into_candidates());
         *exploration = grown;
         Ok(())
+    }
+
+    /// Looks at a stretch of cases on the calling thread alone; `judged` gets every case that is judged, with its
+    /// objectives, in rising order. Stretches merge ([`Explorer::merge`]) to what [`Explorer::run`] finds.
+    ///
+    /// # Errors
+    /// [`ExploreError`] where the stretch lies outside the space, or the front grows too large.
+    pub fn look(&self, run: Run, judged: &mut dyn FnMut(u128, &[f64])) -> Result<Exploration, ExploreError> {
+        if run.to > self.size {
+            return Err(ExploreError::NoSuchCase { last: self.size - 1, got: run.to - 1 });
+        }
+        let mut exploration = self.start();
+        exploration.mark(run)?;
+        let found = Walk::new(self, judged).run(run.from, run.to)?;
+        exploration.counts = found.counts;
+        (exploration.front, exploration.ranking) = (found.front, found.ranking);
+        Ok(exploration)
+    }
+
+    /// Objectives in whole steps of their resolution: what is compared.
+    pub fn steps(&self, values: &[f64]) -> Vec<i64> {
+        values.iter().zip(&self.resolutions).map(|(value, step)| (value / step).round() as i64).collect()
     }
 
     /// The whole search at once.

@@ -6,7 +6,7 @@ use crate::explore::shaft_set::ShaftSet;
 use crate::explore::space::CounterweightPattern;
 use lanchester_model::{
     BalanceShaft, Counterweight, Crankshaft, Cylinder, Engine, Ratio, Rod, RodJoint, RodMassRule, Rotation,
-    SpeedRange, Throw,
+    SpeedRange, Strokes, Throw,
 };
 use num_complex::Complex64;
 use serde::Serialize;
@@ -101,6 +101,16 @@ impl Layout {
             steps(a).total_cmp(&steps(b)).then(a.cmp(&b))
         });
         Some(order.into_iter().map(|cylinder| cylinder + 1).collect())
+    }
+
+    /// Largest difference of a firing interval from the even one [rad]; `None` where firing is left out.
+    pub fn unevenness(&self, strokes: Strokes) -> Option<f64> {
+        let cycle = TAU * f64::from(strokes.revolutions());
+        let mut angles = self.firing_angles.clone()?;
+        angles.sort_by(f64::total_cmp);
+        let even = cycle / angles.len() as f64;
+        let next = angles.iter().skip(1).copied().chain([angles[0] + cycle]);
+        Some(angles.iter().zip(next).map(|(angle, next)| (next - angle - even).abs()).fold(0.0, f64::max))
     }
 
     /// Planes of the main bearings [m]: midway between neighbouring groups, and as far beyond the outermost ones.

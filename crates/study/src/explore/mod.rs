@@ -4,6 +4,7 @@
 //! be cut anywhere and memory does not grow with the number of cases. Equal layouts seen from another side are one
 //! (symmetry). [`Explorer`] judges cases; [`Exploration`] is what is known so far.
 
+mod answer;
 mod candidate;
 mod constraint;
 mod counts;
@@ -20,14 +21,15 @@ mod space;
 mod symmetry;
 mod walk;
 
+pub use answer::{ExploreAnswer, FoundLayout, GivenEngine, JudgedBy};
 pub use candidate::Candidate;
 pub use constraint::Constraint;
 pub use counts::{Broken, Counts, Invalid, InvalidCount};
 pub use error::ExploreError;
 pub use explorer::{EXPLORATION_VERSION, Exploration, ExploreRequest, Explorer, Run};
 pub use kernel::LayoutOrders;
-pub use layout::Layout;
+pub use layout::{BankPair, Layout};
 pub use objective::{Objective, Sense};
 pub use parts::Parts;
 pub use shaft_set::{Removes, ShaftDesign, ShaftSet};
-pub use space::{Banks, Choice, CounterweightPattern, Space, even_angles};
+pub use space::{Banks, Choice, ChoiceCount, CounterweightPattern, Space, even_angles};

@@ -2,13 +2,13 @@
 
 use crate::explore::error::ExploreError;
 use lanchester_model::Strokes;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The parts of which every layout of a space is made, and the speed at which it is judged.
 ///
 /// Cylinders are equal and centred. A *group* is what stands at one place along the crank: one cylinder of an in-line
 /// engine, a pair of two banks.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Parts {
     /// Strokes in a working cycle.
     pub strokes: Strokes,

@@ -7,7 +7,7 @@ use crate::explore::error::ExploreError;
 use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
 use lanchester_model::Strokes;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
 
 /// Most cylinders of a layout.
@@ -20,7 +20,7 @@ const MOST_ANGLES: usize = 4096;
 pub(crate) const SAME_ANGLE: f64 = 1e-9;
 
 /// All layouts that are looked at: every combination of one value of each choice.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Space {
     /// What all of them are made of.
     pub parts: Parts,
@@ -45,7 +45,7 @@ pub struct Space {
 }
 
 /// Banks of cylinders.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Banks {
     /// One bank.
@@ -66,7 +66,7 @@ pub enum Banks {
 /// The weight of a web stands opposite the throws of its group and has half of `rotating` times the rotating unbalance
 /// (crank and big ends) and `reciprocating` times the reciprocating mass times crank radius of the group: 1 and 0 on all
 /// webs balance each throw in itself, 0.5 and 0 half of it, 1 and 0.5 are a balance factor of 50 %.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CounterweightPattern {
     /// What the user calls it.
     pub name: String,
@@ -130,6 +130,15 @@ impl Choice {
             Choice::Firing => "the choice of firing orders",
         }
     }
+}
+
+/// A choice and how many values it has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ChoiceCount {
+    /// The choice.
+    pub choice: Choice,
+    /// Its values: of throw angles all cranks, of firing all ways of firing.
+    pub values: u128,
 }
 
 /// `count` equal parts of a turn [rad], from 0.
@@ -211,6 +220,15 @@ impl Space {
             }
             Choice::Firing => list(1),
         }
+    }
+
+    /// How many values each choice has, those with one left out: their product is the size.
+    pub fn choices(&self) -> Vec<ChoiceCount> {
+        let counts = Choice::ALL.into_iter().zip(self.radices());
+        counts
+            .filter(|(_, values)| *values > 1)
+            .map(|(choice, values)| ChoiceCount { choice, values })
+            .collect()
     }
 
     /// Number of values of each choice, in the order of [`Choice::ALL`], where they are small enough to count.

@@ -37,6 +37,8 @@ pub(crate) struct Walk<'a> {
     firing: Firing,
     values: Vec<f64>,
     steps: Vec<i64>,
+    /// Gets every case that is judged, with its objectives.
+    judged: &'a mut dyn FnMut(u128, &[f64]),
 }
 
 /// Cases that share all sizes.
@@ -50,7 +52,7 @@ struct Sizes {
 }
 
 impl<'a> Walk<'a> {
-    pub fn new(explorer: &'a Explorer) -> Walk<'a> {
+    pub fn new(explorer: &'a Explorer, judged: &'a mut dyn FnMut(u128, &[f64])) -> Walk<'a> {
         let space = &explorer.request.space;
         Walk {
             explorer,
@@ -62,6 +64,7 @@ impl<'a> Walk<'a> {
             firing: Firing::new(space.parts.strokes.revolutions(), space.groups()),
             values: vec![0.0; explorer.request.objectives.len()],
             steps: vec![0; explorer.request.objectives.len()],
+            judged,
         }
     }
 
@@ -275,6 +278,7 @@ impl<'a> Walk<'a> {
     /// Takes the case into front and ranking.
     fn judge(&mut self, case: u128) -> Result<(), ExploreError> {
         self.counts.judged += 1;
+        (self.judged)(case, &self.values);
         for (place, value) in self.values.iter().enumerate() {
             self.steps[place] = (value / self.explorer.resolutions[place]).round() as i64;
         }
