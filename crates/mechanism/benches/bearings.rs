@@ -37,6 +37,9 @@ fn bench(criterion: &mut Criterion) {
             plan.loads_into(black_box(&mut trace));
         });
     });
+    group.bench_function("all results with their peaks", |b| {
+        b.iter(|| bearing_loads(black_box(&engine), Some(&gas), &request));
+    });
     group.bench_function("torque, work, orders and energy", |b| {
         b.iter(|| torque(black_box(&engine), &gas, &TorqueRequest::default()));
     });

@@ -40,6 +40,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         internal: &internal,
         optimum: None,
         crankshaft: None,
+        torque: None,
+        bearings: None,
         mounts: None,
         provenance: &provenance,
         warnings: &warnings,

@@ -1,10 +1,9 @@
 //! Loads of pistons, pins and bearings in numbers and as polar diagrams.
 
-use crate::figure::{Figure, Panel};
+use crate::figure::Figure;
 use crate::number;
+use crate::polar::polar_panel;
 use crate::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
-use crate::torque_figures::closed;
-use crate::xy_plot::{XyCurve, XyPlot};
 use lanchester_mechanism::{BearingLoads, BearingSize, PinLoad};
 use num_complex::Complex64;
 
@@ -146,23 +145,8 @@ pub fn bearings_csv(loads: &BearingLoads) -> String {
 /// `parts`: the loads of all, of gas and of inertia, as far as they are to be drawn.
 pub fn bearing_figures(parts: &[BearingLoads]) -> Vec<Figure> {
     let Some(first) = parts.first() else { return Vec::new() };
-    let styles = [0, 1, 2];
-    let panel = |axes: [&str; 2], of: &dyn Fn(&BearingLoads) -> Vec<Complex64>| -> Panel {
-        let curves = parts.iter().zip(styles).map(|(loads, style)| XyCurve {
-            name: loads.part.name().to_owned(),
-            style,
-            points: closed(of(loads).iter().map(|f| (f.im, f.re))),
-            dots: false,
-        });
-        XyPlot {
-            abscissa: axes[1],
-            ordinate: axes[0],
-            units: ["N", "N"],
-            polar: true,
-            curves: curves.collect(),
-        }
-        .panel()
-    };
+    let panel =
+        |axes: [&str; 2], of: &dyn Fn(&BearingLoads) -> Vec<Complex64>| polar_panel(parts, axes, 0.0, of);
     let mut figures = Vec::new();
     for (k, cylinder) in first.cylinders.iter().enumerate() {
         let number = cylinder.cylinder;

@@ -1,5 +1,6 @@
 //! The report: one HTML page that needs nothing but itself.
 
+use crate::bearings_section::{BearingsInput, BearingsSection};
 use crate::crankshaft_section::{CrankshaftInput, CrankshaftSection};
 use crate::engine_tables;
 use crate::figure::{Figure, STYLE};
@@ -17,6 +18,7 @@ use crate::over_angle;
 use crate::speed_table::speed_table;
 use crate::svg::escape;
 use crate::table::{Table, push_rich};
+use crate::torque_section::{TorqueInput, TorqueSection};
 use askama::Template;
 use lanchester_mechanism::{InternalMoments, Loads, MountStudy};
 use lanchester_model::{Engine, Rotation};
@@ -47,6 +49,10 @@ pub struct ReportInput<'a> {
     pub optimum: Option<OptimumInput<'a>>,
     /// The crankshaft as a real part; `None` where the file says nothing of it.
     pub crankshaft: Option<CrankshaftInput<'a>>,
+    /// Torque with its gas; `None` where the file does not give it.
+    pub torque: Option<TorqueInput<'a>>,
+    /// Loads of the bearings; `None` where the file has neither gas nor sizes of bearings.
+    pub bearings: Option<BearingsInput<'a>>,
     /// The block on its mounts; `None` where the file does not give it.
     pub mounts: Option<&'a MountStudy>,
     /// What made the report.
@@ -80,7 +86,9 @@ struct Page<'a> {
     stars: String,
     stories: String,
     optimum: Option<OptimumHtml>,
-    crankshaft: Option<CrankshaftHtml>,
+    crankshaft: Option<SectionHtml>,
+    torque: Option<SectionHtml>,
+    bearings: Option<SectionHtml>,
     mounts: Option<MountsHtml>,
     bending_curves: String,
     bending_tables: String,
@@ -99,11 +107,21 @@ struct OptimumHtml {
     left: String,
 }
 
-/// The section on the crankshaft as a part.
-struct CrankshaftHtml {
+/// A section of words, figures and tables.
+struct SectionHtml {
     paragraphs: Vec<String>,
     tables: String,
     figures: String,
+}
+
+impl SectionHtml {
+    fn of(paragraphs: &[String], figures: &[Figure], tables: &[Table]) -> SectionHtml {
+        SectionHtml {
+            paragraphs: paragraphs.iter().map(|text| unbroken(text)).collect(),
+            tables: tables_html(tables),
+            figures: figures_html(figures),
+        }
+    }
 }
 
 /// The section on the block and its mounts.
@@ -129,9 +147,11 @@ impl MountsHtml {
 
 /// The report as one self-contained HTML page.
 pub fn report(input: &ReportInput<'_>) -> String {
-    let ReportInput { engine, loads, internal, optimum, crankshaft, mounts, provenance, warnings } = *input;
-    let crankshaft = crankshaft.map(|input| CrankshaftSection::of(engine, &input));
-    let optimum = optimum.map(|input| OptimumSection::of(engine, &input));
+    let ReportInput { engine, loads, internal, mounts, provenance, warnings, .. } = *input;
+    let crankshaft = input.crankshaft.map(|input| CrankshaftSection::of(engine, &input));
+    let torque = input.torque.map(|input| TorqueSection::of(&input));
+    let bearings = input.bearings.and_then(|input| BearingsSection::of(&input));
+    let optimum = input.optimum.map(|input| OptimumSection::of(engine, &input));
     let gallery = Gallery::of(engine, loads);
     let mut motion_tables = vec![load_tables::motion_table(loads)];
     motion_tables.extend(load_tables::articulation_table(loads));
@@ -180,11 +200,9 @@ pub fn report(input: &ReportInput<'_>) -> String {
             figures: figures_html(&found.figures),
             left: unbroken(&found.left),
         }),
-        crankshaft: crankshaft.map(|section| CrankshaftHtml {
-            paragraphs: section.paragraphs.iter().map(|text| unbroken(text)).collect(),
-            tables: tables_html(&section.tables),
-            figures: figures_html(&section.figures),
-        }),
+        crankshaft: crankshaft.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables)),
+        torque: torque.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables)),
+        bearings: bearings.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables)),
         mounts: mounts.map(|study| MountsHtml::of(engine, study)),
         bending_curves: figures_html(&internal_figures(engine, internal)),
         bending_tables: bending_tables(engine, internal),

@@ -81,7 +81,7 @@ fn pressure_volume(torque: &Torque) -> Figure {
         abscissa: if has_clearance { "Volume" } else { "Volume above that at top dead centre" },
         ordinate: "Pressure, absolute",
         units: ["cm\u{b3}", "Pa"],
-        polar: false,
+        polar: None,
         curves: curves.collect(),
     };
     figure(
@@ -238,7 +238,7 @@ pub fn power_figure(curve: &PowerCurve) -> Figure {
             dots: true,
         },
     ];
-    let plot = XyPlot { abscissa: "Speed", ordinate: "Power", units: ["rpm", "W"], polar: false, curves };
+    let plot = XyPlot { abscissa: "Speed", ordinate: "Power", units: ["rpm", "W"], polar: None, curves };
     figure(
         "power",
         "Power over speed",

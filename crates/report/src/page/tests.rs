@@ -89,6 +89,8 @@ fn page(engine: &Engine, loads: &Loads, warnings: &[String]) -> String {
         internal: &[],
         optimum: None,
         crankshaft: None,
+        torque: None,
+        bearings: None,
         mounts: None,
         provenance: &provenance,
         warnings,

@@ -1,0 +1,86 @@
+//! The section of the report on torque: gas, inertia, work, firing, speed ripple, flywheel and power.
+
+use crate::figure::Figure;
+use crate::number;
+use crate::table::Table;
+use crate::torque_figures::{power_figure, ripple_figure, torque_figures};
+use crate::torque_tables::{
+    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table,
+    torque_extremes_table, torque_orders_table, torque_table,
+};
+use lanchester_mechanism::{Brake, FlywheelNeed, PowerCurve, SpeedRipple, Torque};
+use std::f64::consts::TAU;
+
+/// Torque at one speed, and what follows from it.
+#[derive(Debug, Clone, Copy)]
+pub struct TorqueInput<'a> {
+    /// Torque, work, orders, energy, firing.
+    pub torque: &'a Torque,
+    /// Where the pressures come from, in words.
+    pub source: &'a str,
+    /// What friction leaves, where it is known.
+    pub brake: Option<&'a Brake>,
+    /// Speed ripple at several speeds.
+    pub ripples: &'a [SpeedRipple],
+    /// The flywheel that a fluctuation needs, where one is wanted.
+    pub flywheel: Option<&'a FlywheelNeed>,
+    /// Power over speed, where pressures at several speeds are known.
+    pub power: Option<&'a PowerCurve>,
+}
+
+/// What the section shows.
+pub(crate) struct TorqueSection {
+    pub paragraphs: Vec<String>,
+    pub figures: Vec<Figure>,
+    pub tables: Vec<Table>,
+}
+
+impl TorqueSection {
+    pub fn of(input: &TorqueInput<'_>) -> TorqueSection {
+        let torque = input.torque;
+        let mut figures = torque_figures(torque);
+        if torque.cylinders.len() == 1 {
+            // One cylinder is the engine.
+            figures.retain(|figure| figure.id != "torque-by-cylinder");
+        }
+        if !input.ripples.is_empty() {
+            figures.push(ripple_figure(input.ripples));
+        }
+        figures.extend(input.power.map(power_figure));
+        let mut tables = vec![
+            torque_table(torque, input.brake),
+            torque_extremes_table(torque),
+            torque_orders_table(torque),
+            cylinder_work_table(torque),
+            firing_table(&torque.firing),
+            stroke_table(&torque.firing),
+        ];
+        if !input.ripples.is_empty() {
+            tables.push(ripple_table(input.ripples));
+        }
+        tables.extend(input.flywheel.map(flywheel_table));
+        tables.extend(input.power.map(power_table));
+        TorqueSection { paragraphs: vec![words(input)], figures, tables }
+    }
+}
+
+/// Mean torque, power, what the flywheel holds, and where the pressures come from.
+fn words(input: &TorqueInput<'_>) -> String {
+    let torque = input.torque;
+    let rpm = number::terminal(torque.speed * 60.0 / TAU, 0);
+    let of_brake = input.brake.map_or(String::new(), |brake| {
+        format!(
+            " Friction leaves {} N m and {} kW at the brake.",
+            number::short(brake.torque, 4),
+            number::short(brake.power / 1e3, 4)
+        )
+    });
+    format!(
+        "At {rpm} rpm the gas gives {} N m in the mean and {} kW, net indicated.{of_brake} A flywheel has to hold {} J. \
+         Pressures: {}.",
+        number::short(torque.indicated.torque, 4),
+        number::short(torque.indicated.power / 1e3, 4),
+        number::short(torque.energy.excess, 4),
+        input.source
+    )
+}
