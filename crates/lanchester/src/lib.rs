@@ -67,7 +67,7 @@ pub use shaft_weights::{
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
 pub use torque_report::{
-    TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest, bearing_report,
-    bearing_sizes, torque_report,
+    BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
+    bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};

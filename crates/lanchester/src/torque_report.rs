@@ -3,10 +3,12 @@
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
-    BearingLoads, BearingRequest, BearingSize, Brake, FlywheelNeed, PowerCurve, SpeedRipple, Torque,
-    TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need, speed_ripple, torque,
+    BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, PowerCurve, SpeedRipple,
+    Torque, TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need, speed_ripple, torque,
 };
-use lanchester_model::{Engine, Flywheel, Friction, PlainBearing, RodJoint};
+use lanchester_model::{
+    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange,
+};
 use lanchester_report::BearingSizes;
 use serde::Serialize;
 
@@ -176,6 +178,53 @@ pub fn bearing_report(
         None => None,
     };
     Ok(bearing_loads(engine, gas.as_deref(), request)?)
+}
+
+/// Loads of the bearings with and without their parts: what a report shows.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BearingStudy {
+    /// Gas and inertia together, gas alone, inertia alone; without gas in the file inertia alone.
+    pub parts: Vec<BearingLoads>,
+    /// All loads without counterweights, where the engine has some.
+    pub bare: Option<BearingLoads>,
+}
+
+/// Loads of the bearings of `engine` at its highest speed.
+///
+/// # Errors
+/// As [`torque_report`].
+pub fn bearing_study(engine: &Engine, traces: &[TraceFile]) -> Result<BearingStudy, TorqueReportError> {
+    let gas = match &engine.gas {
+        Some(_) => Some(cylinder_gas(engine, traces, engine.speed.highest)?.cylinders),
+        None => None,
+    };
+    let loads = |part, counterweights| {
+        let request = BearingRequest { part, counterweights, ..BearingRequest::default() };
+        bearing_loads(engine, gas.as_deref(), &request)
+    };
+    let parts: &[BearingPart] = if gas.is_some() { &BearingPart::ALL } else { &[BearingPart::Inertia] };
+    let has_weights = engine.counterweights.iter().any(|weight| weight.unbalance > 0.0);
+    Ok(BearingStudy {
+        parts: parts.iter().map(|part| loads(*part, true)).collect::<Result<_, _>>()?,
+        bare: if has_weights { Some(loads(parts[0], false)?) } else { None },
+    })
+}
+
+/// Speeds at which power over speed is worth telling [rad/s], three or more, rising: those of the measured traces; `count` over the
+/// range of the engine for a cycle that knows of speed. None where the pressures do not depend on it.
+pub fn power_speeds(engine: &Engine, count: usize) -> Vec<f64> {
+    let mut speeds: Vec<f64> = match engine.gas.as_ref().map(|gas| &gas.source) {
+        Some(GasSource::Traces { traces, .. }) => traces.iter().filter_map(|trace| trace.speed).collect(),
+        Some(GasSource::Cycle(cycle)) if matches!(cycle.process, GasProcess::SingleZone(_)) => {
+            let SpeedRange { lowest, highest } = engine.speed;
+            let last = count.saturating_sub(1).max(1) as f64;
+            (0..count).map(|k| lowest + (highest - lowest) * k as f64 / last).collect()
+        }
+        Some(GasSource::Cycle(_)) | None => Vec::new(),
+    };
+    speeds.sort_by(f64::total_cmp);
+    speeds.dedup();
+    if speeds.len() < 3 { Vec::new() } else { speeds }
 }
 
 /// Sizes of the bearings: those of the file, else of the crank's body. Of the body come the diameters; crankpins as long as the webs leave

@@ -83,7 +83,7 @@ pub fn main_bearings_table(loads: &BearingLoads, bare: Option<&BearingLoads>, si
         columns.push(numbers("mean, bare", "N", bare.mains.iter().map(|m| m.load.mean), 5));
     }
     Table::of_columns(
-        "main-bearings",
+        "main-bearing-loads",
         "Main bearings",
         "Journal on bearing, throw by throw; bare: without counterweights.",
         columns,

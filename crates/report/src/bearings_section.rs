@@ -52,6 +52,11 @@ impl BearingsSection {
     }
 }
 
+/// Every figure of the report's section on pistons, pins and bearings.
+pub fn bearings_section_figures(input: &BearingsInput<'_>) -> Vec<Figure> {
+    BearingsSection::of(input).map_or_else(Vec::new, |section| section.figures)
+}
+
 /// Cylinders of which the loads are the same but for the time: places in the list.
 fn alike(cylinders: &[CylinderBearings]) -> Vec<Vec<usize>> {
     let mut groups: Vec<(Vec<usize>, [Vec<f64>; 4])> = Vec::new();
@@ -90,12 +95,11 @@ fn named(group: &[usize], count: usize) -> String {
     }
 }
 
-/// What cylinders alike have in the caption.
-fn first_of(group: &[usize]) -> String {
+/// At whose angles cylinders alike are drawn.
+fn at_angles_of(group: &[usize]) -> String {
     match group {
-        [_] => String::new(),
-        [first, ..] => format!(" Drawn at the angles of cylinder {}.", first + 1),
-        [] => String::new(),
+        [first, _, ..] => format!(" Drawn at the angles of cylinder {}.", first + 1),
+        [] | [_] => String::new(),
     }
 }
 
@@ -129,7 +133,7 @@ fn over_angle(parts: &[BearingLoads], groups: &[Vec<usize>]) -> Vec<Figure> {
             title: format!("Piston and crankpin over the cycle, {}", named(group, count)),
             caption: format!(
                 "Positive towards the cylinder head, along v, away from the crank axis.{}",
-                first_of(group)
+                at_angles_of(group)
             ),
             panels,
             columns: 2,

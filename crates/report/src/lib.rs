@@ -92,7 +92,7 @@ pub use balance_text::{balance_text, equals_words, headline};
 pub use bearing_tables::{
     BearingSizes, bearing_figures, bearings_csv, bearings_text, main_bearings_table, rod_bearings_tables,
 };
-pub use bearings_section::BearingsInput;
+pub use bearings_section::{BearingsInput, bearings_section_figures};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
 pub use clearance_plot::clearance_plot;
 pub use comparison::{
@@ -157,7 +157,7 @@ pub use swept_text::{sweep_steps_table, swept_table, swept_text};
 pub use table::{Cell, Column, Table};
 pub use terminal::loads_text;
 pub use torque_figures::{power_figure, ripple_figure, torque_figures};
-pub use torque_section::TorqueInput;
+pub use torque_section::{TorqueInput, torque_section_figures};
 pub use torque_tables::{
     cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table, torque_csv,
     torque_extremes_table, torque_orders_table, torque_table, torque_text,

@@ -93,7 +93,7 @@ pub fn mount_modes_table(study: &MountStudy) -> Table {
     ));
     columns.push(words("mostly", modes.iter().map(|m| COORDINATES[m.main].to_owned())));
     Table::of_columns(
-        "mount-modes",
+        "mount-modes-table",
         "Modes of the block on its mounts",
         "Undamped natural frequencies and the shares of their kinetic energy at the centre of mass; coupling is what is not in \
          the largest share.",

@@ -112,14 +112,20 @@ struct SectionHtml {
     paragraphs: Vec<String>,
     tables: String,
     figures: String,
+    /// Figures that need a row of their own.
+    broad_figures: String,
 }
 
 impl SectionHtml {
-    fn of(paragraphs: &[String], figures: &[Figure], tables: &[Table]) -> SectionHtml {
+    /// Figures of up to `beside` panels stand beside one another, the others below, each in a row of its own.
+    fn of(paragraphs: &[String], figures: &[Figure], tables: &[Table], beside: usize) -> SectionHtml {
+        let (broad, slim): (Vec<Figure>, Vec<Figure>) =
+            figures.iter().cloned().partition(|figure| figure.panels.len() > beside);
         SectionHtml {
             paragraphs: paragraphs.iter().map(|text| unbroken(text)).collect(),
             tables: tables_html(tables),
-            figures: figures_html(figures),
+            figures: figures_html(&slim),
+            broad_figures: figures_html(&broad),
         }
     }
 }
@@ -200,9 +206,9 @@ pub fn report(input: &ReportInput<'_>) -> String {
             figures: figures_html(&found.figures),
             left: unbroken(&found.left),
         }),
-        crankshaft: crankshaft.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables)),
-        torque: torque.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables)),
-        bearings: bearings.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables)),
+        crankshaft: crankshaft.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 0)),
+        torque: torque.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 2)),
+        bearings: bearings.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 0)),
         mounts: mounts.map(|study| MountsHtml::of(engine, study)),
         bending_curves: figures_html(&internal_figures(engine, internal)),
         bending_tables: bending_tables(engine, internal),

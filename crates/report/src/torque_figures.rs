@@ -108,7 +108,8 @@ fn orders(torque: &Torque) -> Figure {
         bars("Torque of gas", |h| h.gas.norm()),
         bars("Torque of inertia", |h| h.inertia.norm()),
     ];
-    figure("torque-orders", "Torque by order", "Amplitudes. Four strokes bring half orders.", panels)
+    let caption = "Amplitudes. Four strokes bring half orders.";
+    Figure { columns: 3, ..figure("torque-orders", "Torque by order", caption, panels) }
 }
 
 /// Strokes of every cylinder over the period, in firing order.
@@ -198,7 +199,7 @@ fn firing_star(firing: &FiringChart) -> Figure {
             "firing-star",
             "Crank star of firing",
             &format!(
-                "{caption} Right: how far equal cylinders add up in each order of the torque; 1 is all of them."
+                "{caption} Bars: how far equal cylinders add up in each order of the torque; 1 is all of them."
             ),
             vec![panel, bars],
         )
@@ -225,25 +226,29 @@ pub fn ripple_figure(ripples: &[SpeedRipple]) -> Figure {
     figure("speed-ripple", "Speed ripple", "With the inertia of the crank train over the angle.", panels)
 }
 
-/// Power over speed with the cubic through the origin.
+/// Power and torque over speed with the cubic through the origin.
 pub fn power_figure(curve: &PowerCurve) -> Figure {
+    let rpm = |speed: f64| speed * 60.0 / TAU;
     let highest = curve.points.iter().map(|p| p.0).fold(0.0, f64::max);
-    let cubic = (0..=120).map(|k| highest * f64::from(k) / 120.0).map(|w| (number::rpm(w), curve.power(w)));
-    let curves = vec![
-        XyCurve { name: "cubic".to_owned(), style: 0, points: cubic.collect(), dots: false },
-        XyCurve {
-            name: "points".to_owned(),
-            style: 1,
-            points: curve.points.iter().map(|p| (number::rpm(p.0), p.1)).collect(),
-            dots: true,
-        },
-    ];
-    let plot = XyPlot { abscissa: "Speed", ordinate: "Power", units: ["rpm", "W"], polar: None, curves };
+    let speeds = || (0..=120).map(|k| highest * f64::from(k) / 120.0);
+    let panel = |ordinate, unit, cubic: Vec<(f64, f64)>, points: Vec<(f64, f64)>| {
+        let curves = vec![
+            XyCurve { name: "cubic".to_owned(), style: 0, points: cubic, dots: false },
+            XyCurve { name: "points".to_owned(), style: 1, points, dots: true },
+        ];
+        XyPlot { abscissa: "Speed", ordinate, units: ["rpm", unit], polar: None, curves }.panel()
+    };
+    let of_power = speeds().map(|w| (rpm(w), curve.power(w))).collect();
+    let of_torque = speeds().map(|w| (rpm(w), curve.torque(w))).collect();
+    let points = |of: fn(&(f64, f64)) -> f64| curve.points.iter().map(|p| (rpm(p.0), of(p))).collect();
     figure(
         "power",
-        "Power over speed",
-        "The cubic through the origin that fits the points with the least squares.",
-        vec![plot.panel()],
+        "Power and torque over speed",
+        "The cubic of the power through the origin that fits the points with the least squares, and the torque that follows from it.",
+        vec![
+            panel("Power", "W", of_power, points(|p| p.1)),
+            panel("Torque", "N m", of_torque, points(|p| p.1 / p.0)),
+        ],
     )
 }
 

@@ -20,7 +20,7 @@ pub struct TorqueInput<'a> {
     pub source: &'a str,
     /// What friction leaves, where it is known.
     pub brake: Option<&'a Brake>,
-    /// Speed ripple at several speeds.
+    /// Speed ripple at several speeds; shown where the inertia of flywheel or crankshaft is known.
     pub ripples: &'a [SpeedRipple],
     /// The flywheel that a fluctuation needs, where one is wanted.
     pub flywheel: Option<&'a FlywheelNeed>,
@@ -43,25 +43,41 @@ impl TorqueSection {
             // One cylinder is the engine.
             figures.retain(|figure| figure.id != "torque-by-cylinder");
         }
-        if !input.ripples.is_empty() {
-            figures.push(ripple_figure(input.ripples));
+        // Without flywheel and crankshaft what turns is not known.
+        let heavy =
+            |ripple: &&SpeedRipple| ripple.inertia.given.flywheel + ripple.inertia.given.crankshaft > 0.0;
+        let ripples: Vec<SpeedRipple> = input.ripples.iter().filter(heavy).cloned().collect();
+        if !ripples.is_empty() {
+            figures.push(ripple_figure(&ripples));
         }
         figures.extend(input.power.map(power_figure));
         let mut tables = vec![
             torque_table(torque, input.brake),
-            torque_extremes_table(torque),
             torque_orders_table(torque),
+            torque_extremes_table(torque),
             cylinder_work_table(torque),
             firing_table(&torque.firing),
             stroke_table(&torque.firing),
         ];
-        if !input.ripples.is_empty() {
-            tables.push(ripple_table(input.ripples));
+        if !ripples.is_empty() {
+            tables.push(ripple_table(&ripples));
         }
         tables.extend(input.flywheel.map(flywheel_table));
         tables.extend(input.power.map(power_table));
-        TorqueSection { paragraphs: vec![words(input)], figures, tables }
+        let mut paragraphs = vec![words(input)];
+        if ripples.is_empty() {
+            paragraphs.push(
+                "The speed ripple is not shown: the file knows neither the inertia of a flywheel nor that of the crankshaft ([flywheel])."
+                    .to_owned(),
+            );
+        }
+        TorqueSection { paragraphs, figures, tables }
     }
+}
+
+/// Every figure of the report's section on torque.
+pub fn torque_section_figures(input: &TorqueInput<'_>) -> Vec<Figure> {
+    TorqueSection::of(input).figures
 }
 
 /// Mean torque, power, what the flywheel holds, and where the pressures come from.

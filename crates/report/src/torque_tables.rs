@@ -39,7 +39,7 @@ pub fn torque_table(torque: &Torque, brake: Option<&Brake>) -> Table {
         ]);
     }
     let note = format!("At {} rpm, {}.", number::terminal(number::rpm(torque.speed), 0), torque.lever.name());
-    named("torque", "Torque and power", &note, rows)
+    named("torque-table", "Torque and power", &note, rows)
 }
 
 /// Extremes and energy of gas, inertia and both.
@@ -79,7 +79,7 @@ pub fn torque_orders_table(torque: &Torque) -> Table {
         column_cells(rows.iter().map(|h| f(h)), 5, noise)
     };
     Table::of_columns(
-        "torque-orders",
+        "torque-orders-table",
         "Torque by order",
         "Amplitudes; order 0 is the mean. The roll moment on the block answers the torque.",
         vec![
@@ -171,7 +171,7 @@ pub fn stroke_table(firing: &FiringChart) -> Table {
         columns.push(words(&cylinder.to_string(), (0..changes.len()).map(letter)));
     }
     Table::of_columns(
-        "strokes",
+        "strokes-table",
         "Strokes of the cylinders, in firing order",
         "P power, E exhaust, I intake, C compression.",
         columns,
@@ -184,7 +184,7 @@ pub fn ripple_table(ripples: &[SpeedRipple]) -> Table {
         numbers(head, unit, ripples.iter().map(f).collect::<Vec<_>>().into_iter(), digits)
     };
     Table::of_columns(
-        "speed-ripple",
+        "speed-ripple-table",
         "Speed ripple",
         "Periodic speed with the inertia of the train over the angle, under a load that takes the mean torque. C_s: highest minus lowest over mean speed; \
          by formula: largest excess energy over inertia times speed squared.",
@@ -224,7 +224,7 @@ pub fn flywheel_table(need: &FlywheelNeed) -> Table {
 /// Power over speed: points, and the cubic through the origin.
 pub fn power_table(curve: &PowerCurve) -> Table {
     let mut table = Table::of_columns(
-        "power",
+        "power-table",
         "Power over speed",
         "Points and the cubic through the origin that fits them with the least squares, as in the twin thesis.",
         vec![

@@ -13,6 +13,7 @@ pub mod new;
 pub mod published;
 mod put_back;
 pub mod report;
+mod running;
 pub mod schema;
 pub mod search;
 pub mod show;

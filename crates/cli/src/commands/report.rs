@@ -1,26 +1,23 @@
 //! `lanchester report`: the page, and its figures as files.
 
 use crate::arguments::ReportArguments;
+use crate::commands::running::{Running, bearings_input, running, torque_input};
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::provenance::provenance;
 use crate::request::{internal_request, load_request};
-use crate::trace_files::trace_files;
 use lanchester::balance::{Answer, fitted, optimise};
-use lanchester::mechanism::{LoadRequest, Loads, MountStudy, internal_cases, loads};
+use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
 use lanchester::model::{Diagnostic, Engine};
 use lanchester::report::{
-    ArrangementsInput, CrankshaftInput, OptimumInput, ReportInput, arrangements_report, figures,
-    internal_figures, optimum_figures, report,
+    ArrangementsInput, CrankshaftInput, OptimumInput, ReportInput, arrangements_report,
+    bearings_section_figures, figures, internal_figures, mount_figures, optimum_figures, report,
+    torque_section_figures,
 };
-use lanchester::{CounterweightCheck, MountSpeeds, arrangements, check_counterweights, mounts};
+use lanchester::{CounterweightCheck, arrangements, check_counterweights};
 use std::path::{Path, PathBuf};
-
-/// Speeds and highest order of the section on mounts.
-const MOUNT_SPEEDS: usize = 31;
-const MOUNT_ORDERS: u32 = 8;
 
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let request = load_request(&arguments.request)?;
@@ -32,10 +29,10 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let found = if arguments.all_arrangements { None } else { optimum(&opened.engine, &mut warnings)? };
     let provenance = provenance(&opened.source, &loads, &request);
     let checked = crankshaft(&opened.engine, &mut warnings);
-    let mounted = if arguments.all_arrangements {
-        None
+    let running = if arguments.all_arrangements {
+        Running::default()
     } else {
-        on_mounts(&opened.engine, &arguments.file, &mut warnings)
+        running(&opened.engine, &arguments.file, &mut warnings)
     };
     let input = ReportInput {
         engine: &opened.engine,
@@ -47,7 +44,9 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
             clearances: checked.clearances.as_ref(),
             swept_overlaps: &checked.swept_overlaps,
         }),
-        mounts: mounted.as_ref(),
+        torque: running.torque.as_ref().map(torque_input),
+        bearings: running.bearings.as_ref().map(|study| bearings_input(&opened.engine, study)),
+        mounts: running.mounts.as_ref(),
         provenance: &provenance,
         warnings: &warnings,
     };
@@ -114,29 +113,6 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<Optimum
     Ok(Some(Optimum { answer, before, fitted, after }))
 }
 
-/// The block on its mounts, where the file gives it; what it leaves out is one more warning.
-fn on_mounts(engine: &Engine, file: &Path, warnings: &mut Vec<String>) -> Option<MountStudy> {
-    if !engine.is_on_springs() {
-        return None;
-    }
-    let study = trace_files(engine, file).map_err(|failure| failure.message).and_then(|traces| {
-        mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(&traces), &[])
-            .map_err(|e| e.to_string())
-    });
-    match study {
-        Ok(study) => {
-            warnings.extend(study.warnings.iter().cloned());
-            Some(study)
-        }
-        Err(error) => {
-            let message = format!("the block on its mounts is left out: {error}").replace("\nhint:", ";");
-            eprintln!("warning: {message}");
-            warnings.push(message);
-            None
-        }
-    }
-}
-
 /// The crankshaft as parts, where the file says something of it; what it leaves out is one more warning.
 fn crankshaft(engine: &Engine, warnings: &mut Vec<String>) -> Option<CounterweightCheck> {
     let has_parts = engine.counterweights.iter().any(|weight| weight.part.is_some())
@@ -173,10 +149,16 @@ fn write_figures(
     let internal = internal_figures(input.engine, input.internal);
     let of_optimum = |o: OptimumInput| optimum_figures(input.engine, o.answer, o.before, o.fitted, o.after);
     let optimum = input.optimum.map_or_else(Vec::new, of_optimum);
+    let torque = input.torque.as_ref().map_or_else(Vec::new, torque_section_figures);
+    let bearings = input.bearings.as_ref().map_or_else(Vec::new, bearings_section_figures);
+    let mounts = input.mounts.map_or_else(Vec::new, |study| mount_figures(input.engine, study));
     figures(input.engine, input.loads)
         .iter()
         .chain(&internal)
         .chain(&optimum)
+        .chain(&torque)
+        .chain(&bearings)
+        .chain(&mounts)
         .map(|figure| {
             let path = folder.join(format!("{}.svg", figure.id));
             write_result(&path, engine_file, &figure.svg())?;

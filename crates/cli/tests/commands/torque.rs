@@ -80,3 +80,78 @@ fn bearings_with_gas_and_without() {
     let refused = message(&folder, 2, &["torque", "four.toml"]);
     assert!(refused.contains("hint: add [gas]"), "{refused}");
 }
+
+/// Names of everything in a page that has one.
+fn names_of(page: &str) -> Vec<&str> {
+    page.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect()
+}
+
+#[test]
+fn the_report_has_torque_and_bearings_where_the_file_has_gas() {
+    let folder = folder("report-gas");
+    let more = "[flywheel]\ninertia = \"0.05 kg m2\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
+    written(&folder, &format!("{FOUR}{GAS}{more}"));
+    output(&folder, 0, &["report", "four.toml", "--figures", "figures"]);
+    let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
+    let names = names_of(&page);
+    for name in [
+        "torque-over-cycle",
+        "torque",
+        "pressure-volume",
+        "torque-orders",
+        "strokes",
+        "firing-star",
+        "speed-ripple",
+        "bearings",
+        "rod-forces-1",
+        "crankpins",
+        "main-bearings-polar",
+        "main-journals-polar",
+        "side-thrust",
+    ] {
+        assert_eq!(names.iter().filter(|other| **other == name).count(), 1, "{name}: {names:?}");
+    }
+    let mut unique = names.clone();
+    unique.sort_unstable();
+    unique.dedup();
+    assert_eq!(unique.len(), names.len(), "a name stands twice: {names:?}");
+    // All four cylinders have the same loads: one picture.
+    assert!(page.contains("all cylinders") && !names.contains(&"rod-forces-2"), "{names:?}");
+    // An ideal cycle does not know the speed: power over it tells nothing.
+    assert!(!names.contains(&"power") && page.contains("MPa"));
+    assert!(folder.join("figures/crankpins.svg").exists() && folder.join("figures/strokes.svg").exists());
+
+    written(&folder, FOUR);
+    output(&folder, 0, &["report", "four.toml"]);
+    let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
+    assert!(!names_of(&page).iter().any(|name| ["torque-over-cycle", "bearings"].contains(name)));
+}
+
+#[test]
+fn the_report_of_measured_pressures_has_the_power_over_their_speeds() {
+    let folder = folder("report-traces");
+    let traces = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/traces");
+    let mut gas = String::new();
+    for rpm in [1000, 2000, 3000, 4000] {
+        let name = format!("pressure-{rpm}.csv");
+        std::fs::copy(traces.join(&name), folder.join(&name)).expect("the traces are shipped");
+        gas += &format!("[[gas.trace]]\nfile = \"{name}\"\nspeed = \"{rpm} rpm\"\n");
+    }
+    let four = FOUR.replace("6000 rpm", "4000 rpm");
+    written(&folder, &format!("{four}{gas}"));
+    output(&folder, 0, &["report", "four.toml"]);
+    let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
+    assert!(names_of(&page).contains(&"power") && page.contains("The speed ripple is not shown"));
+    // Without one of the files the rest of the report stands, and says what is missing.
+    std::fs::remove_file(folder.join("pressure-2000.csv")).expect("it is there");
+    let run = crate::program::lanchester(&folder, &["report", "four.toml"]);
+    let said = String::from_utf8(run.stderr).expect("it is text");
+    assert!(
+        run.status.success()
+            && said.contains("torque with gas is left out")
+            && said.contains("pressure-2000.csv"),
+        "{said}"
+    );
+    let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
+    assert!(!names_of(&page).contains(&"bearings") && page.contains("loads of the bearings are left out"));
+}
