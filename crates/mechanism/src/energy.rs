@@ -60,11 +60,6 @@ impl Breaks {
         self.0[self.0.len() - 1]
     }
 
-    /// Integral of `function` over the period.
-    pub fn integral(&self, function: impl Fn(f64) -> f64) -> f64 {
-        self.0.windows(2).map(|pair| gauss(pair[0], pair[1], &function)).sum()
-    }
-
     /// The angles.
     pub fn angles(&self) -> &[f64] {
         &self.0
@@ -75,70 +70,14 @@ impl Breaks {
         if to > from { gauss(from, to, function) } else { 0.0 }
     }
 
-    /// Largest and smallest value of `function` over the continuous angle.
-    pub fn extremes(&self, function: impl Fn(f64) -> f64) -> Extremes {
-        // Highest and lowest sample with its neighbours, in one pass.
-        let mut best = [(f64::NEG_INFINITY, [0.0; 2], 0.0); 2];
-        for pair in self.0.windows(2) {
-            let points = points(pair[0], pair[1]);
-            for (k, theta) in points.iter().enumerate() {
-                let here = function(*theta);
-                for (best, sign) in best.iter_mut().zip([1.0, -1.0]) {
-                    if sign * here > best.0 {
-                        let around = [points[k.saturating_sub(1)], points[(k + 1).min(points.len() - 1)]];
-                        *best = (sign * here, around, *theta);
-                    }
-                }
-            }
-        }
-        let refined = |(coarse, around, at): (f64, [f64; 2], f64), sign: f64| {
-            let (fine, theta) = peak(around, &|theta| sign * function(theta));
-            let (value, theta) = if fine > coarse { (fine, theta) } else { (coarse, at) };
-            Extreme { value: sign * value, theta }
+    /// `torque` at the places of every stretch.
+    pub fn sample<F: Fn(f64) -> f64>(&self, torque: F) -> SampledTorque<'_, F> {
+        let at = |pair: &[f64]| StretchValues {
+            at_points: points(pair[0], pair[1]).map(&torque),
+            at_gauss: gauss_points(pair[0], pair[1]).map(&torque),
         };
-        Extremes { max: refined(best[0], 1.0), min: refined(best[1], -1.0) }
-    }
-
-    /// Energy that `torque` stores and gives back, its mean given.
-    pub fn energy(&self, mean: f64, torque: impl Fn(f64) -> f64) -> EnergyVariation {
-        let over = |theta: f64| torque(theta) - mean;
-        let (mut highest, mut lowest) = (Extreme::default(), Extreme::default());
-        let (mut energy, mut absolute) = (0.0, 0.0);
-        for pair in self.0.windows(2) {
-            let mut from = pair[0];
-            let mut step = |to: f64| {
-                let work = gauss(from, to, &over);
-                absolute += work.abs();
-                energy += work;
-                from = to;
-                if energy > highest.value {
-                    highest = Extreme { value: energy, theta: to };
-                }
-                if energy < lowest.value {
-                    lowest = Extreme { value: energy, theta: to };
-                }
-            };
-            let points = points(pair[0], pair[1]);
-            let mut before = (points[0], over(points[0]));
-            for theta in &points[1..] {
-                let here = (*theta, over(*theta));
-                if (before.1 > 0.0) != (here.1 > 0.0) {
-                    step(root(before.0, before.1, here.0, here.1, over));
-                }
-                before = here;
-            }
-            step(pair[1]);
-        }
-        let parts = self.repeats(&torque);
-        let start = |extreme: Extreme| if extreme.theta >= self.period() { 0.0 } else { extreme.theta };
-        EnergyVariation {
-            mean,
-            excess: highest.value - lowest.value,
-            highest: start(highest),
-            lowest: start(lowest),
-            own_period: self.period() / f64::from(parts),
-            absolute: absolute / f64::from(parts),
-        }
+        let values = self.0.windows(2).map(at).collect();
+        SampledTorque { breaks: self, values, torque }
     }
 
     /// How often `torque` repeats in the period.
@@ -159,17 +98,143 @@ impl Breaks {
     }
 }
 
+/// A torque at the places of one stretch: those where extremes and crossings are looked for, and those of the Gauss rule.
+#[derive(Debug, Clone, PartialEq)]
+struct StretchValues {
+    at_points: [f64; 6],
+    at_gauss: [f64; 8],
+}
+
+impl StretchValues {
+    fn plus(&self, other: &StretchValues) -> StretchValues {
+        StretchValues {
+            at_points: std::array::from_fn(|k| self.at_points[k] + other.at_points[k]),
+            at_gauss: std::array::from_fn(|k| self.at_gauss[k] + other.at_gauss[k]),
+        }
+    }
+}
+
+/// A torque with its values at the places of all stretches: each is computed once.
+#[derive(Debug, Clone)]
+pub(crate) struct SampledTorque<'a, F> {
+    breaks: &'a Breaks,
+    values: Vec<StretchValues>,
+    torque: F,
+}
+
+impl<'a, F: Fn(f64) -> f64> SampledTorque<'a, F> {
+    /// This torque and another over the same breaks, together.
+    pub fn plus<G: Fn(f64) -> f64>(
+        &self,
+        other: &SampledTorque<'a, G>,
+    ) -> SampledTorque<'a, impl Fn(f64) -> f64> {
+        let values = self.values.iter().zip(&other.values).map(|(one, other)| one.plus(other)).collect();
+        let (one, two) = (&self.torque, &other.torque);
+        SampledTorque { breaks: self.breaks, values, torque: move |theta| one(theta) + two(theta) }
+    }
+
+    fn stretches(&self) -> impl Iterator<Item = ([f64; 2], &StretchValues)> {
+        self.breaks.0.windows(2).map(|pair| [pair[0], pair[1]]).zip(&self.values)
+    }
+
+    /// Integral over the period.
+    pub fn integral(&self) -> f64 {
+        self.stretches().map(|([from, to], values)| gauss_sum(to - from, &values.at_gauss)).sum()
+    }
+
+    /// Largest and smallest value over the continuous angle.
+    pub fn extremes(&self) -> Extremes {
+        // Highest and lowest sample with its neighbours, in one pass.
+        let mut best = [(f64::NEG_INFINITY, [0.0; 2], 0.0); 2];
+        for ([from, to], values) in self.stretches() {
+            let points = points(from, to);
+            for (k, (theta, here)) in points.iter().zip(values.at_points).enumerate() {
+                for (best, sign) in best.iter_mut().zip([1.0, -1.0]) {
+                    if sign * here > best.0 {
+                        let around = [points[k.saturating_sub(1)], points[(k + 1).min(points.len() - 1)]];
+                        *best = (sign * here, around, *theta);
+                    }
+                }
+            }
+        }
+        let refined = |(coarse, around, at): (f64, [f64; 2], f64), sign: f64| {
+            let (fine, theta) = peak(around, &|theta| sign * (self.torque)(theta));
+            let (value, theta) = if fine > coarse { (fine, theta) } else { (coarse, at) };
+            Extreme { value: sign * value, theta }
+        };
+        Extremes { max: refined(best[0], 1.0), min: refined(best[1], -1.0) }
+    }
+
+    /// Energy that it stores and gives back, its mean given.
+    pub fn energy(&self, mean: f64) -> EnergyVariation {
+        let over = |theta: f64| (self.torque)(theta) - mean;
+        let (mut highest, mut lowest) = (Extreme::default(), Extreme::default());
+        let (mut energy, mut absolute) = (0.0, 0.0);
+        let mut add = |work: f64, to: f64| {
+            absolute += work.abs();
+            energy += work;
+            if energy > highest.value {
+                highest = Extreme { value: energy, theta: to };
+            }
+            if energy < lowest.value {
+                lowest = Extreme { value: energy, theta: to };
+            }
+        };
+        for ([start, end], values) in self.stretches() {
+            let mut from = start;
+            let points = points(start, end);
+            let mut before = (points[0], values.at_points[0] - mean);
+            for (theta, value) in points.iter().zip(values.at_points).skip(1) {
+                let here = (*theta, value - mean);
+                if (before.1 > 0.0) != (here.1 > 0.0) {
+                    let crossing = root(before.0, before.1, here.0, here.1, over);
+                    add(gauss(from, crossing, &over), crossing);
+                    from = crossing;
+                }
+                before = here;
+            }
+            let rest = match from > start {
+                true => gauss(from, end, &over),
+                false => gauss_sum(end - start, &values.at_gauss.map(|value| value - mean)),
+            };
+            add(rest, end);
+        }
+        let parts = self.breaks.repeats(&self.torque);
+        let period = self.breaks.period();
+        let start = |extreme: Extreme| if extreme.theta >= period { 0.0 } else { extreme.theta };
+        EnergyVariation {
+            mean,
+            excess: highest.value - lowest.value,
+            highest: start(highest),
+            lowest: start(lowest),
+            own_period: period / f64::from(parts),
+            absolute: absolute / f64::from(parts),
+        }
+    }
+}
+
 /// Places within a stretch, its ends avoided.
 fn points(from: f64, to: f64) -> [f64; 6] {
     let h = to - from;
     [INSIDE, 0.2, 0.4, 0.6, 0.8, 1.0 - INSIDE].map(|x| from + x * h)
 }
 
-fn gauss(from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
+/// Places of the Gauss rule in a stretch, in pairs about its middle.
+fn gauss_points(from: f64, to: f64) -> [f64; 8] {
     let h = to - from;
-    let pair =
-        |(x, weight): &(f64, f64)| weight * (function(from + h * (0.5 - x)) + function(from + h * (0.5 + x)));
-    h * GAUSS.iter().map(pair).sum::<f64>()
+    std::array::from_fn(|k| {
+        let (x, _) = GAUSS[k / 2];
+        from + h * if k % 2 == 0 { 0.5 - x } else { 0.5 + x }
+    })
+}
+
+/// Integral over a stretch of length `h` of what has these values at [`gauss_points`].
+fn gauss_sum(h: f64, values: &[f64; 8]) -> f64 {
+    h * GAUSS.iter().zip(values.chunks(2)).map(|((_, weight), pair)| weight * (pair[0] + pair[1])).sum::<f64>()
+}
+
+fn gauss(from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
+    gauss_sum(to - from, &gauss_points(from, to).map(function))
 }
 
 /// Largest value within a bracket, and where.
@@ -199,14 +264,15 @@ mod tests {
     fn a_sine_torque_stores_twice_its_amplitude() {
         let breaks = Breaks::new(2.0 * TAU, [0.3, 7.1].into_iter(), 90);
         let torque = |theta: f64| 5.0 + 3.0 * (2.0 * theta).sin();
-        let energy = breaks.energy(5.0, torque);
+        let sampled = breaks.sample(torque);
+        let energy = sampled.energy(5.0);
         // INTEGRAL of 3 sin 2t over its positive half: 3; of its size over its own period pi: 6.
         assert!((energy.excess - 3.0).abs() < 1e-13, "{energy:?}");
         assert!(
             (energy.own_period - PI).abs() < 1e-14 && (energy.absolute - 6.0).abs() < 1e-12,
             "{energy:?}"
         );
-        let extremes = breaks.extremes(torque);
+        let extremes = sampled.extremes();
         assert!((extremes.max.value - 8.0).abs() < 1e-13 && (extremes.min.value - 2.0).abs() < 1e-13);
         assert!((extremes.max.theta.rem_euclid(PI) - PI / 4.0).abs() < 1e-6, "{extremes:?}");
     }
@@ -216,11 +282,21 @@ mod tests {
         // 1 in the first third, -1/2 after it, mean 0.
         let third = TAU / 3.0;
         let breaks = Breaks::new(TAU, [third].into_iter(), 7);
-        let energy = breaks.energy(0.0, |t| if t.rem_euclid(TAU) < third { 1.0 } else { -0.5 });
+        let energy = breaks.sample(|t| if t.rem_euclid(TAU) < third { 1.0 } else { -0.5 }).energy(0.0);
         assert!(
             (energy.excess - third).abs() < 1e-14 && (energy.highest - third).abs() < 1e-12,
             "{energy:?}"
         );
         assert!((energy.absolute - 2.0 * third).abs() < 1e-13 && energy.own_period == TAU);
+    }
+
+    #[test]
+    fn sampled_torques_add_up() {
+        let breaks = Breaks::new(TAU, [1.0].into_iter(), 40);
+        let (one, two) = (|theta: f64| 2.0 + theta.sin(), |theta: f64| 1.0 - 3.0 * (2.0 * theta).cos());
+        let (of_one, of_two) = (breaks.sample(one), breaks.sample(two));
+        let (together, at_once) = (of_one.plus(&of_two), breaks.sample(|theta| one(theta) + two(theta)));
+        assert_eq!((together.energy(3.0), together.extremes()), (at_once.energy(3.0), at_once.extremes()));
+        assert!((together.integral() - 3.0 * TAU).abs() < 1e-13, "{}", together.integral());
     }
 }

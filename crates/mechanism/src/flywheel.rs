@@ -225,7 +225,7 @@ impl RippleGrid {
         let work = breaks.accumulated_at(&theta, |theta| gas.torque(theta) - load);
         let square = speed * speed;
         let total = |theta: f64| gas.torque(theta) + square * train.mechanism.shaft_torque(theta);
-        let excess = breaks.energy(load, total).excess;
+        let excess = breaks.sample(total).energy(load).excess;
         RippleGrid { period, theta, work: work.into_iter().map(|w| 2.0 * w).collect(), load, excess }
     }
 

@@ -111,13 +111,13 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
     let mean = train.mean_torques().iter().sum::<f64>();
     let inertia_orders = inertia_orders(&inertia);
     let gas_orders = train.orders(request.max_order);
-    let gas_at = |theta: f64| train.torque(theta);
-    let inertia_at = |theta: f64| inertia.at(theta);
-    let total = |theta: f64| train.torque(theta) + inertia.at(theta);
+    let of_gas = breaks.sample(|theta| train.torque(theta));
+    let of_inertia = breaks.sample(|theta| inertia.at(theta));
+    let of_both = of_gas.plus(&of_inertia);
     let orders = merged_orders(&inertia_orders, &gas_orders);
     let harmonics = harmonics(&orders, &inertia_orders);
     // The mean of the inertia torque is zero but for the named lever's errors, which are its own.
-    let inertia_mean = breaks.integral(inertia_at) / period;
+    let inertia_mean = of_inertia.integral() / period;
     Ok(Torque {
         version: TORQUE_VERSION,
         engine: engine.name.clone(),
@@ -126,12 +126,12 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
         period,
         gas: sum(|cylinder| &cylinder.gas),
         inertia: sum(|cylinder| &cylinder.inertia),
-        gas_extremes: breaks.extremes(gas_at),
-        inertia_extremes: breaks.extremes(inertia_at),
-        total_extremes: breaks.extremes(total),
+        gas_extremes: of_gas.extremes(),
+        inertia_extremes: of_inertia.extremes(),
+        total_extremes: of_both.extremes(),
         indicated: indicated(engine, &train, &cylinders, mean, speed),
-        energy: breaks.energy(mean + inertia_mean, total),
-        gas_energy: breaks.energy(mean, gas_at),
+        energy: of_both.energy(mean + inertia_mean),
+        gas_energy: of_gas.energy(mean),
         orders,
         harmonics,
         cylinders,
