@@ -6,7 +6,7 @@ mod fault;
 mod firing;
 mod table;
 
-pub use fault::{TraceError, TraceFault};
+pub use fault::{TraceError, TraceFault, trace_codes};
 pub use firing::check_firing;
 
 use closing::{Closed, closed};

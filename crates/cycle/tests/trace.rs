@@ -4,9 +4,10 @@ mod support;
 
 use lanchester_cycle::{
     MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing, indicated,
-    read_trace,
+    read_trace, trace_codes,
 };
 use lanchester_mechanism::PeriodicCurve;
+use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use support::{engine, volume_of};
@@ -200,6 +201,58 @@ fn firing_dead_centre_and_sense_are_checked_against_the_engine() {
         matches!(error, TraceFault::Backwards { work, .. } if (work + indicated(&curve, &volume).work).abs() < 1e-3),
         "{error}"
     );
+}
+
+#[test]
+fn every_code_is_listed_and_has_a_bad_file() {
+    let good = plain(0.0, 720.0);
+    let with = |value: fn(f64) -> f64| {
+        file("theta [deg],p [bar]", steps(0.0, 720.0, 1.0), |angle| value(angle).to_string())
+    };
+    let reversed: Vec<&str> = good.lines().rev().collect();
+    let spike = |angle: f64| if angle == 8.0 { "90".to_owned() } else { "1".to_owned() };
+    let files = [
+        ("E1402", good.replace("p [bar]", "p")),
+        ("E1403", String::new()),
+        ("E1404", file("theta [deg]", [1.0].into_iter(), |_| String::new())),
+        ("E1405", good.replace("\n5,", "\n5,1,")),
+        ("E1406", good.replace(',', ";").replace('.', ",")),
+        ("E1407", good.replace("\n5,", "\nfive,")),
+        ("E1408", plain(0.0, 20.0)),
+        ("E1409", format!("theta [deg],p [bar]\n{}", reversed[..721].join("\n"))),
+        ("E1410", good.replace("\n300,", "\n299,")),
+        ("E1411", plain(-360.0, 720.0)),
+        ("E1412", plain(0.0, 360.0)),
+        ("E1413", with(|angle| bar(angle) + 0.01 * angle)),
+        ("E1414", with(|angle| bar(angle) - 1.01)),
+        ("E1415", with(|angle| 14.5 * bar(angle))),
+        ("E1416", file("theta [deg],p [bar]", steps(0.0, 720.0, 8.0), spike)),
+    ];
+    let mut seen = BTreeSet::new();
+    for (code, text) in files {
+        let error = read(&text).expect_err(code);
+        assert_eq!(error.fault.code(), code, "{error}");
+        assert!(error.to_string().starts_with("p.csv:") && error.to_string().contains(&format!(" {code}: ")));
+        seen.insert(code);
+    }
+    // What only the engine can tell.
+    let volume = volume_of(&engine(4, "0 mm", ""));
+    let curve = only(read(&good).expect("a trace"));
+    let mirrored = only(read(&with(|angle| bar(-angle))).expect("a trace"));
+    for (code, curve) in [("E1417", curve.delayed(PI / 2.0)), ("E1418", mirrored)] {
+        assert_eq!(check_firing("p", &curve, &volume).expect_err(code).code(), code);
+        seen.insert(code);
+    }
+    // The number of columns is checked where all cylinders are known; a text is always CSV, and its angles rise.
+    let curve = PeriodicCurve::constant(-1.0, 1.0).expect_err("no period");
+    let others = [
+        TraceFault::Csv { message: String::new() },
+        TraceFault::Columns { got: 2, cylinders: 4 },
+        curve.into(),
+    ];
+    seen.extend(others.iter().map(TraceFault::code));
+    let listed: BTreeSet<&str> = trace_codes().iter().map(|(code, _)| *code).collect();
+    assert_eq!(seen, listed);
 }
 
 #[test]

@@ -16,8 +16,8 @@ pub struct TraceError {
 impl std::fmt::Display for TraceError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.line {
-            Some(line) => write!(f, "{}:{line}: {}", self.file, self.fault),
-            None => write!(f, "{}: {}", self.file, self.fault),
+            Some(line) => write!(f, "{}:{line}: {}: {}", self.file, self.fault.code(), self.fault),
+            None => write!(f, "{}: {}: {}", self.file, self.fault.code(), self.fault),
         }
     }
 }
@@ -212,4 +212,62 @@ pub enum TraceFault {
     /// No curve.
     #[error(transparent)]
     Curve(#[from] CurveError),
+}
+
+/// Every code that a [`TraceFault`] may have, and what it says.
+///
+/// A code keeps its meaning for good; one that is no longer used is not given to anything else.
+pub fn trace_codes() -> &'static [(&'static str, &'static str)] {
+    CODES
+}
+
+static CODES: &[(&str, &str)] = &[
+    ("E1401", "no CSV"),
+    ("E1402", "a column without a unit of an angle or a pressure"),
+    ("E1403", "not one column of angles"),
+    ("E1404", "no column of pressures"),
+    ("E1405", "a line with too many or too few values"),
+    ("E1406", "a decimal comma"),
+    ("E1407", "a value that is no number"),
+    ("E1408", "too few samples"),
+    ("E1409", "angles that fall: the wrong sense"),
+    ("E1410", "an angle that does not lie beyond the one before it"),
+    ("E1411", "more than a cycle"),
+    ("E1412", "a gap"),
+    ("E1413", "an end that does not meet the beginning"),
+    ("E1414", "a pressure below any engine's: gauge taken for absolute?"),
+    ("E1415", "a pressure above any engine's"),
+    ("E1416", "samples too far apart for the pressure between them"),
+    ("E1417", "a peak far from firing top dead centre"),
+    ("E1418", "a cycle that takes up work: it runs backwards"),
+    ("E1419", "neither one column for all cylinders nor one for each"),
+    ("E1420", "pressures that are no curve"),
+];
+
+impl TraceFault {
+    /// Its code, one of [`trace_codes`].
+    pub fn code(&self) -> &'static str {
+        match self {
+            TraceFault::Csv { .. } => "E1401",
+            TraceFault::Heading { .. } => "E1402",
+            TraceFault::Angles { .. } => "E1403",
+            TraceFault::NoPressure => "E1404",
+            TraceFault::RowLength { .. } => "E1405",
+            TraceFault::DecimalComma { .. } => "E1406",
+            TraceFault::Number { .. } => "E1407",
+            TraceFault::TooFew { .. } => "E1408",
+            TraceFault::Falling { .. } => "E1409",
+            TraceFault::NotRising { .. } => "E1410",
+            TraceFault::TooLong { .. } => "E1411",
+            TraceFault::Gap { .. } => "E1412",
+            TraceFault::NotClosed { .. } => "E1413",
+            TraceFault::TooLow { .. } => "E1414",
+            TraceFault::TooHigh { .. } => "E1415",
+            TraceFault::TooCoarse { .. } => "E1416",
+            TraceFault::PeakAngle { .. } => "E1417",
+            TraceFault::Backwards { .. } => "E1418",
+            TraceFault::Columns { .. } => "E1419",
+            TraceFault::Curve(_) => "E1420",
+        }
+    }
 }
