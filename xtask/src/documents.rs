@@ -11,7 +11,7 @@ use std::process::Command;
 ///
 /// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. `toml,file=NAME` is a file of
 /// that name, engine or not, and `toml,append=NAME` goes to its end. A `text,says` block quotes a part of what the last
-/// `lanchester` line of the `sh` blocks above it prints, which finds shipped examples at `examples/...`;
+/// `lanchester` line of the `sh` blocks above it prints, which finds shipped files at `examples/...` and `validation/...`;
 /// `text,says-COMMAND` what that command says of the engine file above it.
 pub fn engines(program: &Path) -> Result<String> {
     let (mut shown, mut quoted) = (0, 0);
@@ -85,9 +85,9 @@ pub fn engines(program: &Path) -> Result<String> {
     Ok(format!("{shown} engine files, {quoted} quotations"))
 }
 
-/// A word of a command line, where it names a shipped example with its whole path.
+/// A word of a command line, where it names a shipped example or engine of the validation with its whole path.
 fn shipped(word: &String) -> String {
-    match word.starts_with("examples/") {
+    match word.starts_with("examples/") || word.starts_with("validation/") {
         true => root().join(word).display().to_string(),
         false => word.clone(),
     }

@@ -4,7 +4,8 @@ use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, PowerCurve, SpeedRipple,
-    Torque, TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need, speed_ripple, torque,
+    Torque, TorqueAtSpeed, TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need,
+    speed_ripple, torque,
 };
 use lanchester_model::{
     Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange,
@@ -48,6 +49,8 @@ pub struct TorqueReport {
     /// The flywheel for the fluctuation asked for, at that speed of the file's flywheel that needs most; without these at the lowest
     /// speed of the engine.
     pub flywheel: Option<FlywheelNeed>,
+    /// Torque and energy at the speeds asked for.
+    pub speeds: Vec<TorqueAtSpeed>,
     /// Power over speed, at the brake where friction is known, else net indicated.
     pub power: Option<PowerCurve>,
     /// What the user should know.
@@ -114,19 +117,25 @@ pub fn torque_report(
             }
         }
     }
-    let points = request
-        .speeds
+    let mut over_speeds = Vec::new();
+    for &speed in &request.speeds {
+        let gas = cylinder_gas(engine, traces, speed)?;
+        // Means do not need the traces or the orders.
+        let own = TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..request.torque.clone() };
+        over_speeds.push(torque(engine, &gas.cylinders, &own)?.at_speed());
+        for warning in gas.warnings {
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+    }
+    let points: Vec<(f64, f64)> = over_speeds
         .iter()
-        .map(|&speed| {
-            let gas = cylinder_gas(engine, traces, speed)?;
-            // Means do not need the traces or the orders.
-            let own =
-                TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..request.torque.clone() };
-            let torque = torque(engine, &gas.cylinders, &own)?;
-            let brake = friction.map(|friction| torque.indicated.brake(&friction, speed).power);
-            Ok((speed, brake.unwrap_or(torque.indicated.power)))
+        .map(|at| {
+            let brake = friction.map(|friction| at.indicated.brake(&friction, at.speed).power);
+            (at.speed, brake.unwrap_or(at.indicated.power))
         })
-        .collect::<Result<Vec<_>, TorqueReportError>>()?;
+        .collect();
     let power = match points.len() {
         0 => None,
         got => Some(PowerCurve::fit(&points).ok_or(TorqueReportError::Speeds { got })?),
@@ -142,6 +151,7 @@ pub fn torque_report(
         torque: found,
         ripples,
         flywheel,
+        speeds: over_speeds,
         power,
         warnings,
     })
@@ -189,17 +199,22 @@ pub struct BearingStudy {
     pub bare: Option<BearingLoads>,
 }
 
-/// Loads of the bearings of `engine` at its highest speed.
+/// Loads of the bearings of `engine` at a speed of crankshaft 1 [rad/s].
 ///
 /// # Errors
 /// As [`torque_report`].
-pub fn bearing_study(engine: &Engine, traces: &[TraceFile]) -> Result<BearingStudy, TorqueReportError> {
+pub fn bearing_study(
+    engine: &Engine,
+    traces: &[TraceFile],
+    speed: f64,
+) -> Result<BearingStudy, TorqueReportError> {
     let gas = match &engine.gas {
-        Some(_) => Some(cylinder_gas(engine, traces, engine.speed.highest)?.cylinders),
+        Some(_) => Some(cylinder_gas(engine, traces, speed)?.cylinders),
         None => None,
     };
     let loads = |part, counterweights| {
-        let request = BearingRequest { part, counterweights, ..BearingRequest::default() };
+        let request =
+            BearingRequest { speed: Some(speed), part, counterweights, ..BearingRequest::default() };
         bearing_loads(engine, gas.as_deref(), &request)
     };
     let parts: &[BearingPart] = if gas.is_some() { &BearingPart::ALL } else { &[BearingPart::Inertia] };

@@ -38,6 +38,8 @@ pub struct BearingLoads {
     pub cylinders: Vec<CylinderBearings>,
     /// Main bearings: crankshaft 1 first, each from the free end on.
     pub mains: Vec<MainBearing>,
+    /// Numbers of the crankshafts, from 1, of which no bearing is told because they have no throw.
+    pub without_mains: Vec<usize>,
 }
 
 /// Piston, pins and rod of one cylinder.
@@ -199,6 +201,8 @@ pub fn bearing_loads(
         }
     });
     let mains = mains.collect();
+    let bare = |index: &usize| plan.mains.iter().all(|main| main.0 != *index);
+    let without_mains = (0..engine.crankshafts.len()).filter(bare).map(|index| index + 1).collect();
     Ok(BearingLoads {
         version: BEARINGS_VERSION,
         engine: engine.name.clone(),
@@ -209,6 +213,7 @@ pub fn bearing_loads(
         theta,
         cylinders,
         mains,
+        without_mains,
     })
 }
 

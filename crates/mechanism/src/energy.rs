@@ -230,7 +230,11 @@ fn gauss_points(from: f64, to: f64) -> [f64; 8] {
 
 /// Integral over a stretch of length `h` of what has these values at [`gauss_points`].
 fn gauss_sum(h: f64, values: &[f64; 8]) -> f64 {
-    h * GAUSS.iter().zip(values.chunks(2)).map(|((_, weight), pair)| weight * (pair[0] + pair[1])).sum::<f64>()
+    h * GAUSS
+        .iter()
+        .zip(values.chunks(2))
+        .map(|((_, weight), pair)| weight * (pair[0] + pair[1]))
+        .sum::<f64>()
 }
 
 fn gauss(from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {

@@ -93,6 +93,31 @@ impl TorqueHarmonic {
     }
 }
 
+/// Torque, work and energy at one of several speeds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TorqueAtSpeed {
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Mean torque, power and pressures, net indicated.
+    pub indicated: Indicated,
+    /// Extremes of gas and inertia together [N m].
+    pub extremes: Extremes,
+    /// Energy that both together store and give back.
+    pub energy: EnergyVariation,
+}
+
+impl Torque {
+    /// What is told of one of several speeds.
+    pub fn at_speed(&self) -> TorqueAtSpeed {
+        TorqueAtSpeed {
+            speed: self.speed,
+            indicated: self.indicated,
+            extremes: self.total_extremes,
+            energy: self.energy,
+        }
+    }
+}
+
 /// One cylinder.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CylinderTorque {

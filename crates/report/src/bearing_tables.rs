@@ -4,7 +4,8 @@ use crate::figure::Figure;
 use crate::number;
 use crate::polar::polar_panel;
 use crate::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
-use lanchester_mechanism::{BearingLoads, BearingSize, PinLoad};
+use crate::terminal::push_wrapped;
+use lanchester_mechanism::{BearingLoads, BearingSize, CylinderBearings, MainBearing, PinLoad};
 use num_complex::Complex64;
 
 /// Sizes of the bearings, where they are known.
@@ -90,16 +91,81 @@ pub fn main_bearings_table(loads: &BearingLoads, bare: Option<&BearingLoads>, si
     )
 }
 
-/// All of it as plain text.
-pub fn bearings_text(loads: &BearingLoads, bare: Option<&BearingLoads>, sizes: BearingSizes) -> String {
+/// Largest loads of each of `parts`: gas, inertia, both.
+pub fn bearing_parts_table(parts: &[BearingLoads]) -> Table {
+    let several = parts.iter().flat_map(|loads| &loads.mains).any(|main| main.crankshaft > 1);
+    let named = |main: &MainBearing| match several {
+        true => format!("crankshaft {}, main {}", main.crankshaft, main.main),
+        false => format!("main {}", main.main),
+    };
+    let mains = parts.first().map_or(&[] as &[MainBearing], |loads| &loads.mains);
+    let of_rods = ["side thrust", "piston pin", "crankpin"].map(str::to_owned);
+    let mut columns = vec![words("largest load", of_rods.into_iter().chain(mains.iter().map(named)))];
+    for loads in parts {
+        let largest = |of: fn(&CylinderBearings) -> f64| loads.cylinders.iter().map(of).fold(0.0, f64::max);
+        let of_rods = [
+            largest(|cylinder| cylinder.largest_thrust.value.abs()),
+            largest(|cylinder| cylinder.piston_pin.peak.value),
+            largest(|cylinder| cylinder.lower_pin.peak.value),
+        ];
+        let of_mains = loads.mains.iter().map(|main| main.load.peak.value);
+        columns.push(numbers(loads.part.name(), "N", of_rods.into_iter().chain(of_mains), 5));
+    }
+    Table::of_columns(
+        "bearing-parts",
+        "Largest loads of gas, inertia and both",
+        "Each at its own angle; of rods and pistons the largest of all cylinders.",
+        columns,
+    )
+}
+
+/// All of it as plain text. `parts`: those of `loads`, where they are to be told apart.
+pub fn bearings_text(
+    loads: &BearingLoads,
+    parts: &[BearingLoads],
+    bare: Option<&BearingLoads>,
+    sizes: BearingSizes,
+) -> String {
     let rpm = number::terminal(number::rpm(loads.speed), 0);
     let mut out = format!("{} at {rpm} rpm: {}\n", loads.engine, loads.part.name());
-    let tables = rod_bearings_tables(loads, sizes);
-    for table in tables.iter().chain([&main_bearings_table(loads, bare, sizes)]) {
+    let mut tables = rod_bearings_tables(loads, sizes);
+    tables.extend(mains_tables(loads, bare, sizes));
+    if parts.len() > 1 {
+        tables.push(bearing_parts_table(parts));
+    }
+    for table in tables {
         out.push('\n');
         out.push_str(&table.text());
     }
+    if let Some(words) = without_mains_words(loads) {
+        out.push('\n');
+        push_wrapped(&mut out, "", &words);
+    }
     out
+}
+
+/// Crankshafts of which no bearing is told, and why.
+pub(crate) fn without_mains_words(loads: &BearingLoads) -> Option<String> {
+    let numbers: Vec<String> = loads.without_mains.iter().map(usize::to_string).collect();
+    match numbers.as_slice() {
+        [] => None,
+        [only] => Some(format!(
+            "Crankshaft {only} has no throw: where its main bearings stand is not known, and no load of them is told."
+        )),
+        [others @ .., last] => Some(format!(
+            "Crankshafts {} and {last} have no throws: where their main bearings stand is not known, and no load of them is told.",
+            others.join(", ")
+        )),
+    }
+}
+
+/// The table of main bearings; none for crankshafts that have none.
+pub(crate) fn mains_tables(
+    loads: &BearingLoads,
+    bare: Option<&BearingLoads>,
+    sizes: BearingSizes,
+) -> Option<Table> {
+    (!loads.mains.is_empty()).then(|| main_bearings_table(loads, bare, sizes))
 }
 
 /// Every load over the crank angle.

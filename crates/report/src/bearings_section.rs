@@ -1,6 +1,8 @@
 //! The section of the report on what pistons, pins and bearings carry.
 
-use crate::bearing_tables::{BearingSizes, main_bearings_table, rod_bearings_tables};
+use crate::bearing_tables::{
+    BearingSizes, bearing_parts_table, mains_tables, rod_bearings_tables, without_mains_words,
+};
 use crate::figure::{Figure, Panel};
 use crate::number;
 use crate::plot::{AnglePlot, Series};
@@ -8,7 +10,6 @@ use crate::polar::polar_panel;
 use crate::table::Table;
 use lanchester_mechanism::{BearingLoads, CylinderBearings};
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
 /// Two loads that differ by less than this share of their largest are the same.
 const SAME: f64 = 1e-6;
@@ -40,15 +41,17 @@ impl BearingsSection {
         figures.extend(crankpins(input.parts, &groups));
         figures.extend(mains(input.parts));
         let mut tables = rod_bearings_tables(whole, input.sizes);
-        if !whole.mains.is_empty() {
-            tables.push(main_bearings_table(whole, input.bare, input.sizes));
+        tables.extend(mains_tables(whole, input.bare, input.sizes));
+        if input.parts.len() > 1 {
+            tables.push(bearing_parts_table(input.parts));
         }
-        let rpm = number::terminal(whole.speed * 60.0 / TAU, 0);
+        let rpm = number::terminal(number::rpm(whole.speed), 0);
         let paragraph = format!(
             "At {rpm} rpm under {}. Main bearings are loaded throw by throw, each stretch between two of them on its own.",
             whole.part.name()
         );
-        Some(BearingsSection { paragraphs: vec![paragraph], figures, tables })
+        let paragraphs = [Some(paragraph), without_mains_words(whole)].into_iter().flatten().collect();
+        Some(BearingsSection { paragraphs, figures, tables })
     }
 }
 

@@ -90,7 +90,8 @@ pub use balance_tables::{
 };
 pub use balance_text::{balance_text, equals_words, headline};
 pub use bearing_tables::{
-    BearingSizes, bearing_figures, bearings_csv, bearings_text, main_bearings_table, rod_bearings_tables,
+    BearingSizes, bearing_figures, bearing_parts_table, bearings_csv, bearings_text, main_bearings_table,
+    rod_bearings_tables,
 };
 pub use bearings_section::{BearingsInput, bearings_section_figures};
 pub use cancellation::{cancellation_proof_table, cancelled_orders_table};
@@ -160,5 +161,5 @@ pub use torque_figures::{power_figure, ripple_figure, torque_figures};
 pub use torque_section::{TorqueInput, torque_section_figures};
 pub use torque_tables::{
     cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table, torque_csv,
-    torque_extremes_table, torque_orders_table, torque_table, torque_text,
+    torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table, torque_text,
 };

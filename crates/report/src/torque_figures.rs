@@ -84,15 +84,27 @@ fn pressure_volume(torque: &Torque) -> Figure {
         polar: None,
         curves: curves.collect(),
     };
+    let series = torque.cylinders.iter().enumerate().map(|(k, cylinder)| Series {
+        name: format!("cylinder {}", cylinder.cylinder),
+        style: if k == 0 { 0 } else { 1 + (k - 1) % 5 },
+        values: &cylinder.pressure,
+    });
+    let over_angle = AnglePlot {
+        quantity: "Pressure, absolute",
+        unit: "Pa",
+        theta: &torque.theta,
+        period: torque.period,
+        series: series.collect(),
+    };
     figure(
         "pressure-volume",
-        "Pressure over volume",
+        "Pressure over volume and crank angle",
         if has_clearance {
             "The area within is the work of a cycle."
         } else {
             "The area within is the work of a cycle. The file gives no compression ratio: the volume counts from top dead centre."
         },
-        vec![plot.panel()],
+        vec![plot.panel(), over_angle.panel()],
     )
 }
 
@@ -228,7 +240,6 @@ pub fn ripple_figure(ripples: &[SpeedRipple]) -> Figure {
 
 /// Power and torque over speed with the cubic through the origin.
 pub fn power_figure(curve: &PowerCurve) -> Figure {
-    let rpm = |speed: f64| speed * 60.0 / TAU;
     let highest = curve.points.iter().map(|p| p.0).fold(0.0, f64::max);
     let speeds = || (0..=120).map(|k| highest * f64::from(k) / 120.0);
     let panel = |ordinate, unit, cubic: Vec<(f64, f64)>, points: Vec<(f64, f64)>| {
@@ -238,9 +249,10 @@ pub fn power_figure(curve: &PowerCurve) -> Figure {
         ];
         XyPlot { abscissa: "Speed", ordinate, units: ["rpm", unit], polar: None, curves }.panel()
     };
-    let of_power = speeds().map(|w| (rpm(w), curve.power(w))).collect();
-    let of_torque = speeds().map(|w| (rpm(w), curve.torque(w))).collect();
-    let points = |of: fn(&(f64, f64)) -> f64| curve.points.iter().map(|p| (rpm(p.0), of(p))).collect();
+    let of_power = speeds().map(|w| (number::rpm(w), curve.power(w))).collect();
+    let of_torque = speeds().map(|w| (number::rpm(w), curve.torque(w))).collect();
+    let points =
+        |of: fn(&(f64, f64)) -> f64| curve.points.iter().map(|p| (number::rpm(p.0), of(p))).collect();
     figure(
         "power",
         "Power and torque over speed",

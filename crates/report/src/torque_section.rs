@@ -6,10 +6,9 @@ use crate::table::Table;
 use crate::torque_figures::{power_figure, ripple_figure, torque_figures};
 use crate::torque_tables::{
     cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table,
-    torque_extremes_table, torque_orders_table, torque_table,
+    torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table,
 };
-use lanchester_mechanism::{Brake, FlywheelNeed, PowerCurve, SpeedRipple, Torque};
-use std::f64::consts::TAU;
+use lanchester_mechanism::{Brake, FlywheelNeed, PowerCurve, SpeedRipple, Torque, TorqueAtSpeed};
 
 /// Torque at one speed, and what follows from it.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +23,8 @@ pub struct TorqueInput<'a> {
     pub ripples: &'a [SpeedRipple],
     /// The flywheel that a fluctuation needs, where one is wanted.
     pub flywheel: Option<&'a FlywheelNeed>,
+    /// Torque and energy at several speeds.
+    pub speeds: &'a [TorqueAtSpeed],
     /// Power over speed, where pressures at several speeds are known.
     pub power: Option<&'a PowerCurve>,
 }
@@ -63,6 +64,9 @@ impl TorqueSection {
             tables.push(ripple_table(&ripples));
         }
         tables.extend(input.flywheel.map(flywheel_table));
+        if !input.speeds.is_empty() {
+            tables.push(torque_speeds_table(input.speeds));
+        }
         tables.extend(input.power.map(power_table));
         let mut paragraphs = vec![words(input)];
         if ripples.is_empty() {
@@ -83,7 +87,7 @@ pub fn torque_section_figures(input: &TorqueInput<'_>) -> Vec<Figure> {
 /// Mean torque, power, what the flywheel holds, and where the pressures come from.
 fn words(input: &TorqueInput<'_>) -> String {
     let torque = input.torque;
-    let rpm = number::terminal(torque.speed * 60.0 / TAU, 0);
+    let rpm = number::terminal(number::rpm(torque.speed), 0);
     let of_brake = input.brake.map_or(String::new(), |brake| {
         format!(
             " Friction leaves {} N m and {} kW at the brake.",

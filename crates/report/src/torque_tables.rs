@@ -2,7 +2,9 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, csv_number, numbers, push_csv_line, words};
-use lanchester_mechanism::{Brake, FiringChart, FlywheelNeed, PowerCurve, SpeedRipple, Torque};
+use lanchester_mechanism::{
+    Brake, FiringChart, FlywheelNeed, PowerCurve, SpeedRipple, Torque, TorqueAtSpeed,
+};
 use std::fmt::Write;
 
 /// A table of named values with their units.
@@ -219,6 +221,31 @@ pub fn flywheel_table(need: &FlywheelNeed) -> Table {
         table.remark = "No flywheel keeps it.".to_owned();
     }
     table
+}
+
+/// Torque, power and energy at several speeds.
+pub fn torque_speeds_table(speeds: &[TorqueAtSpeed]) -> Table {
+    let column = |head: &str, unit, f: fn(&TorqueAtSpeed) -> f64, digits| {
+        numbers(head, unit, speeds.iter().map(f).collect::<Vec<_>>().into_iter(), digits)
+    };
+    Table::of_columns(
+        "torque-speeds",
+        "Torque and energy over speed",
+        "Net indicated. Excess: what a flywheel must hold. Absolute: integral of the torque's distance from its mean over its own period, the twin thesis's \
+         \u{201c}variation of energy\u{201d}.",
+        vec![
+            column("speed", "rpm", |t| number::rpm(t.speed), 5),
+            column("torque", "N m", |t| t.indicated.torque, 4),
+            column("power", "kW", |t| t.indicated.power / 1e3, 4),
+            column("IMEP", "bar", |t| t.indicated.imep / 1e5, 4),
+            column("peak", "bar", |t| t.indicated.peak_pressure / 1e5, 4),
+            column("highest", "N m", |t| t.extremes.max.value, 4),
+            column("lowest", "N m", |t| t.extremes.min.value, 4),
+            column("excess", "J", |t| t.energy.excess, 5),
+            column("absolute", "J", |t| t.energy.absolute, 5),
+            column("own period", "deg", |t| t.energy.own_period.to_degrees(), 4),
+        ],
+    )
 }
 
 /// Power over speed: points, and the cubic through the origin.

@@ -138,7 +138,7 @@ mod tests {
         let square = [(0.0, 0.0), (5.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 5.0), (0.0, 0.0)];
         let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 0.0)];
         assert_eq!(thinned(&square), corners);
-        let circle: Vec<(f64, f64)> = (0..=720)
+        let circle: Vec<(f64, f64)> = (0..=360)
             .map(|k| f64::from(k).to_radians())
             .map(|t| (200.0 * t.cos(), 200.0 * t.sin()))
             .collect();

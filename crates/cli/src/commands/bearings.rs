@@ -45,16 +45,16 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     let found = loads(part, true)?;
     let has_weights = part != BearingPart::Gas && engine.counterweights.iter().any(|w| w.unbalance > 0.0);
     let bare = if has_weights { Some(loads(part, false)?) } else { None };
+    let mut parts = vec![found.clone()];
+    if part == BearingPart::All {
+        parts.push(loads(BearingPart::Gas, true)?);
+        parts.push(loads(BearingPart::Inertia, true)?);
+    }
     if let Some(folder) = &arguments.figures {
-        let mut parts = vec![found.clone()];
-        if part == BearingPart::All {
-            parts.push(loads(BearingPart::Gas, true)?);
-            parts.push(loads(BearingPart::Inertia, true)?);
-        }
         write_figures(folder, &arguments.file, &bearing_figures(&parts))?;
     }
     print(&match arguments.format {
-        Format::Text => bearings_text(&found, bare.as_ref(), bearing_sizes(engine)),
+        Format::Text => bearings_text(&found, &parts, bare.as_ref(), bearing_sizes(engine)),
         Format::Json => json(&WithAndWithout { loads: &found, without_counterweights: bare.as_ref() })?,
         Format::Csv => bearings_csv(&found),
     })?;

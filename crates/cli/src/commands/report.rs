@@ -32,7 +32,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let running = if arguments.all_arrangements {
         Running::default()
     } else {
-        running(&opened.engine, &arguments.file, &mut warnings)
+        running(&opened.engine, &arguments.file, loads.speed, &mut warnings)
     };
     let input = ReportInput {
         engine: &opened.engine,

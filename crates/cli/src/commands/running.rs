@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::trace_files::trace_files;
-use lanchester::mechanism::MountStudy;
+use lanchester::mechanism::{MountStudy, TorqueRequest};
 use lanchester::model::Engine;
 use lanchester::report::{BearingsInput, TorqueInput};
 use lanchester::{
@@ -26,8 +26,8 @@ pub struct Running {
     pub mounts: Option<MountStudy>,
 }
 
-/// Everything that the file has enough for; what is left out is one more warning.
-pub fn running(engine: &Engine, file: &Path, warnings: &mut Vec<String>) -> Running {
+/// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; what is left out is one more warning.
+pub fn running(engine: &Engine, file: &Path, speed: f64, warnings: &mut Vec<String>) -> Running {
     let has_mounts = engine.block.is_some() && engine.mounts.iter().all(|mount| mount.spring.is_some());
     let has_bearings = engine.gas.is_some() || engine.bearings.is_some();
     if !has_mounts && !has_bearings {
@@ -37,13 +37,14 @@ pub fn running(engine: &Engine, file: &Path, warnings: &mut Vec<String>) -> Runn
     let mut left_out = Vec::new();
     let torque = section(engine.gas.is_some(), "torque with gas is", &traces, &mut left_out, |traces| {
         let request = TorqueReportRequest {
+            torque: TorqueRequest { speed: Some(speed), ..TorqueRequest::default() },
             speeds: power_speeds(engine, POWER_SPEEDS),
             ..TorqueReportRequest::default()
         };
         torque_report(engine, traces, &request).map_err(|error| error.to_string())
     });
     let bearings = section(has_bearings, "loads of the bearings are", &traces, &mut left_out, |traces| {
-        bearing_study(engine, traces).map_err(|error| error.to_string())
+        bearing_study(engine, traces, speed).map_err(|error| error.to_string())
     });
     let mounts = section(has_mounts, "the block on its mounts is", &traces, &mut left_out, |traces| {
         mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(traces), &[])
@@ -92,6 +93,7 @@ pub fn torque_input(report: &TorqueReport) -> TorqueInput<'_> {
         brake: report.brake.as_ref(),
         ripples: &report.ripples,
         flywheel: report.flywheel.as_ref(),
+        speeds: &report.speeds,
         power: report.power.as_ref(),
     }
 }

@@ -10,7 +10,7 @@ use lanchester::mechanism::{Lever, TorqueRequest};
 use lanchester::model::{Friction, option};
 use lanchester::report::{
     Figure, flywheel_table, power_figure, power_table, ripple_figure, ripple_table, torque_csv,
-    torque_figures, torque_text,
+    torque_figures, torque_speeds_table, torque_text,
 };
 use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
 
@@ -70,6 +70,7 @@ fn text(report: &TorqueReport) -> String {
     let tables = [
         Some(ripple_table(&report.ripples)),
         report.flywheel.as_ref().map(flywheel_table),
+        (!report.speeds.is_empty()).then(|| torque_speeds_table(&report.speeds)),
         report.power.as_ref().map(power_table),
     ];
     for table in tables.into_iter().flatten() {

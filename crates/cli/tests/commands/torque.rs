@@ -69,6 +69,7 @@ fn bearings_with_gas_and_without() {
     written(&folder, &format!("{FOUR}{GAS}"));
     let text = output(&folder, 0, &["bearings", "four.toml", "--figures", "figures"]);
     assert!(text.contains("gas and inertia") && text.contains("peak, bare"), "{text}");
+    assert!(text.contains("Largest loads of gas, inertia and both"), "{text}");
     assert!(folder.join("figures/main-5.svg").exists() && folder.join("figures/crankpin-4.svg").exists());
     let csv = output(&folder, 0, &["bearings", "four.toml", "--part", "gas", "--format", "csv"]);
     assert_eq!(csv.lines().count(), 721);
@@ -79,6 +80,21 @@ fn bearings_with_gas_and_without() {
     assert!(refused.contains("says nothing of the gas"), "{refused}");
     let refused = message(&folder, 2, &["torque", "four.toml"]);
     assert!(refused.contains("hint: add [gas]"), "{refused}");
+}
+
+#[test]
+fn a_crankshaft_without_throws_is_named() {
+    let folder = folder("bearings-bare");
+    let first = "name = \"Two cranks\"\nstrokes = 2\nspeed = \"6000 rpm\"\n[[crankshaft]]\nname = \"a\"\n";
+    let second = "[[crankshaft]]\nname = \"b\"\nratio = -1\ny = \"200 mm\"\n";
+    let rest = "[[throw]]\ncrankshaft = 1\nangle = \"0 deg\"\nz = \"0 mm\"\nradius = \"30 mm\"\n\
+                [[cylinder]]\nthrow = 1\nangle = \"0 deg\"\n[piston]\nmass = \"0.3 kg\"\n\
+                [rod]\nlength = \"120 mm\"\nmass = \"0.3 kg\"\n";
+    std::fs::write(folder.join("two.toml"), format!("{first}{second}{rest}")).expect("the folder is ours");
+    let text = output(&folder, 0, &["bearings", "two.toml"]);
+    assert!(text.contains("Crankshaft 2 has no throw: where its main bearings stand is not known"), "{text}");
+    std::fs::write(folder.join("one.toml"), format!("{first}{rest}")).expect("the folder is ours");
+    assert!(!output(&folder, 0, &["bearings", "one.toml"]).contains("no throw"));
 }
 
 /// Names of everything in a page that has one.
@@ -142,6 +158,15 @@ fn the_report_of_measured_pressures_has_the_power_over_their_speeds() {
     output(&folder, 0, &["report", "four.toml"]);
     let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
     assert!(names_of(&page).contains(&"power") && page.contains("The speed ripple is not shown"));
+    // Torque and bearings are told at the speed asked for.
+    output(&folder, 0, &["report", "four.toml", "--speed", "2000 rpm", "--output", "slow.html"]);
+    let slow = std::fs::read_to_string(folder.join("slow.html")).expect("it was written");
+    assert!(
+        page.contains("At 4000\u{a0}rpm the gas gives") && slow.contains("At 2000\u{a0}rpm the gas gives")
+    );
+    assert!(
+        page.contains("At 4000\u{a0}rpm under gas and") && slow.contains("At 2000\u{a0}rpm under gas and")
+    );
     // Without one of the files the rest of the report stands, and says what is missing.
     std::fs::remove_file(folder.join("pressure-2000.csv")).expect("it is there");
     let run = crate::program::lanchester(&folder, &["report", "four.toml"]);
