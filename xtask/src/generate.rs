@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 11] = [
+const WRITTEN: [Written; 12] = [
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
@@ -66,6 +66,13 @@ const WRITTEN: [Written; 11] = [
         arguments: &["counterweight", "front", "examples/in-line-3-counterweights.toml"],
         figure: Some("counterweight-front.svg"),
     },
+    Written {
+        file: "docs/src/images/layout-front.svg",
+        head: "",
+        input: None,
+        arguments: &V6_SEARCH,
+        figure: Some("layout-front.svg"),
+    },
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
     story("docs/src/images/balanced-three.svg", "three.toml"),
     story("docs/src/images/balanced-v6.svg", "v6.toml"),
@@ -95,6 +102,24 @@ const TWIN_SEARCH: [&str; 11] = [
     "1/2",
     "--choose",
     "+1 -1",
+];
+
+/// The guide's search over V6 engines with shared pins.
+const V6_SEARCH: [&str; 14] = [
+    "explore",
+    "examples/v6-60.toml",
+    "--bank-angle",
+    "60 deg .. 120 deg by 5 deg",
+    "--split-angle",
+    "0 deg",
+    "--limit",
+    "force order 1 = 1 N",
+    "--limit",
+    "force order 2 = 1 N",
+    "--minimise",
+    "uneven firing",
+    "--minimise",
+    "couple order 1",
 ];
 
 /// A file that the program writes.

@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::commands::merge::MergeArguments;
 use crate::compare_arguments::CompareArguments;
 use crate::counterweight_arguments::CounterweightArguments;
 use crate::explore_arguments::ExploreArguments;
@@ -131,10 +132,18 @@ pub enum Command {
                             --minimise 'couple order 1'\n  \
                             lanchester explore four.toml --cylinders 6 --limit 'length = 650 mm' --minimise 'bending moment' --minimise 'force order 2'\n  \
                             lanchester explore v6.toml --even-firing --adopt 1 --output best.toml\n  \
-                            lanchester explore v6.toml --format csv > front.csv\n\n\
-                            Exit status 1: nothing was judged, and the answer says why."
+                            lanchester explore v6.toml --format csv > front.csv\n  \
+                            lanchester explore v6.toml --save cases.parquet\n  lanchester explore v6.toml --save part-2.parquet --part 2/3\n\n\
+                            A run with --save that was stopped goes on with the same command.\n\
+                            Exit status 1: nothing was judged, and the answer says why; or the run was stopped."
     )]
     Explore(Box<ExploreArguments>),
+    /// Join the parts of a long run into the table that the run would have written, to the last byte.
+    #[command(
+        after_help = "Examples:\n  lanchester explore v6.toml --save part-1.parquet --part 1/2\n  lanchester explore v6.toml --save part-2.parquet \
+                            --part 2/2\n  lanchester merge part-1.parquet part-2.parquet --output cases.parquet"
+    )]
+    Merge(MergeArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \

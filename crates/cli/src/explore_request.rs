@@ -24,6 +24,14 @@ pub fn layout_search(engine: &Engine, arguments: &ExploreArguments) -> Result<La
     let choices = choices(engine, &arguments.space)?;
     let LayoutSpace { space, notes } = layout_space(engine, &choices, &constraints).map_err(refused)?;
     let objectives = objectives(arguments)?;
+    if let Some((place, twice)) =
+        objectives.iter().enumerate().find(|(k, one)| objectives[..*k].contains(one))
+    {
+        return Err(Failure::input(
+            format_args!("--minimise names {} twice, the second time as number {}", twice.name(), place + 1),
+            "name it once",
+        ));
+    }
     let request = ExploreRequest {
         most_cases: arguments.most_cases.into(),
         most_on_front: arguments.most_on_front,

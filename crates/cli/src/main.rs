@@ -17,6 +17,7 @@ mod mounts_arguments;
 mod provenance;
 mod published_arguments;
 mod request;
+mod run;
 mod search_arguments;
 mod search_request;
 mod shaft_option;
@@ -50,6 +51,7 @@ fn main() -> ExitCode {
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
         Command::Compare(arguments) => commands::compare::run(&arguments, colour),
         Command::Explore(arguments) => commands::explore::run(&arguments, colour),
+        Command::Merge(arguments) => commands::merge::run(&arguments),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

@@ -24,10 +24,12 @@ mod counterweights;
 mod crankshaft_parts;
 mod layout_search;
 mod layout_space;
+mod layout_study;
 mod measured_gas;
 mod mounted;
 mod own_layout;
 mod pressure;
+pub mod run;
 mod shaft_weights;
 mod torque_report;
 pub mod validate;
@@ -55,8 +57,10 @@ pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_report as report;
 pub use lanchester_study as study;
+pub use lanchester_table as table;
 pub use layout_search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
 pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
+pub use layout_study::{LayoutRows, LayoutStudy};
 pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,

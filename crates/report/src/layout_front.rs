@@ -3,7 +3,7 @@
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, words};
 use lanchester_study::explore::{
-    ExploreAnswer, FoundLayout, GivenEngine, JudgedBy, Objective, Removes, Sense,
+    Choice, ExploreAnswer, FoundLayout, GivenEngine, JudgedBy, Objective, Removes, Sense,
 };
 use std::f64::consts::TAU;
 
@@ -48,31 +48,15 @@ fn list(numbers: impl Iterator<Item = f64>) -> String {
     numbers.map(|number| number.to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// A column of what layouts have, or nothing where all have the same and it is not always told.
+/// A column of what layouts have.
 fn sizes(
     header: &str,
     unit: &'static str,
     layouts: &[FoundLayout],
     size: impl Fn(&FoundLayout) -> Option<f64>,
-) -> Option<(Column, Vec<Cell>)> {
-    let values: Vec<Option<f64>> = layouts.iter().map(size).collect();
-    let first = values.first()?.as_ref()?;
-    if values.iter().all(|value| value.as_ref() == Some(first)) {
-        return None;
-    }
-    let cell = |value: &Option<f64>| value.map_or(Cell::Empty, |value| Cell::text(value.to_string()));
-    Some((Column { numeric: true, ..Column::numbers(header, unit) }, values.iter().map(cell).collect()))
-}
-
-/// A column of names, where they differ.
-fn names(
-    header: &str,
-    layouts: &[FoundLayout],
-    name: impl Fn(&FoundLayout) -> &str,
-) -> Option<(Column, Vec<Cell>)> {
-    let first = name(layouts.first()?);
-    let differ = layouts.iter().any(|layout| name(layout) != first);
-    differ.then(|| words(header, layouts.iter().map(|layout| name(layout).to_owned())))
+) -> (Column, Vec<Cell>) {
+    let cell = |layout| size(layout).map_or(Cell::Empty, |value| Cell::text(value.to_string()));
+    (Column::numbers(header, unit), layouts.iter().map(cell).collect())
 }
 
 /// The front, best first by the first objective.
@@ -97,13 +81,32 @@ fn table(id: &'static str, title: String, answer: &ExploreAnswer, layouts: &[Fou
     let mut columns: Vec<(Column, Vec<Cell>)> =
         vec![(Column::numbers("no.", ""), layouts.iter().map(|l| number(l.number as f64)).collect())];
     let pair = |layout: &FoundLayout| layout.layout.banks;
-    columns.extend(sizes("bank", "deg", layouts, |l| pair(l).map(|p| degrees(p.bank_angle))));
-    columns.extend(sizes("split", "deg", layouts, |l| pair(l).map(|p| degrees(p.split_angle))));
-    columns.extend(sizes("stagger", "mm", layouts, |l| pair(l).map(|p| (1e9 * p.stagger).round() / 1e6)));
-    columns.extend(sizes("spacing", "mm", layouts, |l| Some((1e9 * l.layout.spacing).round() / 1e6)));
-    columns.extend(sizes("r/l", "", layouts, |l| Some((1e6 * l.layout.rod_ratio).round() / 1e6)));
-    columns.extend(names("counterweights", layouts, |l| &l.layout.counterweights.name));
-    columns.extend(names("balance shafts", layouts, |l| &l.layout.shafts.name));
+    let millimetres = |length: f64| (1e9 * length).round() / 1e6 + 0.0;
+    // What was searched is told, even where all of the front have the same.
+    for choice in answer.choices.iter().map(|count| count.choice) {
+        columns.extend(match choice {
+            Choice::BankAngle => {
+                Some(sizes("bank", "deg", layouts, |l| pair(l).map(|pair| degrees(pair.bank_angle))))
+            }
+            Choice::SplitAngle => {
+                Some(sizes("split", "deg", layouts, |l| pair(l).map(|pair| degrees(pair.split_angle))))
+            }
+            Choice::Stagger => {
+                Some(sizes("stagger", "mm", layouts, |l| pair(l).map(|pair| millimetres(pair.stagger))))
+            }
+            Choice::Spacing => Some(sizes("spacing", "mm", layouts, |l| Some(millimetres(l.layout.spacing)))),
+            Choice::RodRatio => {
+                Some(sizes("r/l", "", layouts, |l| Some((1e6 * l.layout.rod_ratio).round() / 1e6)))
+            }
+            Choice::Counterweights => {
+                Some(words("counterweights", layouts.iter().map(|l| l.layout.counterweights.name.clone())))
+            }
+            Choice::Shafts => {
+                Some(words("balance shafts", layouts.iter().map(|l| l.layout.shafts.name.clone())))
+            }
+            Choice::ThrowAngles | Choice::Firing => None,
+        });
+    }
     columns.push((
         Column { unit: "deg", ..Column::words("throws") },
         layouts.iter().map(|l| Cell::Text(list(l.layout.throw_angles.iter().map(|a| degrees(*a))))).collect(),

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 11] = [
+const ARROWS: [(&str, &[&str]); 12] = [
     ("lanchester-shape", &[]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
@@ -12,6 +12,7 @@ const ARROWS: [(&str, &[&str]); 11] = [
     ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-table", &[]),
     (
         "lanchester-report",
         &[
@@ -32,6 +33,7 @@ const ARROWS: [(&str, &[&str]); 11] = [
             "lanchester-balance",
             "lanchester-report",
             "lanchester-study",
+            "lanchester-table",
         ],
     ),
     ("lanchester-cli", &["lanchester"]),

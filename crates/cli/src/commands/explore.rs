@@ -6,30 +6,75 @@ use crate::explore_request::{LayoutSearch, layout_search, refused};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_new};
 use crate::format::Format;
-use lanchester::model::{expanded, read, render};
+use crate::run::{Head, run_alone, run_into};
+use lanchester::model::{Engine, expanded, read, render};
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
-use lanchester::study::explore::{ExploreAnswer, Explorer};
-use lanchester::{adopted_layout, given_engine};
+use lanchester::study::explore::{Exploration, ExploreAnswer, ExploreRequest, Explorer};
+use lanchester::{LayoutRows, LayoutStudy, adopted_layout, given_engine};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// The request as a table keeps it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct SavedSearch {
+    pub request: ExploreRequest,
+    pub rows: LayoutRows,
+    pub notes: Vec<String>,
+}
 
 pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let LayoutSearch { explorer, notes } = layout_search(&opened.engine, arguments)?;
-    let found = explorer.explore().map_err(refused)?;
-    let mut answer = explorer.answer(&found, &opened.engine.name, notes).map_err(refused)?;
-    answer.given = Some(given_engine(&opened.engine, &explorer, &answer).map_err(refused)?);
+    if let Some(threads) = arguments.threads {
+        // Set once, before anything is computed; a second time cannot be.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+    }
+    let rows = match (&arguments.save, arguments.front_only) {
+        (None, _) => LayoutRows::Nothing,
+        (Some(_), true) => LayoutRows::Front,
+        (Some(_), false) => LayoutRows::Judged,
+    };
+    let study = LayoutStudy { explorer, rows };
+    let found = match &arguments.save {
+        None => run_alone(&study)?,
+        Some(path) => {
+            let request = study.explorer.request().clone();
+            let saved = SavedSearch { request, rows, notes: notes.clone() };
+            run_into(&study, &Head::new("explore", &saved, &opened.source.text)?, path, arguments.part)?
+        }
+    };
+    let engine = &opened.engine;
+    let answer = answer_of(engine, &study.explorer, &found, notes)?;
     if let Some(folder) = arguments.figures.as_deref().filter(|_| !answer.front.is_empty()) {
         write_figures(folder, &arguments.file, &[layout_front_figure(&answer)])?;
     }
     if let Some(number) = arguments.adopt {
-        adopt(&opened, arguments, &explorer, &answer, number, colour)?;
+        adopt(&opened, arguments, &study.explorer, &answer, number, colour)?;
     }
-    print(&match arguments.format {
-        Format::Text => layout_search_text(&answer, arguments.rows, arguments.ranking),
-        Format::Json => json(&answer)?,
-        Format::Csv if arguments.ranking => layout_ranking_table(&answer).csv(),
-        Format::Csv => layout_front_table(&answer).csv(),
-    })?;
-    Ok(if answer.front.is_empty() { NOT_AS_EXPECTED } else { DONE })
+    print(&said(&answer, arguments.format, arguments.rows, arguments.ranking)?)?;
+    Ok(if answer.counts.judged == 0 { NOT_AS_EXPECTED } else { DONE })
+}
+
+/// The answer with the engine of the file in it.
+pub fn answer_of(
+    engine: &Engine,
+    explorer: &Explorer,
+    found: &Exploration,
+    notes: Vec<String>,
+) -> Result<ExploreAnswer, Failure> {
+    let mut answer = explorer.answer(found, &engine.name, notes).map_err(refused)?;
+    answer.given = Some(given_engine(engine, explorer, &answer).map_err(refused)?);
+    Ok(answer)
+}
+
+/// The answer as it is printed.
+pub fn said(answer: &ExploreAnswer, format: Format, rows: usize, ranking: bool) -> Result<String, Failure> {
+    Ok(match format {
+        Format::Text => layout_search_text(answer, rows, ranking),
+        Format::Json => json(answer)?,
+        Format::Csv if ranking => layout_ranking_table(answer).csv(),
+        Format::Csv => layout_front_table(answer).csv(),
+    })
 }
 
 /// Writes a layout as an engine file.
@@ -58,7 +103,7 @@ fn adopt(
             "see above for what is in the way",
         ));
     }
-    let path = arguments.output.as_deref().unwrap_or_else(|| std::path::Path::new("-"));
+    let path = arguments.output.as_deref().unwrap_or(Path::new("-"));
     write_new(path, &text)?;
     eprintln!("layout {number} written into {}", path.display());
     Ok(())

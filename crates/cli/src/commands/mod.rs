@@ -8,6 +8,7 @@ pub mod counterweight;
 pub mod explore;
 mod found;
 pub mod loads;
+pub mod merge;
 pub mod mounts;
 pub mod new;
 pub mod published;

@@ -12,6 +12,7 @@ mod explore;
 mod methods;
 mod mounts;
 mod program;
+mod runs;
 mod search;
 mod shaft_weights;
 mod sweep;

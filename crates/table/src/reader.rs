@@ -1,0 +1,106 @@
+//! Reading tables back.
+
+use crate::column::{Column, Kind, Rows, Values};
+use crate::error::TableError;
+use parquet::basic::Type as Physical;
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::{ByteArray, DataType};
+use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
+
+/// Bytes that are shared.
+pub use bytes::Bytes;
+
+/// A table in Parquet that is being read, a row group at a time.
+pub struct TableReader<R: ChunkReader + 'static> {
+    reader: SerializedFileReader<R>,
+    next: usize,
+}
+
+impl<R: ChunkReader + 'static> TableReader<R> {
+    /// Reads head and metadata.
+    ///
+    /// # Errors
+    /// [`TableError`] where it is no table, or one that was not ended.
+    pub fn open(source: R) -> Result<TableReader<R>, TableError> {
+        Ok(TableReader { reader: SerializedFileReader::new(source)?, next: 0 })
+    }
+
+    /// The metadata under a key.
+    pub fn metadata(&self, key: &str) -> Option<&str> {
+        let all = self.reader.metadata().file_metadata().key_value_metadata()?;
+        all.iter().find(|entry| entry.key == key)?.value.as_deref()
+    }
+
+    /// Rows of the whole table.
+    pub fn rows(&self) -> u64 {
+        self.reader.metadata().file_metadata().num_rows().try_into().unwrap_or(0)
+    }
+
+    /// The columns; `None` where one is of a kind that this program does not write.
+    pub fn columns(&self) -> Option<Vec<Column>> {
+        let schema = self.reader.metadata().file_metadata().schema_descr();
+        let column = |k: usize| {
+            let field = schema.column(k);
+            let kind = match field.physical_type() {
+                Physical::INT64 => Kind::Whole,
+                Physical::DOUBLE => Kind::Real,
+                Physical::BYTE_ARRAY => Kind::Text,
+                _ => return None,
+            };
+            Some(Column { name: field.name().to_owned(), kind })
+        };
+        (0..schema.num_columns()).map(column).collect()
+    }
+
+    /// The next rows; `None` at the end.
+    ///
+    /// # Errors
+    /// [`TableError`] where the table has other columns or is damaged.
+    pub fn next(&mut self, columns: &[Column]) -> Result<Option<Rows>, TableError> {
+        let own = self.columns();
+        if own.as_deref() != Some(columns) {
+            let names = |columns: &[Column]| {
+                columns.iter().map(|column| column.name.as_str()).collect::<Vec<_>>().join(", ")
+            };
+            let got = own.map_or("columns of other kinds".to_owned(), |own| names(&own));
+            return Err(TableError::Columns { needed: names(columns), got });
+        }
+        if self.next == self.reader.num_row_groups() {
+            return Ok(None);
+        }
+        let group = self.reader.get_row_group(self.next)?;
+        self.next += 1;
+        let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let mut all = Vec::with_capacity(columns.len());
+        for k in 0..columns.len() {
+            all.push(match group.get_column_reader(k)? {
+                ColumnReader::Int64ColumnReader(reader) => Values::Whole(values(reader, count)?),
+                ColumnReader::DoubleColumnReader(reader) => Values::Real(values(reader, count)?),
+                ColumnReader::ByteArrayColumnReader(reader) => {
+                    let words = values(reader, count)?.into_iter().map(text);
+                    Values::Text(words.collect::<Result<_, _>>()?)
+                }
+                _ => return Err(TableError::Damaged { reason: "a column has changed its kind".to_owned() }),
+            });
+        }
+        Ok(Some(Rows::of(all)))
+    }
+}
+
+/// All values of a column of a row group.
+fn values<T: DataType>(mut reader: ColumnReaderImpl<T>, count: usize) -> Result<Vec<T::T>, TableError> {
+    let mut values = Vec::with_capacity(count);
+    while values.len() < count {
+        let (read, _, _) = reader.read_records(count - values.len(), None, None, &mut values)?;
+        if read == 0 {
+            let reason = format!("a column has {} rows of {count}", values.len());
+            return Err(TableError::Damaged { reason });
+        }
+    }
+    Ok(values)
+}
+
+fn text(bytes: ByteArray) -> Result<String, TableError> {
+    let text = bytes.as_utf8().map_err(|error| TableError::Damaged { reason: error.to_string() })?;
+    Ok(text.to_owned())
+}
