@@ -72,7 +72,8 @@ fn turning(engine: &Engine) -> impl Iterator<Item = (Ratio, [f64; 3], f64)> + '_
         let own = &engine.crankshafts[index];
         (own.ratio, [own.x, own.y, z], unbalance)
     };
-    let throws = engine.throws.iter().map(move |t| crankshaft(t.crankshaft, t.z, t.unbalance));
+    let throws =
+        engine.throws.iter().map(move |t| crankshaft(t.crankshaft, t.unbalance_plane(), t.unbalance));
     let weights = engine.counterweights.iter().map(move |w| crankshaft(w.crankshaft, w.z, w.unbalance));
     let shafts =
         engine.shafts.iter().flat_map(|s| s.weights.iter().map(|w| (s.ratio, [s.x, s.y, w.z], w.unbalance)));

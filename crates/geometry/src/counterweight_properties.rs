@@ -2,17 +2,14 @@
 
 use lanchester_model::{CounterweightForm, CounterweightPart, Engine};
 use lanchester_shape::{AreaMoments, GeometryError, MassMoments, MassProperties, Outline, Point};
-use std::f64::consts::PI;
 
 /// Outline of the plain web on which a part sits, in the frame of the part; none without a web or `[crank.body]`.
 ///
 /// # Errors
 /// Where the body's web cannot be.
 pub fn plain_web(engine: &Engine, part: &CounterweightPart) -> Result<Option<Outline>, GeometryError> {
-    let (Some(body), Some(web)) = (engine.crank_body, part.web) else { return Ok(None) };
-    let Some(throw) = engine.throws.get(web / 2) else { return Ok(None) };
-    // A web's own x points away from its crankpin.
-    Ok(Some(body.web(throw.radius)?.turned(throw.angle + PI - part.angle)))
+    let Some(web) = part.web else { return Ok(None) };
+    Ok(engine.plain_web(web)?.map(|plain| plain.outline.turned(-part.angle)))
 }
 
 /// Mass properties of what a counterweight has beyond its plain web, in the frame of its part: of a shape of the family beyond

@@ -111,6 +111,38 @@ proptest! {
     }
 
     #[test]
+    fn prop_webs_between_two_pins_balance_as_the_engine_says(
+        angles in prop::collection::vec(-180..180i32, 2..6),
+        radii in prop::collection::vec(28..45i32, 5),
+        shares in prop::collection::vec((any::<bool>(), 2..14i32), 4),
+        numbers in (0..20i32, 4..20i32, 32..40i32),
+    ) {
+        let text = with_shared_webs(&angles, &radii, &shares, numbers);
+        let reading = read(&text);
+        let engine = reading.engine.unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", &text, false)));
+        let shared = shares.iter().take(angles.len() - 1).filter(|(is_shared, _)| *is_shared).count();
+        prop_assert_eq!(engine.shared_webs().len(), shared);
+        let crank = crankshaft(&engine, 0).unwrap();
+        let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
+        prop_assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);
+        prop_assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
+        prop_assert!((crank.unbalance.couple - couple).norm() < 1e-12 * v);
+        let again = lanchester_model::read(&expanded(&engine)).engine;
+        prop_assert_eq!(again.as_ref(), Some(&engine));
+        assert_sums(&crank);
+        // Of each shared web both halves, a journal beside every other web.
+        let sections = |kind| crank.sections.iter().filter(|section| section.kind == kind).count();
+        prop_assert_eq!(sections(SectionKind::Web), 2 * angles.len());
+        prop_assert_eq!(sections(SectionKind::Journal), angles.len() + 1 - shared);
+        let faces: Vec<[f64; 2]> = crank.sections.iter().map(|section| [section.from, section.to]).collect();
+        prop_assert!(faces.windows(2).all(|pair| (pair[0][1] - pair[1][0]).abs() < 1e-9), "gap or overlap");
+        let exported = solids(&crank.parts).unwrap();
+        let read = StepFile::parse(&step(&exported, &StepHeader::default())).solids(1e3 * RESOLUTION);
+        let volume: f64 = read.iter().map(|solid| solid.volume * 1e-9).sum();
+        prop_assert!((volume * 7850.0 / crank.mass.mass - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
     fn prop_step_of_a_crankshaft_has_its_volume_and_centre(
         body in any_body(),
         throws in prop::collection::vec((-PI..PI, 0.03..0.05f64), 1..4),
@@ -132,6 +164,34 @@ proptest! {
             prop_assert!((centre - crank.mass.centre[k]).abs() < 1e-6 * 0.1, "{} {}", centre, crank.mass.centre[k]);
         }
     }
+}
+
+/// An engine whose neighbouring throws share a web of so many millimetres, or have a journal between them.
+fn with_shared_webs(
+    angles: &[i32],
+    radii: &[i32],
+    shares: &[(bool, i32)],
+    (bore, journal, end): (i32, i32, i32),
+) -> String {
+    const WEB: i32 = 15;
+    const DISTANCE: i32 = 40;
+    let mut z = 0;
+    let mut text = format!(
+        "name = \"x\"\nspeed = \"3000 rpm\"\n[piston]\nmass = \"0.4 kg\"\n[rod]\nlength = \"150 mm\"\nmass = \"0.5 kg\"\n\
+         [crank]\nweb_distance = \"{DISTANCE} mm\"\n[crank.body]\ndensity = \"7850 kg/m3\"\njournal_diameter = \"50 mm\"\n\
+         pin_diameter = \"44 mm\"\npin_bore = \"{bore} mm\"\nweb_thickness = \"{WEB} mm\"\nweb_radius = \"36 mm\"\n\
+         pin_end_radius = \"{end} mm\"\nend_journals = \"20 mm\"\n"
+    );
+    for (index, angle) in angles.iter().enumerate() {
+        let turn = angle - angles[0];
+        text +=
+            &format!("[[throw]]\nangle = \"{turn} deg\"\nradius = \"{} mm\"\nz = \"{z} mm\"\n", radii[index]);
+        text += &format!("[[cylinder]]\nthrow = {}\nangle = \"0 deg\"\n", index + 1);
+        if let Some((is_shared, web)) = shares.get(index) {
+            z += if *is_shared { DISTANCE - WEB + web } else { DISTANCE + WEB + journal };
+        }
+    }
+    text
 }
 
 fn plain_body() -> CrankBody {

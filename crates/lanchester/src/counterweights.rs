@@ -556,7 +556,9 @@ fn web_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
         planes.into_iter().flatten().enumerate().map(move |(side, z)| (2 * index + side, z))
     });
     let mut near = webs.filter(|(_, z)| (z - weight.z).abs() < 1e-9);
-    near.next().map(|(web, _)| web)
+    // The web between two pins is no place for a shape.
+    let shared: Vec<usize> = engine.shared_webs().into_iter().flat_map(|shared| shared.webs()).collect();
+    near.next().map(|(web, _)| web).filter(|web| engine.crank_body.is_none() || !shared.contains(web))
 }
 
 #[cfg(test)]

@@ -267,7 +267,6 @@ fn body_bearings(engine: &Engine) -> BearingSizes {
         (diameter > 0.0 && width > 0.0 && width.is_finite()).then_some(BearingSize { diameter, width })
     };
     let least = |widths: &mut dyn Iterator<Item = f64>| widths.fold(f64::INFINITY, f64::min);
-    let webs: Vec<[f64; 2]> = engine.throws.iter().filter_map(|throw| throw.webs).collect();
     let rods = |throw: usize| {
         let on_pin = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
         on_pin.filter(|c| matches!(c.rod.joint, RodJoint::Crankpin)).count().max(1) as f64
@@ -276,9 +275,14 @@ fn body_bearings(engine: &Engine) -> BearingSizes {
         let [front, rear] = throw.webs?;
         Some((rear - front - body.web_thickness) / rods(index))
     }));
-    let mut rising = webs;
-    rising.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let between = least(&mut rising.windows(2).map(|pair| pair[1][0] - pair[0][1] - body.web_thickness));
+    let mut rising: Vec<(usize, [f64; 2])> =
+        engine.throws.iter().filter_map(|throw| Some((throw.crankshaft, throw.webs?))).collect();
+    rising.sort_by(|a, b| a.0.cmp(&b.0).then(a.1[0].total_cmp(&b.1[0])));
+    let same = rising.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+    // Where webs touch or are one there is no journal.
+    let journals =
+        same.map(|pair| pair[1].1[0] - pair[0].1[1] - body.web_thickness).filter(|gap| *gap > 1e-9);
+    let between = least(&mut { journals });
     let main = between.min(body.end_journals[0]).min(body.end_journals[1]);
     BearingSizes {
         piston_pin: None,

@@ -15,6 +15,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
             z: 0.1 * k as f64,
             radius: 0.045 + 0.0001 * k as f64,
             unbalance: 0.01,
+            unbalance_offset: 0.0,
             webs: None,
         })
         .collect();

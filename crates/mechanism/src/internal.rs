@@ -251,7 +251,7 @@ pub fn turning_loads(engine: &Engine, index: usize, speed: f64) -> Vec<(f64, Com
         Some((cylinder.z, force(cylinder.rod.big_end_mass * throw.radius, throw.angle)))
     });
     throws
-        .map(|t| (t.z, force(t.unbalance, t.angle)))
+        .map(|t| (t.unbalance_plane(), force(t.unbalance, t.angle)))
         .chain(rods)
         .chain(weights.map(|w| (w.z, force(w.unbalance, w.angle))))
         .collect()

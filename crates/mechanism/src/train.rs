@@ -179,7 +179,8 @@ impl Mechanism {
                 let share = selection.share(Part::Rotating, c);
                 (cylinder.z, share * cylinder.rod.big_end_mass * throw.radius)
             });
-            let masses: Vec<_> = std::iter::once((throw.z, share * throw.unbalance)).chain(masses).collect();
+            let masses: Vec<_> =
+                std::iter::once((throw.unbalance_plane(), share * throw.unbalance)).chain(masses).collect();
             let crankshaft = &engine.crankshafts[throw.crankshaft];
             let angle = crankshaft.phase + throw.angle;
             for (z, unbalance) in masses {

@@ -58,7 +58,7 @@ static CODES: &[(&str, &str)] = &[
     ("E0901", "a shape that cannot be"),
     ("E0902", "a part with a couple of its own"),
     ("E0903", "a density that no material of a crankshaft has"),
-    ("E0904", "webs that overlap"),
+    ("E0904", "webs or crankpins that overlap, or that nothing joins"),
     ("E0905", "a crank body that cannot be"),
     ("E1101", "two of one name"),
     ("E1102", "supports in one place"),

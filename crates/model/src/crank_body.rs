@@ -2,7 +2,9 @@
 
 use lanchester_shape::{Contour, Corner, CounterweightShape, GeometryError, Outline, Part, Point};
 use serde::Serialize;
-use std::f64::consts::PI;
+
+/// Pins whose distance is a smaller share of the radius of a web's end are in line.
+const IN_LINE: f64 = 1e-9;
 
 /// Journals, pins and webs, the same for all throws: the file's `[crank.body]`.
 ///
@@ -63,21 +65,26 @@ impl CrankBody {
         Outline::new(Contour::new(&corners)?, Vec::new())
     }
 
-    /// Unbalance of a throw along its crankpin [kg m]: the pin, and both plain webs.
-    ///
-    /// ```text
-    /// U = rho (pi/4 (d^2 - b^2) (D - t) r - 2 t INTEGRAL x dA)        D = web distance, t = web thickness
-    /// ```
-    /// `throw` is the crank radius `r` [m], `webs` are the planes of both webs [m]; the integral runs over a [`CrankBody::web`],
-    /// whose `x` points away from the pin.
+    /// Outline of a web between two crankpins that stand at these points: the convex hull of two discs about them, as round as the
+    /// ends of the other webs. Pins in line have a disc between them.
     ///
     /// # Errors
-    /// As [`CrankBody::web`].
-    pub fn throw_unbalance(&self, throw: f64, webs: [f64; 2]) -> Result<f64, GeometryError> {
-        let pin_length = webs[1] - webs[0] - self.web_thickness;
-        let section = PI / 4.0 * (self.pin_diameter.powi(2) - self.pin_bore.powi(2));
-        let web = self.web(throw)?.moments().first.x;
-        Ok(self.density * (section * pin_length * throw - 2.0 * self.web_thickness * web))
+    /// Where the numbers are beyond any crankshaft.
+    pub fn shared_web(&self, front: Point, rear: Point) -> Result<Outline, GeometryError> {
+        let (end, apart) = (self.pin_end_radius, rear - front);
+        if apart.norm() <= IN_LINE * end {
+            return Outline::new(Contour::circle((front + rear) * 0.5, end)?, Vec::new());
+        }
+        let along = apart * (1.0 / apart.norm());
+        let across = Point::new(-along.y, along.x) * end;
+        // Half a turn about each pin.
+        let corners = [
+            Corner { at: front - across, bulge: 0.0 },
+            Corner { at: rear - across, bulge: 1.0 },
+            Corner { at: rear + across, bulge: 0.0 },
+            Corner { at: front + across, bulge: 1.0 },
+        ];
+        Outline::new(Contour::new(&corners)?, Vec::new())
     }
 }
 

@@ -25,7 +25,7 @@ pub enum CrankWeightPlaces {
     File,
     /// In the plane of every throw.
     Throws,
-    /// On every web of the throws that have a web distance.
+    /// On every web of the throws that have a web distance, but not on those between two pins.
     Webs,
 }
 
@@ -58,9 +58,13 @@ pub fn crank_weights(engine: &Engine, places: CrankWeightPlaces) -> Vec<FreeWeig
                 .for_each(|(index, throw)| add(&format!("throw {}", index + 1), throw.crankshaft, throw.z));
         }
         CrankWeightPlaces::Webs => {
+            let shared: Vec<usize> =
+                engine.shared_webs().into_iter().flat_map(|shared| shared.webs()).collect();
             for (index, throw) in engine.throws.iter().enumerate() {
-                for (side, z) in throw.webs.into_iter().flatten().enumerate() {
-                    add(&format!("web {}", 2 * index + side + 1), throw.crankshaft, z);
+                let webs = throw.webs.into_iter().flatten().enumerate();
+                let webs = webs.map(|(side, z)| (2 * index + side, z));
+                for (web, z) in webs.filter(|(web, _)| !shared.contains(web)) {
+                    add(&format!("web {}", web + 1), throw.crankshaft, z);
                 }
             }
         }

@@ -151,8 +151,18 @@ pub struct Throw {
     pub radius: f64,
     /// Unbalance of the crank itself along the throw [kg m] (pin and plain webs, no rod, no counterweight); may be negative.
     pub unbalance: f64,
+    /// How far behind its plane that unbalance acts [m]: 0 but for a throw that shares a web with its neighbour
+    /// ([`crate::SharedWeb`]).
+    pub unbalance_offset: f64,
     /// Planes of its two webs [m], front then rear, from the origin; `None` if the file gives no web distance.
     pub webs: Option<[f64; 2]>,
+}
+
+impl Throw {
+    /// Plane of the unbalance of the crank itself [m], from the origin.
+    pub fn unbalance_plane(&self) -> f64 {
+        self.z + self.unbalance_offset
+    }
 }
 
 /// A cylinder with its piston and rod.

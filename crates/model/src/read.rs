@@ -131,10 +131,12 @@ impl<'a> Reader<'a> {
         if let (Some(throws), Some(origin)) = (&mut throws, origin) {
             for throw in throws {
                 throw.move_by(-origin);
-                throw.weigh(&body);
             }
         }
-        let throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
+        let mut throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
+        if let Some(throws) = &mut throws {
+            crank_body::weigh(throws, &body);
+        }
         let counterweights = match (&throws, &cylinders, weights, origin) {
             (Some(throws), Some(cylinders), Some(weights), Some(origin)) => {
                 self.counterweights(weights, throws, cylinders, &body, origin)

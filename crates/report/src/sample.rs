@@ -16,6 +16,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         z: z(k),
         radius: 0.04775,
         unbalance: 0.01,
+        unbalance_offset: 0.0,
         webs: Some([z(k) - 0.022, z(k) + 0.022]),
     };
     let cylinder = |k: usize| Cylinder {

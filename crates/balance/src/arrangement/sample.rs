@@ -11,6 +11,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         z: z(k),
         radius: 0.04775,
         unbalance: 0.0,
+        unbalance_offset: 0.0,
         webs: None,
     });
     let cylinders = (0..angles.len()).map(|k| Cylinder {

@@ -163,7 +163,7 @@ pub(crate) fn throw_resultant(engine: &Engine, index: usize) -> Resultant {
         let cylinder = &engine.cylinders[c];
         Resultant::of(cylinder.rod.big_end_mass * throw.radius * direction, cylinder.z)
     });
-    Resultant::of(throw.unbalance * direction, throw.z) + big_ends.sum()
+    Resultant::of(throw.unbalance * direction, throw.unbalance_plane()) + big_ends.sum()
 }
 
 /// Crank and big ends of all throws.

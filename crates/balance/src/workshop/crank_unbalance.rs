@@ -188,9 +188,9 @@ pub(super) fn crank_parts(
         }
         let turn = Complex64::cis(throw.angle);
         let at =
-            |name: String, unbalance: f64| PlaneUnbalance { name, z: throw.z, unbalance: unbalance * turn };
-        throws.push(at(format!("throw {}", index + 1), throw.unbalance));
-        throws.push(at(format!("bobweight {}", index + 1), bob * throw.radius));
+            |name: String, z: f64, unbalance: f64| PlaneUnbalance { name, z, unbalance: unbalance * turn };
+        throws.push(at(format!("throw {}", index + 1), throw.unbalance_plane(), throw.unbalance));
+        throws.push(at(format!("bobweight {}", index + 1), throw.z, bob * throw.radius));
     }
     let counterweights = engine
         .counterweights

@@ -155,10 +155,6 @@ impl TurningBody {
 
 /// The plain web `web`, counted through all throws, where the engine says what its webs are like and where.
 fn plain_web(engine: &Engine, web: usize) -> Result<Option<Plate>, ClearanceError> {
-    let throw = &engine.throws[web / 2];
-    let (Some(body), Some(planes)) = (&engine.crank_body, throw.webs) else { return Ok(None) };
-    let outline = body.web(throw.radius).map_err(|source| ClearanceError::Web { web: web + 1, source })?;
-    let half = body.web_thickness / 2.0;
-    let faces = [planes[web % 2] - half, planes[web % 2] + half];
-    Ok(Some(Plate::new(&outline, throw.angle + std::f64::consts::PI, faces)))
+    let plain = engine.plain_web(web).map_err(|source| ClearanceError::Web { web: web + 1, source })?;
+    Ok(plain.map(|web| Plate::new(&web.outline, 0.0, web.faces)))
 }

@@ -4,7 +4,6 @@ use super::CrankshaftError;
 use lanchester_model::{CounterweightForm, CounterweightPart, CrankBody, Engine, Throw};
 use lanchester_shape::{Contour, GeometryError, MassMoments, Outline, Part, Point};
 use serde::Serialize;
-use std::f64::consts::PI;
 
 /// What a piece of a crankshaft is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -74,22 +73,20 @@ pub(super) fn elements(engine: &Engine, index: usize) -> Result<Vec<Element>, Cr
         .filter(|weight| weight.crankshaft == index)
         .filter_map(|weight| Some((weight.name.as_str(), weight.part.as_deref()?)))
         .collect();
-    let half = body.web_thickness / 2.0;
-    for (number, throw, planes) in &throws {
-        for (side, plane) in planes.iter().enumerate() {
-            let web = 2 * number + side;
+    for (number, _, _) in &throws {
+        for web in [2 * number, 2 * number + 1] {
             let is_given =
                 |part: &CounterweightPart| part.web == Some(web) && part.form == CounterweightForm::Web;
             if parts.iter().any(|(_, part)| is_given(part)) {
                 continue;
             }
             let name = format!("web {}", web + 1);
-            let outline = body.web(throw.radius).map_err(|source| shape(&name, source))?;
+            let Some(plain) = engine.plain_web(web).map_err(|source| shape(&name, source))? else { continue };
             elements.push(Element {
                 kind: SectionKind::Web,
                 throw: Some(*number),
-                faces: [plane - half, plane + half],
-                outline: outline.turned(throw.angle + PI),
+                faces: plain.faces,
+                outline: plain.outline,
                 density: body.density,
                 part: None,
                 name,

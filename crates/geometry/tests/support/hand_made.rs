@@ -101,7 +101,15 @@ pub fn cylinder(throw: usize, angle: f64, z: f64) -> Cylinder {
 }
 
 pub fn throw(crankshaft: usize, angle: f64, z: f64) -> Throw {
-    Throw { crankshaft, angle, z, radius: RADIUS, unbalance: 0.0, webs: Some([z - 0.02, z + 0.02]) }
+    Throw {
+        crankshaft,
+        angle,
+        z,
+        radius: RADIUS,
+        unbalance: 0.0,
+        unbalance_offset: 0.0,
+        webs: Some([z - 0.02, z + 0.02]),
+    }
 }
 
 pub fn crankshaft(ratio: (i32, u32), x: f64, y: f64) -> Crankshaft {

@@ -91,6 +91,7 @@ pub fn engine(body: CrankBody, throws: &[(f64, f64)], gap: f64, wishes: &[Option
             z,
             radius: *radius,
             unbalance: body.density * (pin * radius - 2.0 * web),
+            unbalance_offset: 0.0,
             webs: Some([z - distance / 2.0, z + distance / 2.0]),
         });
     }
@@ -145,7 +146,10 @@ fn counterweight(body: &CrankBody, throw: &Throw, web: usize, plane: f64, wish: 
 
 /// Unbalance and its moment along z, by the engine's throws and counterweights.
 pub fn engine_balance(engine: &Engine) -> [Point; 2] {
-    let throws = engine.throws.iter().map(|throw| (throw.z, Point::polar(throw.unbalance, throw.angle)));
+    let throws = engine
+        .throws
+        .iter()
+        .map(|throw| (throw.unbalance_plane(), Point::polar(throw.unbalance, throw.angle)));
     let weights = engine.counterweights.iter().map(|w| (w.z, Point::polar(w.unbalance, w.angle)));
     let all: Vec<(f64, Point)> = throws.chain(weights).collect();
     let sum = all.iter().fold(Point::ORIGIN, |sum, (_, unbalance)| sum + *unbalance);

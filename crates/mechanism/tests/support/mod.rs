@@ -52,7 +52,7 @@ pub fn cylinder(throw: usize, angle: f64, z: f64) -> Cylinder {
 
 /// A throw of 45 mm radius.
 pub fn throw(angle: f64, z: f64) -> Throw {
-    Throw { crankshaft: 0, angle, z, radius: 0.045, unbalance: 0.01, webs: None }
+    Throw { crankshaft: 0, angle, z, radius: 0.045, unbalance: 0.01, unbalance_offset: 0.0, webs: None }
 }
 
 /// The first crankshaft.

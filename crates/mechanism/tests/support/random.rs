@@ -40,7 +40,7 @@ prop_compose! {
         unbalance in -0.01..0.03f64,
     ) -> Throw {
         let crankshaft = usize::from(shape.geared && second > 0.6);
-        Throw { crankshaft, angle, z, radius, unbalance, webs: None }
+        Throw { crankshaft, angle, z, radius, unbalance, unbalance_offset: 0.0, webs: None }
     }
 }
 

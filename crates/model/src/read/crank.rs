@@ -242,6 +242,7 @@ impl<'a> Reader<'a> {
             z: z?,
             radius: masses.radius,
             unbalance: masses.unbalance,
+            unbalance_offset: 0.0,
             webs: None,
         };
         Some(DraftThrow::new(throw, section.span.clone(), &masses))

@@ -5,21 +5,21 @@ use super::{Drafts, Reader};
 use crate::crank_body::CrankBody;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section};
+use crate::engine::Throw;
+use crate::plain_web::{TOUCH, pin, throw_unbalances};
 use crate::quantity::{self, Dimension};
-
-/// Webs that overlap by less [m] touch.
-const TOUCH: f64 = 1e-9;
 
 /// `[crank.body]`: the outer `None` says bad, the inner one absent.
 pub(super) type MaybeBody = Option<Option<CrankBody>>;
 
-impl DraftThrow {
-    /// Takes its unbalance from the body; what stops that is reported elsewhere.
-    pub(super) fn weigh(&mut self, body: &MaybeBody) {
-        if let (Some(Some(body)), Some(webs)) = (body, self.throw.webs)
-            && let Ok(unbalance) = body.throw_unbalance(self.throw.radius, webs)
-        {
-            self.throw.unbalance = unbalance;
+/// Takes the unbalances of the throws from the body; what stops that is reported elsewhere.
+pub(super) fn weigh(throws: &mut [Throw], body: &MaybeBody) {
+    if let Some(Some(body)) = body
+        && let Ok(unbalances) = throw_unbalances(body, throws)
+    {
+        for (throw, found) in throws.iter_mut().zip(unbalances) {
+            throw.unbalance = found.unbalance;
+            throw.unbalance_offset = found.offset;
         }
     }
 }
@@ -134,7 +134,7 @@ impl<'a> Reader<'a> {
         self.check_web_overlaps(body, section, drafts);
     }
 
-    /// The rear web of each throw against the front web of the next on its crankshaft.
+    /// The rear web of each throw against the front web of the next on its crankshaft: apart, or one web.
     fn check_web_overlaps(&mut self, body: &CrankBody, section: &'a Section, drafts: &Drafts<'a>) {
         let mut webs: Vec<(usize, &DraftThrow, [f64; 2])> = drafts
             .throws
@@ -154,6 +154,10 @@ impl<'a> Reader<'a> {
             if front.throw.crankshaft != rear.throw.crankshaft || overlap <= TOUCH {
                 continue;
             }
+            if *end >= *start - TOUCH {
+                self.check_shared_web(body, section, [(*one, front), (*two, rear)]);
+                continue;
+            }
             let overlap = quantity::readable(overlap, Dimension::Length);
             self.mistakes.push(
                 Mistake::error(
@@ -168,8 +172,50 @@ impl<'a> Reader<'a> {
                     ),
                 )
                 .related(rear.web_span.clone(), "the web distance")
-                .hint("make the webs thinner or their distance smaller, or set the throws farther apart"),
+                .hint(format!(
+                    "make the webs thinner or their distance smaller, or set the throws farther apart; for one web between both pins the web distance is the distance of the throws, {}, or more",
+                    quantity::readable(rear.throw.z - front.throw.z, Dimension::Length)
+                )),
             );
         }
+    }
+
+    /// Two pins with one web between them must not overlap along the crank, and must touch where nothing is between them.
+    fn check_shared_web(
+        &mut self,
+        body: &CrankBody,
+        section: &'a Section,
+        [(one, front), (two, rear)]: [(usize, &DraftThrow); 2],
+    ) {
+        let (Some([_, end]), Some([start, _])) = (front.throw.webs, rear.throw.webs) else { return };
+        let thickness = body.web_thickness - (end - start);
+        let [front_pin, rear_pin] = [front, rear].map(|draft| pin(&draft.throw));
+        let (message, hint) = if thickness < -TOUCH {
+            let overlap = quantity::readable(-thickness, Dimension::Length);
+            let most = rear.throw.z - front.throw.z + body.web_thickness;
+            (
+                format!("crankpins {} and {} overlap by {overlap} along the crank", one + 1, two + 1),
+                format!(
+                    "set the throws farther apart, or make the web distance smaller: with {} the pins touch, with less a web is between them",
+                    quantity::readable(most, Dimension::Length)
+                ),
+            )
+        } else if thickness <= TOUCH && (rear_pin - front_pin).norm() >= body.pin_diameter {
+            (
+                format!(
+                    "nothing joins crankpins {} and {}: no web is between them and they do not overlap across",
+                    one + 1,
+                    two + 1
+                ),
+                "make the web distance smaller: what is missing becomes a web between the pins".to_owned(),
+            )
+        } else {
+            return;
+        };
+        self.mistakes.push(
+            Mistake::error("E0904", section.value_span("web_thickness"), message)
+                .related(rear.web_span.clone(), "the web distance")
+                .hint(hint),
+        );
     }
 }

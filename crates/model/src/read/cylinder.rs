@@ -268,6 +268,7 @@ impl<'a> Reader<'a> {
                     z: place.z,
                     radius: masses.radius,
                     unbalance: masses.unbalance,
+                    unbalance_offset: 0.0,
                     webs: None,
                 };
                 Some(DraftThrow::new(throw, span.clone(), masses))

@@ -122,7 +122,15 @@ mod tests {
 
     #[track_caller]
     fn assert_reach(master_length: f64, knuckle_radius: f64, expected: f64) {
-        let throw = Throw { crankshaft: 0, angle: 0.0, z: 0.0, radius: 0.07, unbalance: 0.0, webs: None };
+        let throw = Throw {
+            crankshaft: 0,
+            angle: 0.0,
+            z: 0.0,
+            radius: 0.07,
+            unbalance: 0.0,
+            unbalance_offset: 0.0,
+            webs: None,
+        };
         let master = cylinder(0.3, master_length, 0.0, RodJoint::Crankpin);
         let joint = RodJoint::Articulated { master: 0, knuckle_radius, knuckle_angle: 1.1 };
         let slave = cylinder(0.9, 0.2, -0.01, joint);
@@ -146,7 +154,15 @@ mod tests {
 
     #[test]
     fn a_master_that_does_not_turn_has_no_reach() {
-        let throw = Throw { crankshaft: 0, angle: 0.0, z: 0.0, radius: 0.07, unbalance: 0.0, webs: None };
+        let throw = Throw {
+            crankshaft: 0,
+            angle: 0.0,
+            z: 0.0,
+            radius: 0.07,
+            unbalance: 0.0,
+            unbalance_offset: 0.0,
+            webs: None,
+        };
         let master = cylinder(0.0, 0.06, 0.0, RodJoint::Crankpin);
         let joint = RodJoint::Articulated { master: 0, knuckle_radius: 0.03, knuckle_angle: 1.0 };
         assert_eq!(largest_reach(&throw, &master, &cylinder(1.0, 0.2, 0.0, joint)), None);

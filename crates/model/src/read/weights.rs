@@ -10,6 +10,7 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::{Counterweight, Throw};
 use crate::part_weight::{PartFault, part_weight};
+use crate::plain_web::SharedWeb;
 use crate::quantity::{self, Dimension};
 use std::f64::consts::PI;
 
@@ -228,6 +229,23 @@ impl<'a> Reader<'a> {
             _ => None,
         };
         let DraftPart { form, part, wanted, span, wanted_span } = part;
+        let shared = web.filter(|_| matches!(body, Some(Some(_)))).and_then(|web| SharedWeb::of(throws, web));
+        if let Some(shared) = shared {
+            let [one, two] = shared.webs().map(|web| web + 1);
+            self.mistakes.push(
+                Mistake::error(
+                    "E0904",
+                    span,
+                    format!(
+                        "no counterweight sits on web {one}: it is one with web {two}, between crankpins {} and {}",
+                        shared.front + 1,
+                        shared.rear + 1
+                    ),
+                )
+                .hint("give the place of the weight along the crank as `z`, then it stands by itself; or give it by its unbalance"),
+            );
+            return None;
+        }
         let part = CounterweightPart { form, part, web, z, angle, wanted };
         let weight = match part_weight(&part, throws, body.as_ref()?.as_ref()) {
             Ok(weight) => weight,

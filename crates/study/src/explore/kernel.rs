@@ -90,6 +90,7 @@ impl UnitCylinder {
             z: 0.0,
             radius: parts.crank_radius,
             unbalance: 0.0,
+            unbalance_offset: 0.0,
             webs: None,
         };
         let mains = vec![-parts.web_distance, parts.web_distance];

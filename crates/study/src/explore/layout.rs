@@ -155,6 +155,7 @@ impl Layout {
                     z: plane + if split { places[pin] } else { 0.0 },
                     radius: parts.crank_radius,
                     unbalance: parts.throw_unbalance / pins as f64,
+                    unbalance_offset: 0.0,
                     webs: None,
                 });
             }

@@ -202,7 +202,7 @@ impl Model {
             turning.push(TurningModel {
                 slot: crank,
                 square: speed * speed,
-                plane: throw.z,
+                plane: throw.unbalance_plane(),
                 unbalance: value(Varied::ThrowUnbalance, index, throw.unbalance),
                 angle: value(Varied::ThrowAngle, index, throw.angle),
             });

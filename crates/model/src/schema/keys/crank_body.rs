@@ -10,7 +10,8 @@ pub(super) static CRANK_BODY: Table = Table {
     header: "[crank.body]",
     doc: "Journals, pins and webs as bodies, the same for all throws. A web is the convex hull of two discs: one about the crank axis, one about the \
           crankpin. The unbalance of every throw follows: that of its pin and of its two plain webs. Every throw needs `web_distance`; the pin is as \
-          long as it less `web_thickness`.",
+          long as it less `web_thickness`. Where it is the distance of two neighbouring throws or more, they have one web between their pins, as split \
+          pins (a flying web) and boxers have: the convex hull of two discs of `pin_end_radius` about both pins, which fills what is between them.",
     keys: &[
         key(
             "density",
