@@ -212,21 +212,21 @@ fn every_code_is_listed_and_has_a_bad_file() {
     let reversed: Vec<&str> = good.lines().rev().collect();
     let spike = |angle: f64| if angle == 8.0 { "90".to_owned() } else { "1".to_owned() };
     let files = [
-        ("E1402", good.replace("p [bar]", "p")),
-        ("E1403", String::new()),
-        ("E1404", file("theta [deg]", [1.0].into_iter(), |_| String::new())),
-        ("E1405", good.replace("\n5,", "\n5,1,")),
-        ("E1406", good.replace(',', ";").replace('.', ",")),
-        ("E1407", good.replace("\n5,", "\nfive,")),
-        ("E1408", plain(0.0, 20.0)),
-        ("E1409", format!("theta [deg],p [bar]\n{}", reversed[..721].join("\n"))),
-        ("E1410", good.replace("\n300,", "\n299,")),
-        ("E1411", plain(-360.0, 720.0)),
-        ("E1412", plain(0.0, 360.0)),
-        ("E1413", with(|angle| bar(angle) + 0.01 * angle)),
-        ("E1414", with(|angle| bar(angle) - 1.01)),
-        ("E1415", with(|angle| 14.5 * bar(angle))),
-        ("E1416", file("theta [deg],p [bar]", steps(0.0, 720.0, 8.0), spike)),
+        ("E1602", good.replace("p [bar]", "p")),
+        ("E1603", String::new()),
+        ("E1604", file("theta [deg]", [1.0].into_iter(), |_| String::new())),
+        ("E1605", good.replace("\n5,", "\n5,1,")),
+        ("E1606", good.replace(',', ";").replace('.', ",")),
+        ("E1607", good.replace("\n5,", "\nfive,")),
+        ("E1608", plain(0.0, 20.0)),
+        ("E1609", format!("theta [deg],p [bar]\n{}", reversed[..721].join("\n"))),
+        ("E1610", good.replace("\n300,", "\n299,")),
+        ("E1611", plain(-360.0, 720.0)),
+        ("E1612", plain(0.0, 360.0)),
+        ("E1613", with(|angle| bar(angle) + 0.01 * angle)),
+        ("E1614", with(|angle| bar(angle) - 1.01)),
+        ("E1615", with(|angle| 14.5 * bar(angle))),
+        ("E1616", file("theta [deg],p [bar]", steps(0.0, 720.0, 8.0), spike)),
     ];
     let mut seen = BTreeSet::new();
     for (code, text) in files {
@@ -239,7 +239,7 @@ fn every_code_is_listed_and_has_a_bad_file() {
     let volume = volume_of(&engine(4, "0 mm", ""));
     let curve = only(read(&good).expect("a trace"));
     let mirrored = only(read(&with(|angle| bar(-angle))).expect("a trace"));
-    for (code, curve) in [("E1417", curve.delayed(PI / 2.0)), ("E1418", mirrored)] {
+    for (code, curve) in [("E1617", curve.delayed(PI / 2.0)), ("E1618", mirrored)] {
         assert_eq!(check_firing("p", &curve, &volume).expect_err(code).code(), code);
         seen.insert(code);
     }
@@ -267,4 +267,14 @@ fn between_speeds_pressures_are_interpolated_beyond_held() {
     }
     assert_eq!(at_speed(&[(None, &low)], 777.0).expect("a curve"), (low.clone(), false));
     assert!(at_speed(&[], 1.0).is_err());
+}
+
+#[test]
+fn every_code_has_one_meaning_in_files_of_all_kinds() {
+    let all = lanchester_model::diagnostic_codes().iter().chain(trace_codes());
+    let mut codes: Vec<&str> = all.map(|(code, _)| *code).collect();
+    let count = codes.len();
+    codes.sort_unstable();
+    codes.dedup();
+    assert_eq!(codes.len(), count, "a code is given twice");
 }

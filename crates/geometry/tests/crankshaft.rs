@@ -127,7 +127,7 @@ proptest! {
         prop_assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);
         prop_assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
         prop_assert!((crank.unbalance.couple - couple).norm() < 1e-12 * v);
-        let again = lanchester_model::read(&expanded(&engine)).engine;
+        let again = read(&expanded(&engine)).engine;
         prop_assert_eq!(again.as_ref(), Some(&engine));
         assert_sums(&crank);
         // Of each shared web both halves, a journal beside every other web.

@@ -153,6 +153,7 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
         shaft_weight_task: None,
         balance: None,

@@ -184,6 +184,7 @@ fn empty() -> Engine {
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
         shaft_weight_task: None,
         balance: None,
