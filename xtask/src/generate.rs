@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 12] = [
+const WRITTEN: [Written; 13] = [
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",
@@ -37,6 +37,13 @@ const WRITTEN: [Written; 12] = [
         input: None,
         arguments: &["report", "examples/twin-in-line-in-phase.toml", "--output", "-"],
         figure: Some("force-spectrum.svg"),
+    },
+    Written {
+        file: "docs/src/images/production.svg",
+        head: "",
+        input: None,
+        arguments: &["scatter", "examples/in-line-4-production.toml"],
+        figure: Some("scatter.svg"),
     },
     Written {
         file: "docs/src/images/arrangements.svg",

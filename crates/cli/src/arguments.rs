@@ -7,7 +7,9 @@ use crate::explore_arguments::ExploreArguments;
 use crate::format::Format;
 use crate::mounts_arguments::MountsArguments;
 use crate::published_arguments::PublishedArguments;
+use crate::scatter_arguments::ScatterArguments;
 use crate::search_arguments::SearchArguments;
+use crate::sensitivity_arguments::SensitivityArguments;
 use crate::torque_arguments::{BearingsArguments, TorqueArguments};
 use crate::workshop_arguments::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -144,6 +146,23 @@ pub enum Command {
                             --part 2/2\n  lanchester merge part-1.parquet part-2.parquet --output cases.parquet"
     )]
     Merge(MergeArguments),
+    /// What matters most for the residual loads: exact derivatives by every number of the engine, one at a time over ranges, and
+    /// shares of the variance.
+    #[command(
+        after_help = "Examples:\n  lanchester sensitivity four.toml\n  lanchester sensitivity four.toml --output 'force order 2' --vary 'rod length = 10 %' --figures figures\n  \
+                            lanchester sensitivity twin.toml --vary 'piston mass = 25 %' --vary 'crank radius = 5 mm' --only\n  \
+                            lanchester sensitivity four.toml --each --sobol 4096 --format csv > sensitivity.csv"
+    )]
+    Sensitivity(SensitivityArguments),
+    /// What tolerances of the parts do to residual forces and couples in production: distribution, worst case, capability, and
+    /// which tolerance to tighten first.
+    #[command(
+        after_help = "Examples:\n  lanchester scatter four.toml\n  lanchester scatter four.toml --samples 1000000 --seed 7 --figures figures\n  \
+                            lanchester scatter four.toml --limit 'force order 1 = 60 N' --limit 'couple order 1 = 10 N m'\n  \
+                            lanchester scatter four.toml --orders-only --format json > scatter.json\n\n\
+                            Exit status 1: the production does not keep a limit."
+    )]
+    Scatter(ScatterArguments),
     /// One self-contained HTML page: diagnosis, drawing, spectra, curves, hodographs, star diagrams, story.
     #[command(
         after_help = "Examples:\n  lanchester report twin.toml\n  lanchester report twin.toml --output out/twin.html\n  \

@@ -18,8 +18,10 @@ mod provenance;
 mod published_arguments;
 mod request;
 mod run;
+mod scatter_arguments;
 mod search_arguments;
 mod search_request;
+mod sensitivity_arguments;
 mod shaft_option;
 mod shape_request;
 mod torque_arguments;
@@ -52,6 +54,8 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => commands::compare::run(&arguments, colour),
         Command::Explore(arguments) => commands::explore::run(&arguments, colour),
         Command::Merge(arguments) => commands::merge::run(&arguments),
+        Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments, colour),
+        Command::Scatter(arguments) => commands::scatter::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

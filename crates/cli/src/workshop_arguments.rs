@@ -75,6 +75,40 @@ pub enum WorkshopCommand {
                             Exit status 1 where the measured unbalance is more than the grade allows."
     )]
     Grade(GradeArguments),
+    /// Which of the weighed pistons and rods belongs into which cylinder, so that the first order is least.
+    #[command(
+        after_help = "Examples:\n  lanchester workshop assign four.toml --pistons '401.2 g, 399.8 g, 400.5 g, 400.9 g'\n  \
+                            lanchester workshop assign four.toml --big-ends '452 g, 455 g, 450 g, 451 g' --small-ends '160 g, 162 g, 161 g, 160 g'\n\n\
+                            Up to eight cylinders all assignments are gone through; beyond, a bound tells what could be left to gain."
+    )]
+    Assign(AssignArguments),
+}
+
+/// `workshop assign`
+#[derive(Debug, Args)]
+pub struct AssignArguments {
+    /// Engine file: the masses of its own pistons and rods count where none are weighed.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Masses of the pistons with pin, rings and clips, one for each cylinder, separated by commas.
+    #[arg(long, value_name = "MASSES")]
+    pub pistons: Option<String>,
+    /// Masses of the rods at their big ends, rod by rod.
+    #[arg(long, value_name = "MASSES")]
+    pub big_ends: Option<String>,
+    /// Masses of the rods at their small ends, in the same order.
+    #[arg(long, value_name = "MASSES")]
+    pub small_ends: Option<String>,
+    /// A couple counts as its forces over this length; default: the distance of the outer mounts along the crank, else of the outer
+    /// cylinders.
+    #[arg(long, value_name = "LENGTH")]
+    pub lever: Option<String>,
+    /// Speed of crankshaft 1, with its unit; default: the highest of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
 }
 
 /// `workshop correct`

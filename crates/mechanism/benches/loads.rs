@@ -63,6 +63,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
         shaft_weight_task: None,
         balance: None,

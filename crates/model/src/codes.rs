@@ -82,6 +82,8 @@ static CODES: &[(&str, &str)] = &[
     ("E1403", "a loss factor that no mount has"),
     ("E1404", "a table that does not rise"),
     ("E1405", "an inertia that no body has"),
+    ("E1501", "a tolerance of parts that the engine does not have"),
+    ("E1502", "a tolerance of so many standard deviations as no process has"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

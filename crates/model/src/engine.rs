@@ -18,6 +18,7 @@ use crate::ratio::Ratio;
 use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
 use crate::shape_task::ShapeTask;
 use crate::task::BalanceTask;
+use crate::tolerance::Tolerance;
 use serde::{Deserialize, Serialize};
 
 /// A piston engine in its general form.
@@ -66,6 +67,9 @@ pub struct Engine {
     /// Its flywheel, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flywheel: Option<Flywheel>,
+    /// What its parts may be off, from engine to engine of a production; empty if the file does not say.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tolerances: Vec<Tolerance>,
     /// Sizes of its bearings, if the file gives some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearings: Option<Bearings>,

@@ -60,6 +60,7 @@ pub fn expanded(engine: &Engine) -> String {
     file.friction(engine);
     file.flywheel(engine);
     file.bearings(engine);
+    file.tolerances(engine);
     file.balance(engine);
     file.text
 }

@@ -63,6 +63,7 @@ mod shaft_part;
 mod shape_task;
 mod task;
 mod template;
+mod tolerance;
 pub mod workshop;
 mod write_back;
 
@@ -89,4 +90,5 @@ pub use shaft_part::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
 pub use shape_task::*;
 pub use task::*;
 pub use template::{Template, nearest_template, template, templates};
+pub use tolerance::{Distribution, Extent, Tolerance, Varied};
 pub use write_back::{WriteBackError, difference, write_back};

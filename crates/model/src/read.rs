@@ -21,6 +21,7 @@ mod running;
 mod shaft;
 mod shaft_part;
 mod sizes;
+mod tolerances;
 mod weights;
 
 use crate::diagnostic::{Diagnostic, Mistake, Mistakes};
@@ -107,6 +108,7 @@ impl<'a> Reader<'a> {
         let friction = self.friction();
         let flywheel = self.flywheel(speed, &body);
         let bearings = self.bearings(&body);
+        let tolerances = self.tolerances();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
         if drafts.is_none() {
@@ -165,6 +167,7 @@ impl<'a> Reader<'a> {
             gas: gas?,
             friction: friction?,
             flywheel: flywheel?,
+            tolerances: tolerances?,
             bearings: bearings?,
             shaft_weight_task: shaft_weight_task?,
             balance: None,
@@ -188,6 +191,7 @@ impl<'a> Reader<'a> {
         for (cylinder, angle) in engine.cylinders.iter_mut().zip(firing_angles?) {
             cylinder.firing_angle = angle;
         }
+        self.check_tolerances(&engine);
         engine.balance = self.balance_task(balance?, &engine, origin)?;
         Some((engine, origin))
     }

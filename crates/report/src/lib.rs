@@ -6,6 +6,7 @@
 
 mod arrangement;
 mod arrangements_page;
+mod assignment;
 mod axis;
 mod balance_plot;
 mod balance_share;
@@ -61,6 +62,9 @@ mod published_tables;
 mod published_text;
 #[cfg(test)]
 mod sample;
+mod scatter_figures;
+mod scatter_tables;
+mod sensitivity_tables;
 mod shaft_weight_drawing;
 mod shaft_weight_tables;
 mod share_plot;
@@ -73,6 +77,7 @@ mod svg;
 mod swept_text;
 mod table;
 mod terminal;
+mod tornado;
 mod torque_figures;
 mod torque_section;
 mod torque_tables;
@@ -84,6 +89,7 @@ pub use arrangement::{
     arrangement_figure, arrangement_parts, arrangements_text, drive_sketches, front_table, narrowest_place,
 };
 pub use arrangements_page::{ArrangementResult, ArrangementsInput, arrangements_report};
+pub use assignment::{assignment_table, assignment_text};
 pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
@@ -143,6 +149,11 @@ pub use published_tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 pub use published_text::method_text;
+pub use scatter_figures::scatter_figure;
+pub use scatter_tables::{
+    scatter_limit_table, scatter_table, scatter_text, tighten_words, tolerance_name, tolerance_table,
+};
+pub use sensitivity_tables::{input_name, sensitivity_csv, sensitivity_tables, sensitivity_text};
 pub use shaft_weight_drawing::shaft_weight_drawings;
 pub use shaft_weight_tables::{
     DesignedShaftShape, designed_shaft_weights_table, nearest_shaft_limits_table, shaft_aim_words,
@@ -157,6 +168,7 @@ pub use story::{Told, story};
 pub use swept_text::{sweep_steps_table, swept_table, swept_text};
 pub use table::{Cell, Column, Table};
 pub use terminal::loads_text;
+pub use tornado::tornado_figure;
 pub use torque_figures::{power_figure, ripple_figure, torque_figures};
 pub use torque_section::{TorqueInput, torque_section_figures};
 pub use torque_tables::{

@@ -72,6 +72,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
         shaft_weight_task: None,
         balance: None,

@@ -1,5 +1,6 @@
 //! How long a million samples of a V6 take on all cores: orders 1 and 2, and with true peaks over the continuous angle.
 use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_model::{Distribution, Extent, Tolerance, Varied};
 use lanchester_model::{read, template};
 use lanchester_study::scatter::*;
 use std::hint::black_box;

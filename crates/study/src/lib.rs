@@ -8,3 +8,4 @@
 pub mod compare;
 pub mod explore;
 pub mod scatter;
+pub mod sensitivity;

@@ -1,5 +1,6 @@
 //! Scatter: every sample is an engine, and what is told of them is what they have.
 use lanchester_mechanism::{LoadRequest, total_loads};
+use lanchester_model::{Distribution, Extent, Tolerance, Varied};
 use lanchester_model::{Engine, read, template};
 use lanchester_study::explore::Sense;
 use lanchester_study::scatter::*;

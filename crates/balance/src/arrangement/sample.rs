@@ -58,6 +58,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
         shaft_weight_task: None,
         balance: None,

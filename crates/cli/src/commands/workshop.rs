@@ -1,5 +1,6 @@
 //! `lanchester workshop`: balancing a real crank or engine from measurements.
 
+mod assign;
 mod bobweight;
 mod correct;
 mod crank;
@@ -28,6 +29,7 @@ pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {
         WorkshopCommand::Internal(arguments) => internal::run(arguments, colour),
         WorkshopCommand::Correct(arguments) => correct::run(arguments, colour),
         WorkshopCommand::Drill(arguments) => drill::run(arguments, colour),
+        WorkshopCommand::Assign(arguments) => assign::run(arguments, colour),
         WorkshopCommand::Grade(arguments) => grade::run(arguments, colour),
     }
 }

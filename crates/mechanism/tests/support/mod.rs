@@ -81,6 +81,7 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
         shaft_weight_task: None,
         balance: None,

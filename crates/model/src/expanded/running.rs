@@ -1,9 +1,10 @@
-//! `[friction]`, `[flywheel]` and `[bearings]`.
+//! `[friction]`, `[flywheel]`, `[bearings]` and `[tolerances]`.
 
 use super::{File, quantity};
 use crate::engine::Engine;
 use crate::friction::Friction;
 use crate::quantity::Dimension;
+use crate::tolerance::{Distribution, Extent};
 
 impl File {
     pub(super) fn friction(&mut self, engine: &Engine) {
@@ -36,6 +37,19 @@ impl File {
             let list: Vec<String> =
                 flywheel.speeds.iter().map(|&speed| quantity(speed, Dimension::Speed)).collect();
             self.entry("speeds", &format!("[{}]", list.join(", ")));
+        }
+    }
+
+    pub(super) fn tolerances(&mut self, engine: &Engine) {
+        for (extent, header) in [(Extent::PerPart, "tolerances"), (Extent::Common, "tolerances.common")] {
+            for tolerance in engine.tolerances.iter().filter(|tolerance| tolerance.extent == extent) {
+                self.header(&format!("[{header}.{}]", tolerance.quantity.key()), "");
+                self.entry("plus_minus", &quantity(tolerance.half_width, tolerance.quantity.dimension()));
+                match tolerance.distribution {
+                    Distribution::Uniform => self.entry("distribution", "\"uniform\""),
+                    Distribution::Normal { sigmas } => self.entry("sigmas", &format!("{sigmas:?}")),
+                }
+            }
         }
     }
 

@@ -11,6 +11,7 @@ mod mount;
 mod part;
 mod running;
 mod shaft_part;
+mod tolerances;
 mod train;
 
 use super::Bound::{Any, Positive};
@@ -26,6 +27,7 @@ use layout::LAYOUT;
 use mount::{BLOCK, MOUNT};
 use running::{BEARINGS, FLYWHEEL, FRICTION};
 use shaft_part::SHAFT_WEIGHT_DESIGN;
+use tolerances::TOLERANCES;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
 /// Counts above which a file is refused, so that nothing explodes.
@@ -204,6 +206,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "The flywheel, and how evenly the engine is to turn.",
             "{ inertia = \"0.15 kg m2\" }",
+        ),
+        key(
+            "tolerances",
+            Kind::Table(&TOLERANCES),
+            Optional,
+            "What the parts of a production may be off.",
+            "{ piston_mass = { plus_minus = \"1.5 g\" } }",
         ),
         key(
             "bearings",

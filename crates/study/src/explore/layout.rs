@@ -268,6 +268,7 @@ pub(crate) fn engine(
         gas: None,
         friction: None,
         flywheel: None,
+        tolerances: Vec::new(),
         bearings: None,
     }
 }

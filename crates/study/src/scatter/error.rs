@@ -17,7 +17,9 @@ pub enum ScatterError {
         got: f64,
     },
     /// Nothing varies.
-    #[error("a scatter needs at least one tolerance, got none")]
+    #[error(
+        "a scatter needs at least one tolerance, got none\nhint: add [tolerances] to the engine file, for example piston_mass = {{ plus_minus = \"1.5 g\" }}"
+    )]
     NoTolerance,
     /// Nothing is asked for.
     #[error("a scatter needs at least one output, got none")]
@@ -29,6 +31,14 @@ pub enum ScatterError {
         place: usize,
         /// Its output in words.
         output: String,
+    },
+    /// A limit on something whose scatter is not told.
+    #[error("the scatter tells {needed}; got a limit on `{got}`\nhint: give the limit on one of these")]
+    Criterion {
+        /// What it tells.
+        needed: &'static str,
+        /// What the limit is on.
+        got: String,
     },
     /// A tolerance on parts that the engine does not have.
     #[error("tolerance {place} is on {quantity}, but the engine has none")]

@@ -11,7 +11,8 @@ mod model;
 mod peak;
 mod run;
 mod statistics;
-mod stream;
+pub(crate) mod stream;
+mod study;
 mod tolerance;
 mod worst;
 
@@ -21,5 +22,9 @@ pub use run::{
     Capability, Contribution, Limit, Output, OutputScatter, Percentile, SCATTER_VERSION, Scatter,
     ScatterRequest, scatter,
 };
-pub use tolerance::{Distribution, Extent, Tolerance, Varied};
+
+pub use study::{
+    Deviation, LimitVerdict, SCATTER_STUDY_VERSION, ScatterOptions, ScatterStudy, TOLD_SHARES, Tightened,
+    scatter_study,
+};
 pub use worst::{WorstCase, worst_cases};

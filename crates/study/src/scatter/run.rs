@@ -7,8 +7,8 @@ use crate::scatter::model::{Model, Spectrum};
 use crate::scatter::peak::PeakGrid;
 use crate::scatter::statistics::{MOST_KEPT, Statistics};
 use crate::scatter::stream::{Shape, Stream};
-use crate::scatter::tolerance::{Tolerance, Variable, variables};
-use lanchester_model::Engine;
+use crate::scatter::tolerance::{Variable, variables};
+use lanchester_model::{Engine, Tolerance};
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -1,0 +1,74 @@
+//! `lanchester sensitivity`: what matters most for the residual loads.
+
+use crate::commands::{json, open, write_figures};
+use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::files::print;
+use crate::format::Format;
+use crate::sensitivity_arguments::SensitivityArguments;
+use lanchester::model::{criterion, option};
+use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
+use lanchester::study::sensitivity::{Amount, Measure, Output, Quantity, SensitivityRequest, sensitivity};
+
+pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure> {
+    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+    let amounts = arguments.vary.iter().map(|text| amount(text)).collect::<Result<_, _>>()?;
+    let engine = open(&arguments.file, colour)?.engine;
+    let output = |text: &String| {
+        Output::of(criterion(text, &engine.mounts)?).ok_or_else(|| {
+            Failure::input(
+                format!("sensitivities are told of loads on the block, got `{}`", text.trim()),
+                "write force, couple or roll moment, or one order of it: `force order 2`",
+            )
+        })
+    };
+    let outputs: Vec<Output> = arguments.output.iter().map(output).collect::<Result<_, Failure>>()?;
+    let request = SensitivityRequest {
+        speed,
+        outputs: if outputs.is_empty() { Output::peaks() } else { outputs },
+        each: arguments.each,
+        amounts,
+        only: arguments.only,
+        sobol: arguments.sobol.map(|draws| [draws, arguments.seed.unwrap_or(1)]),
+    };
+    let found = sensitivity(&engine, &request)
+        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.file, &[tornado_figure(&found)])?;
+    }
+    print(&match arguments.format {
+        Format::Text => sensitivity_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => sensitivity_csv(&found),
+    })?;
+    Ok(DONE)
+}
+
+/// `rod length = 10 %`: a quantity, and how far it goes.
+fn amount(text: &str) -> Result<(Quantity, Amount), Failure> {
+    let Some((name, value)) = text.split_once('=') else {
+        return Err(Failure::input(
+            format!("`--vary` needs a quantity and how far it goes, got \"{text}\""),
+            "for example --vary \"rod length = 10 %\"",
+        ));
+    };
+    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+    let Some(quantity) = Quantity::all().find(|quantity| quantity.name() == name) else {
+        let names: Vec<&str> = Quantity::all().map(Quantity::name).collect();
+        return Err(Failure::input(
+            format!("`--vary` knows no quantity \"{name}\""),
+            format!("it knows {}", names.join(", ")),
+        ));
+    };
+    if value.trim_end().ends_with('%') {
+        return Ok((quantity, Amount::Share(option::share(value, &name)?)));
+    }
+    let read = match quantity.measure() {
+        Measure::Mass => option::mass,
+        Measure::Length | Measure::Place => option::length,
+        Measure::Angle => option::angle,
+        Measure::Unbalance => option::unbalance,
+        Measure::Inertia => option::inertia,
+        Measure::Speed => option::speed,
+    };
+    Ok((quantity, Amount::Absolute(read(value, &name)?)))
+}

@@ -1,0 +1,42 @@
+//! The command line of `lanchester sensitivity`.
+
+use crate::format::Format;
+use clap::Args;
+use std::path::PathBuf;
+
+/// `sensitivity`
+#[derive(Debug, Args)]
+pub struct SensitivityArguments {
+    /// Engine file.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Speed of crankshaft 1, with its unit; default: the highest of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// What it does something to: `force`, `couple`, `roll moment` (peaks), or one order, `force order 2`. May be given several times;
+    /// default: the three peaks.
+    #[arg(long, value_name = "CRITERION")]
+    pub output: Vec<String>,
+    /// How far a quantity goes either way: `rod length = 10 %`, `throw angle = 0.5 deg`. May be given several times; default: 1 % of
+    /// sizes, 1 mm of places, 1 deg of directions.
+    #[arg(long, value_name = "QUANTITY")]
+    pub vary: Vec<String>,
+    /// Vary nothing but what --vary names.
+    #[arg(long, requires = "vary")]
+    pub only: bool,
+    /// Vary every part by itself instead of all parts of a kind together.
+    #[arg(long)]
+    pub each: bool,
+    /// Tell shares of the variance too (Sobol's indices), with all quantities anywhere within their ranges, from so many draws.
+    #[arg(long, value_name = "DRAWS")]
+    pub sobol: Option<u64>,
+    /// Seed of the draws; default: 1.
+    #[arg(long, value_name = "N", requires = "sobol")]
+    pub seed: Option<u64>,
+    /// Write the tornado charts as an SVG file into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}

@@ -1,0 +1,69 @@
+//! Sensitivities on the command line.
+
+use crate::program::{folder, message, output, output_json};
+use serde_json::Value;
+
+fn example(name: &str) -> String {
+    format!("{}/../../examples/{name}.toml", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The piston mass one percent up in the file does what the sensitivity says it does.
+#[test]
+fn a_change_of_the_file_does_what_was_said() {
+    let folder = folder("sensitivity");
+    let twin = example("twin-in-line-in-phase");
+    let json = output_json(&folder, 0, &["sensitivity", &twin, "--format", "json"]);
+    let inputs = json["inputs"].as_array().expect("a list");
+    let place =
+        inputs.iter().position(|input| input["quantity"]["part"] == "piston-mass").expect("it varies");
+    let nominal = inputs[place]["nominal"].as_f64().expect("one mass");
+    assert!((inputs[place]["half_width"].as_f64().expect("a number") - 0.01 * nominal).abs() < 1e-12);
+    let above = json["outputs"][0]["effects"][place]["above"].as_f64().expect("an engine");
+    let text = std::fs::read_to_string(&twin).expect("it is shipped");
+    let heavier = format!("[piston]\nmass = \"{} kg\"", 1.01 * nominal);
+    let start = text.find("[piston]\nmass").expect("the mass comes first");
+    let end = start + "[piston]\n".len() + text[start + "[piston]\n".len()..].find('\n').expect("a line");
+    std::fs::write(folder.join("heavier.toml"), format!("{}{heavier}{}", &text[..start], &text[end..]))
+        .expect("ours");
+    let loads = output_json(&folder, 0, &["loads", "heavier.toml", "--format", "json"]);
+    let peak = loads["total"]["peaks"]["force"]["max"]["value"].as_f64().expect("a peak");
+    assert!((peak - above).abs() < 1e-9 * peak, "{peak} {above}");
+    let text = output(
+        &folder,
+        0,
+        &[
+            "sensitivity",
+            &twin,
+            "--vary",
+            "rod length = 10 %",
+            "--only",
+            "--sobol",
+            "64",
+            "--figures",
+            "figures",
+        ],
+    );
+    assert!(text.contains("rod length") && !text.contains("piston mass"), "{text}");
+    assert!(folder.join("figures/sensitivity.svg").exists());
+    let csv =
+        output(&folder, 0, &["sensitivity", &twin, "--output", "force order 2", "--each", "--format", "csv"]);
+    assert!(csv.lines().all(|line| line.split(',').count() == 12) && csv.contains("piston mass 2"), "{csv}");
+}
+
+#[test]
+fn mistakes_of_a_sensitivity_are_told() {
+    let folder = folder("sensitivity-mistakes");
+    let twin = example("twin-in-line-in-phase");
+    let refused = |arguments: &[&str], said: &str| {
+        let told = message(&folder, 2, &[&["sensitivity", &twin], arguments].concat());
+        assert!(told.contains(said), "{told}");
+    };
+    refused(&["--vary", "rod weight = 1 g"], "knows no quantity \"rod weight\"");
+    refused(&["--vary", "rod length"], "needs a quantity and how far it goes");
+    refused(&["--vary", "rod length = 1 kg"], "rod length");
+    refused(&["--vary", "pin offset in the piston = 10 %"], "no size of which a share could be taken");
+    refused(&["--output", "added mass"], "loads on the block, got `added mass`");
+    refused(&["--sobol", "2"], "from 16 to 10 000 000 draws, got 2");
+    refused(&["--only"], "--vary");
+    assert_eq!(output_json(&folder, 0, &["sensitivity", &twin, "--format", "json"])["sobol"], Value::Null);
+}

@@ -1,0 +1,113 @@
+//! Variance-based indices: which input the scatter of an output over the ranges comes from, alone and with all others.
+
+use super::input::Input;
+use super::output::{Output, values};
+use crate::scatter::stream::Stream;
+use lanchester_model::Engine;
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// Indices of one output by one input, with their standard errors.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Index {
+    /// Share of the variance that would vanish if this input alone were known (Saltelli et al. 2010).
+    pub first: f64,
+    /// Its standard error.
+    pub first_error: f64,
+    /// Share of the variance that would be left if all other inputs were known (Jansen 1999).
+    pub total: f64,
+    /// Its standard error.
+    pub total_error: f64,
+}
+
+/// Variance-based sensitivities.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sobol {
+    /// Draws of each of the two tables; the engine is computed `inputs + 2` times for each.
+    pub samples: u64,
+    /// Seed of the draws.
+    pub seed: u64,
+    /// Draws left out since one of their engines cannot turn, or has a mass below nothing.
+    pub impossible: u64,
+    /// By output: mean and standard deviation over the ranges.
+    pub spreads: Vec<[f64; 2]>,
+    /// By output, then by input. Zero where the output does not vary.
+    pub indices: Vec<Vec<Index>>,
+}
+
+/// Outputs of one draw: of the first table, of the second, and of the first with one column of the second.
+struct Draw {
+    first: Vec<f64>,
+    second: Vec<f64>,
+    mixed: Vec<Vec<f64>>,
+}
+
+/// The indices over ranges `half_widths` either way of the nominal values, in SI units.
+pub(super) fn sobol(
+    engine: &Engine,
+    speed: f64,
+    outputs: &[Output],
+    inputs: &[(Input, f64)],
+    [samples, seed]: [u64; 2],
+) -> Sobol {
+    let streams = |table: usize| -> Vec<Stream> {
+        (0..inputs.len()).map(|place| Stream::new(seed, 2 * place + table)).collect()
+    };
+    let tables = [streams(0), streams(1)];
+    let draw = |sample: u64| -> Option<Draw> {
+        let at = |choose: &dyn Fn(usize) -> usize| {
+            let (mut own, mut own_speed) = (engine.clone(), speed);
+            for (place, (input, half)) in inputs.iter().enumerate() {
+                let uniform = tables[choose(place)][place].uniform(sample);
+                input.deviate(&mut own, &mut own_speed, half * (2.0 * uniform - 1.0));
+            }
+            possible(&own, own_speed, outputs)
+        };
+        let mixed = (0..inputs.len()).map(|input| at(&|place| usize::from(place == input)));
+        Some(Draw { first: at(&|_| 0)?, second: at(&|_| 1)?, mixed: mixed.collect::<Option<_>>()? })
+    };
+    let draws: Vec<Draw> = (0..samples).into_par_iter().filter_map(draw).collect();
+    let by_output = |place: usize| {
+        let all = draws.iter().flat_map(|draw| [draw.first[place], draw.second[place]]);
+        let count = 2.0 * draws.len() as f64;
+        let mean = all.clone().sum::<f64>() / count;
+        let variance = all.map(|value| (value - mean).powi(2)).sum::<f64>() / count;
+        let index = |input: usize| {
+            let own = |draw: &Draw| [draw.first[place], draw.second[place], draw.mixed[input][place]];
+            let first = estimate(&draws, |draw| {
+                let [a, b, mixed] = own(draw);
+                (b - mean) * (mixed - a) / variance
+            });
+            let total = estimate(&draws, |draw| {
+                let [a, _, mixed] = own(draw);
+                (a - mixed).powi(2) / (2.0 * variance)
+            });
+            Index { first: first[0], first_error: first[1], total: total[0], total_error: total[1] }
+        };
+        let none = Index { first: 0.0, first_error: 0.0, total: 0.0, total_error: 0.0 };
+        let varies = variance > 1e-24 * mean * mean;
+        let indices: Vec<Index> = (0..inputs.len()).map(|k| if varies { index(k) } else { none }).collect();
+        ([mean, variance.sqrt()], indices)
+    };
+    let (spreads, indices) = (0..outputs.len()).map(by_output).unzip();
+    Sobol { samples, seed, impossible: samples - draws.len() as u64, spreads, indices }
+}
+
+/// Mean of a quantity over the draws, and its standard error.
+fn estimate(draws: &[Draw], of: impl Fn(&Draw) -> f64) -> [f64; 2] {
+    let count = draws.len() as f64;
+    let mean = draws.iter().map(&of).sum::<f64>() / count;
+    let variance = draws.iter().map(|draw| (of(draw) - mean).powi(2)).sum::<f64>() / count;
+    [mean, (variance / count).sqrt()]
+}
+
+/// Outputs of an engine; none of one that cannot be.
+pub(super) fn possible(engine: &Engine, speed: f64, outputs: &[Output]) -> Option<Vec<f64>> {
+    let mut masses =
+        engine.cylinders.iter().flat_map(|c| [c.piston_mass, c.rod.big_end_mass, c.rod.small_end_mass]);
+    let sizes = engine.throws.iter().map(|throw| throw.radius).all(|radius| radius > 0.0);
+    if speed <= 0.0 || !sizes || masses.any(|mass| mass < 0.0) {
+        return None;
+    }
+    values(engine, speed, outputs).ok()
+}

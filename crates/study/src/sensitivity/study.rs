@@ -1,0 +1,227 @@
+//! Sensitivities of an engine: exact derivatives, one input at a time over ranges, and shares of the variance over all ranges.
+
+use super::derivative::{Slope, derivatives};
+use super::error::SensitivityError;
+use super::input::{Input, Measure, Quantity};
+use super::output::{Output, values};
+use super::sobol::{Sobol, possible, sobol};
+use lanchester_model::Engine;
+use serde::Serialize;
+
+/// Version of [`Sensitivity`]; raised when a field changes its meaning or goes.
+pub const SENSITIVITY_VERSION: u32 = 1;
+
+/// How far an input goes either way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Amount {
+    /// A share of its nominal value [1].
+    Share(f64),
+    /// So much, in its SI unit.
+    Absolute(f64),
+}
+
+impl Amount {
+    /// Where nobody says: 1 % of a size, 1 mm of a place, 1 degree of a direction.
+    pub fn standard(measure: Measure) -> Amount {
+        match measure {
+            Measure::Mass | Measure::Length | Measure::Unbalance | Measure::Inertia | Measure::Speed => {
+                Amount::Share(0.01)
+            }
+            Measure::Place => Amount::Absolute(1e-3),
+            Measure::Angle => Amount::Absolute(1f64.to_radians()),
+        }
+    }
+}
+
+/// What to vary, and what is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SensitivityRequest {
+    /// Speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
+    pub speed: Option<f64>,
+    /// Outputs.
+    pub outputs: Vec<Output>,
+    /// Whether every part varies by itself, or all parts of a kind together.
+    pub each: bool,
+    /// How far quantities go that do not go as far as usual ([`Amount::standard`]).
+    pub amounts: Vec<(Quantity, Amount)>,
+    /// Whether only the quantities of `amounts` vary.
+    pub only: bool,
+    /// Draws and seed for the shares of the variance; `None`: none.
+    pub sobol: Option<[u64; 2]>,
+}
+
+impl Default for SensitivityRequest {
+    /// Peaks at the highest speed by all quantities, all parts of a kind together, without shares of the variance.
+    fn default() -> SensitivityRequest {
+        SensitivityRequest {
+            speed: None,
+            outputs: Output::peaks(),
+            each: false,
+            amounts: Vec::new(),
+            only: false,
+            sobol: None,
+        }
+    }
+}
+
+/// An input, and how far it goes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct VariedInput {
+    /// Which.
+    #[serde(flatten)]
+    pub input: Input,
+    /// Its nominal value, where all of its parts have the same, in its SI unit.
+    pub nominal: Option<f64>,
+    /// How far it goes either way, in its SI unit.
+    pub half_width: f64,
+}
+
+/// An output with an input at one end of its range and at the other.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Effect {
+    /// Derivative at the nominal engine.
+    pub slope: Slope,
+    /// Output with the input at its lower end; `None` if no engine is there.
+    pub below: Option<f64>,
+    /// Output with the input at its upper end.
+    pub above: Option<f64>,
+}
+
+/// Sensitivities of one output.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OutputSensitivity {
+    /// Which.
+    pub output: Output,
+    /// Of the nominal engine.
+    pub nominal: f64,
+    /// By input.
+    pub effects: Vec<Effect>,
+}
+
+/// Sensitivities of an engine.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sensitivity {
+    /// [`SENSITIVITY_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// What varies.
+    pub inputs: Vec<VariedInput>,
+    /// By output.
+    pub outputs: Vec<OutputSensitivity>,
+    /// Shares of the variance over all ranges at once.
+    pub sobol: Option<Sobol>,
+}
+
+/// The sensitivities of `engine`.
+///
+/// # Errors
+/// [`SensitivityError`] where the loads cannot be computed, or the request is impossible.
+///
+/// # Example
+/// ```
+/// use lanchester_study::sensitivity::{SensitivityRequest, sensitivity};
+///
+/// let template = lanchester_model::template("single").expect("it is in the gallery");
+/// let engine = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let found = sensitivity(&engine, &SensitivityRequest::default())?;
+/// let (force, speed) = (&found.outputs[0], &found.inputs[0]);
+/// // Forces grow with the square of the speed.
+/// let exact = 2.0 * force.nominal / found.speed;
+/// assert!((force.effects[0].slope.up - exact).abs() < 1e-9 * exact && speed.nominal == Some(found.speed));
+/// # Ok::<(), lanchester_study::sensitivity::SensitivityError>(())
+/// ```
+pub fn sensitivity(engine: &Engine, request: &SensitivityRequest) -> Result<Sensitivity, SensitivityError> {
+    let speed = request.speed.unwrap_or(engine.speed.highest);
+    if request.outputs.is_empty() {
+        return Err(SensitivityError::NoOutput);
+    }
+    let inputs = varied(engine, speed, request)?;
+    let list: Vec<Input> = inputs.iter().map(|varied| varied.input).collect();
+    let nominal = values(engine, speed, &request.outputs)?;
+    let slopes = derivatives(engine, speed, &request.outputs, &list)?;
+    let ends: Vec<[Option<Vec<f64>>; 2]> = inputs
+        .iter()
+        .map(|varied| {
+            [-varied.half_width, varied.half_width].map(|deviation| {
+                let (mut own, mut own_speed) = (engine.clone(), speed);
+                varied.input.deviate(&mut own, &mut own_speed, deviation);
+                possible(&own, own_speed, &request.outputs)
+            })
+        })
+        .collect();
+    let of_output = |(place, (output, nominal)): (usize, (&Output, f64))| {
+        let effect = |(slope, [below, above]): (&Slope, &[Option<Vec<f64>>; 2])| Effect {
+            slope: *slope,
+            below: below.as_ref().map(|values| values[place]),
+            above: above.as_ref().map(|values| values[place]),
+        };
+        OutputSensitivity {
+            output: *output,
+            nominal,
+            effects: slopes[place].iter().zip(&ends).map(effect).collect(),
+        }
+    };
+    let ranges: Vec<(Input, f64)> = inputs.iter().map(|varied| (varied.input, varied.half_width)).collect();
+    let shares = match request.sobol {
+        None => None,
+        Some([samples, _]) if !(16..=10_000_000).contains(&samples) => {
+            return Err(SensitivityError::Samples { got: samples });
+        }
+        Some(draws) => Some(sobol(engine, speed, &request.outputs, &ranges, draws)),
+    };
+    if shares.as_ref().is_some_and(|shares| shares.impossible == shares.samples) {
+        return Err(SensitivityError::NoEngine);
+    }
+    Ok(Sensitivity {
+        version: SENSITIVITY_VERSION,
+        engine: engine.name.clone(),
+        speed,
+        outputs: request.outputs.iter().zip(nominal).enumerate().map(of_output).collect(),
+        inputs,
+        sobol: shares,
+    })
+}
+
+/// The inputs, and how far each goes.
+fn varied(
+    engine: &Engine,
+    speed: f64,
+    request: &SensitivityRequest,
+) -> Result<Vec<VariedInput>, SensitivityError> {
+    for (quantity, amount) in &request.amounts {
+        let (Amount::Share(size) | Amount::Absolute(size)) = amount;
+        if !(*size > 0.0 && size.is_finite()) {
+            return Err(SensitivityError::Amount { quantity: quantity.name(), got: *size });
+        }
+        if quantity.parts(engine) == 0 {
+            return Err(SensitivityError::NoSuchPart { quantity: quantity.name() });
+        }
+    }
+    let all = if request.each { Input::single(engine) } else { Input::common(engine) };
+    let mut found = Vec::new();
+    for input in all {
+        let given = request.amounts.iter().rfind(|(quantity, _)| *quantity == input.quantity);
+        if request.only && given.is_none() {
+            continue;
+        }
+        let nominal = input.nominal(engine, speed);
+        let amount = given.map_or(Amount::standard(input.quantity.measure()), |(_, amount)| *amount);
+        let half_width = match (amount, nominal) {
+            (Amount::Absolute(amount), _) => amount,
+            (Amount::Share(share), Some(nominal)) if nominal != 0.0 => share * nominal.abs(),
+            // What is 0, or differs from part to part, has no share that is one number.
+            (Amount::Share(_), _) if given.is_some() => {
+                return Err(SensitivityError::NoSize { quantity: input.quantity.name() });
+            }
+            (Amount::Share(_), _) => continue,
+        };
+        found.push(VariedInput { input, nominal, half_width });
+    }
+    if found.is_empty() {
+        return Err(SensitivityError::NoInput);
+    }
+    Ok(found)
+}

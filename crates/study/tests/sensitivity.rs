@@ -1,0 +1,173 @@
+//! Exact derivatives against differences of the mechanism's loads; shares of the variance of a sum.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use lanchester_mechanism::{LoadRequest, total_loads};
+use lanchester_model::{Engine, read, template};
+use lanchester_study::sensitivity::*;
+
+fn engine(name: &str) -> Engine {
+    read(template(name).unwrap().text).engine.unwrap()
+}
+
+/// Outputs of the mechanism.
+fn loads(engine: &Engine, speed: f64) -> Vec<f64> {
+    let request = LoadRequest { speed: Some(speed), samples: 1, max_order: 2, ..LoadRequest::default() };
+    let loads = total_loads(engine, &request).unwrap();
+    let order = |n: f64| *loads.orders.iter().find(|own| own.order == n).unwrap();
+    let peaks = [
+        loads.peaks.force.max.value,
+        loads.peaks.couple.max.value,
+        loads.peaks.roll_moment.max.value.abs().max(loads.peaks.roll_moment.min.value.abs()),
+    ];
+    let orders = [1.0, 2.0].map(|n| {
+        let own = order(n);
+        [own.force_peak(), own.couple_peak(), own.roll_moment.norm()]
+    });
+    peaks.into_iter().chain(orders.into_iter().flatten()).collect()
+}
+
+fn off(engine: &Engine, speed: f64, input: Input, by: f64) -> Vec<f64> {
+    let (mut own, mut own_speed) = (engine.clone(), speed);
+    input.deviate(&mut own, &mut own_speed, by);
+    loads(&own, own_speed)
+}
+
+/// A step that changes an output by about a millionth.
+fn step(input: Input) -> f64 {
+    match input.quantity.measure() {
+        Measure::Mass => 1e-6,
+        Measure::Length | Measure::Place => 1e-7,
+        Measure::Angle => 1e-6,
+        Measure::Unbalance => 1e-8,
+        Measure::Inertia => 1e-9,
+        Measure::Speed => 1e-3,
+    }
+}
+
+#[test]
+fn derivatives_are_the_differences_of_the_loads() {
+    // Plain and offset rods, articulated rods, balance shafts, two crankshafts, split pins; all of them off their symmetry.
+    let names = [
+        "single",
+        "in-line-3",
+        "in-line-4-lanchester",
+        "v2-45",
+        "v6-60",
+        "boxer-2",
+        "radial-7",
+        "square-4",
+        "vr6-15",
+    ];
+    let mut compared = 0;
+    for name in names {
+        let mut engine = engine(name);
+        // Without symmetry no peak has a twin.
+        let mut speed = engine.speed.highest;
+        for (place, input) in Input::single(&engine).into_iter().enumerate() {
+            let by = 1500.0 * f64::from(1 + (place as u32 * 7) % 5) * step(input);
+            if input.quantity != Quantity::Speed {
+                input.deviate(&mut engine, &mut speed, by);
+            }
+        }
+        let scale = loads(&engine, speed);
+        let pistons = engine.cylinders.iter().map(|c| c.reciprocating_mass() * engine.throws[c.throw].radius);
+        let inertia = pistons.sum::<f64>() * speed * speed;
+        let inputs: Vec<Input> = Input::common(&engine).into_iter().chain(Input::single(&engine)).collect();
+        let slopes = derivatives(&engine, speed, &Output::standard(), &inputs).unwrap();
+        for (place, input) in inputs.iter().enumerate() {
+            let h = step(*input);
+            let [far_back, back, front, far_front] =
+                [-2.0, -1.0, 1.0, 2.0].map(|steps| off(&engine, speed, *input, steps * h));
+            for (output, value) in scale.iter().enumerate() {
+                let [near, far] = [front[output] - back[output], far_front[output] - far_back[output]];
+                let difference = (8.0 * near - far) / (12.0 * h);
+                let Slope { up, down } = slopes[output][place];
+                let largest = if output % 3 == 0 { inertia } else { 0.1 * inertia };
+                // Sizes near zero bend within the step.
+                if up != down || *value < 1e-3 * largest {
+                    continue;
+                }
+                let rounding = 1e-9 * largest / h;
+                assert!(
+                    (up - difference).abs() <= 1e-5 * up.abs() + rounding,
+                    "{name} {input:?} output {output}: {up} {difference} of {value}"
+                );
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 2000, "{compared}");
+}
+
+#[test]
+fn a_size_that_vanishes_grows_either_way() {
+    let engine = engine("in-line-4");
+    let speed = engine.speed.highest;
+    let heavier = Input { quantity: Quantity::Part(lanchester_model::Varied::PistonMass), part: Some(1) };
+    let output = [Output { load: BlockLoad::Force, order: Some(1.0) }];
+    let slope = derivatives(&engine, speed, &output, &[heavier]).unwrap()[0][0];
+    let [back, front] = [-1e-4, 1e-4].map(|by| off(&engine, speed, heavier, by)[3]);
+    assert!(
+        (slope.up * 1e-4 - front).abs() < 1e-8 * front && (slope.down * -1e-4 - back).abs() < 1e-8 * back
+    );
+    assert_eq!(slope.up, -slope.down);
+}
+
+/// Of a product `m w^2` of few percent the shares are those of its linear part: 1 to 4 for equal ranges.
+#[test]
+fn shares_of_the_variance_are_those_of_the_linear_part() {
+    let engine = engine("single");
+    let quantities = [Quantity::Speed, Quantity::Part(lanchester_model::Varied::PistonMass)];
+    let request = SensitivityRequest {
+        outputs: vec![Output { load: BlockLoad::Force, order: Some(2.0) }],
+        amounts: quantities.map(|quantity| (quantity, Amount::Share(0.01))).to_vec(),
+        only: true,
+        sobol: Some([4000, 7]),
+        ..SensitivityRequest::default()
+    };
+    let found = sensitivity(&engine, &request).unwrap();
+    let effects = &found.outputs[0].effects;
+    let parts: Vec<f64> = found
+        .inputs
+        .iter()
+        .zip(effects)
+        .map(|(input, effect)| (effect.slope.up * input.half_width).powi(2))
+        .collect();
+    let shares = found.sobol.unwrap();
+    assert_eq!((shares.impossible, found.inputs.len()), (0, 2));
+    for (index, part) in shares.indices[0].iter().zip(&parts) {
+        let share = part / parts.iter().sum::<f64>();
+        assert!((index.first - share).abs() < 4.0 * index.first_error + 1e-3, "{index:?} {share}");
+        assert!((index.total - share).abs() < 4.0 * index.total_error + 1e-3, "{index:?} {share}");
+    }
+    // The same whatever the number of threads.
+    let again = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let alone = again.install(|| sensitivity(&engine, &request)).unwrap();
+    assert_eq!(alone.sobol.unwrap(), shares);
+}
+
+#[test]
+fn impossible_requests_are_told() {
+    let engine = engine("single");
+    let refused = |request: SensitivityRequest, said: &str| {
+        let told = sensitivity(&engine, &request).unwrap_err().to_string();
+        assert!(told.contains(said), "{told}");
+    };
+    let only = |quantity, amount| SensitivityRequest {
+        amounts: vec![(quantity, amount)],
+        only: true,
+        ..SensitivityRequest::default()
+    };
+    refused(only(Quantity::ShaftX, Amount::Absolute(1e-3)), "the engine has no balance-shaft x");
+    refused(only(Quantity::PinOffset, Amount::Share(0.1)), "no size of which a share could be taken");
+    refused(only(Quantity::Speed, Amount::Share(-0.1)), "above 0, got -0.1");
+    refused(
+        SensitivityRequest { sobol: Some([3, 1]), ..SensitivityRequest::default() },
+        "from 16 to 10 000 000",
+    );
+    refused(
+        SensitivityRequest { outputs: Vec::new(), ..SensitivityRequest::default() },
+        "at least one output",
+    );
+}
