@@ -112,7 +112,7 @@ pub(crate) struct ThrowUnbalance {
 ///
 /// ```text
 /// U   = rho (pi/4 (d^2 - b^2) (D - t) r - SUM over own webs of t INTEGRAL x dA + SUM over shared webs of (s/2) A r)
-/// z_U = SUM of the same times their planes, over U                                      (book, eqs. 22.70, 22.71)
+/// z_U = SUM of the same times their planes, over U                                      (book, eqs. 22.71, 22.72)
 /// ```
 /// `D` web distance, `t` web thickness, `s` and `A` thickness and area of a shared web, whose centre lies in the middle between both pins: half of it at
 /// each pin is the same.
