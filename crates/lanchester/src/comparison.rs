@@ -51,15 +51,15 @@ pub struct CompareRequest {
     pub speed: Option<f64>,
     /// Place of the engine with which the others are compared.
     pub reference: usize,
-    /// Fluctuation of the speed that the flywheels keep at the lowest speed [1]; `None`: [`FLUCTUATION`].
+    /// Fluctuation of the speed that the flywheels keep at the lowest speed [1]; `None`: 2 %.
     pub fluctuation: Option<f64>,
 }
 
 /// Fluctuation of the speed that flywheels are compared at, where nobody says [1].
-pub const FLUCTUATION: f64 = 0.02;
+const FLUCTUATION: f64 = 0.02;
 
 impl Default for CompareRequest {
-    /// As they are, at their highest speeds, with the first one, flywheels for [`FLUCTUATION`].
+    /// As they are, at their highest speeds, with the first one, flywheels for a fluctuation of 2 %.
     fn default() -> CompareRequest {
         CompareRequest {
             equal: Equal::AsTheyAre,
