@@ -82,8 +82,7 @@ static CODES: &[(&str, &str)] = &[
     ("E1403", "a loss factor that no mount has"),
     ("E1404", "a table that does not rise"),
     ("E1405", "an inertia that no body has"),
-    ("E1501", "a tolerance of parts that the engine does not have"),
-    ("E1502", "a tolerance of so many standard deviations as no process has"),
+    ("E1501", "a tolerance of so many standard deviations as no process has"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),
@@ -97,4 +96,5 @@ static CODES: &[(&str, &str)] = &[
     ("W0802", "a suspicious share"),
     ("W0901", "a shape that misses its unbalance"),
     ("W0902", "weights of a shaft that overlap"),
+    ("W1501", "a tolerance of parts that the engine does not have"),
 ];

@@ -48,7 +48,7 @@ impl<'a> Reader<'a> {
                 let message =
                     format!("`sigmas` must lie between {} and {}, got {}", SIGMAS[0], SIGMAS[1], spot.value);
                 self.mistakes.push(
-                    Mistake::error("E1502", spot.span, message)
+                    Mistake::error("E1501", spot.span, message)
                         .label("out of range")
                         .hint("3 where nothing else is known; 4 or more for a process in good control"),
                 );
@@ -84,8 +84,8 @@ impl<'a> Reader<'a> {
                 _ => ("counterweight", "[[counterweight]]"),
             };
             self.mistakes.push(
-                Mistake::error(
-                    "E1501",
+                Mistake::warning(
+                    "W1501",
                     span,
                     format!("a tolerance of the {}, but the engine has no {what}", part.name()),
                 )
