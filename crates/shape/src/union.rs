@@ -2,7 +2,7 @@
 //!
 //! All edges are cut where they meet the other outline and where a corner lies on them. A piece stays where it is outside the other
 //! outline; of two pieces that run along each other one stays if both have their material on the same side, none where they are
-//! the seam between two neighbours. What stays is put together again into closed contours. Nothing is moved: a corner of the
+//! the seam between two neighbours or the two sides of one tip. What stays is put together again into closed contours. Nothing is moved: a corner of the
 //! union is a corner of an outline or a meeting of two edges, and areas hold to rounding.
 //!
 //! Points and edges closer than some roundings count as one, so that edges which coincide but for rounding are found to coincide.
@@ -132,14 +132,13 @@ impl<'a> Joining<'a> {
 
     /// Whether a piece is part of the boundary of the union.
     fn stays(&self, piece: &Piece) -> bool {
-        let twin = self.pieces.iter().find(|other| {
-            other.owner != piece.owner
-                && [other.from.min(other.to), other.from.max(other.to)]
-                    == [piece.from.min(piece.to), piece.from.max(piece.to)]
-                && (other.edge.middle() - piece.edge.middle()).norm() <= 2.0 * self.tolerance
-        });
-        if let Some(twin) = twin {
-            return twin.from == piece.from && piece.owner == 0;
+        let [own, others] = [piece.owner, 1 - piece.owner].map(|owner| self.along(piece, owner));
+        match (own, others) {
+            // There and back: the tip of a cusp, or a gap, too narrow to be told from none.
+            (0, _) => return false,
+            (_, 1..) => return piece.owner == 0,
+            (_, ..0) => return false,
+            _ => {}
         }
         let other = self.outlines[1 - piece.owner];
         let places = [0.5, 0.25, 0.75].map(|part| piece.edge.at(part).0);
@@ -147,6 +146,20 @@ impl<'a> Joining<'a> {
         let (_, place) =
             clearest.fold((-1.0, places[0]), |best, next| if next.0 > best.0 { next } else { best });
         !other.contains(place)
+    }
+
+    /// How many pieces of an owner run along a piece in its direction, less those that run against it.
+    fn along(&self, piece: &Piece, owner: usize) -> isize {
+        let near = |other: &&Piece| {
+            other.owner == owner
+                && (other.edge.middle() - piece.edge.middle()).norm() <= 2.0 * self.tolerance
+        };
+        let sense = |other: &Piece| match (other.from, other.to) {
+            ends if ends == (piece.from, piece.to) => 1,
+            ends if ends == (piece.to, piece.from) => -1,
+            _ => 0,
+        };
+        self.pieces.iter().filter(near).map(sense).sum()
     }
 
     fn union(&self, size: f64) -> Result<Outline, GeometryError> {
