@@ -1,0 +1,91 @@
+// The only place that talks to the server.
+
+import type { Problem } from "./types";
+
+/** What the server refused, in its own words. */
+export class Refused extends Error {
+  constructor(
+    readonly status: number,
+    readonly problem: Problem,
+  ) {
+    super(problem.message);
+  }
+}
+
+/** The server does not answer. */
+export class Gone extends Error {
+  constructor() {
+    super("the studio's server does not answer");
+  }
+}
+
+const token = takeToken();
+/** Tells the server which requests replace each other. */
+const client = crypto.randomUUID();
+
+/** The token comes in the address once and is kept for this origin: links to states work in other windows. */
+function takeToken(): string {
+  const address = new URL(location.href);
+  const given = address.searchParams.get("token");
+  if (given) {
+    localStorage.setItem("lanchester-token", given);
+    address.searchParams.delete("token");
+    history.replaceState(null, "", address);
+  }
+  return given ?? localStorage.getItem("lanchester-token") ?? "";
+}
+
+async function send(
+  method: string,
+  path: string,
+  body: unknown,
+  lane: string | undefined,
+  signal: AbortSignal | undefined,
+): Promise<Response> {
+  const headers: Record<string, string> = { "X-Lanchester-Token": token, "X-Lanchester-Client": client };
+  if (body !== undefined) headers["Content-Type"] = "application/json";
+  if (lane) headers["X-Lanchester-Lane"] = lane;
+  let response: Response;
+  try {
+    response = await fetch(path, {
+      method,
+      headers,
+      body: body === undefined ? null : JSON.stringify(body),
+      signal: signal ?? null,
+    });
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw new Gone();
+  }
+  if (response.ok) return response;
+  let problem: Problem;
+  try {
+    problem = (await response.json()) as Problem;
+  } catch {
+    problem = { message: `the server answered ${response.status}`, hint: null, diagnostics: [] };
+  }
+  throw new Refused(response.status, problem);
+}
+
+export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
+  return (await (await send("GET", path, undefined, undefined, signal)).json()) as T;
+}
+
+/** `lane`: a newer request of this window in the same lane makes the server drop an older one. */
+export async function post<T>(path: string, body: unknown, lane?: string, signal?: AbortSignal): Promise<T> {
+  return (await (await send("POST", path, body, lane, signal)).json()) as T;
+}
+
+export async function put<T>(path: string, body: unknown): Promise<T> {
+  return (await (await send("PUT", path, body, undefined, undefined)).json()) as T;
+}
+
+/** A file that the server makes: a report, a part. */
+export async function postForFile(path: string, body: unknown): Promise<Blob> {
+  return (await send("POST", path, body, undefined, undefined)).blob();
+}
+
+/** Events of the server; `EventSource` cannot send headers, so that the token stands in the address. */
+export function events(): EventSource {
+  return new EventSource(`/api/events?token=${encodeURIComponent(token)}`);
+}

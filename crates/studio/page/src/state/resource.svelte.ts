@@ -1,0 +1,61 @@
+// A result of the server that follows what it is asked for.
+
+import { Gone, Refused, post } from "../api/client";
+import type { Problem } from "../api/types";
+import { server } from "./server.svelte";
+
+/** What is asked: `null` asks nothing. */
+export type Question = { path: string; body: unknown } | null;
+
+/**
+ * Asks again whenever the question changes, one request at a time: while one is under way only the newest question
+ * waits. The last answer stays until the next is there, so that nothing jumps.
+ */
+export class Resource<T> {
+  value = $state.raw<T>();
+  problem = $state.raw<Problem>();
+  busy = $state(false);
+  #next: Question | undefined;
+  #asked = "";
+
+  constructor(
+    readonly lane: string,
+    question: () => Question,
+  ) {
+    $effect(() => {
+      // A server that came back is asked again.
+      void server.epoch;
+      const next = question();
+      const key = JSON.stringify(next) + server.epoch;
+      if (key === this.#asked) return;
+      this.#asked = key;
+      this.#next = next;
+      void this.#run();
+    });
+  }
+
+  async #run() {
+    if (this.busy) return;
+    this.busy = true;
+    while (this.#next !== undefined) {
+      const question = this.#next;
+      this.#next = undefined;
+      if (question === null) {
+        this.value = undefined;
+        this.problem = undefined;
+        continue;
+      }
+      try {
+        this.value = await post<T>(question.path, question.body, this.lane);
+        this.problem = undefined;
+      } catch (error) {
+        if (error instanceof Refused) {
+          this.problem = error.problem;
+          this.value = undefined;
+        } else if (error instanceof Gone) server.lost();
+        else throw error;
+      }
+    }
+    this.busy = false;
+  }
+}

@@ -1,0 +1,57 @@
+// Whether the server answers, and what it tells by itself.
+
+import { events, get } from "../api/client";
+import type { FileState, Session } from "../api/types";
+
+class Server {
+  /** What the server said at the start. */
+  session = $state.raw<Session>();
+  gone = $state(false);
+  /** Counts the times that the server came back. */
+  epoch = $state(0);
+  /** The file as it stands on the disk. */
+  onDisk = $state.raw<FileState | null>(null);
+  #waiting = false;
+
+  async start(): Promise<Session> {
+    const session = await get<Session>("/api/session");
+    this.session = session;
+    this.onDisk = session.file;
+    this.#listen();
+    return session;
+  }
+
+  #listen() {
+    const source = events();
+    source.addEventListener("file", (event) => {
+      this.onDisk = JSON.parse((event as MessageEvent<string>).data) as FileState | null;
+    });
+    source.onerror = () => {
+      source.close();
+      this.lost();
+    };
+  }
+
+  /** Tries once a second until the server answers again. */
+  lost() {
+    this.gone = true;
+    if (this.#waiting) return;
+    this.#waiting = true;
+    const again = async () => {
+      try {
+        const session = await get<Session>("/api/session");
+        this.session = session;
+        this.onDisk = session.file;
+        this.gone = false;
+        this.#waiting = false;
+        this.epoch += 1;
+        this.#listen();
+      } catch {
+        setTimeout(again, 1000);
+      }
+    };
+    setTimeout(again, 1000);
+  }
+}
+
+export const server = new Server();
