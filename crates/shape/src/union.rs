@@ -133,12 +133,12 @@ impl<'a> Joining<'a> {
     /// Whether a piece is part of the boundary of the union.
     fn stays(&self, piece: &Piece) -> bool {
         let [own, others] = [piece.owner, 1 - piece.owner].map(|owner| self.along(piece, owner));
-        match (own, others) {
-            // There and back: the tip of a cusp, or a gap, too narrow to be told from none.
-            (0, _) => return false,
-            (_, 1..) => return piece.owner == 0,
-            (_, ..0) => return false,
-            _ => {}
+        // Nothing of its own is left where it goes there and back: the tip of a cusp, or a gap, too narrow to be told from none.
+        if own == 0 || others < 0 {
+            return false;
+        }
+        if others > 0 {
+            return piece.owner == 0;
         }
         let other = self.outlines[1 - piece.owner];
         let places = [0.5, 0.25, 0.75].map(|part| piece.edge.at(part).0);
