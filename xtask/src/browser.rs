@@ -101,7 +101,7 @@ fn address(page: &Path) -> String {
 }
 
 /// A Chromium on the path, installed from the distribution where it is missing and we may.
-fn chromium() -> Result<PathBuf> {
+pub fn chromium() -> Result<PathBuf> {
     if let Some(name) = NAMES.iter().find(|name| exists(name)) {
         return Ok(name.into());
     }

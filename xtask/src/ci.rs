@@ -2,7 +2,7 @@
 
 use crate::command::{cargo, in_view, quiet};
 use crate::workspace::{program, root};
-use crate::{book, browser, documents, engines, generate, tidy};
+use crate::{book, browser, documents, engines, generate, page, tidy};
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
 
@@ -13,6 +13,8 @@ pub fn run() -> Result<()> {
         quiet(cargo().args(["fmt", "--all", "--check"]).current_dir(root())).map(|_| String::new())
     })?;
     steps.run("rules of the house", tidy::sources)?;
+    steps.run("page of the studio: types, lint, format, unit tests", page::check)?;
+    steps.run("built page is fresh", page::check_built)?;
     steps.run("clippy, all targets, no warning", || {
         let mut clippy = cargo();
         clippy.args(["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"]);
@@ -37,6 +39,7 @@ pub fn run() -> Result<()> {
     })?;
     steps.run("book", || book::build().map(|()| String::new()))?;
     steps.run("report in a browser", || browser::check_reports(&program))?;
+    steps.run("studio in a browser", || page::try_in_browser(&program))?;
     steps.run("commands of the README", documents::commands)?;
     steps.print();
     Ok(())

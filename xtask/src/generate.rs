@@ -8,7 +8,21 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 13] = [
+const WRITTEN: [Written; 15] = [
+    Written {
+        file: "crates/studio/page/src/api/types.ts",
+        head: "",
+        input: None,
+        arguments: &["studio", "--describe", "typescript"],
+        figure: None,
+    },
+    Written {
+        file: "crates/studio/openapi.json",
+        head: "",
+        input: None,
+        arguments: &["studio", "--describe", "openapi"],
+        figure: None,
+    },
     Written {
         file: "docs/src/engine-file.md",
         head: "# The engine file\n\nEvery table and key, as the reader knows them. `lanchester schema` gives the same to an editor.\n\n",

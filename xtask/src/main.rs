@@ -8,6 +8,7 @@ mod documents;
 mod engines;
 mod fuzz;
 mod generate;
+mod page;
 mod tidy;
 mod workspace;
 
@@ -21,6 +22,7 @@ tasks of the workspace
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
+  cargo xtask page                              build the studio's page into the repository
   cargo xtask book                              build the book into docs/book
   cargo xtask fuzz [--seconds N] [--target T]   fuzz reader, loads, workshop and optimum (nightly, cargo-fuzz)
 ";
@@ -46,6 +48,7 @@ fn task(arguments: &[String]) -> Result<()> {
             println!("{}", documents::engines(&workspace::program()?)?);
             Ok(())
         }
+        Some("page") if rest.is_empty() => page::build(),
         Some("book") if rest.is_empty() => book::build(),
         Some("fuzz") => fuzz::run(rest),
         None | Some("help" | "--help" | "-h") => {

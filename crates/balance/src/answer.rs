@@ -9,7 +9,7 @@ use serde::Serialize;
 pub const ANSWER_VERSION: u32 = 1;
 
 /// The best that can be done with the given devices.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Answer {
     /// [`ANSWER_VERSION`].
     pub version: u32,
@@ -45,7 +45,7 @@ pub struct Answer {
 }
 
 /// Whether there is an optimum.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Outcome {
     /// Found and proved within the gap of every stage.
@@ -74,7 +74,7 @@ pub enum Outcome {
 }
 
 /// How an optimum was found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Method {
     /// One convex programme: every device is free, bounded, on a line of phase or tied.
@@ -92,11 +92,12 @@ pub enum Method {
 }
 
 /// A free weight of the answer.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundWeight {
     /// Its name in the task.
     pub name: String,
     /// Its unbalance [kg m]: modulus = amount, argument = direction at `theta = 0` in the engine's frame.
+    #[schemars(with = "[f64; 2]")]
     pub unbalance: Complex64,
     /// Its plane [m].
     pub z: f64,
@@ -107,7 +108,7 @@ pub struct FoundWeight {
 }
 
 /// A free shaft of the answer.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundShaft {
     /// Its name in the task.
     pub name: String,
@@ -120,7 +121,7 @@ pub struct FoundShaft {
 }
 
 /// A free inertia of the answer.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundInertia {
     /// Its name in the task.
     pub name: String,
@@ -131,7 +132,7 @@ pub struct FoundInertia {
 }
 
 /// What a stage reached, and the proof that nothing better exists.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundStage {
     /// The sum of weight times criterion, its true value over the continuous cycle.
     pub value: f64,
@@ -146,7 +147,7 @@ pub struct FoundStage {
 }
 
 /// A crank angle at which a criterion stands at its peak and holds the optimum up.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Active {
     /// Which criterion.
     pub criterion: Criterion,
@@ -158,7 +159,7 @@ pub struct Active {
 }
 
 /// A limit of the answer.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundLimit {
     /// What is limited: a criterion, the largest amount of a weight, a position.
     pub what: String,
@@ -175,7 +176,7 @@ pub struct FoundLimit {
 }
 
 /// A criterion before and after.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Effect {
     /// Which.
     pub criterion: Criterion,

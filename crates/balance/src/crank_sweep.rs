@@ -25,7 +25,7 @@ use serde::Serialize;
 const MAX_STEPS: f64 = 1e6;
 
 /// The load whose largest amount a crank is chosen for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CrankLoad {
     /// Resultant force `|F_x + i F_y|` [N].
@@ -74,7 +74,7 @@ impl SweepOptions {
 }
 
 /// A crank's unbalance with its criterion.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SweptCrank {
     /// Counterweight of throw 1 [kg m].
     pub unbalance: f64,
@@ -83,7 +83,7 @@ pub struct SweptCrank {
 }
 
 /// The criterion over the unbalance of the crank.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankSweep {
     /// What was judged.
     pub load: CrankLoad,

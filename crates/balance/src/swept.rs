@@ -14,7 +14,7 @@ use serde::Serialize;
 pub const SWEPT_VERSION: u32 = 1;
 
 /// A sweep of the crank and what there is to know about it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Swept {
     /// [`SWEPT_VERSION`].
     pub version: u32,

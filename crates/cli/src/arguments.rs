@@ -10,6 +10,7 @@ use crate::published_arguments::PublishedArguments;
 use crate::scatter_arguments::ScatterArguments;
 use crate::search_arguments::SearchArguments;
 use crate::sensitivity_arguments::SensitivityArguments;
+use crate::studio_arguments::StudioArguments;
 use crate::torque_arguments::{BearingsArguments, TorqueArguments};
 use crate::workshop_arguments::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -170,6 +171,11 @@ pub enum Command {
                             lanchester report twin.toml --all-arrangements"
     )]
     Report(ReportArguments),
+    /// Open the studio: the whole tool in a browser, answered by this machine alone.
+    #[command(after_help = "Examples:\n  lanchester studio\n  lanchester studio twin.toml\n  \
+                            lanchester studio engines --port 7000 --no-open\n  \
+                            lanchester studio --describe openapi > openapi.json")]
+    Studio(StudioArguments),
     /// Recompute every published number: printed against computed, with verdict and reason.
     #[command(after_help = "Examples:\n  lanchester validate\n  lanchester validate twin --verbose\n  \
                             lanchester validate --format csv > verdicts.csv")]

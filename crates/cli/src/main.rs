@@ -14,7 +14,7 @@ mod failure;
 mod files;
 mod format;
 mod mounts_arguments;
-mod provenance;
+mod program;
 mod published_arguments;
 mod request;
 mod run;
@@ -24,6 +24,7 @@ mod search_request;
 mod sensitivity_arguments;
 mod shaft_option;
 mod shape_request;
+mod studio_arguments;
 mod torque_arguments;
 mod trace_files;
 mod value_list;
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments, colour),
         Command::Scatter(arguments) => commands::scatter::run(&arguments, colour),
         Command::Report(arguments) => commands::report::run(&arguments, colour),
+        Command::Studio(arguments) => commands::studio::run(&arguments),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
         Command::Workshop(arguments) => commands::workshop::run(&arguments, colour),

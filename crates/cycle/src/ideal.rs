@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// An ideal cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct IdealCycle {
     /// Absolute pressure [Pa] over the angle since firing top dead centre.
     #[serde(skip)]
@@ -34,7 +34,7 @@ pub struct IdealCycle {
 }
 
 /// A state of the gas.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct GasState {
     /// Pressure [Pa].
     pub pressure: f64,

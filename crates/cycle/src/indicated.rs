@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// What the gas in one cylinder does in a cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Indicated {
     /// Net indicated work [J]: of the whole cycle.
     pub work: f64,
@@ -27,7 +27,7 @@ pub struct Indicated {
 }
 
 /// A point of the p-V diagram.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PvPoint {
     /// Angle since firing top dead centre [rad].
     pub angle: f64,

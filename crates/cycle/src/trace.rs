@@ -32,7 +32,7 @@ pub struct TraceOptions<'a> {
 }
 
 /// Where pressures were measured: it decides what is plausible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum TracePlace {
     /// In a cylinder.
@@ -42,7 +42,7 @@ pub enum TracePlace {
 }
 
 /// A file of pressures as curves.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MeasuredTrace {
     /// One for each column of pressure: its heading, its absolute pressure [Pa] over the angle since firing top dead centre.
     pub columns: Vec<(String, PeriodicCurve)>,

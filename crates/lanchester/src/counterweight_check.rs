@@ -15,7 +15,7 @@ pub const COUNTERWEIGHT_CHECK_VERSION: u32 = 1;
 const MISSED: f64 = 0.01;
 
 /// A counterweight that is a part.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CheckedCounterweight {
     /// Its name.
     pub name: String,
@@ -38,7 +38,7 @@ pub struct CheckedCounterweight {
 }
 
 /// A weight of a balance shaft that is a part.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CheckedShaftWeight {
     /// Its name.
     pub name: String,
@@ -63,7 +63,7 @@ pub struct CheckedShaftWeight {
 }
 
 /// Crankshafts, counterweights, weights of balance shafts and clearances of an engine.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CounterweightCheck {
     /// [`COUNTERWEIGHT_CHECK_VERSION`].
     pub version: u32,

@@ -37,7 +37,7 @@ pub struct EvolutionRequest {
 }
 
 /// A weight and the shape that was found for it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct DesignedCounterweight {
     /// Its name.
     pub name: String,
@@ -62,7 +62,7 @@ pub struct DesignedCounterweight {
 }
 
 /// The shapes found for counterweights of an engine.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CounterweightDesigns {
     /// [`COUNTERWEIGHT_DESIGNS_VERSION`].
     pub version: u32,
@@ -75,7 +75,7 @@ pub struct CounterweightDesigns {
 }
 
 /// The trade between two objectives for weights of one duty.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CounterweightFront {
     /// Indices of the weights in [`Engine::counterweights`].
     pub weights: Vec<usize>,

@@ -12,7 +12,7 @@ use std::ops::Range;
 const BLOCK: u128 = 1 << 15;
 
 /// Which cases are the rows of the table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum LayoutRows {
     /// All that are judged.

@@ -22,6 +22,7 @@ mod comparison;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
+mod engine_report;
 mod layout_search;
 mod layout_space;
 mod layout_study;
@@ -30,6 +31,7 @@ mod mounted;
 mod own_layout;
 mod pressure;
 pub mod run;
+mod running;
 mod shaft_weights;
 mod torque_report;
 pub mod validate;
@@ -50,6 +52,7 @@ pub use counterweights::{
     design_counterweights, with_counterweights, with_outline,
 };
 pub use crankshaft_parts::{crankshaft_parts, shaft_parts};
+pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
 pub use lanchester_cycle as cycle;
 pub use lanchester_geometry as geometry;
@@ -66,6 +69,7 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
+pub use running::{Running, is_running, running};
 pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,

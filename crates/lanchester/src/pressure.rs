@@ -22,7 +22,7 @@ pub struct TraceFile {
 }
 
 /// Pressures on all pistons at one speed, and where they come from.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct GasReport {
     /// Version of this form.
     pub version: u32,
@@ -43,7 +43,7 @@ pub struct GasReport {
 }
 
 /// A cycle that was computed, and the cylinders that have it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ComputedCycle {
     /// Cylinder numbers, from 1.
     pub cylinders: Vec<usize>,
@@ -52,7 +52,7 @@ pub struct ComputedCycle {
 }
 
 /// A cycle that was computed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum CylinderCycle {
     /// An ideal cycle.

@@ -13,7 +13,7 @@ pub const SHAFT_WEIGHT_DESIGNS_VERSION: u32 = 1;
 pub type ShaftWeightPlace = (usize, usize);
 
 /// A weight of a shaft and the shape that was found for it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct DesignedShaftWeight {
     /// Its name: [`lanchester_model::BalanceShaft::weight_name`].
     pub name: String,
@@ -26,7 +26,7 @@ pub struct DesignedShaftWeight {
 }
 
 /// The shapes found for weights of balance shafts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ShaftWeightDesigns {
     /// [`SHAFT_WEIGHT_DESIGNS_VERSION`].
     pub version: u32,

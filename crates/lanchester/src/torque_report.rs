@@ -34,7 +34,7 @@ pub struct TorqueReportRequest {
 }
 
 /// Torque at one speed, and what follows from it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct TorqueReport {
     /// [`TORQUE_REPORT_VERSION`].
     pub version: u32,
@@ -191,7 +191,7 @@ pub fn bearing_report(
 }
 
 /// Loads of the bearings with and without their parts: what a report shows.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BearingStudy {
     /// Gas and inertia together, gas alone, inertia alone; without gas in the file inertia alone.
     pub parts: Vec<BearingLoads>,

@@ -10,7 +10,7 @@ use lanchester_model::{Engine, Seat};
 use serde::Serialize;
 
 /// A found weight as a part.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct WeightAsPart {
     /// Its name.
     pub name: String,

@@ -22,7 +22,7 @@
 use num_complex::Complex64;
 
 /// How a crankshaft is held.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BeamModel {
     /// A free beam: only what its loads do not hold in balance by themselves is carried, by the end mains.

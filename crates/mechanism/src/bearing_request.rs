@@ -4,7 +4,7 @@ use crate::request::LoadRequest;
 use serde::Serialize;
 
 /// Which loads count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BearingPart {
     /// Gas and inertia.

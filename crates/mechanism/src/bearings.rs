@@ -18,7 +18,7 @@ pub const BEARINGS_VERSION: u32 = 1;
 /// Loads of all bearings at one speed.
 ///
 /// No weight, no play, no friction, no oil film; rigid parts; main bearings throw by throw, as if the shaft were cut at each of them.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BearingLoads {
     /// [`BEARINGS_VERSION`].
     pub version: u32,
@@ -43,7 +43,7 @@ pub struct BearingLoads {
 }
 
 /// Piston, pins and rod of one cylinder.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CylinderBearings {
     /// Its number, from 1.
     pub cylinder: usize,
@@ -61,11 +61,12 @@ pub struct CylinderBearings {
     /// And across it, positive where it drives the crankshaft [N]: torque over crank radius. Empty for an articulated rod.
     pub tangential: Vec<f64>,
     /// The lower pin on the rod's bearing in the rod's frame, real part along the rod towards the piston [N].
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub rod_frame: Vec<Complex64>,
 }
 
 /// A main bearing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MainBearing {
     /// Number of its crankshaft, from 1.
     pub crankshaft: usize,
@@ -77,13 +78,15 @@ pub struct MainBearing {
     pub load: PinLoad,
     /// Bearing on the journal in the journal's frame: real part along throw 1 of its crankshaft, imaginary part a quarter turn on in
     /// the sense of increasing angles [N].
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub journal_frame: Vec<Complex64>,
 }
 
 /// A load over the cycle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PinLoad {
     /// At every angle [N].
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub load: Vec<Complex64>,
     /// Largest size and its angle, over the continuous angle.
     pub peak: Extreme,
@@ -108,7 +111,7 @@ impl PinLoad {
 }
 
 /// Size of a plain bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BearingSize {
     /// Diameter of the pin or journal [m].
     pub diameter: f64,
@@ -117,7 +120,7 @@ pub struct BearingSize {
 }
 
 /// Load over the projected area `diameter * width` [Pa].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BearingPressure {
     /// Of which size.
     pub size: BearingSize,

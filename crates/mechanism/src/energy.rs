@@ -23,7 +23,7 @@ const SAME: f64 = 1e-9;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Accumulated energy of a torque over its period.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct EnergyVariation {
     /// Mean torque [N m].
     pub mean: f64,

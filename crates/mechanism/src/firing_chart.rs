@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 const SAME: f64 = 1e-6;
 
 /// Firing of an engine over one period.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FiringChart {
     /// Strokes in a working cycle.
     pub strokes: Strokes,
@@ -35,7 +35,7 @@ pub struct FiringChart {
 }
 
 /// One firing.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Firing {
     /// Cylinder number, from 1.
     pub cylinder: usize,
@@ -48,7 +48,7 @@ pub struct Firing {
 }
 
 /// How far equal cylinders add up in one order.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FiringStar {
     /// Order.
     pub order: f64,
@@ -57,7 +57,7 @@ pub struct FiringStar {
 }
 
 /// Strokes of one cylinder.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CylinderStrokes {
     /// Cylinder number, from 1.
     pub cylinder: usize,
@@ -67,7 +67,7 @@ pub struct CylinderStrokes {
 }
 
 /// What a piston does between two dead centres.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct StrokeSpan {
     /// Which stroke.
     pub stroke: StrokeKind,
@@ -78,7 +78,7 @@ pub struct StrokeSpan {
 }
 
 /// A stroke of the working cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StrokeKind {
     /// After firing, towards the crank.

@@ -27,7 +27,7 @@ pub const FLYWHEEL_VERSION: u32 = 1;
 const SAMPLES: usize = 720;
 
 /// What turns, beside what pistons and rods bring.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct TurningInertia {
     /// Flywheel with clutch, and whatever turns rigidly with crankshaft 1 [kg m^2].
     pub flywheel: f64,
@@ -36,7 +36,7 @@ pub struct TurningInertia {
 }
 
 /// Inertia of the crank train seen at crankshaft 1 [kg m^2].
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct TrainInertia {
     /// Flywheel and crankshafts as given.
     pub given: TurningInertia,
@@ -53,7 +53,7 @@ pub struct TrainInertia {
 }
 
 /// Speed over the period, at one mean speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SpeedRipple {
     /// [`FLYWHEEL_VERSION`].
     pub version: u32,
@@ -82,7 +82,7 @@ pub struct SpeedRipple {
 }
 
 /// A flywheel for a wanted fluctuation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FlywheelNeed {
     /// Mean speed at which it is kept [rad/s].
     pub speed: f64,

@@ -60,7 +60,7 @@ impl Default for InternalRequest {
 }
 
 /// Shear forces and bending moments of all crankshafts at one speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct InternalMoments {
     /// [`INTERNAL_VERSION`].
     pub version: u32,
@@ -79,7 +79,7 @@ pub struct InternalMoments {
 }
 
 /// One crankshaft in both models.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankshaftMoments {
     /// Its number, from 1.
     pub crankshaft: usize,
@@ -100,7 +100,7 @@ impl CrankshaftMoments {
 }
 
 /// A crankshaft in one model.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BeamLoads {
     /// Every plane with a load or a main bearing, rising from the free end to the flywheel. Between two of them the shear
     /// force is constant and the bending moment runs straight, so that extremes along the shaft lie here.
@@ -116,7 +116,7 @@ pub struct BeamLoads {
 }
 
 /// A plane along the shaft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Station {
     /// Its place [m], from the origin.
     pub z: f64,
@@ -126,13 +126,15 @@ pub struct Station {
     pub largest_moment: Extreme,
     /// Shear force `Q_x + i Q_y` just behind the plane [N], that of what lies before on what lies behind; just before the
     /// plane it is that of the station before, and 0 before the first.
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub shear: Vec<Complex64>,
     /// Bending moment `M_x + i M_y` [N m] of what lies before the plane on what lies behind it.
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub moment: Vec<Complex64>,
 }
 
 /// A main bearing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MainLoad {
     /// Its number from the free end, from 1.
     pub main: usize,
@@ -141,11 +143,12 @@ pub struct MainLoad {
     /// Largest load over the cycle [N].
     pub largest: Extreme,
     /// Load of the shaft on the bearing `N_x + i N_y` [N] over the cycle.
+    #[schemars(with = "Vec<[f64; 2]>")]
     pub load: Vec<Complex64>,
 }
 
 /// An extreme along the shaft and over the cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Peak {
     /// Value [N] or [N m].
     pub value: f64,

@@ -12,7 +12,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// What friction leaves.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Brake {
     /// Friction mean effective pressure [Pa].
     pub fmep: f64,
@@ -54,7 +54,7 @@ impl Indicated {
 }
 
 /// Power over speed as a cubic through the origin.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PowerCurve {
     /// Points that it fits: speed [rad/s] and power [W].
     pub points: Vec<(f64, f64)>,

@@ -10,7 +10,7 @@ use serde::Serialize;
 pub const RESULT_VERSION: u32 = 1;
 
 /// The five components on the block and the shaft torque, at one crank angle.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Components {
     /// Force along x [N].
     pub force_x: f64,
@@ -27,7 +27,7 @@ pub struct Components {
 }
 
 /// Components over one period, at equally spaced crank angles; one vector a component so that it plots as it is.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Trace {
     /// Crank angle of crankshaft 1 [rad], from 0, one period, end point excluded.
     pub theta: Vec<f64>,
@@ -50,21 +50,27 @@ pub struct Trace {
 /// `F_x + i F_y = SUM over orders ( force_forward e^{i n theta} + force_backward e^{-i n theta} )`, the couple
 /// `M_x + i M_y` alike; order 0 has its whole mean in `*_forward`. Roll moment and torque are
 /// `Re( SUM roll_moment e^{i n theta} )`: their modulus is the amplitude.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct OrderLoads {
     /// Order: cycles per revolution of crankshaft 1, not negative; fractions come from geared crankshafts.
     pub order: f64,
     /// Part of the force that turns with the crank [N].
+    #[schemars(with = "[f64; 2]")]
     pub force_forward: Complex64,
     /// Part of the force that turns against the crank [N].
+    #[schemars(with = "[f64; 2]")]
     pub force_backward: Complex64,
     /// Part of the couple that turns with the crank [N m].
+    #[schemars(with = "[f64; 2]")]
     pub couple_forward: Complex64,
     /// Part of the couple that turns against the crank [N m].
+    #[schemars(with = "[f64; 2]")]
     pub couple_backward: Complex64,
     /// Roll moment [N m], modulus = amplitude.
+    #[schemars(with = "[f64; 2]")]
     pub roll_moment: Complex64,
     /// Shaft torque [N m], modulus = amplitude.
+    #[schemars(with = "[f64; 2]")]
     pub shaft_torque: Complex64,
 }
 
@@ -81,7 +87,7 @@ impl OrderLoads {
 }
 
 /// Which moving parts a load comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
     /// Crank throws and the rods' big ends.
@@ -114,7 +120,7 @@ impl Part {
 }
 
 /// Loads of the whole engine, of one kind of part, or of one cylinder.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LoadSet {
     /// Over one period.
     pub trace: Trace,
@@ -126,7 +132,7 @@ pub struct LoadSet {
 }
 
 /// An extreme and where it is.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Extreme {
     /// Value [N] or [N m].
     pub value: f64,
@@ -135,7 +141,7 @@ pub struct Extreme {
 }
 
 /// Largest and smallest value of one quantity over the period.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Extremes {
     /// Largest value.
     pub max: Extreme,
@@ -156,7 +162,7 @@ impl Extremes {
 }
 
 /// Extremes of every quantity of a [`LoadSet`].
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Peaks {
     /// Force along x.
     pub force_x: Extremes,
@@ -177,7 +183,7 @@ pub struct Peaks {
 }
 
 /// Motion of one cylinder, over the continuous angle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CylinderMotion {
     /// Cylinder number, from 1.
     pub cylinder: usize,
@@ -209,7 +215,7 @@ pub struct CylinderMotion {
 }
 
 /// Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`].
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct MotionTrace {
     /// Crank angle of crankshaft 1 [rad], from 0, one period of the loads, end point excluded.
     pub theta: Vec<f64>,
@@ -225,7 +231,7 @@ pub struct MotionTrace {
 }
 
 /// What an articulated rod changes.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Articulation {
     /// Number of the master's cylinder, from 1.
     pub master: usize,
@@ -240,7 +246,7 @@ pub struct Articulation {
 }
 
 /// Loads of an engine at one speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Loads {
     /// [`RESULT_VERSION`].
     pub version: u32,
@@ -267,7 +273,7 @@ pub struct Loads {
 }
 
 /// Loads of one kind of part.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PartLoads {
     /// Which.
     pub part: Part,
@@ -276,7 +282,7 @@ pub struct PartLoads {
 }
 
 /// Loads of one cylinder.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CylinderLoads {
     /// Cylinder number, from 1.
     pub cylinder: usize,
@@ -285,7 +291,7 @@ pub struct CylinderLoads {
 }
 
 /// What is left to do about the loads, read off the two-sided spectrum.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Diagnosis {
     /// One finding a load that matters, the largest first.
     pub findings: Vec<Finding>,
@@ -294,7 +300,7 @@ pub struct Diagnosis {
 }
 
 /// Whether a finding is about the force, the couple or the roll moment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// Resultant force [N].
@@ -306,7 +312,7 @@ pub enum Quantity {
 }
 
 /// Which way a load turns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sense {
     /// With the crank.
@@ -318,7 +324,7 @@ pub enum Sense {
 }
 
 /// What can remove a load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Remedy {
     /// Weights on the crankshaft.
@@ -332,7 +338,7 @@ pub enum Remedy {
 }
 
 /// One load of the spectrum, with its remedy.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Finding {
     /// Force, couple or roll moment.
     pub quantity: Quantity,

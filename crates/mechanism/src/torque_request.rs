@@ -5,7 +5,7 @@ use crate::request::{Kinematics, LoadError, LoadRequest};
 use serde::Serialize;
 
 /// Lever with which the force along the cylinder axis turns the crank.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lever {
     /// The lever of the linkage, `-ds/dphi`: virtual work, exact for every rod.

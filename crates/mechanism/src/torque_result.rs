@@ -13,7 +13,7 @@ pub const TORQUE_VERSION: u32 = 1;
 /// Torque of an engine at one speed: gas, inertia, and both together.
 ///
 /// All torques are at crankshaft 1, positive in the sense of rotation, without friction: net indicated.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Torque {
     /// [`TORQUE_VERSION`].
     pub version: u32,
@@ -55,7 +55,7 @@ pub struct Torque {
 }
 
 /// Indicated numbers: from the pressures alone, net (the whole working cycle, pumping included), without friction.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Indicated {
     /// Mean torque at crankshaft 1 [N m].
     pub torque: f64,
@@ -76,13 +76,15 @@ pub struct Indicated {
 }
 
 /// One order of the torque, modulus = amplitude; order 0 is the mean.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct TorqueHarmonic {
     /// Cycles per revolution of crankshaft 1.
     pub order: f64,
     /// Gas [N m].
+    #[schemars(with = "[f64; 2]")]
     pub gas: Complex64,
     /// Inertia [N m].
+    #[schemars(with = "[f64; 2]")]
     pub inertia: Complex64,
 }
 
@@ -94,7 +96,7 @@ impl TorqueHarmonic {
 }
 
 /// Torque, work and energy at one of several speeds.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct TorqueAtSpeed {
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
@@ -119,7 +121,7 @@ impl Torque {
 }
 
 /// One cylinder.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CylinderTorque {
     /// Its number, from 1.
     pub cylinder: usize,
@@ -145,7 +147,7 @@ pub struct CylinderTorque {
 }
 
 /// Work of one cylinder in one working cycle [J], by routes that share no quadrature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct IndicatedWork {
     /// Swept volume [m^3].
     pub swept: f64,

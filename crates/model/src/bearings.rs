@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// Sizes of the plain bearings, the same for all of a kind.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Bearings {
     /// Piston pin in the rod's small end.
     pub piston_pin: Option<PlainBearing>,
@@ -14,7 +14,7 @@ pub struct Bearings {
 }
 
 /// Size of a plain bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PlainBearing {
     /// Diameter of the pin or journal [m]; `None` where the crank's body has it.
     pub diameter: Option<f64>,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// The body that stands on the mounts: the file's `[block]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Block {
     /// Mass [kg].
     pub mass: f64,
@@ -24,7 +24,7 @@ pub struct Block {
 }
 
 /// Whether the numbers of a [`Block`] hold the pistons and rods.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum MovingParts {
     /// They do: the engine was weighed whole.

@@ -10,7 +10,7 @@ const IN_LINE: f64 = 1e-9;
 ///
 /// A web is the convex hull of a disc about the crank axis and a disc about the crankpin; pins and journals fill what is
 /// between the webs, and the first and the last journal stand out by their own lengths.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankBody {
     /// Density of all of it [kg/m^3].
     pub density: f64,
@@ -89,7 +89,7 @@ impl CrankBody {
 }
 
 /// A counterweight as a part.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CounterweightPart {
     /// How its outline was given, and what it encloses.
     pub form: CounterweightForm,
@@ -107,7 +107,7 @@ pub struct CounterweightPart {
 }
 
 /// What the outline of a counterweight encloses.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CounterweightForm {
     /// The counterweight and the disc of its web: a shape of the tool paper's family.
@@ -120,7 +120,7 @@ pub enum CounterweightForm {
 }
 
 /// What the crankshaft must stay clear of: the file's `[clearance]`.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Envelope {
     /// Least clearance that is wanted to everything [m].
     pub least: Option<f64>,
@@ -135,7 +135,7 @@ pub struct Envelope {
 }
 
 /// Lower end of a piston: what of its cylinder, of the bore's diameter, reaches below the piston pin.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Skirt {
     /// From the axis of the piston pin to the lower edge of the skirt, towards the crank [m].
     pub length: f64,
@@ -144,7 +144,7 @@ pub struct Skirt {
 }
 
 /// Lower end of a cylinder liner: a tube about the cylinder axis.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Liner {
     /// Distance of its lower end from the crank axis, along the cylinder axis [m].
     pub end: f64,
@@ -153,7 +153,7 @@ pub struct Liner {
 }
 
 /// Envelope of a connecting rod: a disc about the crankpin, and a bar along the rod.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct RodEnvelope {
     /// Radius of the big end with its bolts about the crankpin [m].
     pub big_end_radius: f64,

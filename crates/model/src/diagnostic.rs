@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::ops::Range;
 
 /// Whether a file with this diagnostic can be used.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Severity {
     /// No engine can be made of the file.
@@ -16,7 +16,7 @@ pub enum Severity {
 }
 
 /// Something about the file that its author should know.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Diagnostic {
     /// Error or warning.
     pub severity: Severity,
@@ -39,7 +39,7 @@ pub struct Diagnostic {
 }
 
 /// A second place that a diagnostic is about.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Related {
     /// Place in the text, in bytes.
     pub span: Range<usize>,

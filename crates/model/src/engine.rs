@@ -22,7 +22,7 @@ use crate::tolerance::Tolerance;
 use serde::{Deserialize, Serialize};
 
 /// A piston engine in its general form.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Engine {
     /// What the user calls it.
     pub name: String,
@@ -82,7 +82,7 @@ pub struct Engine {
 }
 
 /// Strokes in a working cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Strokes {
     /// One revolution a cycle.
@@ -105,7 +105,7 @@ impl Strokes {
 ///
 /// `Reverse` mirrors the y axis, so that the crank still turns from +x to +y: every number stays, the picture is
 /// mirrored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rotation {
     /// Clockwise with x up (+y to the right).
@@ -115,7 +115,7 @@ pub enum Rotation {
 }
 
 /// Speeds of crankshaft 1 [rad/s], `lowest <= highest`; one speed has both equal.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SpeedRange {
     /// Lowest speed [rad/s].
     pub lowest: f64,
@@ -124,7 +124,7 @@ pub struct SpeedRange {
 }
 
 /// A crankshaft. Its angle is `ratio * theta + phase`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Crankshaft {
     /// Name for tables and pictures.
     pub name: String,
@@ -143,7 +143,7 @@ pub struct Crankshaft {
 }
 
 /// A throw: a crankpin (one pin of a split pair is a throw of its own).
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Throw {
     /// Index of its crankshaft.
     pub crankshaft: usize,
@@ -172,7 +172,7 @@ impl Throw {
 /// A cylinder with its piston and rod.
 ///
 /// Cylinder frame: `u = e^{i angle}` along the axis away from the crankshaft, `v = i u`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Cylinder {
     /// Index of the throw whose pin drives it (for an articulated rod: the throw of its master).
     pub throw: usize,
@@ -207,7 +207,7 @@ impl Cylinder {
 }
 
 /// A connecting rod as two end masses and what they miss of its inertia.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rod {
     /// Distance between eye centres [m].
     pub length: f64,
@@ -245,7 +245,7 @@ impl Rod {
 }
 
 /// How the file gave the rod's mass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RodMassRule {
     /// Two thirds of the mass at the big end, one third at the small end.
@@ -257,7 +257,7 @@ pub enum RodMassRule {
 }
 
 /// What a rod's big end sits on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum RodJoint {
     /// The crankpin, alone or side by side with other rods.
@@ -279,7 +279,7 @@ pub enum RodJoint {
 }
 
 /// A weight fixed to a crankshaft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Counterweight {
     /// Name for tables: "web 1", "throw 2", "flywheel", or the user's.
     pub name: String,
@@ -297,7 +297,7 @@ pub struct Counterweight {
 }
 
 /// A balance shaft: weights on an axis parallel to the crankshaft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BalanceShaft {
     /// Name for tables and pictures.
     pub name: String,
@@ -323,7 +323,7 @@ impl BalanceShaft {
 }
 
 /// A weight on a balance shaft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ShaftWeight {
     /// Plane [m], from the origin.
     pub z: f64,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// What turns with crankshaft 1 beside the crank train, and how evenly it is to turn.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Flywheel {
     /// Moment of inertia about the crank axis, clutch and all that turns rigidly with crankshaft 1 included [kg m^2].
     pub inertia: Option<f64>,

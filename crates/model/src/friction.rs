@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// Friction as a mean effective pressure. Its constants come with the engine; none is built in.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Friction {
     /// The same at every speed and load.

@@ -8,7 +8,7 @@ use serde::Serialize;
 pub const ATMOSPHERE: f64 = 101_325.0;
 
 /// The gas of an engine.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Gas {
     /// Pressure of the surroundings [Pa]: gauge pressures count from it.
     pub ambient_pressure: f64,
@@ -29,7 +29,7 @@ impl Gas {
 }
 
 /// Where the pressure in the cylinders comes from.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum GasSource {
     /// Measured traces, one file a speed.
@@ -44,7 +44,7 @@ pub enum GasSource {
 }
 
 /// A file with pressures over the crank angle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PressureTrace {
     /// Name of the file, relative to the engine file.
     pub file: String,
@@ -59,7 +59,7 @@ pub struct PressureTrace {
 }
 
 /// Pressure under the pistons.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum CrankcasePressure {
     /// The same at all angles [Pa].
@@ -72,7 +72,7 @@ pub enum CrankcasePressure {
 }
 
 /// A cycle to be computed, the same for all cylinders.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct GasCycle {
     /// Largest over smallest volume of a cylinder, more than 1.
     pub compression_ratio: f64,
@@ -89,7 +89,7 @@ pub struct GasCycle {
 }
 
 /// Gas of constant state.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Reservoir {
     /// Absolute pressure [Pa].
     pub pressure: f64,
@@ -98,7 +98,7 @@ pub struct Reservoir {
 }
 
 /// What happens to the gas.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum GasProcess {
     /// Heat at constant volume.
@@ -123,7 +123,7 @@ pub enum GasProcess {
 }
 
 /// Heat of the Otto cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum IdealHeat {
     /// That of the fuel.
@@ -136,7 +136,7 @@ pub enum IdealHeat {
 }
 
 /// How the heat of the Seiliger cycle is divided.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum HeatSplit {
     /// Constant volume up to this pressure.
@@ -152,7 +152,7 @@ pub enum HeatSplit {
 }
 
 /// Energy that is released in one cylinder in one cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Fuel {
     /// How much of it there is.
     pub supply: FuelSupply,
@@ -161,7 +161,7 @@ pub struct Fuel {
 }
 
 /// How the chemical energy is given.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum FuelSupply {
     /// The energy itself.
@@ -181,7 +181,7 @@ pub enum FuelSupply {
 }
 
 /// Single-zone filling and emptying.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SingleZone {
     /// Intake valves or ports.
     pub intake: Opening,
@@ -194,7 +194,7 @@ pub struct SingleZone {
 }
 
 /// Valves or ports to one reservoir.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Opening {
     /// Angle at which it begins to open [rad], from 0 up to the length of the cycle.
     pub opens: f64,
@@ -205,7 +205,7 @@ pub struct Opening {
 }
 
 /// Geometric area of an opening.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum OpeningShape {
     /// Poppet valves: the curtain under the head, at most the seat's circle; the lift is `L sin^2` over the angle.
@@ -236,7 +236,7 @@ pub enum OpeningShape {
 }
 
 /// What burns, and when.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Combustion {
     /// How much of it.
     pub fuel: Fuel,
@@ -245,7 +245,7 @@ pub struct Combustion {
 }
 
 /// Heat release by one Wiebe function, scaled to be complete at its end.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct HeatRelease {
     /// Share of the whole heat.
     pub share: f64,
@@ -260,7 +260,7 @@ pub struct HeatRelease {
 }
 
 /// Heat to the walls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Walls {
     /// Whose heat transfer coefficient.
     pub model: WallModel,
@@ -279,7 +279,7 @@ pub struct Walls {
 }
 
 /// Whose heat transfer coefficient.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum WallModel {
     /// Woschni 1967.

@@ -85,10 +85,14 @@ pub use plain_web::{PlainWeb, SharedWeb};
 pub use ratio::{Ratio, greatest_common_divisor};
 pub use read::{Reading, read};
 pub use room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
-pub use schema::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
+pub use schema::{
+    KeyInfo, KeyTable, json_schema, key_tables, reference_markdown, sheet_reference_markdown, sheet_schema,
+};
 pub use shaft_part::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
 pub use shape_task::*;
 pub use task::*;
 pub use template::{Template, nearest_template, template, templates};
 pub use tolerance::{Distribution, Extent, Tolerance, Varied};
-pub use write_back::{WriteBackError, difference, write_back};
+pub use write_back::{
+    Edit, EditError, FileEntry, WriteBackError, difference, edit, file_entries, write_back,
+};

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// An engine mount.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Mount {
     /// Name for tables and pictures.
     pub name: String,
@@ -19,7 +19,7 @@ pub struct Mount {
 }
 
 /// Stiffness and damping of a mount in three directions of its own, at right angles.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountSpring {
     /// Its three directions: unit vectors in the frame.
     pub axes: [[f64; 3]; 3],
@@ -38,7 +38,7 @@ pub struct MountSpring {
 }
 
 /// Dynamic stiffness of a mount at one frequency.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountPoint {
     /// Angular frequency [rad/s].
     pub angular_frequency: f64,

@@ -2,10 +2,12 @@
 //! Schema and the reference.
 
 mod json;
+mod key_tables;
 mod keys;
 mod reference;
 
 pub use json::{json_schema, sheet_schema};
+pub use key_tables::{KeyInfo, KeyTable, key_tables};
 pub(crate) use keys::{FILE, key, quantity};
 pub use reference::{reference_markdown, sheet_reference_markdown};
 

@@ -6,7 +6,7 @@ use lanchester_shape::{GeometryError, Part, ShaftWeightShape, plausible_density}
 use serde::{Deserialize, Serialize};
 
 /// A weight of a balance shaft as a part: what a disc has beyond a chord, around the shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ShaftWeightPart {
     /// Its shape; `x` of the shape points along the `phase` of the weight.
     pub shape: ShaftWeightShape,
@@ -44,7 +44,7 @@ impl ShaftWeightPart {
 }
 
 /// What of a shaft's weight is made as small as possible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ShaftWeightAim {
     /// Its mass.
@@ -58,7 +58,7 @@ pub enum ShaftWeightAim {
 }
 
 /// Shapes among which the weight of a shaft is to be found. Its duty, the unbalance, is that of the weight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShaftWeightTask {
     /// What is made as small as possible.
     pub minimise: ShaftWeightAim,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Least and most of a dimension; equal where it is fixed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Range {
     /// Least value.
     pub least: f64,
@@ -26,7 +26,7 @@ impl Range {
 }
 
 /// How the flank between rectangle and arc is given.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub enum Shoulder {
     /// By the angle `delta` between chord and flank [rad], from 0 (a flat step) to less than a quarter turn. The height follows.
     Angle(Range),
@@ -35,7 +35,7 @@ pub enum Shoulder {
 }
 
 /// Limits on what follows from the dimensions. `None`: no limit.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct DesignLimits {
     /// Largest mass [kg].
     pub mass: Option<f64>,
@@ -52,7 +52,7 @@ pub struct DesignLimits {
 }
 
 /// What is made as small as possible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Objective {
     /// Mass of the counterweight [kg].
@@ -66,7 +66,7 @@ pub enum Objective {
 }
 
 /// Shapes among which a counterweight is to be found. Its duty, the unbalance, is that of the weight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShapeTask {
     /// What is made as small as possible.
     pub minimise: Objective,

@@ -8,7 +8,7 @@ use crate::ratio::Ratio;
 use serde::Serialize;
 
 /// Free weights, shafts and inertias, with what is to be minimised and what must hold.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct BalanceTask {
     /// Balance shafts that may be fitted.
     pub shafts: Vec<FreeShaft>,
@@ -31,7 +31,7 @@ pub struct BalanceTask {
 }
 
 /// A coordinate that is given or to be found.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
     /// Given [m].
@@ -41,7 +41,7 @@ pub enum Place {
 }
 
 /// A balance shaft that may be fitted.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FreeShaft {
     /// Name for tables and for the engine file.
     pub name: String,
@@ -56,7 +56,7 @@ pub struct FreeShaft {
 }
 
 /// What a free weight sits on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Seat {
     /// A crankshaft of the engine (its web, flywheel or pulley), by index.
@@ -66,7 +66,7 @@ pub enum Seat {
 }
 
 /// An unbalance that is to be found: `U = amount e^{i phase}` at `theta = 0`, in the engine's frame.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FreeWeight {
     /// Name for tables and for the engine file.
     pub name: String,
@@ -104,7 +104,7 @@ impl FreeWeight {
 }
 
 /// Direction of a free weight at `theta = 0`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Phase {
     /// To be found.
@@ -117,7 +117,7 @@ pub enum Phase {
 
 /// An inertia geared to turn against crankshaft 1 (Heron flywheel, geared alternator): with the crank train free to
 /// follow its torque it takes part of the roll moment.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FreeInertia {
     /// Name for tables.
     pub name: String,
@@ -135,7 +135,7 @@ pub struct FreeInertia {
 ///
 /// A leader follows nobody. In an engine that was read the follower's own direction is free, its least amount 0, its
 /// largest that which the leader's allows, and it is not optional: the leader's choices are its own.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Tie {
     /// Index of the leading weight.
     pub first: usize,
@@ -148,7 +148,7 @@ pub struct Tie {
 }
 
 /// A load over the cycle whose largest amount is judged; about the origin.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Load {
     /// Resultant force `|F_x + i F_y|` [N].
@@ -174,7 +174,7 @@ pub enum Load {
 }
 
 /// What is judged.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
     /// Peak of a load over the continuous cycle, at the highest speed of the engine.
@@ -188,14 +188,14 @@ pub enum Criterion {
 }
 
 /// Criteria that are minimised together: the sum of weight times criterion.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Stage {
     /// Positive weights and criteria.
     pub terms: Vec<(f64, Criterion)>,
 }
 
 /// A criterion that must not pass a value.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Limit {
     /// What.
     pub criterion: Criterion,

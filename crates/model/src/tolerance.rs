@@ -5,7 +5,7 @@ use crate::quantity::Dimension;
 use serde::Serialize;
 
 /// A quantity of the engine that varies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Varied {
     /// Mass of a piston with pin, rings and clips [kg].
@@ -140,7 +140,7 @@ impl Varied {
 }
 
 /// How a quantity is distributed within its tolerance; its mean is the nominal value.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Distribution {
     /// Normal, cut off at the tolerance, which is so many standard deviations (of the uncut distribution).
@@ -153,7 +153,7 @@ pub enum Distribution {
 }
 
 /// For which parts a deviation is one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Extent {
     /// Every part has its own.
@@ -163,7 +163,7 @@ pub enum Extent {
 }
 
 /// A tolerance: one entry of the engine file's `[tolerances]`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Tolerance {
     /// What varies.
     pub quantity: Varied,

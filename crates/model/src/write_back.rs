@@ -6,6 +6,7 @@
 mod amount;
 mod counterweights;
 mod difference;
+mod edit;
 mod entry;
 mod shafts;
 mod splice;
@@ -18,6 +19,7 @@ use crate::read::{read, read_with_origin};
 use amount::{Units, same_amount, same_place};
 use counterweights::CounterweightWriter;
 pub use difference::difference;
+pub use edit::{Edit, EditError, FileEntry, edit, file_entries};
 use entry::{Entry, List};
 use shafts::ShaftWriter;
 use splice::Splices;

@@ -11,7 +11,7 @@ use std::ops::{Add, Mul, Sub};
 /// [m^2]                  [m^3]                          [m^4]
 /// ```
 /// They add: a hole is subtracted. Parallel axes: [`AreaMoments::moved`].
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct AreaMoments {
     /// Area [m^2].
     pub area: f64,

@@ -19,7 +19,7 @@ use crate::point::Point;
 use serde::{Deserialize, Serialize};
 
 /// How a chamfer is made.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub enum Cut {
     /// Turned about the crank axis: a cone that leaves the face at this radius [m].
     Turned {
@@ -36,7 +36,7 @@ pub enum Cut {
 }
 
 /// Which face of a part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub enum Face {
     /// The one with the smaller z.
     Front,
@@ -45,7 +45,7 @@ pub enum Face {
 }
 
 /// A chamfer of a part's edge.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Chamfer {
     /// Its surface.
     pub cut: Cut,

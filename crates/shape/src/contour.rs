@@ -17,7 +17,7 @@ pub struct Corner {
 }
 
 /// A closed line that runs anticlockwise and does not cross or touch itself.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(transparent)]
 pub struct Contour {
     edges: Vec<Edge>,

@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A counterweight of the family around the disc of its web.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CounterweightShape {
     /// Radius `r` of the web's disc, and half width of the rectangle [m].
     pub web_radius: f64,

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 /// ```text
 /// bulge = tan(angle/4)    radius = w (1 + bulge^2)/(2 |bulge|)    height over the chord = w |bulge|    w = half the chord
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Edge {
     /// Where it begins [m].
     pub from: Point,

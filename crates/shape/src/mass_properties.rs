@@ -19,7 +19,7 @@ pub struct MassMoments {
 }
 
 /// Mass properties of a solid.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MassProperties {
     /// Mass [kg].
     pub mass: f64,

@@ -7,7 +7,7 @@ use crate::point::Point;
 use serde::Serialize;
 
 /// An outer contour and the holes within it, none of which touches another.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Outline {
     outer: Contour,
     holes: Vec<Contour>,

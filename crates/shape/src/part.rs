@@ -15,7 +15,7 @@ pub const PLAUSIBLE_DENSITY: [f64; 2] = [1000.0, 23_000.0];
 /// A bore along the crank axis that is filled with another material: a heavy-metal slug, or a hole where the density is 0.
 ///
 /// It makes its own bore: the outline has no hole there.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Insert {
     /// Centre of the bore [m].
     pub centre: Point,
@@ -30,7 +30,7 @@ pub struct Insert {
 }
 
 /// A flat part on the crankshaft.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Part {
     outline: Outline,
     front: f64,

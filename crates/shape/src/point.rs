@@ -7,7 +7,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 ///
 /// The origin is the crank axis; a part's own `x` points along its unbalance (a counterweight: away from its
 /// crankpin), `y` a quarter turn further in the sense in which the crank turns.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Point {
     /// Along the part's axis [m].
     pub x: f64,

@@ -24,7 +24,7 @@ use std::f64::consts::FRAC_PI_2;
 const TOUCH: f64 = 1e-9;
 
 /// A weight that is part of a disc around a shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShaftWeightShape {
     /// Radius `r` of the shaft [m].
     pub shaft_radius: f64,

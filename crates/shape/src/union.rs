@@ -151,8 +151,7 @@ impl<'a> Joining<'a> {
     /// How many pieces of an owner run along a piece in its direction, less those that run against it.
     fn along(&self, piece: &Piece, owner: usize) -> isize {
         let near = |other: &&Piece| {
-            other.owner == owner
-                && (other.edge.middle() - piece.edge.middle()).norm() <= 2.0 * self.tolerance
+            other.owner == owner && (other.edge.middle() - piece.edge.middle()).norm() <= 2.0 * self.tolerance
         };
         let sense = |other: &Piece| match (other.from, other.to) {
             ends if ends == (piece.from, piece.to) => 1,

@@ -36,7 +36,8 @@ const ARROWS: [(&str, &[&str]); 12] = [
             "lanchester-table",
         ],
     ),
-    ("lanchester-cli", &["lanchester"]),
+    ("lanchester-studio", &["lanchester"]),
+    ("lanchester-cli", &["lanchester", "lanchester-studio"]),
     ("xtask", &[]),
 ];
 

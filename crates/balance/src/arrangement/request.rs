@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// What is wanted, what may be fitted, where, and how large the parts are.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ArrangementRequest {
     /// What is judged: its peak over the cycle at the highest speed.
     pub criterion: Judged,
@@ -55,7 +55,7 @@ impl Default for ArrangementRequest {
 }
 
 /// What is judged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Judged {
     /// Peak of the resultant force.
@@ -95,7 +95,7 @@ impl Judged {
 }
 
 /// Where the mounts are.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum MountPlaces {
     /// Those of the engine file.
@@ -106,7 +106,7 @@ pub enum MountPlaces {
 }
 
 /// What is good enough.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Target {
     /// Nothing in particular: the front is all that is wanted.
@@ -126,7 +126,7 @@ pub enum Target {
 }
 
 /// Weights on crankshaft 1.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CrankWeights {
     /// None may be added.
@@ -140,7 +140,7 @@ pub enum CrankWeights {
 }
 
 /// Where shafts may stand.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Positions {
     /// Around crankshaft 1, every `step` [rad], each as near to the crank as its weights and the rods let it.
@@ -165,7 +165,7 @@ pub enum Positions {
 }
 
 /// How shafts are driven.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DriveRule {
     /// Spur gears alone; a shaft that turns as its driver does needs an idler.
@@ -175,7 +175,7 @@ pub enum DriveRule {
 }
 
 /// Sizes of the parts. Lengths in m, `None`: a rule that the answer states.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PartSizes {
     /// Radius of the circle that the crank with its weights sweeps [m]; `None`: crank radius and big end.
     pub crank_sweep: Option<f64>,

@@ -8,7 +8,7 @@ use serde::Serialize;
 pub const ARRANGEMENTS_VERSION: u32 = 1;
 
 /// All arrangements, by cylinder spacing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Arrangements {
     /// [`ARRANGEMENTS_VERSION`].
     pub version: u32,
@@ -31,7 +31,7 @@ pub struct Arrangements {
 }
 
 /// The arrangements at one cylinder spacing.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SpacingArrangements {
     /// Cylinder spacing [m]; `None` where the engine has all its throws and cylinders in one plane.
     pub spacing: Option<f64>,
@@ -50,7 +50,7 @@ pub struct SpacingArrangements {
 }
 
 /// One arrangement with its weights, drive and price.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Arrangement {
     /// In words: "crank weights, second-order shafts with and against the crank".
     pub name: String,
@@ -88,7 +88,7 @@ pub struct Arrangement {
 }
 
 /// A balance shaft of an arrangement.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ArrangedShaft {
     /// Name, as in the answer.
     pub name: String,
@@ -117,7 +117,7 @@ pub struct ArrangedShaft {
 }
 
 /// The weights of a balance shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum ShaftLayout {
     /// One weight: a force.
@@ -138,7 +138,7 @@ pub enum ShaftLayout {
 }
 
 /// Gears (and chains or belts) between crank and shafts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct DriveTrain {
     /// Every gear, idlers too.
     pub gears: Vec<Gear>,
@@ -149,7 +149,7 @@ pub struct DriveTrain {
 }
 
 /// A gear or sprocket.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Gear {
     /// What it sits on.
     pub seat: GearSeat,
@@ -166,7 +166,7 @@ pub struct Gear {
 }
 
 /// What a gear sits on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum GearSeat {
     /// Crankshaft 1.
@@ -178,7 +178,7 @@ pub enum GearSeat {
 }
 
 /// Two gears that mesh, or two sprockets that a chain or belt joins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct DriveLink {
     /// Index of the driving gear.
     pub driver: usize,
@@ -189,7 +189,8 @@ pub struct DriveLink {
 }
 
 /// The narrowest place.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "ArrangementClearance")]
 pub struct Clearance {
     /// Distance between the two parts [m]; negative: they overlap.
     pub distance: f64,
@@ -198,7 +199,7 @@ pub struct Clearance {
 }
 
 /// What an arrangement costs.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Price {
     /// Balance shafts.
     pub shafts: usize,
@@ -236,7 +237,7 @@ impl Price {
 }
 
 /// The best where nobody reaches the limit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Nearest {
     /// Index of its spacing.
     pub spacing: usize,

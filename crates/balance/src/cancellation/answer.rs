@@ -5,7 +5,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// Exact cancellation: what had to vanish, and the proof that no lighter weights do it or that none can.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Cancellation {
     /// Every order of the task, in its order.
     pub orders: Vec<CancelledOrder>,
@@ -14,7 +14,7 @@ pub struct Cancellation {
 }
 
 /// An order that had to vanish.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CancelledOrder {
     /// One order of a load.
     pub criterion: Criterion,
@@ -27,7 +27,7 @@ pub struct CancelledOrder {
 }
 
 /// Whether the orders can vanish together.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum CancellationVerdict {
     /// They vanish; the proof is that nothing lighter does it.
@@ -47,7 +47,7 @@ pub enum CancellationVerdict {
 }
 
 /// Why orders cannot vanish.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Obstruction {
     /// In words, with numbers and units.
     pub reason: String,
@@ -66,7 +66,7 @@ pub struct Obstruction {
 /// ```
 /// With costs of 1 (of 1 / radius for masses) this bounds the total; with costs of 0 a value above 0 proves that no `U`
 /// makes the orders vanish.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Functional {
     /// Its terms.
     pub terms: Vec<FunctionalTerm>,
@@ -81,20 +81,22 @@ pub struct Functional {
 }
 
 /// One part of one order in a functional.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FunctionalTerm {
     /// One order of a load.
     pub criterion: Criterion,
     /// Which part of it.
     pub sense: OrderSense,
     /// `y`: value of the functional per N or N m.
+    #[schemars(with = "[f64; 2]")]
     pub factor: Complex64,
     /// The part without the free devices [N or N m].
+    #[schemars(with = "[f64; 2]")]
     pub amount: Complex64,
 }
 
 /// A part of one order of a load.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum OrderSense {
     /// Turns with crankshaft 1: `f_+` of `f_+ e^{i n theta}`.

@@ -83,7 +83,7 @@ impl<'a> Area<'a> {
 }
 
 /// Least distance of open valves from the piston.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PistonGap {
     /// The intake valves or the exhaust valves.
     pub is_intake: bool,

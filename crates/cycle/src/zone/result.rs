@@ -5,7 +5,7 @@ use lanchester_mechanism::PeriodicCurve;
 use serde::Serialize;
 
 /// A cycle of one cylinder by single-zone filling and emptying.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ZoneCycle {
     /// Absolute pressure [Pa] over the angle since firing top dead centre.
     #[serde(skip)]
@@ -36,7 +36,7 @@ pub struct ZoneCycle {
 }
 
 /// How a cycle came to repeat itself.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ZoneOutcome {
     /// Whether the last cycle repeats the one before it within the tolerance.
     pub converged: bool,
@@ -47,7 +47,7 @@ pub struct ZoneOutcome {
 }
 
 /// Whether energy and mass close over the last cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Balance {
     /// Gain of internal energy less heat, work and enthalpy [J].
     pub energy: f64,

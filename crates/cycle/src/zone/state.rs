@@ -11,7 +11,7 @@ use serde::Serialize;
 pub(crate) type State = [f64; 10];
 
 /// The gas in a chamber.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Contents {
     /// Pressure [Pa].
     pub pressure: f64,
@@ -22,7 +22,7 @@ pub struct Contents {
 }
 
 /// What has passed since the start.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct ThroughFlow {
     /// Work of the gas on the piston [J].
     pub work: f64,

@@ -6,7 +6,7 @@ use serde::Serialize;
 pub const CLEARANCE_VERSION: u32 = 1;
 
 /// What a counterweight or web must stay clear of. Cylinders count from 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Obstacle {
     /// The circle of the crankcase about the axis of the crankshaft.
@@ -35,7 +35,7 @@ pub enum Obstacle {
 }
 
 /// Direction in which the depth of an overlap is measured.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DepthAlong {
     /// The cylinder axis: piston or liner moved this far up, at all angles, just clears what turns.
@@ -47,7 +47,7 @@ pub enum DepthAlong {
 }
 
 /// Two bodies that overlap.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Overlap {
     /// Ranges of the angle of crankshaft 1 [rad] at which they do, first and last; one that runs over the end of the period
     /// ends beyond it.
@@ -61,7 +61,7 @@ pub struct Overlap {
 }
 
 /// The smallest distance of a counterweight or web from an obstacle over all angles.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Clearance {
     /// The obstacle.
     pub obstacle: Obstacle,
@@ -90,7 +90,7 @@ impl Clearance {
 }
 
 /// The clearances of a counterweight with its web, or of a web without counterweight.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BodyClearances {
     /// Name of the counterweight, or "web 3".
     pub name: String,
@@ -108,7 +108,7 @@ pub struct BodyClearances {
 }
 
 /// A big end within the crankcase.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BigEndClearance {
     /// Cylinder of the rod, from 1.
     pub cylinder: usize,
@@ -119,7 +119,7 @@ pub struct BigEndClearance {
 }
 
 /// The smallest clearance of all.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Smallest {
     /// Name of the counterweight or web, or "big end 2".
     pub body: String,
@@ -128,7 +128,7 @@ pub struct Smallest {
 }
 
 /// All clearances of an engine's crankshafts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Clearances {
     /// [`CLEARANCE_VERSION`].
     pub version: u32,
@@ -145,7 +145,7 @@ pub struct Clearances {
 }
 
 /// The distance of a counterweight or web from an obstacle over the angle.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ClearanceCurve {
     /// Angles of crankshaft 1 [rad], evenly over a period, its end left out.
     pub theta: Vec<f64>,
@@ -156,7 +156,7 @@ pub struct ClearanceCurve {
 }
 
 /// The largest swept radius that keeps the wanted clearance whatever the shape.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SweptRoom {
     /// Largest swept radius [m]; zero where there is no room at all.
     pub radius: f64,

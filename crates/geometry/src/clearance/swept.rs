@@ -8,7 +8,7 @@ use lanchester_shape::Point;
 use serde::Serialize;
 
 /// Two swept circles that overlap in a plane across the crank: whether what turns in them meets depends on their phases.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SweptOverlap {
     /// Name of the weight of a balance shaft.
     pub weight: String,

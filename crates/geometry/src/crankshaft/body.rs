@@ -16,7 +16,7 @@ use std::ops::Add;
 /// [kg m]                      [kg m^2], about the origin of the engine
 /// ```
 /// At the angular speed `w` it pulls with `w^2 U`, and with the couple `w^2 V` of the forces at their places along z.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct CrankUnbalance {
     /// Static unbalance `U` [kg m].
     pub unbalance: Point,
@@ -38,7 +38,7 @@ impl Add for CrankUnbalance {
 }
 
 /// A piece of the crankshaft: a journal, a pin, a web or a counterweight.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankshaftSection {
     /// "journal 1", "pin 1", "web 1", or the name of the counterweight.
     pub name: String,
@@ -60,7 +60,7 @@ pub struct CrankshaftSection {
 }
 
 /// What belongs to one throw, or to none: journals, and weights beside the webs.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ThrowShare {
     /// Index of the throw.
     pub throw: Option<usize>,
@@ -74,7 +74,7 @@ pub struct ThrowShare {
 }
 
 /// A weight of the crankshaft that the file gives by its unbalance alone, such as one of the flywheel. It has no mass here.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PointWeight {
     /// Its name.
     pub name: String,
@@ -86,7 +86,7 @@ pub struct PointWeight {
 }
 
 /// A crankshaft as a body. Frame: [`crate::crankshaft`].
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankshaftBody {
     /// Name of the crankshaft.
     pub name: String,

@@ -6,7 +6,7 @@ use lanchester_shape::{Contour, GeometryError, MassMoments, Outline, Part, Point
 use serde::Serialize;
 
 /// What a piece of a crankshaft is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SectionKind {
     /// A main journal.

@@ -19,7 +19,7 @@ const POPULATION: usize = 31;
 const DIMENSIONS: usize = 5;
 
 /// What an evolutionary search came to.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Evolution {
     /// [`DESIGN_VERSION`].
     pub version: u32,
@@ -38,7 +38,7 @@ pub struct Evolution {
 }
 
 /// The best design of an evolutionary search.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Evolved {
     /// The design.
     pub design: Design,

@@ -9,7 +9,7 @@ use lanchester_shape::GeometryError;
 use serde::Serialize;
 
 /// The front between two objectives, from the least of the first to the least of the second.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Front {
     /// [`DESIGN_VERSION`].
     pub version: u32,

@@ -20,7 +20,7 @@ const MET: f64 = 1e-9;
 const STARTS: usize = 6;
 
 /// A complete counterweight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Design {
     /// Its shape.
     pub shape: CounterweightShape,
@@ -47,7 +47,7 @@ pub struct Design {
 }
 
 /// The best design and its proof.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Optimum {
     /// [`DESIGN_VERSION`].
     pub version: u32,
@@ -66,7 +66,7 @@ pub struct Optimum {
 }
 
 /// How the search ended.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DesignOutcome {
     /// A design that meets everything.
@@ -76,7 +76,7 @@ pub enum DesignOutcome {
 }
 
 /// Why there is no design.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Infeasible {
     /// Whether every box was refuted; otherwise a design may have been overlooked.
     pub proved: bool,
@@ -85,7 +85,7 @@ pub struct Infeasible {
 }
 
 /// A limit that would have to give way, with the value at which a design exists.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct NearestLimit {
     /// Which limit.
     pub limit: Limit,
@@ -96,7 +96,8 @@ pub struct NearestLimit {
 }
 
 /// A limit of a task.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "DesignLimit")]
 #[serde(rename_all = "kebab-case")]
 pub enum Limit {
     /// Largest mass [kg].

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// A counterweight to be found: its duty, the range of each dimension, limits.
 ///
 /// Searched are the shapes whose shoulders do not taper inwards and whose crown is not within the web's disc.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct DesignTask {
     /// Unbalance that is full balance [kg m].
     pub unbalance: f64,

@@ -15,7 +15,7 @@ const UNSIGNED_INT: u32 = 5125;
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "camelCase")]
 struct Document {
     asset: Asset,
@@ -29,18 +29,18 @@ struct Document {
     buffers: [Buffer; 1],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct Asset {
     version: &'static str,
     generator: &'static str,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct Scene {
     nodes: [usize; 1],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct Node {
     name: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -51,33 +51,33 @@ struct Node {
     children: Vec<usize>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct NamedMesh {
     name: String,
     primitives: [Primitive; 1],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 struct Primitive {
     attributes: Attributes,
     indices: usize,
     material: usize,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "UPPERCASE")]
 struct Attributes {
     position: usize,
     normal: usize,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "camelCase")]
 struct Material {
     pbr_metallic_roughness: Surface,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "camelCase")]
 struct Surface {
     base_color_factor: [f32; 4],
@@ -85,7 +85,7 @@ struct Surface {
     roughness_factor: f32,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "camelCase")]
 struct Accessor {
     buffer_view: usize,
@@ -99,7 +99,7 @@ struct Accessor {
     max: Option<[f32; 3]>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "camelCase")]
 struct BufferView {
     buffer: usize,
@@ -108,7 +108,7 @@ struct BufferView {
     target: u32,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "camelCase")]
 struct Buffer {
     byte_length: usize,

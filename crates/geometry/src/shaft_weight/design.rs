@@ -6,7 +6,7 @@ use lanchester_shape::ShaftWeightShape;
 use serde::Serialize;
 
 /// A weight with its dimensions.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ShaftWeightDesign {
     /// Its shape.
     pub shape: ShaftWeightShape,
@@ -41,7 +41,7 @@ impl ShaftWeightDesign {
 }
 
 /// What became of a task.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "outcome")]
 pub enum ShaftWeightOutcome {
     /// The best weight: none within the ranges is better, rounding apart; of least inertia by more than one part in a million.

@@ -6,7 +6,7 @@ use lanchester_shape::plausible_density;
 use serde::Serialize;
 
 /// A limit of a task that would have to give way.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ShaftWeightLimit {
     /// Largest radius [m].
@@ -28,7 +28,7 @@ pub enum ShaftWeightLimit {
 }
 
 /// A limit with the value at which there is a weight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct NearestShaftWeight {
     /// Which limit.
     pub limit: ShaftWeightLimit,

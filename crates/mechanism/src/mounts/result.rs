@@ -14,7 +14,7 @@ pub const MOUNT_RESULT_VERSION: u32 = 1;
 pub const COORDINATES: [&str; 6] = ["x", "y", "z", "about x", "about y", "about z (roll)"];
 
 /// The body that moves: the file's block, with pistons and rods where they are to be added.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountedBody {
     /// Mass [kg].
     pub mass: f64,
@@ -27,7 +27,7 @@ pub struct MountedBody {
 }
 
 /// The block at rest under gravity and mean torque.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountStatics {
     /// Displacement of the centre [m] and rotation [rad] from the position of the file.
     pub motion: [f64; 6],
@@ -36,7 +36,7 @@ pub struct MountStatics {
 }
 
 /// One mount at rest. Forces are those of the block on the mount.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountAtRest {
     /// Name.
     pub name: String,
@@ -57,7 +57,7 @@ pub struct MountAtRest {
 }
 
 /// Natural motions of the block.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountModes {
     /// Undamped modes, rising.
     pub modes: Vec<MountMode>,
@@ -70,7 +70,7 @@ pub struct MountModes {
 }
 
 /// A line in space.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct AxisLine {
     /// A point of it [m].
     pub point: [f64; 3],
@@ -79,7 +79,7 @@ pub struct AxisLine {
 }
 
 /// One undamped mode.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountMode {
     /// Natural angular frequency [rad/s]. With a table of stiffness over frequency it is the one at which the stiffness is
     /// that of the table there.
@@ -99,18 +99,20 @@ pub struct MountMode {
 }
 
 /// One damped mode: the motion `Re( shape e^{root t} )`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct DampedMode {
     /// Root [1/s]: real part the rate of growth (negative), imaginary part the angular frequency [rad/s].
+    #[schemars(with = "[f64; 2]")]
     pub root: Complex64,
     /// Damping ratio `-Re(root) / |root|`; 1 where it does not oscillate.
     pub damping_ratio: f64,
     /// Shape at the centre; its largest component in the mass norm is real.
+    #[schemars(with = "[[f64; 2]; 6]")]
     pub shape: [Complex64; 6],
 }
 
 /// Centre of stiffness: where the coupling of translation and rotation is symmetric.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct StiffnessCentre {
     /// The point [m].
     pub point: [f64; 3],
@@ -125,7 +127,7 @@ pub struct StiffnessCentre {
 }
 
 /// Forces at the mounts and motion of the block against speed, by order.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountResponse {
     /// [`MOUNT_RESULT_VERSION`].
     pub version: u32,
@@ -140,7 +142,7 @@ pub struct MountResponse {
 }
 
 /// A mount whose table ends before the excitation does: beyond it the end's values are used.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BeyondTable {
     /// Index of the mount.
     pub mount: usize,
@@ -151,7 +153,7 @@ pub struct BeyondTable {
 }
 
 /// Response at one speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SpeedResponse {
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
@@ -162,19 +164,24 @@ pub struct SpeedResponse {
 }
 
 /// Response to one order at one speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct OrderResponse {
     /// Order.
     pub order: f64,
     /// Load on the block: force [N] and moment about its centre [N m].
+    #[schemars(with = "[[f64; 2]; 6]")]
     pub load: [Complex64; 6],
     /// Displacement of the centre [m] and rotation [rad].
+    #[schemars(with = "[[f64; 2]; 6]")]
     pub motion: [Complex64; 6],
     /// Force of the block on each mount [N].
+    #[schemars(with = "Vec<[[f64; 2]; 3]>")]
     pub forces: Vec<[Complex64; 3]>,
     /// The same if the mounts were stiff, in the proportions of their static stiffness: the load shared as at rest [N].
+    #[schemars(with = "Vec<[[f64; 2]; 3]>")]
     pub stiff_forces: Vec<[Complex64; 3]>,
     /// All mounts together: force [N] and moment about the block's centre [N m].
+    #[schemars(with = "[[f64; 2]; 6]")]
     pub transmitted: [Complex64; 6],
 }
 
@@ -205,7 +212,7 @@ fn ratio(out: &[Complex64], load: &[Complex64]) -> Option<f64> {
 }
 
 /// All that is told of an engine on its mounts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct MountStudy {
     /// [`MOUNT_RESULT_VERSION`].
     pub version: u32,
@@ -230,16 +237,17 @@ pub struct MountStudy {
 }
 
 /// Motion of a point of the block.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PointMotion {
     /// The point [m].
     pub point: [f64; 3],
     /// Displacement [m] at each speed, for each order of the response.
+    #[schemars(with = "Vec<Vec<[[f64; 2]; 3]>>")]
     pub displacement: Vec<Vec<[Complex64; 3]>>,
 }
 
 /// Force transmissibility against frequency.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Transmissibility {
     /// Angular frequencies [rad/s], rising in equal ratios.
     pub angular_frequency: Vec<f64>,

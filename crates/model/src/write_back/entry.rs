@@ -2,6 +2,7 @@
 
 use super::splice::Splices;
 use crate::expanded::quoted;
+use std::fmt::Display;
 use std::ops::Range;
 use toml_spanner::{Array, ArrayStyle, Item, Key, Table, TableStyle};
 
@@ -63,6 +64,86 @@ impl<'a> Entry<'a> {
         } else {
             let (line_end, indentation) = (splices.line_end, splices.indentation(anchor.start));
             splices.insert(splices.line_stop(anchor.end), format!("{line_end}{indentation}{key} = {value}"));
+        }
+    }
+
+    /// A new key behind the last of the table's own, however the table is written; `path` is what a header of it says.
+    ///
+    /// # Errors
+    /// What would be needed, for a table within braces that is written with dots.
+    pub(super) fn add_last(
+        self,
+        key: &str,
+        path: &str,
+        value: &str,
+        splices: &mut Splices<'_>,
+    ) -> Result<(), String> {
+        let line_end = splices.line_end;
+        match self.table.style() {
+            TableStyle::Inline => {
+                let inside = self.item.span().range();
+                let last = self
+                    .table
+                    .iter()
+                    .map(|(_, item)| full_end(item).unwrap_or(item.span().range().end))
+                    .max();
+                match last {
+                    Some(last) => splices.insert(last, format!(", {key} = {value}")),
+                    None => splices.replace(inside, format!("{{ {key} = {value} }}")),
+                }
+            }
+            TableStyle::Implicit if !path.is_empty() => {
+                splices.append_block(&format!("[{path}]{line_end}{key} = {value}"));
+            }
+            TableStyle::Dotted => {
+                let first = self.table.iter().next().map(|(key, _)| key_start(key, splices));
+                let end = own_end(self.item);
+                let (Some(first), Some(end)) = (first, end) else { return Ok(()) };
+                let line = splices.line_start(first);
+                let before = splices.text[line..first].to_string();
+                if before.contains(['{', '=']) {
+                    return Err(format!("a table `{path}` with a header, or between braces without dots"));
+                }
+                splices.insert(splices.line_stop(end), format!("{line_end}{before}{key} = {value}"));
+            }
+            TableStyle::Header | TableStyle::Implicit => match own_end(self.item) {
+                Some(end) => {
+                    let indentation = splices.indentation(end);
+                    // A list over several lines ends in a line of its own.
+                    let indentation = if splices.text[splices.line_start(end)..end].contains('=') {
+                        indentation
+                    } else {
+                        ""
+                    };
+                    splices.insert(splices.line_stop(end), format!("{line_end}{indentation}{key} = {value}"));
+                }
+                None if path.is_empty() => {
+                    let start = splices.line_start(0);
+                    splices.insert(start, format!("{key} = {value}{line_end}"));
+                }
+                None => {
+                    let end = header_end(self.start(), splices);
+                    splices.insert(splices.line_stop(end), format!("{line_end}{key} = {value}"));
+                }
+            },
+        }
+        Ok(())
+    }
+
+    /// Takes any key with its value out, and all entries of a list; comments stay.
+    pub(super) fn take_out(self, key: &str, splices: &mut Splices<'_>) {
+        let list = self.get(key).and_then(|item| List::of(Some(item))).filter(|list| !list.is_inline());
+        if let Some(list) = list {
+            for entry in list.entries {
+                entry.remove_block(splices);
+            }
+        } else if self.table.style() == TableStyle::Dotted {
+            let Some(range) = self.whole(key, splices) else { return };
+            let line = splices.line_start(range.start);
+            let start = line + splices.indentation(range.start).len();
+            splices.remove(start..range.end);
+        } else {
+            self.unset(key, splices);
         }
     }
 
@@ -166,6 +247,12 @@ impl<'a> Entry<'a> {
     }
 }
 
+/// A key as TOML writes it: in quotes where it is no plain word.
+pub(super) fn key_text(name: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    if !name.is_empty() && name.chars().all(is_plain) { name.to_string() } else { quoted(name) }
+}
+
 /// Where the key begins, with its quotes.
 fn key_start(key: &Key<'_>, splices: &Splices<'_>) -> usize {
     let start = key.span.range().start;
@@ -245,7 +332,7 @@ impl<'a> List<'a> {
     }
 
     /// Adds entries behind the last; `path` is the header of the list.
-    pub(super) fn append(&self, path: &str, new: &[NewEntry], splices: &mut Splices<'_>) {
+    pub(super) fn append<K: Display>(&self, path: &str, new: &[Vec<(K, String)>], splices: &mut Splices<'_>) {
         if new.is_empty() {
             return;
         }
@@ -264,8 +351,8 @@ impl<'a> List<'a> {
         splices.insert(at, text);
     }
 
-    fn append_inline(&self, new: &[NewEntry], splices: &mut Splices<'_>) {
-        let tables: Vec<String> = new.iter().map(inline).collect();
+    fn append_inline<K: Display>(&self, new: &[Vec<(K, String)>], splices: &mut Splices<'_>) {
+        let tables: Vec<String> = new.iter().map(|entry| inline(entry)).collect();
         let Some(last) = self.entries.last().map(|entry| entry.item.span().range()) else {
             splices.insert(self.span.start + 1, tables.join(", "));
             return;
@@ -294,7 +381,7 @@ impl<'a> List<'a> {
 
 /// A list of inline tables, one a line if they are more than one; without `line_end` all in one line.
 pub(super) fn list_value(entries: &[NewEntry], line_end: &str) -> String {
-    let tables: Vec<String> = entries.iter().map(inline).collect();
+    let tables: Vec<String> = entries.iter().map(|entry| inline(entry)).collect();
     if tables.len() < 2 || line_end.is_empty() {
         return format!("[{}]", tables.join(", "));
     }
@@ -303,12 +390,13 @@ pub(super) fn list_value(entries: &[NewEntry], line_end: &str) -> String {
 }
 
 /// `[[path]]` with its keys.
-pub(super) fn block(path: &str, entry: &NewEntry, line_end: &str) -> String {
+pub(super) fn block<K: Display>(path: &str, entry: &[(K, String)], line_end: &str) -> String {
     let lines: Vec<String> = entry.iter().map(|(key, value)| format!("{key} = {value}")).collect();
     format!("[[{path}]]{line_end}{}", lines.join(line_end))
 }
 
-fn inline(entry: &NewEntry) -> String {
+/// A table between braces.
+pub(super) fn inline<K: Display>(entry: &[(K, String)]) -> String {
     let keys: Vec<String> = entry.iter().map(|(key, value)| format!("{key} = {value}")).collect();
     format!("{{ {} }}", keys.join(", "))
 }

@@ -25,6 +25,15 @@ impl<'t> Splices<'t> {
         self.replace(at..at, new);
     }
 
+    /// A block of lines of its own at the end of the file.
+    pub(super) fn append_block(&mut self, block: &str) {
+        let (end, line_end) = (self.text.trim_end().len(), self.line_end);
+        let parted = if self.text[..end].trim_start_matches('\u{feff}').is_empty() { "" } else { "\n\n" };
+        let tail = if end == self.text.len() { "\n" } else { "" };
+        let [parted, tail] = [parted, tail].map(|ends| ends.replace('\n', line_end));
+        self.insert(end, format!("{parted}{block}{tail}"));
+    }
+
     /// The changed text. Insertions at one place keep their order; one inside a replaced piece goes behind what replaces
     /// it, before the line ends that the piece has left there.
     pub(super) fn apply(mut self) -> String {

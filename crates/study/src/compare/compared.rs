@@ -8,7 +8,7 @@ use serde::Serialize;
 pub const COMPARISON_VERSION: u32 = 1;
 
 /// Engines side by side.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Comparison {
     /// [`COMPARISON_VERSION`].
     pub version: u32,
@@ -29,7 +29,7 @@ pub struct Comparison {
 }
 
 /// One engine of a comparison, in the size in which it is compared.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Compared {
     /// Its name.
     pub engine: String,
@@ -68,7 +68,7 @@ pub struct Compared {
 }
 
 /// The order that most of a load is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Leading {
     /// Order.
     pub order: f64,
@@ -79,7 +79,7 @@ pub struct Leading {
 }
 
 /// Torque of gas and inertia at the speed of the comparison, and the flywheel for the lowest speed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ComparedTorque {
     /// Net indicated power [W].
     pub power: f64,

@@ -4,7 +4,8 @@ use crate::compare::compared::Compared;
 use serde::Serialize;
 
 /// What engines are compared by: less is better.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "RankingCriterion")]
 #[serde(rename_all = "kebab-case")]
 pub enum Criterion {
     /// Largest force of the moving masses [N].
@@ -28,7 +29,7 @@ pub enum Criterion {
 }
 
 /// The engines by one criterion, best first.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Ranking {
     /// By what.
     pub criterion: Criterion,
@@ -37,7 +38,8 @@ pub struct Ranking {
 }
 
 /// An engine in a ranking.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "RankingPlace")]
 pub struct Place {
     /// Its place in the comparison.
     pub engine: usize,

@@ -11,7 +11,7 @@
 use serde::Serialize;
 
 /// In what engines are made equal before they are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Equal {
     /// In nothing: as they are.
@@ -24,7 +24,7 @@ pub enum Equal {
 }
 
 /// What a similar engine keeps of the original.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Held {
     /// Its speed.
@@ -35,7 +35,7 @@ pub enum Held {
 }
 
 /// A similar engine: what its size and its speed are, over those of the original.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Similar {
     /// Lengths, over those of the original.
     pub length: f64,

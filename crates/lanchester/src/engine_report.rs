@@ -1,0 +1,194 @@
+//! Everything that one engine file tells, for the report and its figures.
+
+use crate::counterweight_check::{CounterweightCheck, check_counterweights};
+use crate::pressure::TraceFile;
+use crate::running::{Running, running};
+use lanchester_balance::{Answer, fitted, optimise};
+use lanchester_mechanism::{
+    InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
+};
+use lanchester_model::{Diagnostic, Engine};
+use lanchester_report::{
+    CrankshaftInput, Figure, OptimumInput, Provenance, ReportInput, bearings_section_figures, figures,
+    internal_figures, mount_figures, optimum_figures, report, torque_section_figures,
+};
+
+/// The sections of a report, computed.
+#[derive(Debug, Clone)]
+pub struct EngineReport<'a> {
+    engine: &'a Engine,
+    /// What shakes the engine.
+    pub loads: Loads,
+    /// Shear and bending inside the crankshafts.
+    pub internal: Vec<InternalMoments>,
+    optimum: Option<FoundOptimum>,
+    crankshaft: Option<CounterweightCheck>,
+    running: Running,
+    /// Warnings of the file, then what was left out and why, each in one line.
+    pub warnings: Vec<String>,
+    /// How many of them the reader of the file has told of already.
+    pub told: usize,
+}
+
+/// What balancing found, with the loads before and after.
+#[derive(Debug, Clone)]
+struct FoundOptimum {
+    answer: Answer,
+    before: Loads,
+    fitted: Engine,
+    after: Loads,
+}
+
+impl<'a> EngineReport<'a> {
+    /// Computes all sections that the file has enough for; a section that is left out is one more warning.
+    ///
+    /// `traces`: the pressures that the file names, or why they cannot be read; `warnings`: those of the reader.
+    ///
+    /// # Errors
+    /// [`LoadError`] where the engine has no loads at all.
+    pub fn new(
+        engine: &'a Engine,
+        request: &LoadRequest,
+        internal: &InternalRequest,
+        traces: Result<&[TraceFile], String>,
+        warnings: &[Diagnostic],
+    ) -> Result<EngineReport<'a>, LoadError> {
+        let loads = loads(engine, request)?;
+        let internal = internal_cases(engine, internal)?;
+        let mut warnings: Vec<String> = warnings.iter().map(in_one_line).collect();
+        let told = warnings.len();
+        let optimum = optimum(engine, &mut warnings)?;
+        let crankshaft = crankshaft(engine, &mut warnings);
+        let running = running(engine, traces, loads.speed);
+        for warning in running.all_warnings() {
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+        Ok(EngineReport { engine, loads, internal, optimum, crankshaft, running, warnings, told })
+    }
+
+    fn input<'b>(&'b self, provenance: &'b Provenance) -> ReportInput<'b> {
+        ReportInput {
+            engine: self.engine,
+            loads: &self.loads,
+            internal: &self.internal,
+            optimum: self.optimum.as_ref().map(FoundOptimum::input),
+            crankshaft: self.crankshaft.as_ref().map(|checked| CrankshaftInput {
+                bodies: &checked.crankshafts,
+                clearances: checked.clearances.as_ref(),
+                swept_overlaps: &checked.swept_overlaps,
+            }),
+            torque: self.running.torque_input(),
+            bearings: self.running.bearings_input(self.engine),
+            mounts: self.running.mounts.as_ref(),
+            provenance,
+            warnings: &self.warnings,
+        }
+    }
+
+    /// The page.
+    pub fn page(&self, provenance: &Provenance) -> String {
+        report(&self.input(provenance))
+    }
+
+    /// All figures of the page.
+    pub fn figures(&self) -> Vec<Figure> {
+        let of_optimum =
+            |o: OptimumInput| optimum_figures(self.engine, o.answer, o.before, o.fitted, o.after);
+        let (torque, bearings) = (self.running.torque_input(), self.running.bearings_input(self.engine));
+        let mut all = figures(self.engine, &self.loads);
+        all.extend(internal_figures(self.engine, &self.internal));
+        all.extend(self.optimum.as_ref().map(FoundOptimum::input).map_or_else(Vec::new, of_optimum));
+        all.extend(torque.as_ref().map_or_else(Vec::new, torque_section_figures));
+        all.extend(bearings.as_ref().map_or_else(Vec::new, bearings_section_figures));
+        all.extend(
+            self.running.mounts.as_ref().map_or_else(Vec::new, |study| mount_figures(self.engine, study)),
+        );
+        all
+    }
+}
+
+impl FoundOptimum {
+    fn input(&self) -> OptimumInput<'_> {
+        OptimumInput { answer: &self.answer, before: &self.before, fitted: &self.fitted, after: &self.after }
+    }
+}
+
+/// What the section `[balance]` of the file asks, answered; a question without meaning is one more warning.
+fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<FoundOptimum>, LoadError> {
+    let Some(task) = &engine.balance else { return Ok(None) };
+    let answer = match optimise(engine, task) {
+        Ok(answer) => answer,
+        Err(error) => {
+            warnings.push(format!("the section [balance] has no answer: {error}"));
+            return Ok(None);
+        }
+    };
+    let fitted = fitted(engine, &answer);
+    let (before, after) = (loads(engine, &LoadRequest::default())?, loads(&fitted, &LoadRequest::default())?);
+    Ok(Some(FoundOptimum { answer, before, fitted, after }))
+}
+
+/// The crankshaft as parts, where the file says something of it; what it leaves out is one more warning.
+fn crankshaft(engine: &Engine, warnings: &mut Vec<String>) -> Option<CounterweightCheck> {
+    let has_parts = engine.counterweights.iter().any(|weight| weight.part.is_some())
+        || engine.shafts.iter().flat_map(|shaft| &shaft.weights).any(|weight| weight.part.is_some());
+    if engine.crank_body.is_none() && !has_parts {
+        return None;
+    }
+    match check_counterweights(engine) {
+        Ok(checked) => Some(checked),
+        Err(error) => {
+            warnings.push(format!("the crankshaft as parts is left out: {error}").replace("\nhint:", ";"));
+            None
+        }
+    }
+}
+
+/// A warning of the engine file in one line.
+pub fn in_one_line(warning: &Diagnostic) -> String {
+    let hint = warning.hint.as_ref().map_or(String::new(), |hint| format!(" ({hint})"));
+    format!("line {}: {}{hint}", warning.line, warning.message)
+}
+
+/// What a report says about its own making: `program` (name, version, commit), the input, the settings behind `loads`.
+pub fn provenance(
+    program: &str,
+    input: &str,
+    text: &str,
+    loads: &Loads,
+    request: &LoadRequest,
+) -> Provenance {
+    let peaks = match request.peaks {
+        PeakMode::Continuous => "true extremes over the continuous angle, to 1e-12 of their size".to_string(),
+        PeakMode::Grid(angles) => format!("largest of {angles} angles a revolution"),
+    };
+    Provenance {
+        program: program.to_string(),
+        input: input.to_string(),
+        input_hash: format!("FNV-1a {:016x}", fnv1a(text.as_bytes())),
+        settings: vec![
+            ("motion".to_string(), loads.kinematics.clone()),
+            ("orders listed".to_string(), format!("0 to {}", request.max_order)),
+            ("angles of the curves".to_string(), format!("{} a revolution", request.samples)),
+            ("peaks".to_string(), peaks),
+        ],
+    }
+}
+
+/// 64-bit FNV-1a: tells whether a result belongs to a text, no protection against intent.
+pub fn fnv1a(bytes: &[u8]) -> u64 {
+    bytes
+        .iter()
+        .fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_published_test_vectors_of_fnv1a() {
+        assert_eq!(super::fnv1a(b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(super::fnv1a(b"foobar"), 0x8594_4171_f739_67e8);
+    }
+}

@@ -1,0 +1,116 @@
+//! What a report tells of the running engine: torque with gas, bearings, the block on its mounts.
+
+use crate::mounted::{MountSpeeds, mounts};
+use crate::pressure::TraceFile;
+use crate::torque_report::{
+    BearingStudy, TorqueReport, TorqueReportRequest, bearing_sizes, bearing_study, power_speeds,
+    torque_report,
+};
+use lanchester_mechanism::{MountStudy, TorqueRequest};
+use lanchester_model::Engine;
+use lanchester_report::{BearingsInput, TorqueInput};
+
+/// Speeds and highest order of the section on mounts.
+const MOUNT_SPEEDS: usize = 31;
+const MOUNT_ORDERS: u32 = 8;
+
+/// Speeds of the power curve, where a cycle is computed.
+const POWER_SPEEDS: usize = 7;
+
+/// The running engine, as far as its file tells.
+#[derive(Debug, Clone, Default)]
+pub struct Running {
+    /// Torque with gas, where the file says something of it.
+    pub torque: Option<TorqueReport>,
+    /// Loads of the bearings.
+    pub bearings: Option<BearingStudy>,
+    /// The block on its mounts.
+    pub mounts: Option<MountStudy>,
+    /// What was left out and why, and what the results warn of.
+    pub warnings: Vec<String>,
+}
+
+/// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
+pub fn is_running(engine: &Engine) -> bool {
+    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs()
+}
+
+/// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; `traces`: the pressures, or why they cannot be
+/// read. What is left out is a warning.
+pub fn running(engine: &Engine, traces: Result<&[TraceFile], String>, speed: f64) -> Running {
+    let has_bearings = engine.gas.is_some() || engine.bearings.is_some();
+    let mut warnings = Vec::new();
+    let torque = section(engine.gas.is_some(), "torque with gas is", &traces, &mut warnings, |traces| {
+        let request = TorqueReportRequest {
+            torque: TorqueRequest { speed: Some(speed), ..TorqueRequest::default() },
+            speeds: power_speeds(engine, POWER_SPEEDS),
+            ..TorqueReportRequest::default()
+        };
+        torque_report(engine, traces, &request).map_err(|error| error.to_string())
+    });
+    let bearings = section(has_bearings, "loads of the bearings are", &traces, &mut warnings, |traces| {
+        bearing_study(engine, traces, speed).map_err(|error| error.to_string())
+    });
+    let mounts =
+        section(engine.is_on_springs(), "the block on its mounts is", &traces, &mut warnings, |traces| {
+            mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(traces), &[])
+                .map_err(|error| error.to_string())
+        });
+    Running { torque, bearings, mounts, warnings }
+}
+
+impl Running {
+    /// What was left out, then what the results warn of, each once.
+    pub fn all_warnings(&self) -> Vec<String> {
+        let of_torque = self.torque.iter().flat_map(|report| &report.warnings);
+        let of_mounts = self.mounts.iter().flat_map(|study| &study.warnings);
+        let mut all: Vec<String> = Vec::new();
+        for warning in self.warnings.iter().chain(of_torque).chain(of_mounts) {
+            if !all.contains(warning) {
+                all.push(warning.clone());
+            }
+        }
+        all
+    }
+
+    /// Torque for the report.
+    pub fn torque_input(&self) -> Option<TorqueInput<'_>> {
+        self.torque.as_ref().map(|report| TorqueInput {
+            torque: &report.torque,
+            source: &report.source,
+            brake: report.brake.as_ref(),
+            ripples: &report.ripples,
+            flywheel: report.flywheel.as_ref(),
+            speeds: &report.speeds,
+            power: report.power.as_ref(),
+        })
+    }
+
+    /// Bearings for the report.
+    pub fn bearings_input(&self, engine: &Engine) -> Option<BearingsInput<'_>> {
+        let study = self.bearings.as_ref()?;
+        Some(BearingsInput { parts: &study.parts, bare: study.bare.as_ref(), sizes: bearing_sizes(engine) })
+    }
+}
+
+/// One section, where it is `wanted`; why it is left out goes to `warnings`.
+fn section<T>(
+    wanted: bool,
+    name: &str,
+    traces: &Result<&[TraceFile], String>,
+    warnings: &mut Vec<String>,
+    of: impl FnOnce(&[TraceFile]) -> Result<T, String>,
+) -> Option<T> {
+    if !wanted {
+        return None;
+    }
+    let found = match traces {
+        Ok(traces) => of(traces),
+        Err(error) => Err(error.clone()),
+    };
+    let because = |error: String| {
+        let error = error.strip_prefix("error: ").unwrap_or(&error);
+        warnings.push(format!("{name} left out: {error}").replace("\nhint:", ";"));
+    };
+    found.map_err(because).ok()
+}

@@ -1,0 +1,2802 @@
+// Written by `cargo xtask generate` from the Rust types. Do not edit.
+// SI units and radians; complex numbers are [re, im].
+
+/** A crank angle at which a criterion stands at its peak and holds the optimum up. */
+export type Active = {
+  /** Which criterion. */
+  criterion: Criterion2;
+  /**
+   * Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
+   * limit for a limited one).
+   */
+  multiplier: number;
+  /** Crank angle [rad]. */
+  theta: number;
+};
+
+/** What is made small. */
+export type Aim = "mass" | "swept-radius" | "inertia" | "thickness";
+
+/** The best that can be done with the given devices. */
+export type Answer = {
+  /**
+   * What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
+   * moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), each without giving up any before
+   * it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+   */
+  among_equals: FoundStage[];
+  /** Where orders had to vanish exactly: whether they do, and the proof. */
+  cancellation: Cancellation | null;
+  /**
+   * Criteria before and after: force, couple and roll moment always, then those that the task names. Empty where no
+   * answer was found.
+   */
+  effects: Effect[];
+  /** Name of the engine. */
+  engine: string;
+  /** Every free inertia. */
+  inertias: FoundInertia[];
+  /** What each limit costs. */
+  limits: FoundLimit[];
+  /** How it was found. */
+  method: Method;
+  /** Whether there is an optimum, and if not, why. */
+  outcome: Outcome;
+  /** Where the free shafts stand. */
+  shafts: FoundShaft[];
+  /** Speed of crankshaft 1 at which loads are judged [rad/s]: the highest of the engine, where all of them are largest. */
+  speed: number;
+  /** What each stage reached, with its proof. */
+  stages: FoundStage[];
+  /** What was asked. */
+  task: BalanceTask;
+  /** [`ANSWER_VERSION`]. */
+  version: number;
+  /** Every free weight. Empty where there is no optimum. */
+  weights: FoundWeight[];
+};
+
+/** A balance shaft of an arrangement. */
+export type ArrangedShaft = {
+  /** Radial load of each bearing [N]; it turns with the shaft at a constant amount. */
+  bearing_loads: [number, number];
+  /** Planes of its two bearings [m]. */
+  bearing_planes: [number, number];
+  /** Inertia of weights and shaft about its own axis [kg m^2]. */
+  inertia: number;
+  /** Weights in one plane or two. */
+  layout: ShaftLayout;
+  /** Name, as in the answer. */
+  name: string;
+  /** Speed over that of crankshaft 1, signed. */
+  ratio: number;
+  /** Mass of the bare shaft [kg]. */
+  shaft_mass: number;
+  /** Length of its longest weight along the axis [m]. */
+  weight_length: number;
+  /** Mass of its weights [kg]. */
+  weight_mass: number;
+  /** Outer radius of its weights [m]. */
+  weight_sweep: number;
+  /** Position of its axis [m]. */
+  x: number;
+  /** Position of its axis [m]. */
+  y: number;
+};
+
+/** One arrangement with its weights, drive and price. */
+export type Arrangement = {
+  /** The weights, with the proof that these devices leave no less. */
+  answer: Answer;
+  /** The narrowest place between the parts; `None` without shafts. Negative where no allowed position clears. */
+  clearance: Clearance | null;
+  /** Peak of the resultant couple about the origin that is left [N m]. */
+  couple: number;
+  /** Whether weights are added to the crank. */
+  crank_weights: boolean;
+  /** How the shafts are driven; `None` without shafts or without a place for them. */
+  drive: DriveTrain | null;
+  /** Peak of the resultant force that is left [N]. */
+  force: number;
+  /**
+   * In short: "crank +2 -2", each number a balance shaft by its speed over that of the crank; "crank -1, lightest"
+   * with the lightest weights that hold the limit; "nothing".
+   */
+  label: string;
+  /** Whether its weights are the lightest that hold the limit; else they leave the smallest residual. */
+  lightest: boolean;
+  /** In words: "crank weights, second-order shafts with and against the crank". */
+  name: string;
+  /** Whether no other arrangement at this spacing beats it. */
+  on_front: boolean;
+  /** Whether it has a place and a drive, and holds the further limits. */
+  possible: boolean;
+  /** What it costs. */
+  price: Price;
+  /** Whether the residual is at or below the limit, within 1e-6 of it. */
+  reaches_limit: boolean | null;
+  /** Peak of the criterion that is left. Not a number for an arrangement that cannot hold the further limits. */
+  residual: number;
+  /** Peak of the roll moment that is left [N m], at the places of the shafts. */
+  roll_moment: number;
+  /** Its balance shafts. */
+  shafts: ArrangedShaft[];
+};
+
+/** Which arrangements are searched. */
+export type ArrangementQuestion = {
+  /** `gears` or `chain`. */
+  drive: Drive | null;
+  /** Limits as `--limit` takes them; one on what is minimised is what is good enough. */
+  limits: string[];
+  /** `force`, `couple` or `mount force`. */
+  minimise: string | null;
+  /** Most shafts, up to 4. */
+  most_shafts: number | null;
+  /** The engine file. */
+  text: string;
+};
+
+/** All arrangements, by cylinder spacing. */
+export type Arrangements = {
+  /** Rules and sizes that were taken where the request gives none, in words. */
+  assumptions: string[];
+  /** What was judged. */
+  criterion: Judged;
+  /** Name of the engine. */
+  engine: string;
+  /** Value that is good enough, in the criterion's SI unit. */
+  limit: number | null;
+  /** Where that value comes from. */
+  limit_source: string | null;
+  /** Where nobody reaches the limit: the best that there is. */
+  nearest: Nearest | null;
+  /** One entry a spacing, in the order of the request. */
+  spacings: SpacingArrangements[];
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** [`ARRANGEMENTS_VERSION`]. */
+  version: number;
+};
+
+/** What an articulated rod changes. */
+export type Articulation = {
+  /** Number of the master's cylinder, from 1. */
+  master: number;
+  /** Slave reach [m]: the largest distance from the crankpin to the slave's piston pin over the cycle. */
+  max_reach: number;
+  /** The smallest such distance [m]. */
+  min_reach: number;
+  /** Stroke minus the master's stroke [m]. */
+  stroke_difference: number;
+  /** Angle of TDC minus the angle at which the crank points along the cylinder [rad]. */
+  top_dead_centre_shift: number;
+};
+
+/** An engine at a speed. */
+export type AtSpeed = {
+  /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
+  speed: number | null;
+  /** The engine file. */
+  text: string;
+};
+
+/** A line in space. */
+export type AxisLine = {
+  /** Its direction, a unit vector. */
+  direction: [number, number, number];
+  /** A point of it [m]. */
+  point: [number, number, number];
+};
+
+/** What was found. */
+export type BalanceAnswer = {
+  /** Loads with it. */
+  after: Loads | null;
+  /** As `lanchester balance --format json` prints it. */
+  answer: Answer;
+  /** The outcome in words. */
+  headline: string;
+  /** The engine file with what was found; none where nothing was. */
+  text: string | null;
+};
+
+/** What may be changed, and what is wanted. */
+export type BalanceQuestion = {
+  /** Orders that must vanish, as `--cancel` takes them. */
+  cancel: string[];
+  /** Which weights are free. */
+  free: Free;
+  /** Limits as `--limit` takes them; `most = ..` and `least = ..` hold for every free weight on a crankshaft. */
+  limits: string[];
+  /** Names of counterweights and shafts that stay as they are. */
+  locked: string[];
+  /** Criteria in their order, as `--minimise` takes them; none: force, then couple. */
+  minimise: string[];
+  /** Shafts that are added, as `--shaft` takes them: `-1 @ 0 mm, 100 mm @ -30 mm, 30 mm` is ratio @ x, y of the axis @ planes. */
+  shafts: string[];
+  /** The engine file. */
+  text: string;
+};
+
+/** Free weights, shafts and inertias, with what is to be minimised and what must hold. */
+export type BalanceTask = {
+  /** Orders of loads that must vanish exactly, by the lightest weights; instead of stages and limits. */
+  cancel: Array<[Load, number]>;
+  /** Inertias that turn against a crankshaft. */
+  inertias: FreeInertia[];
+  /** What must hold. */
+  limits: Limit[];
+  /** Most of the optional weights, shafts and inertias that may be used at once. */
+  most_optional: number | null;
+  /** Balance shafts that may be fitted. */
+  shafts: FreeShaft[];
+  /**
+   * What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
+   * couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
+   * names them, and then roll moment are least, and of those the lightest.
+   */
+  stages: Stage[];
+  /** Weights that depend on one another. */
+  ties: Tie[];
+  /** Weights on the crankshafts and on these shafts. */
+  weights: FreeWeight[];
+};
+
+/** A crankshaft in one model. */
+export type BeamLoads = {
+  /** Load on every main bearing, rising; 0 where the model lets it carry nothing. */
+  mains: MainLoad[];
+  /** Largest load on any main bearing; its plane. */
+  peak_main: Peak;
+  /** Largest bending moment along the shaft and over the cycle. */
+  peak_moment: Peak;
+  /** Largest shear force along the shaft and over the cycle. */
+  peak_shear: Peak;
+  /**
+   * Every plane with a load or a main bearing, rising from the free end to the flywheel. Between two of them the shear
+   * force is constant and the bending moment runs straight, so that extremes along the shaft lie here.
+   */
+  stations: Station[];
+};
+
+/**
+ * Loads of all bearings at one speed.
+ *
+ * No weight, no play, no friction, no oil film; rigid parts; main bearings throw by throw, as if the shaft were cut at each of them.
+ */
+export type BearingLoads = {
+  /** Whether the weights on the crankshafts count. */
+  counterweights: boolean;
+  /** By cylinder. */
+  cylinders: CylinderBearings[];
+  /** Name of the engine. */
+  engine: string;
+  /** Main bearings: crankshaft 1 first, each from the free end on. */
+  mains: MainBearing[];
+  /** Which loads count. */
+  part: BearingPart;
+  /** Period [rad] of crankshaft 1. */
+  period: number;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** Crank angle [rad] of every trace, from 0, one period, end point excluded. */
+  theta: number[];
+  /** [`BEARINGS_VERSION`]. */
+  version: number;
+  /** Numbers of the crankshafts, from 1, of which no bearing is told because they have no throw. */
+  without_mains: number[];
+};
+
+/** Which loads count. */
+export type BearingPart = "all" | "gas" | "inertia";
+
+/** Loads of the bearings, and without counterweights where the engine has some. */
+export type BearingsAnswer = {
+  /** Whether the weights on the crankshafts count. */
+  counterweights: boolean;
+  /** By cylinder. */
+  cylinders: CylinderBearings[];
+  /** Name of the engine. */
+  engine: string;
+  /** Main bearings: crankshaft 1 first, each from the free end on. */
+  mains: MainBearing[];
+  /** Which loads count. */
+  part: BearingPart;
+  /** Period [rad] of crankshaft 1. */
+  period: number;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** Crank angle [rad] of every trace, from 0, one period, end point excluded. */
+  theta: number[];
+  /** [`BEARINGS_VERSION`]. */
+  version: number;
+  without_counterweights: BearingLoads | null;
+  /** Numbers of the crankshafts, from 1, of which no bearing is told because they have no throw. */
+  without_mains: number[];
+};
+
+/** A mount whose table ends before the excitation does: beyond it the end's values are used. */
+export type BeyondTable = {
+  /** Lowest and highest angular frequency of the excitation [rad/s]. */
+  excitation: [number, number];
+  /** Index of the mount. */
+  mount: number;
+  /** Angular frequencies of the table's ends [rad/s]. */
+  table: [number, number];
+};
+
+/** A big end within the crankcase. */
+export type BigEndClearance = {
+  /** Its clearance; `on_body` is on the big end. */
+  clearance: Clearance2;
+  /** Cylinder of the rod, from 1. */
+  cylinder: number;
+  /** Largest distance of the big end from the axis of the crankshaft [m]. */
+  swept_radius: number;
+};
+
+/** The clearances of a counterweight with its web, or of a web without counterweight. */
+export type BodyClearances = {
+  /** Whether it has chamfers, which count as not cut: every distance is a lower bound then. */
+  chamfers_ignored: boolean;
+  /**
+   * Its clearance to every obstacle that is there, but those that lie farther away along the crank than another one
+   * of their kind is at its nearest.
+   */
+  clearances: Clearance2[];
+  /** Index of its crankshaft. */
+  crankshaft: number;
+  /** Its first and its last plane [m]. */
+  faces: [number, number];
+  /** Name of the counterweight, or "web 3". */
+  name: string;
+  /** Swept radius [m]. */
+  swept_radius: number;
+};
+
+/** What friction leaves. */
+export type Brake = {
+  /** Brake mean effective pressure [Pa]: what is left of the mean effective pressure of both sides of the pistons. */
+  bmep: number;
+  /** Brake over indicated torque [1]. */
+  efficiency: number;
+  /** Friction mean effective pressure [Pa]. */
+  fmep: number;
+  /** Brake power [W]. */
+  power: number;
+  /** Brake torque at crankshaft 1 [N m]. */
+  torque: number;
+};
+
+/** Exact cancellation: what had to vanish, and the proof that no lighter weights do it or that none can. */
+export type Cancellation = {
+  /** Every order of the task, in its order. */
+  orders: CancelledOrder[];
+  /** What was found, with its proof. */
+  verdict: CancellationVerdict;
+};
+
+/** Whether the orders can vanish together. */
+export type CancellationVerdict = {
+  /** Whether the total is a mass. */
+  is_mass: boolean;
+  kind: "vanish";
+  /** No weights that make the orders vanish have a total below `lightest.value`. */
+  lightest: Functional;
+  /** Total unbalance [kg m], or mass [kg] where every weight has a radius. */
+  total: number;
+} | {
+  kind: "cannot-vanish";
+  /** At least one, each for orders that hang together through the devices. */
+  obstructions: Obstruction[];
+};
+
+/** An order that had to vanish. */
+export type CancelledOrder = {
+  /** One order of a load. */
+  criterion: Criterion2;
+  /** The least that these devices leave of it where nothing else is asked for [N or N m]; 0 where it can vanish alone. */
+  least_alone: number;
+  /** Its peak with the answer [N or N m]: from the loads of the engine with the weights fitted, computed anew. */
+  left: number;
+  /** Its peak without the free devices [N or N m]. */
+  without: number;
+};
+
+/** A counterweight that is a part. */
+export type CheckedCounterweight = {
+  /** Its index in [`Engine::counterweights`]. */
+  index: number;
+  /** Whether it is within a hundredth of what it should be. */
+  is_met: boolean;
+  /** Its mass beyond the plain web [kg]. */
+  mass: number;
+  /** Its name. */
+  name: string;
+  /** Its polar inertia about the crank axis beyond the plain web [kg m^2]. */
+  polar_inertia: number;
+  /** Swept radius [m]. */
+  swept_radius: number;
+  /** Thickness [m]. */
+  thickness: number;
+  /** The unbalance that it has on its web [kg m]. */
+  unbalance: number;
+  /** The unbalance that it should have [kg m], if the file says so. */
+  wanted: number | null;
+};
+
+/** A weight of a balance shaft that is a part. */
+export type CheckedShaftWeight = {
+  /** Its faces along z [m], from the origin. */
+  faces: [number, number];
+  /** Whether it is within a hundredth of what it should be. */
+  is_met: boolean;
+  /** Its mass without the shaft within it [kg]. */
+  mass: number;
+  /** Its name. */
+  name: string;
+  /** Its moment of inertia about the axis of its shaft, without the shaft [kg m^2]. */
+  polar_inertia: number;
+  /** Its radius, which is the swept one [m]. */
+  radius: number;
+  /** Index of its shaft in [`Engine::shafts`]. */
+  shaft: number;
+  /** Diameter of the shaft within it [m]. */
+  shaft_diameter: number;
+  /** The unbalance that it has [kg m]. */
+  unbalance: number;
+  /** The unbalance that it should have [kg m], if the file says so. */
+  wanted: number | null;
+};
+
+/** One of the arrangements of a search. */
+export type ChosenArrangement = {
+  /** Its number among all that were examined, from 1. */
+  choice: number;
+  /** `gears` or `chain`. */
+  drive: Drive | null;
+  /** Limits as `--limit` takes them; one on what is minimised is what is good enough. */
+  limits: string[];
+  /** `force`, `couple` or `mount force`. */
+  minimise: string | null;
+  /** Most shafts, up to 4. */
+  most_shafts: number | null;
+  /** The engine file. */
+  text: string;
+};
+
+/** A design of a front. */
+export type ChosenDesign = {
+  /** What it is traded for. */
+  against: Aim;
+  /** Its number, from 1. */
+  choice: number;
+  /** How many designs, 2 to 200. */
+  count: number;
+  /** What is made small; as the file says where it is left out. */
+  minimise: Aim | null;
+  /** The engine file. */
+  text: string;
+  /** Name of the weight; without one all, if they have one duty. */
+  weight: string | null;
+};
+
+/** The narrowest place. */
+export type Clearance = {
+  /** Which parts, in words, with the crank angle for moving ones. */
+  between: string;
+  /** Distance between the two parts [m]; negative: they overlap. */
+  distance: number;
+};
+
+/** The smallest distance of a counterweight or web from an obstacle over all angles. */
+export type Clearance2 = {
+  /** Proved bound: it is nowhere smaller than this [m]. */
+  bound: number;
+  /** Smallest distance in space [m], zero where they overlap. */
+  distance: number;
+  /** Whether they stay clear of each other by what is wanted, proved. */
+  is_kept: boolean;
+  /** The obstacle. */
+  obstacle: Obstacle;
+  /** The point on the counterweight or web then (at `theta` zero where it is the same at all angles): x, y, z [m]. */
+  on_body: [number, number, number];
+  /** The point on the obstacle then [m]. */
+  on_obstacle: [number, number, number];
+  /** How they overlap, if they do. */
+  overlap: Overlap | null;
+  /**
+   * Angle of crankshaft 1 [rad] at which it is that small (where they overlap: deepest); none where it is the same at
+   * all angles.
+   */
+  theta: number | null;
+};
+
+/** All clearances of an engine's crankshafts. */
+export type Clearances = {
+  /** Big ends against the crankcase. */
+  big_ends: BigEndClearance[];
+  /** Counterweights in the engine's order, then the webs that carry none. */
+  bodies: BodyClearances[];
+  /** Whether nothing overlaps and all stay clear by what is wanted, proved. */
+  is_kept: boolean;
+  /** The clearance that is wanted to everything [m]. */
+  least: number | null;
+  /** The smallest of all; the sides of big ends count only where they overlap. */
+  smallest: Smallest | null;
+  /** [`CLEARANCE_VERSION`]. */
+  version: number;
+};
+
+/** Engines side by side. */
+export type Compared = {
+  /** The engines in the order of the answer. */
+  engines: NamedEngine[];
+  /** In what they are made equal; as they are where it is left out. */
+  equal: EqualIn | null;
+  /** What a similar engine keeps; the speed where it is left out. */
+  hold: Hold | null;
+  /** Place of the one with which the others are compared, from 0. */
+  reference: number;
+};
+
+/** One engine of a comparison, in the size in which it is compared. */
+export type Compared2 = {
+  /** Mass of the counterweights and shaft weights that are parts [kg]; `None` where one of them is a number only. */
+  added_mass: number | null;
+  /** Unbalance of all counterweights [kg m]. */
+  counterweights: number;
+  /** Largest resultant couple about the reference point [N m]. */
+  couple: number;
+  /** What most of the couple is. */
+  couple_leading: Leading | null;
+  /** Displacement [m^3], where all bores are known. */
+  displacement: number | null;
+  /** Its name. */
+  engine: string;
+  /** Largest departure of a firing interval from the even one, over it, where firing is known. */
+  firing_unevenness: number | null;
+  /** Largest resultant force of the moving masses on the block [N]. */
+  force: number;
+  /** What most of the force is. */
+  force_leading: Leading | null;
+  /** Largest force at any of its mounts, of inertia and, where it is known, of gas [N]; where block and mounts are known. */
+  mount_force: number | null;
+  /** Largest roll moment of the moving masses, either way [N m]. */
+  roll_moment: number;
+  /** Unbalance of all weights of balance shafts [kg m]. */
+  shaft_weights: number;
+  /** Number of balance shafts. */
+  shafts: number;
+  /** Its size over that of its file. */
+  similar: Similar;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** Torque of gas and inertia, where the gas is known. */
+  torque: ComparedTorque | null;
+  /** What it got in place of its own counterweights and shafts, in words. */
+  with: string | null;
+};
+
+/** Torque of gas and inertia at the speed of the comparison, and the flywheel for the lowest speed. */
+export type ComparedTorque = {
+  /** Largest excess energy [J]. */
+  excess: number;
+  /** Excess energy over the work of one period: how uneven the torque is, whatever its size. */
+  excess_share: number;
+  /** Flywheel that the true speed needs for it [kg m^2], of variable inertia; `None` where none keeps it. */
+  flywheel: number | null;
+  /** Inertia by the formula for the fluctuation of the comparison at the lowest speed [kg m^2]. */
+  inertia: number;
+  /** Smallest torque [N m]. */
+  least: number;
+  /** Mean torque at crankshaft 1 [N m]. */
+  mean: number;
+  /** Largest torque [N m]. */
+  most: number;
+  /** Net indicated power [W]. */
+  power: number;
+};
+
+/** Engines side by side. */
+export type Comparison = {
+  /** The engines in the order of the request. */
+  engines: Compared2[];
+  /** In what they were made equal. */
+  equal: Equal;
+  /** Fluctuation of the speed that the flywheels keep at the lowest speed [1]. */
+  fluctuation: number;
+  /** What they kept while they were. */
+  held: Held;
+  /** Their order by every criterion that all of them have. */
+  rankings: Ranking[];
+  /** The engine with which the others are compared, by its place. */
+  reference: number;
+  /** [`COMPARISON_VERSION`]. */
+  version: number;
+  /** What the user should know. */
+  warnings: string[];
+};
+
+/** Crankshafts, counterweights, weights of balance shafts and clearances of an engine. */
+export type CounterweightCheck = {
+  /** Clearances; none where the file names nothing to stay clear of. */
+  clearances?: Clearances | null;
+  /** Counterweights that are parts. */
+  counterweights: CheckedCounterweight[];
+  /** The crankshafts as bodies; empty where the file has no `[crank.body]`. */
+  crankshafts: CrankshaftBody[];
+  /** Name of the engine. */
+  engine: string;
+  /** Whether every counterweight and weight of a shaft has its unbalance and every clearance is kept. */
+  is_kept: boolean;
+  /** Weights of balance shafts that are parts. */
+  shaft_weights: CheckedShaftWeight[];
+  /**
+   * Where swept circles of weights of balance shafts overlap those of another shaft or of a crankshaft in one plane: whether anything
+   * meets depends on the phases.
+   */
+  swept_overlaps: SweptOverlap[];
+  /** [`COUNTERWEIGHT_CHECK_VERSION`]. */
+  version: number;
+};
+
+/** The shapes found for counterweights of an engine. */
+export type CounterweightDesigns = {
+  /** Name of the engine. */
+  engine: string;
+  /** Shapes among which they were found. */
+  task: ShapeTask;
+  /** [`COUNTERWEIGHT_DESIGNS_VERSION`]. */
+  version: number;
+  /** The weights, in the order of the engine. */
+  weights: DesignedCounterweight[];
+};
+
+/** The trade between two objectives for weights of one duty. */
+export type CounterweightFront = {
+  /** The designs. */
+  front: Front;
+  /** The room that the wanted clearance leaves, to which all swept radii are limited; none where there is nothing to stay clear of. */
+  room?: SweptRoom | null;
+  /** Indices of the weights in [`Engine::counterweights`]. */
+  weights: number[];
+};
+
+/** A counterweight of the family around the disc of its web. */
+export type CounterweightShape = {
+  /** Included angle `alpha` of the arc [rad], less than a full turn. */
+  arc_angle: number;
+  /** Radius `R` of the arc [m]. */
+  arc_radius: number;
+  /** Height `h` of the rectangle, from the crank axis [m]. */
+  rectangle_height: number;
+  /** Height `H` of the trapezoid [m]. */
+  shoulder_height: number;
+  /** Radius `r` of the web's disc, and half width of the rectangle [m]. */
+  web_radius: number;
+};
+
+/**
+ * Unbalance of something that turns with the crankshaft, as a force and as a couple.
+ *
+ * ```text
+ * U = INTEGRAL (x, y) dm      V = INTEGRAL z (x, y) dm        (book, eq. 22.50)
+ * [kg m]                      [kg m^2], about the origin of the engine
+ * ```
+ * At the angular speed `w` it pulls with `w^2 U`, and with the couple `w^2 V` of the forces at their places along z.
+ */
+export type CrankUnbalance = {
+  /** Its moment `V` along the crank [kg m^2]. */
+  couple: Point;
+  /** Static unbalance `U` [kg m]. */
+  unbalance: Point;
+};
+
+/** A crankshaft as a body. Frame: [`crate::crankshaft`]. */
+export type CrankshaftBody = {
+  /**
+   * What pieces have in common, which a sum over pieces that stand alone would count twice (eq. 22.52). Of an engine that was read
+   * from a file the part that a counterweight of the family shares with its own web is out of its weight already.
+   */
+  counted_twice: CrankUnbalance;
+  /**
+   * Mass, centre and inertia of all pieces, without point weights: about the origin of the engine on the crank axis
+   * and about the centre of mass, products of inertia with their minus sign.
+   */
+  mass: MassProperties;
+  /** Name of the crankshaft. */
+  name: string;
+  /** Weights given by number only. */
+  point_weights: PointWeight[];
+  /** Moment of inertia about the crank axis [kg m^2], without point weights. */
+  polar_inertia: number;
+  /** Its pieces along z. */
+  sections: CrankshaftSection[];
+  /** The same by throw, in the order of the file, and last what belongs to none. */
+  throws: ThrowShare[];
+  /** Unbalance of all pieces and point weights. */
+  unbalance: CrankUnbalance;
+};
+
+/** One crankshaft in both models. */
+export type CrankshaftMoments = {
+  /** Its number, from 1. */
+  crankshaft: number;
+  /** As a free beam: what its loads do not hold in balance is carried by the end mains. */
+  free_beam: BeamLoads;
+  /** Every throw held by its own two mains. */
+  throw_by_throw: BeamLoads;
+};
+
+/** A piece of the crankshaft: a journal, a pin, a web or a counterweight. */
+export type CrankshaftSection = {
+  /** Its moment `V` along the crank [kg m^2]. */
+  couple: Point;
+  /** Where it begins [m]. */
+  from: number;
+  /** What it is. */
+  kind: SectionKind;
+  /** Its mass [kg]: of a counterweight what it has beside journals, pins, webs and the counterweights before it. */
+  mass: number;
+  /** "journal 1", "pin 1", "web 1", or the name of the counterweight. */
+  name: string;
+  /** Moment of inertia about the crank axis [kg m^2]. */
+  polar_inertia: number;
+  /** Index of the throw that it belongs to; none for journals and weights beside the webs. */
+  throw: number | null;
+  /** Where it ends [m]. */
+  to: number;
+  /** Static unbalance `U` [kg m]. */
+  unbalance: Point;
+};
+
+/** What engines are compared by: less is better. */
+export type Criterion = "force" | "couple" | "roll-moment" | "mount-force" | "firing-unevenness" | "torque-unevenness" | "flywheel" | "added-unbalance" | "shafts";
+
+/** What is judged. */
+export type Criterion2 = {
+  peak: Load;
+} | {
+  order: [Load, number];
+} | "added-mass" | "added-unbalance";
+
+/** Piston, pins and rod of one cylinder. */
+export type CylinderBearings = {
+  /** Its number, from 1. */
+  cylinder: number;
+  /** Largest of its sizes over the continuous angle; `value` keeps the sign. */
+  largest_thrust: Extreme;
+  /**
+   * Rod on its lower pin, `x + i y` of the block's frame [N]: the crankpin, with all that a master's articulated rods bring, or
+   * the knuckle pin of an articulated rod. The big-end masses count.
+   */
+  lower_pin: PinLoad;
+  /** Rod on the piston pin, `u + i v` of the cylinder frame [N]. */
+  piston_pin: PinLoad;
+  /** The same on the crankpin along the throw, positive away from the crank axis [N]; empty for an articulated rod. */
+  radial: number[];
+  /** The lower pin on the rod's bearing in the rod's frame, real part along the rod towards the piston [N]. */
+  rod_frame: Array<[number, number]>;
+  /** Side thrust: piston on the cylinder wall along `v` [N]. */
+  side_thrust: number[];
+  /** And across it, positive where it drives the crankshaft [N]: torque over crank radius. Empty for an articulated rod. */
+  tangential: number[];
+};
+
+/** Loads of one cylinder. */
+export type CylinderLoads = {
+  /** Cylinder number, from 1. */
+  cylinder: number;
+  /** Its loads. */
+  loads: LoadSet;
+};
+
+/** Motion of one cylinder, over the continuous angle. */
+export type CylinderMotion = {
+  /**
+   * For an articulated rod: largest swing of the knuckle pin's line off the cylinder axis, and how its stroke and
+   * dead centres depart from those of a plain rod of the master's kind.
+   */
+  articulation: Articulation | null;
+  /** `theta` of its bottom dead centre [rad]. */
+  bottom_dead_centre: number;
+  /** Cylinder number, from 1. */
+  cylinder: number;
+  /** Firing angle: its top dead centre in the cycle [rad], where the file gives a firing. */
+  firing_angle: number | null;
+  /** Largest piston acceleration away from the crankshaft [m/s^2] (at or near bottom dead centre). */
+  max_acceleration: number;
+  /** Largest piston acceleration towards the crankshaft [m/s^2], as a positive number (at or near top dead centre). */
+  max_deceleration: number;
+  /** Largest angle of the rod from the cylinder axis [rad]. */
+  max_rod_angle: number;
+  /** Largest piston speed [m/s] at the speed of the loads. */
+  max_speed: number;
+  /** Residual inertia `m_A a^2 + m_B b^2 - I` of its rod [kg m^2]; 0 for a two-mass rod. */
+  residual_inertia: number;
+  /** Stroke [m]. */
+  stroke: number;
+  /** Distance of the piston pin from the crankshaft's axis along the cylinder at top dead centre [m]. */
+  top: number;
+  /** `theta` of its top dead centre [rad], in [0, 2 pi / |ratio|). */
+  top_dead_centre: number;
+  /** Its motion over the period of the loads. */
+  trace: MotionTrace;
+};
+
+/** Strokes of one cylinder. */
+export type CylinderStrokes = {
+  /** Cylinder number, from 1. */
+  cylinder: number;
+  /**
+   * From dead centre to dead centre, rising, over one period; the first starts at or after `theta = 0`, the last may
+   * end beyond the period.
+   */
+  strokes: StrokeSpan[];
+};
+
+/** One cylinder. */
+export type CylinderTorque = {
+  /** Clearance volume [m^3], of the compression ratio of the engine's gas; `None` where the file gives none. */
+  clearance: number | null;
+  /** Absolute pressure under the piston over the period [Pa]. */
+  crankcase: number[];
+  /** Its number, from 1. */
+  cylinder: number;
+  /** Crank angle at which it fires [rad]: its top dead centre. */
+  firing_angle: number;
+  /** Gas torque over the period [N m]. */
+  gas: number[];
+  /** Inertia torque over the period [N m]. */
+  inertia: number[];
+  /** Highest cylinder pressure [Pa] and the angle after firing [rad] at which it stands, from -half to half a working cycle. */
+  peak_pressure: Extreme;
+  /** Absolute pressure in the cylinder over the period [Pa]. */
+  pressure: number[];
+  /**
+   * Volume that the piston has left free below its top dead centre [m^3]: with `pressure` the p-V diagram, without the
+   * clearance volume.
+   */
+  volume: number[];
+  /** Work in one working cycle. */
+  work: IndicatedWork;
+};
+
+/** One damped mode: the motion `Re( shape e^{root t} )`. */
+export type DampedMode = {
+  /** Damping ratio `-Re(root) / |root|`; 1 where it does not oscillate. */
+  damping_ratio: number;
+  /** Root [1/s]: real part the rate of growth (negative), imaginary part the angular frequency [rad/s]. */
+  root: [number, number];
+  /** Shape at the centre; its largest component in the mass norm is real. */
+  shape: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
+};
+
+/** Direction in which the depth of an overlap is measured. */
+export type DepthAlong = "cylinder" | "crank" | "radius";
+
+/** A complete counterweight. */
+export type Design = {
+  /** Unbalance over full balance. */
+  balance: number;
+  /** Distance of its centre of mass from the crank axis [m]. */
+  centre: number;
+  /** Half of its largest width [m]. */
+  half_width: number;
+  /** Polar inertia about the crank axis, without the web's disc [kg m^2]. */
+  inertia: number;
+  /** Its mass, without the web's disc [kg]. */
+  mass: number;
+  /** Its shape. */
+  shape: CounterweightShape;
+  /** What each shoulder stands out, `l_c` [m]. */
+  shoulder: number;
+  /** Angle of the flank against the chord, `delta` [rad]. */
+  shoulder_angle: number;
+  /** Farthest point of web and counterweight from the crank axis [m]. */
+  swept_radius: number;
+  /** Its thickness [m]. */
+  thickness: number;
+  /** Its unbalance [kg m]. */
+  unbalance: number;
+};
+
+/** Limits on what follows from the dimensions. `None`: no limit. */
+export type DesignLimits = {
+  /** Largest half width of the counterweight, across its axis [m]. */
+  half_width: number | null;
+  /** Largest polar inertia of the counterweight about the crank axis [kg m^2]. */
+  inertia: number | null;
+  /** Largest mass [kg]. */
+  mass: number | null;
+  /** Least and largest shoulder angle `delta` [rad]. */
+  shoulder_angle: Range | null;
+  /** Least and largest trapezoid height `H` [m]. */
+  shoulder_height: Range | null;
+  /** Largest swept radius of web and counterweight [m]. */
+  swept_radius: number | null;
+};
+
+/** How the search ended. */
+export type DesignOutcome = {
+  found: Optimum;
+} | {
+  infeasible: Infeasible;
+};
+
+/** Which weights get the best shape. */
+export type DesignQuestion = {
+  /** What is made small; as the file says where it is left out. */
+  minimise: Aim | null;
+  /** The engine file. */
+  text: string;
+  /** Names of the weights; none: all on webs. */
+  weights: string[];
+};
+
+/** The best shapes. */
+export type Designed = {
+  /** As `lanchester counterweight design --format json` prints it. */
+  designs: CounterweightDesigns;
+  /** The engine file with the shapes; none where there is none. */
+  text: string | null;
+};
+
+/** A weight and the shape that was found for it. */
+export type DesignedCounterweight = {
+  /** The unbalance that is full balance [kg m]. */
+  duty: number;
+  /** What the evolutionary search found, if it was asked for. */
+  evolution?: Evolution | null;
+  /** Its index in [`Engine::counterweights`]. */
+  index: number;
+  /** Its name. */
+  name: string;
+  /** What was found. */
+  outcome: DesignOutcome;
+  /**
+   * The room that the wanted clearance leaves, where it limits the swept radius; none where the best shape of all keeps the clearance,
+   * or there is nothing to stay clear of.
+   */
+  room?: SweptRoom | null;
+  /** What of its shape the plain web has already, beyond the disc [kg m]: the shape is designed for that much more. */
+  shared: number;
+  /** With a room: what is made small, of the best shape without it [SI]. No shape that keeps the clearance has less. */
+  without_room?: number | null;
+};
+
+/** A weight. */
+export type DeviceSummary = {
+  /** Direction [rad], as the file counts it. */
+  angle: number;
+  /** Whether it is a part with a shape. */
+  has_part: boolean;
+  name: string;
+  /** Its entry in the file: `counterweight[0]`; none where the short form makes it. */
+  path: string | null;
+  /** Unbalance [kg m]. */
+  unbalance: number;
+  /** Plane [m]. */
+  z: number;
+};
+
+/** What is left to do about the loads, read off the two-sided spectrum. */
+export type Diagnosis = {
+  /** One finding a load that matters, the largest first. */
+  findings: Finding[];
+  /** The whole in one or two sentences. */
+  summary: string;
+};
+
+/** Something about the file that its author should know. */
+export type Diagnostic = {
+  /** Stable code such as `E0103`; the book lists them. */
+  code: string;
+  /** Column of the place in characters, from 1. */
+  column: number;
+  /** What to do. */
+  hint: string | null;
+  /** What stands at the place, a few words; may be empty. */
+  label: string;
+  /** Line of the place, from 1. */
+  line: number;
+  /** What was needed and what was got. */
+  message: string;
+  /** Other places that matter. */
+  related: Related[];
+  /** Error or warning. */
+  severity: Severity;
+  /** Place in the text, in bytes. */
+  span: Range_of_uint;
+};
+
+/** Least and largest value of each dimension, of the file's `[counterweight_design]`. */
+export type DimensionRanges = {
+  arc_angle: [number, number];
+  arc_radius: [number, number];
+  rectangle_height: [number, number];
+  /** Where the file gives the height, not the angle, of the shoulder. */
+  shoulder_height: [number, number] | null;
+  thickness: [number, number];
+  web_radius: [number, number];
+};
+
+/** Dimensions of a shape of the family [m], [rad]. */
+export type Dimensions = {
+  /** Included angle `alpha` of the arc [rad], less than a full turn. */
+  arc_angle: number;
+  /** Radius `R` of the arc [m]. */
+  arc_radius: number;
+  /** Height `h` of the rectangle, from the crank axis [m]. */
+  rectangle_height: number;
+  /** Height `H` of the trapezoid [m]. */
+  shoulder_height: number;
+  /** Thickness along the crank [m]. */
+  thickness: number;
+  /** Radius `r` of the web's disc, and half width of the rectangle [m]. */
+  web_radius: number;
+};
+
+export type Drive = "gears" | "chain";
+
+/** Two gears that mesh, or two sprockets that a chain or belt joins. */
+export type DriveLink = {
+  /** Whether a chain or belt joins them. */
+  chain: boolean;
+  /** Index of the driven gear. */
+  driven: number;
+  /** Index of the driving gear. */
+  driver: number;
+};
+
+/** Gears (and chains or belts) between crank and shafts. */
+export type DriveTrain = {
+  /** Every gear, idlers too. */
+  gears: Gear[];
+  /** Every mesh, chain or belt. */
+  links: DriveLink[];
+  /** Gear planes beyond the end of the crank. */
+  planes: number;
+};
+
+/** A change of one key. */
+export type Edit = {
+  /**
+   * Keys and indices down to the value: `crank.stroke`, `counterweight[0].unbalance`. The index behind the last entry of a
+   * list adds one; tables on the way that are not there come to be.
+   */
+  path: string;
+  /**
+   * The new value; `null` takes the key, the table or the entry of a list out. The keys of an object are set one by one,
+   * those that it does not name stay.
+   */
+  value: unknown;
+};
+
+/** A text, and what is to be changed in it first. */
+export type EditedText = {
+  /** Keys that change, one after the other. */
+  edits: Edit[];
+  /** The engine file. */
+  text: string;
+};
+
+/** A criterion before and after. */
+export type Effect = {
+  /** With the answer [SI unit]. */
+  after: number;
+  /** As the engine file stands [SI unit]. */
+  before: number;
+  /** Which. */
+  criterion: Criterion2;
+  /** Without the free weights (those that they replace left out) [SI unit]. */
+  without: number;
+};
+
+/** Accumulated energy of a torque over its period. */
+export type EnergyVariation = {
+  /** Integral of `|T - T_mean|` over the own period [J], eq. (25.3), as the twin thesis counts it. */
+  absolute: number;
+  /** Largest excess energy [J], eq. (25.2). */
+  excess: number;
+  /** Crank angle [rad] at which the accumulated energy is highest: there the crank turns fastest. */
+  highest: number;
+  /** Crank angle [rad] at which it is lowest. */
+  lowest: number;
+  /** Mean torque [N m]. */
+  mean: number;
+  /** Own period of the torque [rad]: the shortest after which it repeats. */
+  own_period: number;
+};
+
+/** The engine in short. */
+export type EngineSummary = {
+  counterweights: DeviceSummary[];
+  cylinders: number;
+  /** Swept volume [m^3]; 0 where a bore is not known. */
+  displacement: number;
+  has_balance: boolean;
+  has_bearings: boolean;
+  has_crank_body: boolean;
+  has_envelope: boolean;
+  has_gas: boolean;
+  has_mounts: boolean;
+  has_shape_task: boolean;
+  /** Highest speed [rad/s]. */
+  highest_speed: number;
+  /** The word of the file's layout; empty for an engine in its general form. */
+  layout: string;
+  /** Lowest speed [rad/s]. */
+  lowest_speed: number;
+  name: string;
+  /** Angle of crankshaft 1 after which the firing repeats [rad]. */
+  period: number;
+  shafts: ShaftSummary[];
+  strokes: number;
+};
+
+/** A text. */
+export type EngineText = {
+  /** The engine file. */
+  text: string;
+};
+
+/** In what engines are made equal before they are compared. */
+export type Equal = "as-they-are" | "displacement" | "power";
+
+export type EqualIn = "displacement" | "power";
+
+/** What an evolutionary search came to. */
+export type Evolution = {
+  /** The best design that it met within all limits; none if it met none, which does not show that there is none. */
+  best: Evolved | null;
+  /** Designs that it looked at. */
+  evaluations: number;
+  /** How many of them met all limits. */
+  feasible: number;
+  /** What was made small. */
+  objective: Objective;
+  /** Whether it is proved that no design is better: never, since such a search knows no bound. */
+  proved: boolean;
+  /** Seed of its random numbers: the same seed gives the same design. */
+  seed: number;
+  /** [`DESIGN_VERSION`]. */
+  version: number;
+};
+
+/** The best design of an evolutionary search. */
+export type Evolved = {
+  /** The design. */
+  design: Design;
+  /** After how many designs it was found. */
+  found_after: number;
+  /** Its value of the objective [SI]. */
+  value: number;
+};
+
+/** What is exported. */
+export type ExportQuestion = {
+  /** The kind of file. */
+  format: Format;
+  /** The engine file. */
+  text: string;
+  /** Name of one counterweight; without it the first crankshaft with the balance shafts around it. */
+  weight: string | null;
+};
+
+/** An extreme and where it is. */
+export type Extreme = {
+  /** Crank angle [rad] of the first place that attains it, in one period. */
+  theta: number;
+  /** Value [N] or [N m]. */
+  value: number;
+};
+
+/** Largest and smallest value of one quantity over the period. */
+export type Extremes = {
+  /** Largest value. */
+  max: Extreme;
+  /** Smallest value. */
+  min: Extreme;
+};
+
+/** A figure of the report. */
+export type FigureSvg = {
+  caption: string;
+  /** Name for files. */
+  id: string;
+  /** A file of its own. */
+  svg: string;
+  title: string;
+};
+
+/** A value of the file and where it stands. */
+export type FileEntry = {
+  /** Keys and indices down to it: `crank.stroke`, `cylinder[1].piston.mass`. */
+  path: string;
+  /** Its place in the text, in bytes. */
+  span: Range_of_uint;
+  /** The value as it is written, units and all. */
+  value: unknown;
+};
+
+/** An engine file as it stands in the folder. */
+export type FileState = {
+  /** Its name in the folder. */
+  name: string;
+  /** Tells one text from another. */
+  revision: string;
+  /** Its text. */
+  text: string;
+};
+
+/** One load of the spectrum, with its remedy. */
+export type Finding = {
+  /** Amplitude [N] or [N m]. */
+  amplitude: number;
+  /** Order. */
+  order: number;
+  /** Force, couple or roll moment. */
+  quantity: Quantity;
+  /** What can remove it. */
+  remedy: Remedy;
+  /** Sense. */
+  sense: Sense;
+  /** The finding as a sentence with numbers and units. */
+  text: string;
+};
+
+/** One firing. */
+export type Firing = {
+  /** Cylinder number, from 1. */
+  cylinder: number;
+  /** Angle [rad] to the next firing; 0 where the next cylinder fires together with this one. */
+  interval: number;
+  /** Crank angle [rad] in the period. */
+  theta: number;
+  /** Direction in which its crankpin stands on its crankshaft [rad], from throw 1. */
+  throw_angle: number;
+};
+
+/** Firing of an engine over one period. */
+export type FiringChart = {
+  /** Strokes of every cylinder over the period. */
+  cylinders: CylinderStrokes[];
+  /** Interval of even firing [rad]: period over number of firings. */
+  even_interval: number;
+  /** Firings in their sequence, from the first at or after `theta = 0`; cylinders that fire together stand by number. */
+  firings: Firing[];
+  /** Period [rad] of crankshaft 1: a whole number of working cycles of every crankshaft. */
+  period: number;
+  /**
+   * Size of the sum of unit vectors `e^{i n theta_f}` over all firings, over their number, for the orders `n` = 1/2, 1, 3/2 ..
+   * (two-stroke: 1, 2, ..): 1 where all cylinders add up (major orders), 0 where they cancel.
+   */
+  stars: FiringStar[];
+  /** Strokes in a working cycle. */
+  strokes: Strokes;
+  /**
+   * Largest departure of an interval from the even one, over the even one: 0 is even, 1 is two cylinders firing
+   * together or an interval of twice the even length.
+   */
+  unevenness: number;
+};
+
+/** How far equal cylinders add up in one order. */
+export type FiringStar = {
+  /** Order. */
+  order: number;
+  /** From 0 to 1. */
+  share: number;
+};
+
+/** A flywheel for a wanted fluctuation. */
+export type FlywheelNeed = {
+  /** Inertia of everything by the formula `J = dE / (C_s w^2)` [kg m^2], book, eq. 25.4. */
+  by_formula: number;
+  /** Wanted fluctuation `C_s = (w_max - w_min) / w_mean` [1]. */
+  fluctuation: number;
+  /**
+   * Flywheel with which the true speed, of variable inertia, just keeps the fluctuation [kg m^2]; 0 where none is needed,
+   * `None` where none up to half a million times the formula's keeps it.
+   */
+  flywheel: number | null;
+  /** Flywheel by the formula [kg m^2]: what is left, not below zero. */
+  flywheel_by_formula: number;
+  /** Mean speed at which it is kept [rad/s]. */
+  speed: number;
+  /** Mean inertia that the train has without its flywheel [kg m^2]. */
+  train: number;
+};
+
+export type Format = "step" | "stl" | "glb" | "dxf" | "svg";
+
+/** A free inertia of the answer. */
+export type FoundInertia = {
+  /** Its inertia [kg m^2]; 0 if it is not used. */
+  inertia: number;
+  /** Its name in the task. */
+  name: string;
+  /** The share of the crank train's roll moment that is left with it. */
+  roll_share: number;
+};
+
+/** A limit of the answer. */
+export type FoundLimit = {
+  /** Its criterion, if it is one. */
+  criterion: Criterion2 | null;
+  /** The limit, in SI units. */
+  most: number;
+  /**
+   * Price: how much the first stage that this limit holds up would fall if the limit were one SI unit wider, e.g.
+   * N per kg m; 0 for a limit that does not matter. Of a choice that was searched for it is the price with that
+   * choice kept: devices used, places, directions of given and least amounts.
+   */
+  price: number;
+  /** What was reached. */
+  value: number;
+  /** What is limited: a criterion, the largest amount of a weight, a position. */
+  what: string;
+};
+
+/** A free shaft of the answer. */
+export type FoundShaft = {
+  /** Its name in the task. */
+  name: string;
+  /** Whether it is used. */
+  used: boolean;
+  /** Position of its axis [m]. */
+  x: number;
+  /** Position of its axis [m]. */
+  y: number;
+};
+
+/** What a stage reached, and the proof that nothing better exists. */
+export type FoundStage = {
+  /** The parts of the cycle that hold the optimum up; none where the stage vanishes. */
+  active: Active[];
+  /** `value - lower_bound`. */
+  gap: number;
+  /** No choice of these devices that holds the limits goes below this. */
+  lower_bound: number;
+  /** Each term's criterion and true value. */
+  terms: Array<[Criterion2, number]>;
+  /** The sum of weight times criterion, its true value over the continuous cycle. */
+  value: number;
+};
+
+/** A free weight of the answer. */
+export type FoundWeight = {
+  /** Its mass [kg], where the task gives its radius. */
+  mass: number | null;
+  /** Its name in the task. */
+  name: string;
+  /** Its unbalance [kg m]: modulus = amount, argument = direction at `theta = 0` in the engine's frame. */
+  unbalance: [number, number];
+  /** Whether it is used. */
+  used: boolean;
+  /** Its plane [m]. */
+  z: number;
+};
+
+/** Which weights are free. */
+export type Free = "devices" | "balance" | "file" | "throws" | "webs" | "none";
+
+/**
+ * An inertia geared to turn against crankshaft 1 (Heron flywheel, geared alternator): with the crank train free to
+ * follow its torque it takes part of the roll moment.
+ */
+export type FreeInertia = {
+  /** Inertia of everything that turns with crankshaft 1 [kg m^2], flywheel included. */
+  crank_inertia: number;
+  /** Largest inertia [kg m^2]. */
+  most: number | null;
+  /** Name for tables. */
+  name: string;
+  /** Whether it may be left out. */
+  optional: boolean;
+  /** Its speed over that of crankshaft 1, as a positive number: it turns the other way. */
+  ratio: number;
+};
+
+/** A balance shaft that may be fitted. */
+export type FreeShaft = {
+  /** Name for tables and for the engine file. */
+  name: string;
+  /** Whether it may be left out. */
+  optional: boolean;
+  /** Speed over that of crankshaft 1, signed. */
+  ratio: Ratio;
+  /** Position of its axis [m]. */
+  x: Place2;
+  /** Position of its axis [m]. */
+  y: Place2;
+};
+
+/** An unbalance that is to be found: `U = amount e^{i phase}` at `theta = 0`, in the engine's frame. */
+export type FreeWeight = {
+  /** Least amount [kg m], 0 or more. An optional weight is either left out or has at least this. */
+  least: number;
+  /** Largest amount [kg m]; equal to `least` for a given amount. */
+  most: number | null;
+  /** Name for tables and for the engine file. */
+  name: string;
+  /** Whether it may be left out. */
+  optional: boolean;
+  /** Direction at `theta = 0` in the engine's frame (crankshaft phase included). */
+  phase: Phase;
+  /** Distance of its centre of gravity from the axis it turns about [m]: its mass is amount over radius. */
+  radius: number | null;
+  /** What it sits on. */
+  seat: Seat;
+  /** Plane [m], from the origin. */
+  z: Place2;
+};
+
+/** The front between two objectives, from the least of the first to the least of the second. */
+export type Front = {
+  /** Boxes of all searches. */
+  boxes: number;
+  /** The designs; empty where no shape meets all limits. */
+  designs: Design[];
+  /** The two objectives. */
+  objectives: [Objective, Objective];
+  /**
+   * Whether for every design it is proved that the first objective cannot be less by more than
+   * [`super::PROVED_GAP`] of it, where the second is no larger.
+   */
+  proved: boolean;
+  /** [`DESIGN_VERSION`]. */
+  version: number;
+};
+
+/** The trade between two aims. */
+export type FrontQuestion = {
+  /** What it is traded for. */
+  against: Aim;
+  /** How many designs, 2 to 200. */
+  count: number;
+  /** What is made small; as the file says where it is left out. */
+  minimise: Aim | null;
+  /** The engine file. */
+  text: string;
+  /** Name of the weight; without one all, if they have one duty. */
+  weight: string | null;
+};
+
+/**
+ * A linear functional of the orders, `SUM over terms of Re( conj(factor) * -amount )`: what it says of every choice of
+ * the devices.
+ *
+ * With `a_k(U)` what the devices add to the orders, the orders vanish where `a_k(U) = -amount_k`. Let `y` be the
+ * factors. A weight of amount 1 changes `SUM Re( conj(y_k) a_k )` by no more than its pull `|(A^H y)_i|`. So
+ *
+ * ```text
+ * SUM of cost_i |U_i|  >=  Re( y^H b ) - SUM of charges      if no pull passes the weight's cost by more than its charge pays for
+ * ```
+ * With costs of 1 (of 1 / radius for masses) this bounds the total; with costs of 0 a value above 0 proves that no `U`
+ * makes the orders vanish.
+ */
+export type Functional = {
+  /**
+   * What weights with a largest amount, and inertias, can do against it at most: name and amount, in the unit of the
+   * value.
+   */
+  charges: Array<[string, number]>;
+  /**
+   * Largest pull of a weight without a largest amount: over its cost (at most 1) where the total is bounded; over the
+   * most that factors of the same size could pull (0 to rounding) for an obstruction.
+   */
+  largest_pull: number;
+  /** Its terms. */
+  terms: FunctionalTerm[];
+  /** Sum of the terms less the charges [kg m or kg; 1 for an obstruction]. */
+  value: number;
+};
+
+/** One part of one order in a functional. */
+export type FunctionalTerm = {
+  /** The part without the free devices [N or N m]. */
+  amount: [number, number];
+  /** One order of a load. */
+  criterion: Criterion2;
+  /** `y`: value of the functional per N or N m. */
+  factor: [number, number];
+  /** Which part of it. */
+  sense: OrderSense;
+};
+
+/** A gear or sprocket. */
+export type Gear = {
+  /** Pitch diameter [m]. */
+  pitch_diameter: number;
+  /** Gear plane, from 1 at the end of the crank outwards. */
+  plane: number;
+  /** Speed over that of crankshaft 1, signed. */
+  ratio: number;
+  /** What it sits on. */
+  seat: GearSeat;
+  /** Position of its axis [m]. */
+  x: number;
+  /** Position of its axis [m]. */
+  y: number;
+};
+
+/** What a gear sits on. */
+export type GearSeat = "crank" | {
+  shaft: number;
+} | "idler";
+
+/** What a similar engine keeps of the original. */
+export type Held = "speed" | "piston-speed";
+
+export type Hold = "speed" | "piston-speed";
+
+/** Indicated numbers: from the pressures alone, net (the whole working cycle, pumping included), without friction. */
+export type Indicated = {
+  /** Mean effective pressure of what is under the pistons [Pa], positive where it takes work from the crank. */
+  crankcase_mep: number;
+  /** Swept volume of all cylinders [m^3], of their true strokes. */
+  displacement: number;
+  /** Mean effective pressure of the gas in the cylinders, net [Pa]: their work over the swept volume. */
+  imep: number;
+  /** Mean piston speed of the fastest cylinder [m/s]: two strokes a revolution. */
+  mean_piston_speed: number;
+  /** Highest cylinder pressure of all cylinders [Pa], absolute. */
+  peak_pressure: number;
+  /** Power [W]: mean torque times speed. */
+  power: number;
+  /** Mean torque at crankshaft 1 [N m]. */
+  torque: number;
+  /** Torque a unit of mean effective pressure [m^3]: swept volumes over the angles of their cycles, at crankshaft 1. */
+  torque_per_mep: number;
+};
+
+/** Work of one cylinder in one working cycle [J], by routes that share no quadrature. */
+export type IndicatedWork = {
+  /** Of the force that the rods pass to the crankpin, through side thrust and rod, with the exact lever. */
+  by_rods: number;
+  /** Of the torque, over the crank angle. */
+  by_torque: number;
+  /** Of the pressures over the volume: from their orders and those of the travel. */
+  by_volume: number;
+  /** What is under the piston, negative where it takes work from the crank. */
+  crankcase: number;
+  /** Of the gas in the cylinder alone; net. */
+  cylinder: number;
+  /** That between the bottom dead centres around firing: compression and power; gross. */
+  gross: number;
+  /** Swept volume [m^3]. */
+  swept: number;
+};
+
+/** Why there is no design. */
+export type Infeasible = {
+  /** For each limit the nearest value that can be met while all others hold; none is listed that cannot help alone. */
+  nearest: NearestLimit[];
+  /** Whether every box was refuted; otherwise a design may have been overlooked. */
+  proved: boolean;
+};
+
+/** Shear forces and bending moments of all crankshafts at one speed. */
+export type InternalMoments = {
+  /** Whether the weights on the crankshafts count. */
+  counterweights: boolean;
+  /** By crankshaft; one without throws is left out. */
+  crankshafts: CrankshaftMoments[];
+  /** Period [rad] of crankshaft 1. */
+  period: number;
+  /** Share of the reciprocating forces that counts. */
+  reciprocating_share: number;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** Crank angle of crankshaft 1 [rad] of every trace, from 0, one period, end point excluded. */
+  theta: number[];
+  /** [`INTERNAL_VERSION`]. */
+  version: number;
+};
+
+/** What is judged. */
+export type Judged = "force" | "couple" | "mount-force";
+
+/** A key of the engine file. */
+export type KeyInfo = {
+  /** The words or numbers that may stand; empty for any. */
+  choices: string[];
+  /** One or two sentences. */
+  doc: string;
+  /** A value as it stands in a file. */
+  example: string;
+  /**
+   * `text`, `flag`, `whole`, `number`, `choice`, `quantity`, `share`, `ratio`, `list`, `table` or `tables`; `quantities` where one
+   * quantity or several may stand.
+   */
+  kind: string;
+  /** Layout types for which it means something; empty for all. */
+  layouts: string[];
+  /** Its name. */
+  name: string;
+  /** Whether it must be given. */
+  required: boolean;
+  /** What is due, for messages: "a length with its unit". */
+  wanted: string;
+};
+
+/** A table of the engine file. */
+export type KeyTable = {
+  /** What it describes. */
+  doc: string;
+  /** Its keys. */
+  keys: KeyInfo[];
+  /** Where it stands: `crank`, `gas.cycle`, `cylinder[]` for the entries of a list; empty for the file itself. */
+  path: string;
+};
+
+/** The order that most of a load is. */
+export type Leading = {
+  /** Share of it that turns with the crank, from 0 to 1. */
+  forward: number;
+  /** Order. */
+  order: number;
+  /** Largest resultant of this order alone, in the unit of the load. */
+  size: number;
+};
+
+/** Lever with which the force along the cylinder axis turns the crank. */
+export type Lever = "exact" | "sine";
+
+/** A criterion that must not pass a value. */
+export type Limit = {
+  /** What. */
+  criterion: Criterion2;
+  /** Largest value, in the criterion's SI unit. */
+  most: number;
+};
+
+/** A limit of a task. */
+export type Limit2 = "mass" | "swept-radius" | "inertia" | "thickness" | "half-width" | "balance";
+
+/** A load over the cycle whose largest amount is judged; about the origin. */
+export type Load = "force" | "force-x" | "force-y" | "couple" | "couple-x" | "couple-y" | "roll-moment" | {
+  "mount-force": number;
+} | "largest-mount-force" | "bending-moment";
+
+/** Loads of the whole engine, of one kind of part, or of one cylinder. */
+export type LoadSet = {
+  /**
+   * By order, rising: all whole orders asked for, also the vanishing ones, and the fractions that geared crankshafts
+   * and shafts bring.
+   */
+  orders: OrderLoads[];
+  /** Extremes over the continuous angle (or over the grid, where one was asked for). */
+  peaks: Peaks;
+  /** Over one period. */
+  trace: Trace;
+};
+
+/** Loads of an engine at one speed. */
+export type Loads = {
+  /** By cylinder: its piston, rod and (shared among the rods of the throw) its share of the crank throw. */
+  cylinders: CylinderLoads[];
+  /** What the spectrum means, in words. */
+  diagnosis: Diagnosis;
+  /** Name of the engine. */
+  engine: string;
+  /** Which motion was used: exact, or a truncated series. */
+  kinematics: string;
+  /** Motion of every cylinder. */
+  motion: CylinderMotion[];
+  /** By kind of part, only the kinds that the engine has. */
+  parts: PartLoads[];
+  /** Period of the loads [rad] of crankshaft 1: 2 pi times a whole number. */
+  period: number;
+  /** Point that couples and roll moment are about [m]: x, y, z in the frame. */
+  reference: [number, number, number];
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** The whole engine. */
+  total: LoadSet;
+  /** [`RESULT_VERSION`]. */
+  version: number;
+};
+
+/** A main bearing. */
+export type MainBearing = {
+  /** Number of its crankshaft, from 1. */
+  crankshaft: number;
+  /**
+   * Bearing on the journal in the journal's frame: real part along throw 1 of its crankshaft, imaginary part a quarter turn on in
+   * the sense of increasing angles [N].
+   */
+  journal_frame: Array<[number, number]>;
+  /** Journal on the bearing, `x + i y` of the block's frame [N]. */
+  load: PinLoad;
+  /** Its number on that crankshaft, from 1. */
+  main: number;
+  /** Its plane [m], from the origin. */
+  z: number;
+};
+
+/** A main bearing. */
+export type MainLoad = {
+  /** Largest load over the cycle [N]. */
+  largest: Extreme;
+  /** Load of the shaft on the bearing `N_x + i N_y` [N] over the cycle. */
+  load: Array<[number, number]>;
+  /** Its number from the free end, from 1. */
+  main: number;
+  /** Its plane [m], from the origin. */
+  z: number;
+};
+
+/** Mass properties of a solid. */
+export type MassProperties = {
+  /** Centre of mass [m]: in the plane as [`Point`], and along the crank axis. */
+  centre: [number, number, number];
+  /** Inertia tensor about the point of the crank axis at z = 0 [kg m^2]; the products stand with their minus sign. */
+  inertia_about_axis: [[number, number, number], [number, number, number], [number, number, number]];
+  /** Inertia tensor about the centre of mass, along the same axes [kg m^2]. */
+  inertia_about_centre: [[number, number, number], [number, number, number], [number, number, number]];
+  /** Mass [kg]. */
+  mass: number;
+  /** Unbalance: mass times distance of its centre from the crank axis, as a vector [kg m]. */
+  unbalance: Point;
+};
+
+/** How an optimum was found. */
+export type Method = {
+  kind: "convex";
+  /** Cone programmes solved until the angles were refined. */
+  solves: number;
+} | {
+  kind: "branch-and-bound";
+  /** Boxes of choices examined. */
+  nodes: number;
+  /** Cone programmes solved. */
+  solves: number;
+};
+
+/** Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`]. */
+export type MotionTrace = {
+  /** Acceleration of the piston away from the crankshaft [m/s^2], of the kinematics asked for. */
+  acceleration: number[];
+  /** Distance `s` of the piston pin from the crankshaft's axis along the cylinder [m], always exact. */
+  position: number[];
+  /**
+   * Angle `beta` of the rod from the cylinder axis [rad], positive where its big end stands towards +v; always
+   * exact.
+   */
+  rod_angle: number[];
+  /** Crank angle of crankshaft 1 [rad], from 0, one period of the loads, end point excluded. */
+  theta: number[];
+  /** Velocity of the piston away from the crankshaft [m/s], of the kinematics asked for. */
+  velocity: number[];
+};
+
+/** One mount at rest. Forces are those of the block on the mount. */
+export type MountAtRest = {
+  /** Deflection [m]. */
+  deflection: [number, number, number];
+  /** Force [N]: the sum of the three shares. */
+  force: [number, number, number];
+  /** Share of gravity [N]. */
+  gravity: [number, number, number];
+  /** Name. */
+  name: string;
+  /** Deflection along the mount's own three directions [m]. */
+  own_deflection: [number, number, number];
+  /** The force along the mount's own three directions [N]. */
+  own_force: [number, number, number];
+  /** Share of the preloads of all mounts [N]. */
+  preload: [number, number, number];
+  /** Share of the driveline's torque [N]. */
+  torque: [number, number, number];
+};
+
+/** One undamped mode. */
+export type MountMode = {
+  /**
+   * Natural angular frequency [rad/s]. With a table of stiffness over frequency it is the one at which the stiffness is
+   * that of the table there.
+   */
+  angular_frequency: number;
+  /** What is not in that coordinate: 1 minus its share. */
+  coupling: number;
+  /**
+   * Share of the kinetic energy in each coordinate; they add up to 1. One can be negative where a product of inertia
+   * couples two rotations.
+   */
+  energy: [number, number, number, number, number, number];
+  /** Coordinate with the largest share, an index into [`COORDINATES`]. */
+  main: number;
+  /** Share of the elastic energy in each mount; they add up to 1. */
+  mount_energy: number[];
+  /**
+   * Shape: displacement of the centre [m] and rotation [rad], with `shape^T M shape = 1 kg m^2`; its largest energy
+   * share moves in the positive sense.
+   */
+  shape: [number, number, number, number, number, number];
+};
+
+/** Natural motions of the block. */
+export type MountModes = {
+  /** Damped modes, rising by `|root|`. More than six where some are overdamped. */
+  damped: DampedMode[];
+  /** Undamped modes, rising. */
+  modes: MountMode[];
+  /** Centre of stiffness of the mounts at rest. */
+  stiffness_centre: StiffnessCentre;
+  /** Line about which the free block turns under a torque about z: the torque-roll axis. */
+  torque_roll_axis: AxisLine;
+};
+
+/** Forces at the mounts and motion of the block against speed, by order. */
+export type MountResponse = {
+  /** Mounts whose table of stiffness does not reach all frequencies of the excitation. */
+  beyond_table: BeyondTable[];
+  /** The block's centre [m]. */
+  centre: [number, number, number];
+  /** Names of the mounts. */
+  mounts: string[];
+  /** One entry a speed, as they were asked for. */
+  speeds: SpeedResponse[];
+  /** [`MOUNT_RESULT_VERSION`]. */
+  version: number;
+};
+
+/** The block at rest under gravity and mean torque. */
+export type MountStatics = {
+  /** Displacement of the centre [m] and rotation [rad] from the position of the file. */
+  motion: [number, number, number, number, number, number];
+  /** One entry a mount. */
+  mounts: MountAtRest[];
+};
+
+/** All that is told of an engine on its mounts. */
+export type MountStudy = {
+  /** At rest. */
+  at_rest: MountStatics;
+  /** The body that moves. */
+  body: MountedBody;
+  /** Name of the engine. */
+  engine: string;
+  /** What shakes it, in words. */
+  excitation: string;
+  /** Natural motions. */
+  modes: MountModes;
+  /** Motion of the points asked for, against speed, by order. */
+  points: PointMotion[];
+  /** Against speed, by order. */
+  response: MountResponse;
+  /** What all mounts together pass on, against frequency. */
+  transmissibility: Transmissibility;
+  /** [`MOUNT_RESULT_VERSION`]. */
+  version: number;
+  /** What the user should know of that. */
+  warnings: string[];
+};
+
+/** An engine on its mounts. */
+export type Mounted = {
+  /** Speeds over the range of the engine. */
+  steps: number | null;
+  /** The engine file. */
+  text: string;
+};
+
+/** The body that moves: the file's block, with pistons and rods where they are to be added. */
+export type MountedBody = {
+  /** Of it pistons and rods that were added [kg]. */
+  added_mass: number;
+  /** Centre of mass [m]. */
+  centre: [number, number, number];
+  /** Inertia tensor about the centre [kg m^2]. */
+  inertia: [[number, number, number], [number, number, number], [number, number, number]];
+  /** Mass [kg]. */
+  mass: number;
+};
+
+/** An engine under a name of its own. */
+export type NamedEngine = {
+  /** What it is called in the answer. */
+  name: string;
+  /** The engine file. */
+  text: string;
+};
+
+/** The best where nobody reaches the limit. */
+export type Nearest = {
+  /** Index of the arrangement there. */
+  arrangement: number;
+  /** How close it comes, in words. */
+  reason: string;
+  /** What it leaves, in the criterion's SI unit. */
+  residual: number;
+  /** Index of its spacing. */
+  spacing: number;
+};
+
+/** A limit that would have to give way, with the value at which a design exists. */
+export type NearestLimit = {
+  /** Its value in the task [SI]. */
+  asked: number;
+  /** Which limit. */
+  limit: Limit2;
+  /** The nearest that can be met [SI]. */
+  nearest: number;
+};
+
+/** A text as an answer. */
+export type NewText = {
+  /** The engine file. */
+  text: string;
+};
+
+/** What is made as small as possible. */
+export type Objective = "mass" | "swept-radius" | "inertia" | "thickness";
+
+/** What a counterweight or web must stay clear of. Cylinders count from 1. */
+export type Obstacle = {
+  kind: "crankcase";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "piston";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "liner";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "rod";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "big-end-side";
+};
+
+/** Why orders cannot vanish. */
+export type Obstruction = {
+  /** The proof: this functional is 1 with or without the devices, and would be 0 or less if the orders vanished. */
+  functional: Functional;
+  /** In words, with numbers and units. */
+  reason: string;
+};
+
+/** Which file is opened. */
+export type OpenFile = {
+  /** Its name in the folder. */
+  name: string;
+};
+
+/** The best design and its proof. */
+export type Optimum = {
+  /** What no design can get below, rounding apart [SI]; zero where the proof was broken off. */
+  bound: number;
+  /** Boxes of the search. */
+  boxes: number;
+  /** The design. */
+  design: Design;
+  /** What was made small. */
+  objective: Objective;
+  /** Whether every box of the search was refuted. */
+  proved: boolean;
+  /** Its value of the objective [SI]. */
+  value: number;
+  /** [`DESIGN_VERSION`]. */
+  version: number;
+};
+
+/**
+ * One order of the loads.
+ *
+ * `F_x + i F_y = SUM over orders ( force_forward e^{i n theta} + force_backward e^{-i n theta} )`, the couple
+ * `M_x + i M_y` alike; order 0 has its whole mean in `*_forward`. Roll moment and torque are
+ * `Re( SUM roll_moment e^{i n theta} )`: their modulus is the amplitude.
+ */
+export type OrderLoads = {
+  /** Part of the couple that turns against the crank [N m]. */
+  couple_backward: [number, number];
+  /** Part of the couple that turns with the crank [N m]. */
+  couple_forward: [number, number];
+  /** Part of the force that turns against the crank [N]. */
+  force_backward: [number, number];
+  /** Part of the force that turns with the crank [N]. */
+  force_forward: [number, number];
+  /** Order: cycles per revolution of crankshaft 1, not negative; fractions come from geared crankshafts. */
+  order: number;
+  /** Roll moment [N m], modulus = amplitude. */
+  roll_moment: [number, number];
+  /** Shaft torque [N m], modulus = amplitude. */
+  shaft_torque: [number, number];
+};
+
+/** Response to one order at one speed. */
+export type OrderResponse = {
+  /** Force of the block on each mount [N]. */
+  forces: Array<[[number, number], [number, number], [number, number]]>;
+  /** Load on the block: force [N] and moment about its centre [N m]. */
+  load: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
+  /** Displacement of the centre [m] and rotation [rad]. */
+  motion: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
+  /** Order. */
+  order: number;
+  /** The same if the mounts were stiff, in the proportions of their static stiffness: the load shared as at rest [N]. */
+  stiff_forces: Array<[[number, number], [number, number], [number, number]]>;
+  /** All mounts together: force [N] and moment about the block's centre [N m]. */
+  transmitted: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
+};
+
+/** A part of one order of a load. */
+export type OrderSense = "forward" | "backward" | "alternating";
+
+/** Whether there is an optimum. */
+export type Outcome = {
+  kind: "optimal";
+} | {
+  /**
+   * The smallest value that each limited criterion can reach if the other limits are dropped, in the order of
+   * the task's limits.
+   */
+  closest: number[];
+  kind: "infeasible";
+  /** The reason in words, with numbers and units. */
+  reason: string;
+  /** How far every limit must be relaxed together, as a factor of it, until they can just be reached; above 1. */
+  relaxation: number;
+} | {
+  kind: "cannot-vanish";
+  /** The reason in words, with numbers and units. */
+  reason: string;
+} | {
+  kind: "stopped";
+  /** Why. */
+  reason: string;
+};
+
+/** Two bodies that overlap. */
+export type Overlap = {
+  /** In which direction. */
+  along: DepthAlong;
+  /**
+   * Ranges of the angle of crankshaft 1 [rad] at which they do, first and last; one that runs over the end of the period
+   * ends beyond it.
+   */
+  angles: Array<[number, number]>;
+  /** How deep [m]. */
+  depth: number;
+  /** It is nowhere deeper than this [m]. */
+  depth_bound: number;
+};
+
+/** Which moving parts a load comes from. */
+export type Part = "rotating" | "reciprocating" | "rod-inertia" | "counterweights" | "shafts";
+
+/** Loads of one kind of part. */
+export type PartLoads = {
+  /** Its loads. */
+  loads: LoadSet;
+  /** Which. */
+  part: Part;
+};
+
+/** An extreme along the shaft and over the cycle. */
+export type Peak = {
+  /** Crank angle [rad] in one period; 0 where it is the same at every angle. */
+  theta: number;
+  /** Value [N] or [N m]. */
+  value: number;
+  /** Its plane [m], from the origin; a shear force acts just behind it. The first that attains it. */
+  z: number;
+};
+
+/** Extremes of every quantity of a [`LoadSet`]. */
+export type Peaks = {
+  /** Resultant couple `|M_x + i M_y|`. */
+  couple: Extremes;
+  /** Couple about x. */
+  couple_x: Extremes;
+  /** Couple about y. */
+  couple_y: Extremes;
+  /** Resultant force `|F_x + i F_y|`. */
+  force: Extremes;
+  /** Force along x. */
+  force_x: Extremes;
+  /** Force along y. */
+  force_y: Extremes;
+  /** Roll moment. */
+  roll_moment: Extremes;
+  /** Shaft torque. */
+  shaft_torque: Extremes;
+};
+
+/** Direction of a free weight at `theta = 0`. */
+export type Phase = "free" | {
+  line: number;
+} | {
+  direction: number;
+};
+
+/** A load over the cycle. */
+export type PinLoad = {
+  /** At every angle [N]. */
+  load: Array<[number, number]>;
+  /** Mean size [N]. */
+  mean: number;
+  /** Largest size and its angle, over the continuous angle. */
+  peak: Extreme;
+};
+
+/** An engine in a ranking. */
+export type Place = {
+  /** Its place in the comparison. */
+  engine: number;
+  /** Rank, from 1; engines that cannot be told apart share it. */
+  rank: number;
+  /** What it has, in the unit of the criterion. */
+  value: number;
+};
+
+/** A coordinate that is given or to be found. */
+export type Place2 = {
+  at: number;
+} | {
+  between: [number, number];
+};
+
+/** A diagnostic and the key that it is about. */
+export type PlacedDiagnostic = {
+  /** Stable code such as `E0103`; the book lists them. */
+  code: string;
+  /** Column of the place in characters, from 1. */
+  column: number;
+  /** What to do. */
+  hint: string | null;
+  /** What stands at the place, a few words; may be empty. */
+  label: string;
+  /** Line of the place, from 1. */
+  line: number;
+  /** What was needed and what was got. */
+  message: string;
+  /** Path of the value at its place, if there is one. */
+  path: string | null;
+  /** Other places that matter. */
+  related: Related[];
+  /** Error or warning. */
+  severity: Severity;
+  /** Place in the text, in bytes. */
+  span: Range_of_uint;
+};
+
+/**
+ * A point of the plane across the crank, or a vector in it [m].
+ *
+ * The origin is the crank axis; a part's own `x` points along its unbalance (a counterweight: away from its
+ * crankpin), `y` a quarter turn further in the sense in which the crank turns.
+ */
+export type Point = {
+  /** Along the part's axis [m]. */
+  x: number;
+  /** A quarter turn from it [m]. */
+  y: number;
+};
+
+/** Motion of a point of the block. */
+export type PointMotion = {
+  /** Displacement [m] at each speed, for each order of the response. */
+  displacement: Array<Array<[[number, number], [number, number], [number, number]]>>;
+  /** The point [m]. */
+  point: [number, number, number];
+};
+
+/** A weight of the crankshaft that the file gives by its unbalance alone, such as one of the flywheel. It has no mass here. */
+export type PointWeight = {
+  /** Its moment `V` along the crank [kg m^2]. */
+  couple: Point;
+  /** Its name. */
+  name: string;
+  /** Static unbalance `U` [kg m]. */
+  unbalance: Point;
+  /** Its plane [m]. */
+  z: number;
+};
+
+/** Power over speed as a cubic through the origin. */
+export type PowerCurve = {
+  /** `a`, `b`, `c` of `P = a w + b w^2 + c w^3` [W s, W s^2, W s^3] with the speed in rad/s. */
+  coefficients: [number, number, number];
+  /** Largest departure of a point from the curve [W]. */
+  misfit: number;
+  /** Speed [rad/s] and power [W] of the largest power between 0 and the highest point's speed. */
+  peak: [number, number];
+  /** Points that it fits: speed [rad/s] and power [W]. */
+  points: Array<[number, number]>;
+};
+
+/** What an arrangement costs. */
+export type Price = {
+  /** Largest load of a shaft bearing [N]. */
+  bearing_load: number;
+  /** Bearings of shafts and idlers. */
+  bearings: number;
+  /** Chains or belts. */
+  chains: number;
+  /** Mass of bare shafts, gears and idlers [kg]. */
+  drive_mass: number;
+  /** Power that the crank gives to turn the shafts [W]: bearing friction and mesh losses. */
+  drive_power: number;
+  /** Largest torque in a mesh or chain, at the driven gear [N m]. */
+  drive_torque: number;
+  /** Idlers. */
+  idlers: number;
+  /** Inertia of everything added, at the crank [kg m^2]: each part times its ratio squared. */
+  inertia: number;
+  /** Gear meshes. */
+  meshes: number;
+  /** Balance shafts. */
+  shafts: number;
+  /** Unbalance added, all weights together [kg m]. */
+  unbalance: number;
+  /** Mass of all weights [kg]. */
+  weight_mass: number;
+  /** Weights, on crank and shafts. */
+  weights: number;
+};
+
+/** Why there is no answer: what was needed, what was got, and what to do. */
+export type Problem = {
+  /** The mistakes of the engine file, where they are the reason; places in UTF-16 units. */
+  diagnostics: Diagnostic[];
+  /** What to do. */
+  hint: string | null;
+  /** What was needed and what was got. */
+  message: string;
+};
+
+/** Whether a finding is about the force, the couple or the roll moment. */
+export type Quantity = "force" | "couple" | "roll-moment";
+
+/** Least and most of a dimension; equal where it is fixed. */
+export type Range = {
+  /** Least value. */
+  least: number;
+  /** Largest value. */
+  most: number;
+};
+
+export type Range_of_uint = {
+  end: number;
+  start: number;
+};
+
+/** The engines by one criterion, best first. */
+export type Ranking = {
+  /** By what. */
+  criterion: Criterion;
+  /** The engines in their order. */
+  places: Place[];
+};
+
+/** A whole number, or a fraction such as `1/2`. */
+export type Ratio = string;
+
+/** What stands in an engine file. All places are in UTF-16 units, as the page counts them. */
+export type Reading = {
+  /** Mistakes and warnings. */
+  diagnostics: PlacedDiagnostic[];
+  /** The engine, if there is one. */
+  engine: EngineSummary | null;
+  /** Every value of the file with its place. */
+  entries: FileEntry[];
+  /** The text with its changes. */
+  text: string;
+};
+
+/** A second place that a diagnostic is about. */
+export type Related = {
+  /** What stands there. */
+  label: string;
+  /** Place in the text, in bytes. */
+  span: Range_of_uint;
+};
+
+/** What can remove a load. */
+export type Remedy = "crank-weights" | "balance-shaft" | "none-of-low-order" | "roll-device";
+
+/** A report. */
+export type ReportQuestion = {
+  /** Its name, for the report. */
+  name: string;
+  /** The engine file. */
+  text: string;
+};
+
+/** What is saved. */
+export type SaveFile = {
+  /** The name in the folder. */
+  name: string;
+  /** The revision that may be written over; `null` for a new file. */
+  revision: string | null;
+  /** The whole text. */
+  text: string;
+};
+
+/** What a free weight sits on. */
+export type Seat = {
+  crankshaft: number;
+} | {
+  shaft: number;
+};
+
+/** What a piece of a crankshaft is. */
+export type SectionKind = "journal" | "pin" | "web" | "counterweight";
+
+/** Which way a load turns. */
+export type Sense = "forward" | "backward" | "none";
+
+/** The start of a session. */
+export type Session = {
+  /** The file that was opened or saved last. */
+  file: FileState | null;
+  /** Engine files in it. */
+  files: string[];
+  /** The folder of the files. */
+  folder: string;
+  /** Name, version and commit of the program. */
+  program: string;
+  /** Every table and key of the engine file. */
+  tables: KeyTable[];
+  /** The gallery. */
+  templates: TemplateInfo[];
+};
+
+/** Whether a file with this diagnostic can be used. */
+export type Severity = "error" | "warning";
+
+/** The weights of a balance shaft. */
+export type ShaftLayout = {
+  kind: "single";
+  /** Plane [m]. */
+  z: number;
+} | {
+  kind: "double";
+  /** Planes [m]. */
+  z: [number, number];
+} | {
+  kind: "two-planes";
+  /** Planes [m]. */
+  z: [number, number];
+};
+
+/** A balance shaft. */
+export type ShaftSummary = {
+  name: string;
+  /** Its entry in the file. */
+  path: string | null;
+  /** Speed over that of crankshaft 1, signed. */
+  ratio: number;
+  weights: DeviceSummary[];
+  /** Position of its axis [m]. */
+  x: number;
+  /** Position of its axis [m]. */
+  y: number;
+};
+
+/** A shape as a part, SI units. */
+export type ShapePreview = {
+  /** Its bounds: least x and y, largest x and y [m]. */
+  bounds: [number, number, number, number];
+  /** All clearances of the crankshaft with this shape; none where the file names nothing to stay clear of. */
+  clearances: Clearances | null;
+  dimensions: Dimensions;
+  /** Whether the file has a shape for this weight, or the question gave one; otherwise it is one to start from. */
+  drawn: boolean;
+  /** Half the chord of the arc [m]. */
+  half_width: number;
+  /** Whether the part is a shape of the family whose dimensions these are; an outline of the user's own has none. */
+  has_dimensions: boolean;
+  /** Of what it has beyond its plain web, about the crank axis [kg m^2]. */
+  inertia: number;
+  /** What it has beyond its plain web [kg]. */
+  mass: number;
+  /** The outline with the disc of its web as the path of an SVG: metres, y up towards the weight. */
+  outline: string;
+  /** The plain web in the same frame. */
+  plain_web: string | null;
+  ranges: DimensionRanges | null;
+  /** Angle of the flank [rad]. */
+  shoulder_angle: number;
+  /** Farthest point from the crank axis [m]. */
+  swept_radius: number;
+  /** The engine file with this shape. */
+  text: string;
+  /** What it adds to the unbalance of the crankshaft [kg m]. */
+  unbalance: number;
+  /** What the weight should be [kg m]. */
+  wanted_unbalance: number | null;
+  /** Thickness of the plain web [m]. */
+  web_thickness: number | null;
+};
+
+/** A shape to look at. */
+export type ShapeQuestion = {
+  /** The dimensions; `null`: those of the file, or some to start from. */
+  dimensions: Dimensions | null;
+  /** The engine file. */
+  text: string;
+  /** Name of the counterweight. */
+  weight: string;
+};
+
+/** Shapes among which a counterweight is to be found. Its duty, the unbalance, is that of the weight. */
+export type ShapeTask = {
+  /** Included angle `alpha` of the arc [rad]. */
+  arc_angle: Range;
+  /** Radius `R` of the arc [m]. */
+  arc_radius: Range;
+  /** Density [kg/m^3]. */
+  density: number;
+  /** Least unbalance as a part of the duty: 1 for full balance. */
+  least_balance: number;
+  /** Limits. */
+  limits: DesignLimits;
+  /** What is made as small as possible. */
+  minimise: Objective;
+  /** Largest unbalance as a part of it, if there is one. */
+  most_balance: number | null;
+  /** Height `h` of the rectangle [m]. */
+  rectangle_height: Range;
+  /** The flank. */
+  shoulder: Shoulder;
+  /** Thickness [m]. */
+  thickness: Range;
+  /** Radius `r` of the web's disc [m]. */
+  web_radius: Range;
+};
+
+/** How the flank between rectangle and arc is given. */
+export type Shoulder = {
+  Angle: Range;
+} | {
+  Height: Range;
+};
+
+/** A similar engine: what its size and its speed are, over those of the original. */
+export type Similar = {
+  /** Lengths, over those of the original. */
+  length: number;
+  /** Speed of the crankshaft, over that of the original. */
+  speed: number;
+};
+
+/** The smallest clearance of all. */
+export type Smallest = {
+  /** Name of the counterweight or web, or "big end 2". */
+  body: string;
+  /** The clearance. */
+  clearance: Clearance2;
+};
+
+/** The arrangements at one cylinder spacing. */
+export type SpacingArrangements = {
+  /** All that were examined, by rising number of shafts. */
+  arrangements: Arrangement[];
+  /** The criterion with nothing added (balance shafts of the engine file taken out). */
+  baseline: number;
+  /** Indices of those that no other beats, by falling residual. */
+  front: number[];
+  /** What was not examined, and why. */
+  left_out: string[];
+  /** Every z of throws, cylinders and counterweights over that of the engine file. */
+  scale: number;
+  /** Index of the simplest that reaches the limit and has a place: fewest shafts, meshes, then mass. */
+  simplest: number | null;
+  /** Cylinder spacing [m]; `None` where the engine has all its throws and cylinders in one plane. */
+  spacing: number | null;
+};
+
+/** Response at one speed. */
+export type SpeedResponse = {
+  /** One entry an order that turns, as in the excitation; order 0 is left out. */
+  orders: OrderResponse[];
+  /** Largest resultant force at each mount over the cycle [N], and the crank angle. */
+  peaks: Extreme[];
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+};
+
+/** Speed over the period, at one mean speed. */
+export type SpeedRipple = {
+  /** Largest size of the angular acceleration [rad/s^2], among the samples. */
+  acceleration: number;
+  /** Largest excess energy at constant speed [J], gas and inertia. */
+  excess: number;
+  /** Its extremes over the continuous angle. */
+  extremes: Extremes;
+  /** Fluctuation `(w_max - w_min) / w_mean` [1]. */
+  fluctuation: number;
+  /** The inertia that it turns. */
+  inertia: TrainInertia;
+  /** Torque of the load [N m], the mean of the gas. */
+  load: number;
+  /** Mean speed [rad/s]: angle over time. */
+  mean_speed: number;
+  /** Period [rad] of crankshaft 1. */
+  period: number;
+  /** Fluctuation by the formula of eq. (25.4): largest excess energy at constant speed over `J w^2`, with the mean inertia. */
+  simple_fluctuation: number;
+  /** Speed [rad/s]. */
+  speed: number[];
+  /** Crank angle [rad], from 0, one period, end point excluded. */
+  theta: number[];
+  /** [`FLYWHEEL_VERSION`]. */
+  version: number;
+};
+
+/** Criteria that are minimised together: the sum of weight times criterion. */
+export type Stage = {
+  /** Positive weights and criteria. */
+  terms: Array<[number, Criterion2]>;
+};
+
+/** A plane along the shaft. */
+export type Station = {
+  /** Largest `|M|` at the plane over the cycle [N m]. */
+  largest_moment: Extreme;
+  /** Largest `|Q|` just behind the plane over the cycle [N]. */
+  largest_shear: Extreme;
+  /** Bending moment `M_x + i M_y` [N m] of what lies before the plane on what lies behind it. */
+  moment: Array<[number, number]>;
+  /**
+   * Shear force `Q_x + i Q_y` just behind the plane [N], that of what lies before on what lies behind; just before the
+   * plane it is that of the station before, and 0 before the first.
+   */
+  shear: Array<[number, number]>;
+  /** Its place [m], from the origin. */
+  z: number;
+};
+
+/** Centre of stiffness: where the coupling of translation and rotation is symmetric. */
+export type StiffnessCentre = {
+  /**
+   * Coupling left there, relative: the largest element of the coupling over the geometric mean of the largest stiffness
+   * of translation and of rotation. Where it vanishes, a force through this point does not turn the block: the point is
+   * the elastic centre.
+   */
+  coupling: number;
+  /** Those directions, unit vectors. */
+  directions: [[number, number, number], [number, number, number], [number, number, number]];
+  /** The point [m]. */
+  point: [number, number, number];
+  /** Stiffness along the principal directions [N/m], rising. */
+  stiffness: [number, number, number];
+};
+
+/** A stroke of the working cycle. */
+export type StrokeKind = "power" | "exhaust" | "intake" | "compression";
+
+/** What a piston does between two dead centres. */
+export type StrokeSpan = {
+  /** Crank angle [rad] at its start. */
+  from: number;
+  /** Which stroke. */
+  stroke: StrokeKind;
+  /** Crank angle [rad] at its end. */
+  to: number;
+};
+
+/** Strokes in a working cycle. */
+export type Strokes = "two" | "four";
+
+/** Two swept circles that overlap in a plane across the crank: whether what turns in them meets depends on their phases. */
+export type SweptOverlap = {
+  /** Sum of both swept radii less the distance of the axes [m]. */
+  depth: number;
+  /** First plane of the overlap [m], from the origin. */
+  from: number;
+  /** What it overlaps: another weight, a counterweight, a web, a crankpin or a big end. */
+  other: string;
+  /** Last plane of the overlap [m], from the origin. */
+  to: number;
+  /** Name of the weight of a balance shaft. */
+  weight: string;
+};
+
+/** The largest swept radius that keeps the wanted clearance whatever the shape. */
+export type SweptRoom = {
+  /** The clearance that it keeps [m]. */
+  least: number;
+  /** What limits it. */
+  limit: Obstacle;
+  /** Largest swept radius [m]; zero where there is no room at all. */
+  radius: number;
+  /** Angle of crankshaft 1 [rad] at which it does, for a piston. */
+  theta: number | null;
+};
+
+/** An engine of the gallery. */
+export type TemplateInfo = {
+  name: string;
+  /** The engine file. */
+  text: string;
+  /** What it is. */
+  title: string;
+};
+
+/** What belongs to one throw, or to none: journals, and weights beside the webs. */
+export type ThrowShare = {
+  /** Its moment `V` along the crank [kg m^2]. */
+  couple: Point;
+  /** Mass of pin, webs and counterweights on them [kg]. */
+  mass: number;
+  /** Moment of inertia about the crank axis [kg m^2]. */
+  polar_inertia: number;
+  /** Index of the throw. */
+  throw: number | null;
+  /** Static unbalance `U` [kg m]. */
+  unbalance: Point;
+};
+
+/**
+ * `U_second = factor * U_first`, or `factor * conj(U_first)` if mirrored (in the plane of x and z).
+ *
+ * A leader follows nobody. In an engine that was read the follower's own direction is free, its least amount 0, its
+ * largest that which the leader's allows, and it is not optional: the leader's choices are its own.
+ */
+export type Tie = {
+  /** 1: equal, -1: opposed. */
+  factor: number;
+  /** Index of the leading weight. */
+  first: number;
+  /** Whether the phase is mirrored. */
+  mirrored: boolean;
+  /** Index of the weight that follows it. */
+  second: number;
+};
+
+/**
+ * Torque of an engine at one speed: gas, inertia, and both together.
+ *
+ * All torques are at crankshaft 1, positive in the sense of rotation, without friction: net indicated.
+ */
+export type Torque = {
+  /** By cylinder. */
+  cylinders: CylinderTorque[];
+  /** Energy that both together store and give back, per period. */
+  energy: EnergyVariation;
+  /** Name of the engine. */
+  engine: string;
+  /** When they fire. */
+  firing: FiringChart;
+  /** Gas torque [N m]. */
+  gas: number[];
+  /** Energy that gas alone stores and gives back. */
+  gas_energy: EnergyVariation;
+  /** Extremes of the gas torque over the continuous angle. */
+  gas_extremes: Extremes;
+  /** Torque by order, split: the orders of `orders`. */
+  harmonics: TorqueHarmonic[];
+  /** The engine in numbers. */
+  indicated: Indicated;
+  /** Inertia torque at constant speed [N m]. */
+  inertia: number[];
+  /** Extremes of the inertia torque. */
+  inertia_extremes: Extremes;
+  /** Lever of gas and inertia. */
+  lever: Lever;
+  /**
+   * Loads by order, gas and inertia together: order 0 (the means), the whole orders, and the fractions that working cycles and
+   * gears bring. Of gas they have roll moment and shaft torque alone.
+   */
+  orders: OrderLoads[];
+  /** Period [rad] of crankshaft 1: whole revolutions and whole working cycles. */
+  period: number;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** Crank angle [rad] of every trace, from 0, one period, end point excluded. */
+  theta: number[];
+  /** Extremes of both together. */
+  total_extremes: Extremes;
+  /** [`TORQUE_VERSION`]. */
+  version: number;
+};
+
+/** Torque, work and energy at one of several speeds. */
+export type TorqueAtSpeed = {
+  /** Energy that both together store and give back. */
+  energy: EnergyVariation;
+  /** Extremes of gas and inertia together [N m]. */
+  extremes: Extremes;
+  /** Mean torque, power and pressures, net indicated. */
+  indicated: Indicated;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+};
+
+/** One order of the torque, modulus = amplitude; order 0 is the mean. */
+export type TorqueHarmonic = {
+  /** Gas [N m]. */
+  gas: [number, number];
+  /** Inertia [N m]. */
+  inertia: [number, number];
+  /** Cycles per revolution of crankshaft 1. */
+  order: number;
+};
+
+/** Torque at one speed, and what follows from it. */
+export type TorqueReport = {
+  /** What friction leaves, where it is known. */
+  brake: Brake | null;
+  /**
+   * The flywheel for the fluctuation asked for, at that speed of the file's flywheel that needs most; without these at the lowest
+   * speed of the engine.
+   */
+  flywheel: FlywheelNeed | null;
+  /** Power over speed, at the brake where friction is known, else net indicated. */
+  power: PowerCurve | null;
+  /** Speed ripple at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`. */
+  ripples: SpeedRipple[];
+  /** Where the pressures come from, in words. */
+  source: string;
+  /** Torque and energy at the speeds asked for. */
+  speeds: TorqueAtSpeed[];
+  /** Torque, work, orders, energy, firing. */
+  torque: Torque;
+  /** [`TORQUE_REPORT_VERSION`]. */
+  version: number;
+  /** What the user should know. */
+  warnings: string[];
+};
+
+/** Components over one period, at equally spaced crank angles; one vector a component so that it plots as it is. */
+export type Trace = {
+  /** Couple about x [N m]. */
+  couple_x: number[];
+  /** Couple about y [N m]. */
+  couple_y: number[];
+  /** Force along x [N]. */
+  force_x: number[];
+  /** Force along y [N]. */
+  force_y: number[];
+  /** Roll moment about z [N m]. */
+  roll_moment: number[];
+  /** Shaft torque [N m]. */
+  shaft_torque: number[];
+  /** Crank angle of crankshaft 1 [rad], from 0, one period, end point excluded. */
+  theta: number[];
+};
+
+/** Inertia of the crank train seen at crankshaft 1 [kg m^2]. */
+export type TrainInertia = {
+  /** Big ends of the rods at their crankpins. */
+  big_ends: number;
+  /** Its extremes over the samples. */
+  extremes: Extremes;
+  /** Flywheel and crankshafts as given. */
+  given: TurningInertia;
+  /** Mean of all of it. */
+  mean: number;
+  /** Mean over the cycle of pistons, small ends and what the rods' swing adds. */
+  reciprocating_mean: number;
+  /** All of it over the period of the torque, at `theta`. */
+  total: number[];
+};
+
+/** Force transmissibility against frequency. */
+export type Transmissibility = {
+  /** Angular frequencies [rad/s], rising in equal ratios. */
+  angular_frequency: number[];
+  /** For a unit load in each coordinate at the block's centre: what the mounts pass on in the same coordinate. */
+  ratio: Array<[number, number, number, number, number, number]>;
+};
+
+/** What turns, beside what pistons and rods bring. */
+export type TurningInertia = {
+  /** All crankshafts with their counterweights, as seen at crankshaft 1 [kg m^2]; without the rods. */
+  crankshaft: number;
+  /** Flywheel with clutch, and whatever turns rigidly with crankshaft 1 [kg m^2]. */
+  flywheel: number;
+};

@@ -1,0 +1,216 @@
+//! Counterweights as parts: the answers of `counterweight`.
+
+use crate::api::{Api, Made};
+use crate::design_choice::{Aim, design_request};
+use crate::problem::Problem;
+use crate::reading::{EngineText, NewText, engine};
+use crate::server::Studio;
+use lanchester::geometry::drawing::{dxf, svg};
+use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
+use lanchester::geometry::{Design, DesignOutcome};
+use lanchester::model::{Engine, write_back};
+use lanchester::{
+    CounterweightCheck, CounterweightDesigns, CounterweightError, CounterweightFront, adopted,
+    check_counterweights, counterweight_front, crankshaft_parts, design_counterweights, shaft_parts,
+    with_counterweights,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Largest error of the facets of exported meshes [m].
+const FACET: f64 = 1e-5;
+/// Designs of a front.
+const MOST_DESIGNS: usize = 200;
+
+/// Which weights get the best shape.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct DesignQuestion {
+    /// The engine file.
+    text: String,
+    /// Names of the weights; none: all on webs.
+    #[serde(default)]
+    weights: Vec<String>,
+    /// What is made small; as the file says where it is left out.
+    #[serde(default)]
+    minimise: Option<Aim>,
+}
+
+/// The best shapes.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Designed {
+    /// As `lanchester counterweight design --format json` prints it.
+    designs: CounterweightDesigns,
+    /// The engine file with the shapes; none where there is none.
+    text: Option<String>,
+}
+
+/// The trade between two aims.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct FrontQuestion {
+    /// The engine file.
+    text: String,
+    /// Name of the weight; without one all, if they have one duty.
+    #[serde(default)]
+    weight: Option<String>,
+    /// What is made small; as the file says where it is left out.
+    #[serde(default)]
+    minimise: Option<Aim>,
+    /// What it is traded for.
+    against: Aim,
+    /// How many designs, 2 to 200.
+    count: usize,
+}
+
+/// A design of a front.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct ChosenDesign {
+    #[serde(flatten)]
+    front: FrontQuestion,
+    /// Its number, from 1.
+    choice: usize,
+}
+
+/// What is exported.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct ExportQuestion {
+    /// The engine file.
+    text: String,
+    /// The kind of file.
+    format: Format,
+    /// Name of one counterweight; without it the first crankshaft with the balance shafts around it.
+    #[serde(default)]
+    weight: Option<String>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Format {
+    Step,
+    Stl,
+    Glb,
+    Dxf,
+    Svg,
+}
+
+pub(crate) fn questions(api: Api) -> Api {
+    api.post(
+        "/api/counterweight/check",
+        "Crankshaft and counterweights as parts: `lanchester counterweight check`.",
+        check,
+    )
+    .post(
+        "/api/counterweight/design",
+        "The best shapes with their proof: `lanchester counterweight design`.",
+        design,
+    )
+    .post("/api/counterweight/front", "The trade between two aims: `lanchester counterweight front`.", front)
+    .post("/api/counterweight/front/adopt", "The engine file with a design of a front.", adopt)
+    .file(
+        "/api/export",
+        "A CAD file: `lanchester counterweight export`.",
+        "application/octet-stream",
+        export,
+    )
+}
+
+fn check(_: &Studio, question: EngineText) -> Result<CounterweightCheck, Problem> {
+    check_counterweights(&engine(&question.text)?).map_err(Problem::refused)
+}
+
+fn design(_: &Studio, question: DesignQuestion) -> Result<Designed, Problem> {
+    let engine = engine(&question.text)?;
+    let request = design_request(&engine, question.weights, question.minimise)?;
+    let designs = design_counterweights(&engine, &request).map_err(Problem::refused)?;
+    let found: Vec<(usize, Design)> = designs
+        .weights
+        .iter()
+        .filter_map(|weight| match &weight.outcome {
+            DesignOutcome::Found(best) => Some((weight.index, best.design)),
+            DesignOutcome::Infeasible(_) => None,
+        })
+        .collect();
+    let text = if found.is_empty() {
+        None
+    } else {
+        Some(fitted(&question.text, &engine, &found, request.task.density)?)
+    };
+    Ok(Designed { designs, text })
+}
+
+/// The file with these designs.
+fn fitted(text: &str, engine: &Engine, designs: &[(usize, Design)], density: f64) -> Result<String, Problem> {
+    let after = with_counterweights(engine, designs, density).map_err(Problem::refused)?;
+    write_back(text, &after).map_err(Problem::refused)
+}
+
+fn front(_: &Studio, question: FrontQuestion) -> Result<CounterweightFront, Problem> {
+    let engine = engine(&question.text)?;
+    let request = design_request(&engine, question.weight.clone().into_iter().collect(), question.minimise)?;
+    counterweight_front(&engine, &request, question.against.into(), counted(&question)?)
+        .map_err(Problem::refused)
+}
+
+fn counted(question: &FrontQuestion) -> Result<usize, Problem> {
+    match question.count {
+        count @ 2..=MOST_DESIGNS => Ok(count),
+        count => Err(Problem::refused(format!(
+            "a front has 2 to {MOST_DESIGNS} designs, got {count}\nhint: 20 show its shape"
+        ))),
+    }
+}
+
+fn adopt(_: &Studio, question: ChosenDesign) -> Result<NewText, Problem> {
+    let ask = &question.front;
+    let engine = engine(&ask.text)?;
+    let request = design_request(&engine, ask.weight.clone().into_iter().collect(), ask.minimise)?;
+    let found = counterweight_front(&engine, &request, ask.against.into(), counted(ask)?)
+        .map_err(Problem::refused)?;
+    let designs = &found.front.designs;
+    let design = question.choice.checked_sub(1).and_then(|index| designs.get(index)).ok_or_else(|| {
+        let count = designs.len();
+        Problem::refused(format!(
+            "a design needs its number, 1 to {count}, got {}\nhint: ask for the front again",
+            question.choice
+        ))
+    })?;
+    let adopted = adopted(&engine, &request, &found, design).map_err(Problem::refused)?;
+    Ok(NewText { text: fitted(&ask.text, &engine, &adopted, request.task.density)? })
+}
+
+fn export(_: &Studio, question: ExportQuestion) -> Result<Made, Problem> {
+    let engine = engine(&question.text)?;
+    let parts = match &question.weight {
+        Some(name) => crankshaft_parts(&engine, 0, std::slice::from_ref(name)).map_err(Problem::refused)?,
+        None => whole(&engine).map_err(Problem::refused)?,
+    };
+    let solids = || solids(&parts).map_err(Problem::refused);
+    let outline = || match &parts[..] {
+        [part] => Ok(part.part.outline()),
+        _ => Err(Problem::refused(format!(
+            "a drawing holds the outline of one part, got {}\nhint: export one counterweight",
+            parts.len()
+        ))),
+    };
+    let (kind, bytes) = match question.format {
+        Format::Step => {
+            let header = StepHeader { title: engine.name.clone(), ..StepHeader::default() };
+            ("model/step", step(&solids()?, &header).into_bytes())
+        }
+        Format::Stl => ("model/stl", stl(&solids()?, FACET).map_err(Problem::refused)?),
+        Format::Glb => ("model/gltf-binary", glb(&solids()?, FACET).map_err(Problem::refused)?),
+        Format::Dxf => ("image/vnd.dxf", dxf(outline()?).into_bytes()),
+        Format::Svg => ("image/svg+xml", svg(outline()?).into_bytes()),
+    };
+    Ok(Made { kind, bytes })
+}
+
+/// The first crankshaft with the balance shafts around it.
+fn whole(engine: &Engine) -> Result<Vec<PlacedPart>, CounterweightError> {
+    let shafts = shaft_parts(engine, &[])?;
+    let mut parts = match crankshaft_parts(engine, 0, &[]) {
+        Err(CounterweightError::NoPart) if !shafts.is_empty() => Vec::new(),
+        of_crank => of_crank?,
+    };
+    parts.extend(shafts);
+    Ok(parts)
+}

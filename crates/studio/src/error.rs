@@ -1,0 +1,40 @@
+//! Why the studio does not start.
+
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+/// Why there is no server.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudioError {
+    /// Another program listens there.
+    #[error(
+        "the port {port} is taken\nhint: leave --port out for a free one, or end the program that has it"
+    )]
+    Taken {
+        /// The port.
+        port: u16,
+    },
+    /// No server at this address.
+    #[error("cannot listen at {address}: {error}\nhint: leave --port out for a free one")]
+    Listen {
+        /// Where.
+        address: SocketAddr,
+        /// What the system says.
+        error: std::io::Error,
+    },
+    /// The folder of the files.
+    #[error("cannot use the folder {}: {error}\nhint: give an engine file, or a folder that is there", .folder.display())]
+    Folder {
+        /// The folder.
+        folder: PathBuf,
+        /// What the system says.
+        error: std::io::Error,
+    },
+    /// The engine file.
+    #[error("{0}")]
+    File(String),
+    /// The system gives no random numbers, or the server ends by itself.
+    #[error("the server cannot run: {0}")]
+    System(String),
+}

@@ -1,0 +1,72 @@
+//! The report, and its figures.
+
+use crate::api::{Api, Made};
+use crate::problem::Problem;
+use crate::reading::{EngineText, engine};
+use crate::server::Studio;
+use lanchester::mechanism::{InternalRequest, LoadRequest};
+use lanchester::model::{Engine, read};
+use lanchester::{EngineReport, is_running, provenance};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A report.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct ReportQuestion {
+    /// The engine file.
+    text: String,
+    /// Its name, for the report.
+    name: String,
+}
+
+/// A figure of the report.
+#[derive(Debug, Serialize, JsonSchema)]
+struct FigureSvg {
+    /// Name for files.
+    id: String,
+    title: String,
+    caption: String,
+    /// A file of its own.
+    svg: String,
+}
+
+pub(crate) fn questions(api: Api) -> Api {
+    api.post("/api/figures", "All figures of the report: `lanchester report --figures`.", figures).file(
+        "/api/report",
+        "The report: `lanchester report`.",
+        "text/html; charset=utf-8",
+        report,
+    )
+}
+
+fn report_of<'a>(studio: &Studio, engine: &'a Engine, text: &str) -> Result<EngineReport<'a>, Problem> {
+    let traces = match is_running(engine) {
+        true => studio.folder.traces(engine),
+        false => Ok(Vec::new()),
+    };
+    let traces = traces.as_deref().map_err(|problem| problem.message.clone());
+    let warnings = read(text).diagnostics;
+    let request = LoadRequest::default();
+    let internal = InternalRequest { samples: request.samples, ..InternalRequest::default() };
+    EngineReport::new(engine, &request, &internal, traces, &warnings).map_err(Problem::refused)
+}
+
+fn figures(studio: &Studio, question: EngineText) -> Result<Vec<FigureSvg>, Problem> {
+    let engine = engine(&question.text)?;
+    let figures = report_of(studio, &engine, &question.text)?.figures();
+    let svg = |figure: &lanchester::report::Figure| FigureSvg {
+        id: figure.id.clone(),
+        title: figure.title.clone(),
+        caption: figure.caption.clone(),
+        svg: figure.svg(),
+    };
+    Ok(figures.iter().map(svg).collect())
+}
+
+fn report(studio: &Studio, question: ReportQuestion) -> Result<Made, Problem> {
+    let engine = engine(&question.text)?;
+    let report = report_of(studio, &engine, &question.text)?;
+    let request = LoadRequest::default();
+    let provenance = provenance(&studio.program, &question.name, &question.text, &report.loads, &request);
+    Ok(Made { kind: "text/html; charset=utf-8", bytes: report.page(&provenance).into_bytes() })
+}

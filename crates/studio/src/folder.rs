@@ -1,0 +1,260 @@
+//! The folder of engine files: the only place that the studio reads from and writes to.
+
+use crate::problem::Problem;
+use axum::http::StatusCode;
+use lanchester::model::Engine;
+use lanchester::{TraceFile, fnv1a, trace_names};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Write};
+use std::path::{Component, Path, PathBuf};
+
+/// An engine file may be this long; a longer one is some other file.
+const LONGEST_FILE: u64 = 4 << 20;
+/// A file of pressures may be this long.
+const LONGEST_TRACE: u64 = 64 << 20;
+/// Names that are listed.
+const MOST_NAMES: usize = 500;
+
+/// An engine file as it stands in the folder.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub(crate) struct FileState {
+    /// Its name in the folder.
+    pub(crate) name: String,
+    /// Its text.
+    pub(crate) text: String,
+    /// Tells one text from another.
+    pub(crate) revision: String,
+}
+
+/// The folder.
+#[derive(Debug, Clone)]
+pub(crate) struct Folder {
+    root: PathBuf,
+}
+
+impl Folder {
+    /// The folder, links resolved.
+    pub(crate) fn new(folder: &Path) -> io::Result<Folder> {
+        let root = if folder.as_os_str().is_empty() { Path::new(".") } else { folder }.canonicalize()?;
+        if root.is_dir() { Ok(Folder { root }) } else { Err(io::ErrorKind::NotADirectory.into()) }
+    }
+
+    /// Its path, for people.
+    pub(crate) fn name(&self) -> String {
+        self.root.display().to_string()
+    }
+
+    /// Engine files in it, sorted.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.root).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let mut names: Vec<String> = names.filter(|name| is_engine_file(name)).collect();
+        names.sort();
+        names.truncate(MOST_NAMES);
+        names
+    }
+
+    /// An engine file.
+    pub(crate) fn open(&self, name: &str) -> Result<FileState, Problem> {
+        let path = self.engine_file(name)?;
+        let text = self.read(&path, name, LONGEST_FILE)?;
+        Ok(FileState { name: name.to_string(), revision: revision(&text), text })
+    }
+
+    /// Writes an engine file: over the text of this revision, or a new one. Whole or not at all.
+    pub(crate) fn save(&self, name: &str, text: &str, over: Option<&str>) -> Result<FileState, Problem> {
+        let path = self.engine_file(name)?;
+        if text.len() as u64 > LONGEST_FILE {
+            return Err(too_long(name, LONGEST_FILE));
+        }
+        let cannot = |error: io::Error| {
+            let hint = "the text is still here: save it under another name, or download it";
+            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot write {name}: {error}"), hint)
+        };
+        let saved = || FileState { name: name.to_string(), revision: revision(text), text: text.to_string() };
+        let Some(over) = over else {
+            let outcome = OpenOptions::new().write(true).create_new(true).open(&path);
+            let mut file = outcome.map_err(|error| match error.kind() {
+                io::ErrorKind::AlreadyExists => conflict(format!("{name} exists already")),
+                _ => cannot(error),
+            })?;
+            return file
+                .write_all(text.as_bytes())
+                .and_then(|()| file.sync_all())
+                .map(|()| saved())
+                .map_err(cannot);
+        };
+        // A link stays a link: what it leads to is written.
+        let target = self.within(&path.canonicalize().map_err(cannot)?, name)?;
+        let before = self.read(&target, name, LONGEST_FILE)?;
+        if revision(&before) != over {
+            return Err(conflict(format!("another program changed {name} since it was opened here")));
+        }
+        if fs::metadata(&target).map_err(cannot)?.permissions().readonly() {
+            return Err(cannot(io::ErrorKind::PermissionDenied.into()));
+        }
+        replace(&target, text).map_err(cannot)?;
+        Ok(saved())
+    }
+
+    /// The files of pressure that an engine names; they stand in this folder.
+    pub(crate) fn traces(&self, engine: &Engine) -> Result<Vec<TraceFile>, Problem> {
+        let read = |name: &str| {
+            let path = self.root.join(name);
+            let there = path.canonicalize().map_err(|error| {
+                let hint = format!("[gas] names it: put it into the folder {}", self.name());
+                Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot read {name}: {error}"), hint)
+            })?;
+            let text = self.read(&self.within(&there, name)?, name, LONGEST_TRACE)?;
+            Ok(TraceFile { name: name.to_string(), text })
+        };
+        trace_names(engine).into_iter().map(read).collect()
+    }
+
+    /// The path of a file that may be opened and saved: a plain name in this folder.
+    fn engine_file(&self, name: &str) -> Result<PathBuf, Problem> {
+        let path = Path::new(name);
+        let mut parts = path.components();
+        let is_plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None));
+        if is_plain && is_engine_file(name) {
+            return Ok(self.root.join(path));
+        }
+        Err(Problem::new(
+            StatusCode::UNPROCESSABLE_ENTITY,
+            format!(
+                "an engine file is a name in this folder that ends in .toml, got `{}`",
+                name.chars().take(80).collect::<String>()
+            ),
+            format!("write it like engine.toml; the folder is {}", self.name()),
+        ))
+    }
+
+    fn within(&self, path: &Path, name: &str) -> Result<PathBuf, Problem> {
+        if path.starts_with(&self.root) {
+            return Ok(path.to_path_buf());
+        }
+        Err(Problem::new(
+            StatusCode::FORBIDDEN,
+            format!("{name} lies outside of the folder {}", self.name()),
+            "the studio reads and writes this folder alone: move the file into it",
+        ))
+    }
+
+    fn read(&self, path: &Path, name: &str, longest: u64) -> Result<String, Problem> {
+        let path = self.within(&path.canonicalize().unwrap_or_else(|_| path.to_path_buf()), name)?;
+        let mut bytes = Vec::new();
+        let outcome = File::open(path).and_then(|file| file.take(longest + 1).read_to_end(&mut bytes));
+        outcome.map_err(|error| {
+            Problem::new(
+                StatusCode::UNPROCESSABLE_ENTITY,
+                format!("cannot read {name}: {error}"),
+                "open another file",
+            )
+        })?;
+        if bytes.len() as u64 > longest {
+            return Err(too_long(name, longest));
+        }
+        String::from_utf8(bytes).map_err(|error| {
+            let at = error.utf8_error().valid_up_to();
+            let message = format!("{name} is not UTF-8 text (byte {at})");
+            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, message, "save it as UTF-8")
+        })
+    }
+}
+
+/// Puts a text in the place of a file, whole or not at all; permissions stay.
+fn replace(target: &Path, text: &str) -> io::Result<()> {
+    let permissions = fs::metadata(target)?.permissions();
+    let mut beside = target.to_path_buf().into_os_string();
+    beside.push(format!(".{}.new", std::process::id()));
+    let outcome = OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.set_permissions(permissions)?;
+        file.sync_all()?;
+        fs::rename(&beside, target)
+    });
+    if outcome.is_err() {
+        // What could not be put in place is of no use; if it cannot be removed either, the first error says enough.
+        let _ = fs::remove_file(&beside);
+    }
+    outcome
+}
+
+fn is_engine_file(name: &str) -> bool {
+    name.ends_with(".toml") && name.len() > ".toml".len() && !name.starts_with('.')
+}
+
+fn conflict(message: String) -> Problem {
+    Problem::new(StatusCode::CONFLICT, message, "keep one of both, or save under another name")
+}
+
+fn too_long(name: &str, longest: u64) -> Problem {
+    let message = format!("{name} is longer than {} MiB", longest >> 20);
+    Problem::new(StatusCode::UNPROCESSABLE_ENTITY, message, "is this the right file?")
+}
+
+/// Tells one text from another.
+fn revision(text: &str) -> String {
+    format!("{:016x}", fnv1a(text.as_bytes()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder(name: &str) -> Folder {
+        let path = std::env::temp_dir().join(format!("lanchester-folder-{name}-{}", std::process::id()));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).unwrap();
+        Folder::new(&path).unwrap()
+    }
+
+    #[test]
+    fn a_file_is_written_over_what_was_read_alone() {
+        let folder = folder("save");
+        let first = folder.save("a.toml", "one", None).unwrap();
+        assert_eq!(folder.save("a.toml", "two", None).unwrap_err().status, 409);
+        let second = folder.save("a.toml", "two", Some(&first.revision)).unwrap();
+        assert_eq!(folder.open("a.toml").unwrap(), second);
+        assert_eq!(folder.save("a.toml", "three", Some(&first.revision)).unwrap_err().status, 409);
+        assert_eq!(folder.open("a.toml").unwrap().text, "two");
+        assert_eq!(folder.names(), ["a.toml"]);
+        fs::remove_dir_all(&folder.root).unwrap();
+    }
+
+    #[test]
+    fn no_name_leads_out_of_the_folder() {
+        let folder = folder("names");
+        for name in [
+            "../a.toml",
+            "/tmp/a.toml",
+            "b/a.toml",
+            "a.txt",
+            ".toml",
+            "",
+            "..",
+            "a.toml/..",
+            ".a.toml",
+            "a.toml\0",
+        ] {
+            assert!(folder.open(name).is_err() && folder.save(name, "x", None).is_err(), "{name}");
+        }
+        fs::remove_dir_all(&folder.root).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_that_leads_out_is_not_followed() {
+        let (inside, outside) = (folder("inside"), folder("outside"));
+        outside.save("secret.toml", "x", None).unwrap();
+        std::os::unix::fs::symlink(outside.root.join("secret.toml"), inside.root.join("link.toml")).unwrap();
+        assert_eq!(inside.open("link.toml").unwrap_err().status, 403);
+        let revision = revision("x");
+        assert_eq!(inside.save("link.toml", "y", Some(&revision)).unwrap_err().status, 403);
+        assert_eq!(outside.open("secret.toml").unwrap().text, "x");
+        fs::remove_dir_all(&inside.root).unwrap();
+        fs::remove_dir_all(&outside.root).unwrap();
+    }
+}

@@ -1,0 +1,55 @@
+//! What is told where a question has no answer.
+
+use axum::Json;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use lanchester::model::Diagnostic;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Why there is no answer: what was needed, what was got, and what to do.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Problem {
+    /// What was needed and what was got.
+    pub message: String,
+    /// What to do.
+    pub hint: Option<String>,
+    /// The mistakes of the engine file, where they are the reason; places in UTF-16 units.
+    pub diagnostics: Vec<Diagnostic>,
+    #[serde(skip)]
+    pub(crate) status: u16,
+}
+
+impl Problem {
+    pub(crate) fn new(status: StatusCode, message: impl Into<String>, hint: impl Into<String>) -> Problem {
+        let status = status.as_u16();
+        Problem { message: message.into(), hint: Some(hint.into()), diagnostics: Vec::new(), status }
+    }
+
+    /// A question that cannot be answered, in the words of an error of the facade: its hint stands behind `hint: `.
+    pub(crate) fn refused(error: impl std::fmt::Display) -> Problem {
+        let text = error.to_string();
+        let (message, hint) = match text.split_once("\nhint: ") {
+            Some((message, hint)) => (message.to_string(), Some(hint.to_string())),
+            None => (text, None),
+        };
+        let status = StatusCode::UNPROCESSABLE_ENTITY.as_u16();
+        Problem { message, hint, diagnostics: Vec::new(), status }
+    }
+
+    /// An engine file with mistakes.
+    pub(crate) fn mistakes(diagnostics: Vec<Diagnostic>) -> Problem {
+        let first = diagnostics.first().map_or("", |diagnostic| diagnostic.message.as_str());
+        Problem {
+            diagnostics: diagnostics.clone(),
+            ..Problem::refused(format!("the engine file has mistakes: {first}"))
+        }
+    }
+}
+
+impl IntoResponse for Problem {
+    fn into_response(self) -> Response {
+        let status = StatusCode::from_u16(self.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        (status, Json(self)).into_response()
+    }
+}

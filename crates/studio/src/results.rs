@@ -1,0 +1,202 @@
+//! What the engine does: the answers of `loads`, `torque`, `bearings`, `mounts` and `compare`.
+
+use crate::api::Api;
+use crate::problem::Problem;
+use crate::reading::engine;
+use crate::server::Studio;
+use lanchester::mechanism::{
+    BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
+    MountStudy, TorqueRequest, internal_cases, loads,
+};
+use lanchester::study::compare::{Comparison, Equal, Held};
+use lanchester::{
+    CompareEntry, CompareRequest, ComparedWith, MountSpeeds, TorqueReport, TorqueReportRequest,
+    bearing_report, compare, mounts, power_speeds, torque_report,
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Angles a revolution of shear forces and bending moments.
+const INTERNAL_ANGLES: usize = 72;
+/// Speeds of the power curve, where a cycle is computed.
+const POWER_SPEEDS: usize = 7;
+/// Speeds of the mounts, where nobody says, and the most.
+const MOUNT_SPEEDS: usize = 61;
+const MOST_MOUNT_SPEEDS: usize = 1000;
+/// Highest order of the mounts.
+const MOUNT_ORDERS: u32 = 8;
+/// Engines that are compared at once.
+const MOST_ENGINES: usize = 20;
+
+/// An engine at a speed.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub(crate) struct AtSpeed {
+    /// The engine file.
+    text: String,
+    /// Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out.
+    #[serde(default)]
+    speed: Option<f64>,
+    /// Angles of the curves in a revolution; as many as `lanchester loads` has where it is left out.
+    #[serde(default)]
+    samples: Option<usize>,
+}
+
+impl AtSpeed {
+    fn speed(&self) -> Result<Option<f64>, Problem> {
+        match self.speed {
+            Some(speed) if !(speed > 0.0 && speed.is_finite()) => Err(Problem::refused(format!(
+                "the speed must be positive, got {speed} rad/s\nhint: leave it out for the highest"
+            ))),
+            speed => Ok(speed),
+        }
+    }
+}
+
+/// An engine on its mounts.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct Mounted {
+    /// The engine file.
+    text: String,
+    /// Speeds over the range of the engine.
+    #[serde(default)]
+    steps: Option<usize>,
+}
+
+/// Loads of the bearings, and without counterweights where the engine has some.
+#[derive(Debug, Serialize, JsonSchema)]
+struct BearingsAnswer {
+    #[serde(flatten)]
+    loads: BearingLoads,
+    without_counterweights: Option<BearingLoads>,
+}
+
+/// Engines side by side.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct CompareQuestion {
+    /// The engines in the order of the answer.
+    engines: Vec<NamedEngine>,
+    /// In what they are made equal; as they are where it is left out.
+    #[serde(default)]
+    equal: Option<EqualIn>,
+    /// What a similar engine keeps; the speed where it is left out.
+    #[serde(default)]
+    hold: Option<Hold>,
+    /// Place of the one with which the others are compared, from 0.
+    #[serde(default)]
+    reference: usize,
+}
+
+/// An engine under a name of its own.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct NamedEngine {
+    /// What it is called in the answer.
+    name: String,
+    /// The engine file.
+    text: String,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum EqualIn {
+    Displacement,
+    Power,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Hold {
+    Speed,
+    PistonSpeed,
+}
+
+pub(crate) fn questions(api: Api) -> Api {
+    api.post("/api/loads", "What shakes the engine: `lanchester loads`.", shaking)
+        .post(
+            "/api/internal",
+            "Shear forces and bending moments of the crankshafts: `internal` of `lanchester loads`.",
+            internal,
+        )
+        .post("/api/torque", "Torque of gas and inertia: `lanchester torque`.", turning)
+        .post("/api/bearings", "Loads of pistons, pins and bearings: `lanchester bearings`.", bearings)
+        .post("/api/mounts", "The block on its mounts: `lanchester mounts`.", mounted)
+        .post("/api/compare", "Engines side by side: `lanchester compare`.", compared)
+}
+
+fn shaking(_: &Studio, question: AtSpeed) -> Result<Loads, Problem> {
+    let samples = question.samples.unwrap_or(LoadRequest::default().samples);
+    let request = LoadRequest { speed: question.speed()?, samples, ..LoadRequest::default() };
+    loads(&engine(&question.text)?, &request).map_err(Problem::refused)
+}
+
+fn internal(_: &Studio, question: AtSpeed) -> Result<Vec<InternalMoments>, Problem> {
+    let request =
+        InternalRequest { speed: question.speed()?, samples: INTERNAL_ANGLES, ..InternalRequest::default() };
+    internal_cases(&engine(&question.text)?, &request).map_err(Problem::refused)
+}
+
+fn turning(studio: &Studio, question: AtSpeed) -> Result<TorqueReport, Problem> {
+    let speed = question.speed()?;
+    let engine = engine(&question.text)?;
+    let request = TorqueReportRequest {
+        torque: TorqueRequest { speed, ..TorqueRequest::default() },
+        speeds: power_speeds(&engine, POWER_SPEEDS),
+        ..TorqueReportRequest::default()
+    };
+    torque_report(&engine, &studio.folder.traces(&engine)?, &request).map_err(Problem::refused)
+}
+
+fn bearings(studio: &Studio, question: AtSpeed) -> Result<BearingsAnswer, Problem> {
+    let speed = question.speed()?;
+    let engine = engine(&question.text)?;
+    let traces = studio.folder.traces(&engine)?;
+    let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
+    let loads = |counterweights| {
+        let request = BearingRequest { speed, part, counterweights, ..BearingRequest::default() };
+        bearing_report(&engine, &traces, &request).map_err(Problem::refused)
+    };
+    let has_weights = engine.counterweights.iter().any(|weight| weight.unbalance > 0.0);
+    let without_counterweights = if has_weights { Some(loads(false)?) } else { None };
+    Ok(BearingsAnswer { loads: loads(true)?, without_counterweights })
+}
+
+fn mounted(studio: &Studio, question: Mounted) -> Result<MountStudy, Problem> {
+    let steps = question.steps.unwrap_or(MOUNT_SPEEDS);
+    if !(2..=MOST_MOUNT_SPEEDS).contains(&steps) {
+        return Err(Problem::refused(format!(
+            "mounts need 2 to {MOST_MOUNT_SPEEDS} speeds, got {steps}\nhint: leave `steps` out"
+        )));
+    }
+    let engine = engine(&question.text)?;
+    let traces = studio.folder.traces(&engine)?;
+    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &[]).map_err(Problem::refused)
+}
+
+fn compared(studio: &Studio, question: CompareQuestion) -> Result<Comparison, Problem> {
+    let count = question.engines.len();
+    if count > MOST_ENGINES {
+        return Err(Problem::refused(format!(
+            "up to {MOST_ENGINES} engines are compared at once, got {count}\nhint: leave some out"
+        )));
+    }
+    let entry = |named: &NamedEngine| {
+        let mut engine = engine(&named.text)?;
+        let traces = studio.folder.traces(&engine)?;
+        engine.name = named.name.clone();
+        Ok(CompareEntry { engine, traces, with: ComparedWith::OwnDevices })
+    };
+    let entries = question.engines.iter().map(entry).collect::<Result<Vec<_>, Problem>>()?;
+    let request = CompareRequest {
+        equal: match question.equal {
+            None => Equal::AsTheyAre,
+            Some(EqualIn::Displacement) => Equal::Displacement,
+            Some(EqualIn::Power) => Equal::Power,
+        },
+        held: match question.hold {
+            None | Some(Hold::Speed) => Held::Speed,
+            Some(Hold::PistonSpeed) => Held::PistonSpeed,
+        },
+        reference: question.reference,
+        ..CompareRequest::default()
+    };
+    compare(&entries, &request).map_err(Problem::refused)
+}

@@ -1,0 +1,131 @@
+//! The server: one address, a page and its questions.
+
+use crate::api::Api;
+use crate::assets::asset;
+use crate::error::StudioError;
+use crate::folder::Folder;
+use crate::gate::{Gate, random_token};
+use crate::lanes::Lanes;
+use crate::problem::Problem;
+use crate::watch::events;
+use axum::Router;
+use axum::extract::{DefaultBodyLimit, Request, State};
+use axum::http::StatusCode;
+use axum::middleware::{Next, from_fn_with_state};
+use axum::response::{IntoResponse, Response};
+use axum::routing::get;
+use std::net::{Ipv4Addr, SocketAddr};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex};
+use tokio::net::TcpListener;
+use tokio::sync::Semaphore;
+
+/// A question may be this long [bytes]: an engine file of the largest kind, some others beside it to compare with, and what is asked.
+const LONGEST_QUESTION: usize = 24 << 20;
+
+/// How the studio is started.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// An engine file to open, or a folder; the file's folder is the only one that the studio reads and writes.
+    pub path: PathBuf,
+    /// The port; `None`: a free one.
+    pub port: Option<u16>,
+    /// The token of the address; `None`: a random one.
+    pub token: Option<String>,
+    /// Name, version and commit of the program, for reports.
+    pub program: String,
+}
+
+/// What answers are made of.
+pub(crate) struct Studio {
+    pub(crate) program: String,
+    pub(crate) folder: Folder,
+    /// Name of the file that was opened or saved last: its changes are told.
+    pub(crate) open: Mutex<Option<String>>,
+    pub(crate) lanes: Lanes,
+    /// Computations at a time: as many as there are processors.
+    pub(crate) processors: Semaphore,
+}
+
+/// Serves until the process is asked to stop (Ctrl-C); `announce` gets the address once it answers.
+///
+/// # Errors
+/// [`StudioError`] where the file or its folder cannot be used or the address is taken.
+pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), StudioError> {
+    let system = |error: &dyn std::fmt::Display| StudioError::System(error.to_string());
+    let is_folder = options.path.is_dir();
+    let folder_path = if is_folder { Some(options.path.as_path()) } else { options.path.parent() };
+    let folder_path = folder_path.unwrap_or_else(|| "".as_ref()).to_path_buf();
+    let folder =
+        Folder::new(&folder_path).map_err(|error| StudioError::Folder { folder: folder_path, error })?;
+    let open = match is_folder {
+        true => None,
+        false => {
+            let name = options.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let told = |problem: Problem| {
+                StudioError::File(format!("{}\nhint: {}", problem.message, problem.hint.unwrap_or_default()))
+            };
+            Some(folder.open(&name).map_err(told)?.name)
+        }
+    };
+    let token = match &options.token {
+        Some(token) => token.clone(),
+        None => random_token().map_err(|error| system(&error))?,
+    };
+    let processors = std::thread::available_parallelism().map_or(2, usize::from);
+    let studio = Studio {
+        program: options.program.clone(),
+        folder,
+        open: Mutex::new(open),
+        lanes: Lanes::default(),
+        processors: Semaphore::new(processors),
+    };
+    let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();
+    runtime.map_err(|error| system(&error))?.block_on(async {
+        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port.unwrap_or(0)));
+        let listener = TcpListener::bind(address).await.map_err(|error| match error.kind() {
+            std::io::ErrorKind::AddrInUse => StudioError::Taken { port: address.port() },
+            _ => StudioError::Listen { address, error },
+        })?;
+        let address = listener.local_addr().map_err(|error| system(&error))?;
+        let app = router(Arc::new(studio), Gate::new(token.clone(), address.port()));
+        announce(&format!("http://{address}/?token={token}"));
+        tokio::select! {
+            ended = axum::serve(listener, app) => ended.map_err(|error| system(&error)),
+            // Streams of events never end by themselves: nobody waits for them.
+            _ = tokio::signal::ctrl_c() => Ok(()),
+        }
+    })
+}
+
+fn router(studio: Arc<Studio>, gate: Gate) -> Router {
+    let watched = studio.clone();
+    let questions = Api::new().router(studio).route("/api/events", get(move || async { events(watched) }));
+    let questions = questions
+        .layer(DefaultBodyLimit::max(LONGEST_QUESTION))
+        .layer(from_fn_with_state(gate.clone(), with_token));
+    Router::new().merge(questions).fallback(asset).layer(from_fn_with_state(gate, in_place))
+}
+
+async fn with_token(State(gate): State<Gate>, request: Request, next: Next) -> Response {
+    match gate.check_token(request.headers(), request.uri()) {
+        Ok(()) => next.run(request).await,
+        Err(problem) => problem.into_response(),
+    }
+}
+
+async fn in_place(State(gate): State<Gate>, request: Request, next: Next) -> Response {
+    match gate.check_place(request.headers()) {
+        Ok(()) => next.run(request).await,
+        Err(problem) => problem.into_response(),
+    }
+}
+
+/// What a question that was left behind gets.
+pub(crate) fn superseded() -> Problem {
+    Problem::new(
+        StatusCode::CONFLICT,
+        "a newer question took the place of this one",
+        "wait for the newer answer",
+    )
+}

@@ -1,0 +1,38 @@
+//! Tells the page when the open file changes on the disk.
+
+use crate::server::Studio;
+use axum::response::sse::{Event, KeepAlive, KeepAliveStream, Sse};
+use std::convert::Infallible;
+use std::sync::{Arc, PoisonError};
+use std::time::Duration;
+use tokio_stream::wrappers::ReceiverStream;
+
+/// How often the file is looked at.
+const PERIOD: Duration = Duration::from_millis(700);
+
+/// Events `file`, each with the file as it stands or `null`: once at the start, then with every change.
+pub(crate) fn events(studio: Arc<Studio>) -> Sse<KeepAliveStream<ReceiverStream<Result<Event, Infallible>>>> {
+    let (sender, receiver) = tokio::sync::mpsc::channel(4);
+    tokio::spawn(async move {
+        let mut told = None;
+        loop {
+            let name = studio.open.lock().unwrap_or_else(PoisonError::into_inner).clone();
+            let folder = studio.folder.clone();
+            let state =
+                tokio::task::spawn_blocking(move || name.and_then(|name| folder.open(&name).ok())).await;
+            let state = state.ok().flatten();
+            let key = state.as_ref().map(|state| (state.name.clone(), state.revision.clone()));
+            if told.as_ref() != Some(&key) {
+                told = Some(key);
+                let Ok(event) = Event::default().event("file").json_data(&state) else { break };
+                if sender.send(Ok(event)).await.is_err() {
+                    break;
+                }
+            } else if sender.is_closed() {
+                break;
+            }
+            tokio::time::sleep(PERIOD).await;
+        }
+    });
+    Sse::new(ReceiverStream::new(receiver)).keep_alive(KeepAlive::default())
+}
