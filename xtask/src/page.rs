@@ -25,7 +25,8 @@ fn npm(arguments: &[&str]) -> Command {
 pub fn install() -> Result<()> {
     ensure!(exists("npm"), "npm is missing: install Node.js 20.19 or newer, and run again");
     // What the lock file names stands there already where nothing changed since.
-    let (lock, installed) = (folder().join("package-lock.json"), folder().join("node_modules/.package-lock.json"));
+    let (lock, installed) =
+        (folder().join("package-lock.json"), folder().join("node_modules/.package-lock.json"));
     let time = |path: &Path| path.metadata().and_then(|data| data.modified());
     if time(&installed).is_ok_and(|installed| time(&lock).is_ok_and(|lock| lock <= installed)) {
         return Ok(());
@@ -55,7 +56,9 @@ pub fn check_built() -> Result<String> {
         bail!("the built page is stale; run `cargo xtask page`");
     }
     let packed = scratch("page-weight")?.join("page.tar.gz");
-    quiet(Command::new("tar").arg("czf").arg(&packed).arg("-C").arg(root().join("crates/studio")).arg("dist"))?;
+    quiet(
+        Command::new("tar").arg("czf").arg(&packed).arg("-C").arg(root().join("crates/studio")).arg("dist"),
+    )?;
     let weight = packed.metadata()?.len();
     ensure!(weight <= HEAVIEST, "the page weighs {weight} bytes compressed, more than {HEAVIEST}");
     Ok(format!("{} files, {} kB compressed", kept.len(), weight / 1000))

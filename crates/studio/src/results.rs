@@ -18,6 +18,8 @@ use serde::{Deserialize, Serialize};
 
 /// Angles a revolution of shear forces and bending moments.
 const INTERNAL_ANGLES: usize = 72;
+/// Angles of the curves in a revolution.
+const MOST_ANGLES: usize = 20_000;
 /// Speeds of the power curve, where a cycle is computed.
 const POWER_SPEEDS: usize = 7;
 /// Speeds of the mounts, where nobody says, and the most.
@@ -124,6 +126,11 @@ pub(crate) fn questions(api: Api) -> Api {
 
 fn shaking(_: &Studio, question: AtSpeed) -> Result<Loads, Problem> {
     let samples = question.samples.unwrap_or(LoadRequest::default().samples);
+    if !(1..=MOST_ANGLES).contains(&samples) {
+        return Err(Problem::refused(format!(
+            "curves have 1 to {MOST_ANGLES} angles a revolution, got {samples}\nhint: leave `samples` out"
+        )));
+    }
     let request = LoadRequest { speed: question.speed()?, samples, ..LoadRequest::default() };
     loads(&engine(&question.text)?, &request).map_err(Problem::refused)
 }

@@ -17,5 +17,6 @@ mod scatter;
 mod search;
 mod sensitivity;
 mod shaft_weights;
+mod studio;
 mod sweep;
 mod torque;

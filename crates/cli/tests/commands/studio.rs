@@ -1,0 +1,258 @@
+//! The studio's server, asked as a browser, another program and an attacker would.
+
+use super::program::{examples, folder, message, output};
+use serde_json::{Value, json};
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+/// A server in a folder of its own; it ends with the test.
+struct Server {
+    child: Child,
+    /// `127.0.0.1:41857`.
+    host: String,
+    token: String,
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+impl Server {
+    fn start(folder: &Path, path: &str) -> Server {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
+            .args(["studio", path, "--no-open"])
+            .current_dir(folder)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let address = line.trim().strip_prefix("http://").unwrap_or_else(|| panic!("{line}"));
+        let (host, token) = address.split_once("/?token=").unwrap();
+        Server { child, host: host.to_owned(), token: token.to_owned() }
+    }
+
+    /// Status, head and body of an answer.
+    fn ask(&self, method: &str, path: &str, headers: &[(&str, &str)], body: &[u8]) -> (u16, String, Vec<u8>) {
+        let mut stream = TcpStream::connect(&self.host).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        let mut head =
+            format!("{method} {path} HTTP/1.1\r\nconnection: close\r\ncontent-length: {}\r\n", body.len());
+        if !headers.iter().any(|(name, _)| *name == "host") {
+            head += &format!("host: {}\r\n", self.host);
+        }
+        for (name, value) in headers {
+            head += &format!("{name}: {value}\r\n");
+        }
+        stream.write_all((head + "\r\n").as_bytes()).unwrap();
+        // A server that refuses a long body does not read it.
+        let _ = stream.write_all(body);
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let end = answer.windows(4).position(|four| four == b"\r\n\r\n").expect("an answer has a head");
+        let head = String::from_utf8(answer[..end].to_vec()).unwrap();
+        let status = head.split(' ').nth(1).unwrap().parse().unwrap();
+        (status, head.to_ascii_lowercase(), answer[end + 4..].to_vec())
+    }
+
+    fn json(&self, status: u16, method: &str, path: &str, question: &Value) -> Value {
+        let body = serde_json::to_vec(question).unwrap();
+        let (got, _, answer) = self.ask(method, path, &[("x-lanchester-token", &self.token)], &body);
+        let text = String::from_utf8_lossy(&answer);
+        assert_eq!(got, status, "{path}: {text}");
+        serde_json::from_slice(&answer).unwrap_or_else(|error| panic!("{path}: {error}: {text}"))
+    }
+
+    fn post(&self, path: &str, question: &Value) -> Value {
+        self.json(200, "POST", path, question)
+    }
+}
+
+fn three(test: &str) -> (std::path::PathBuf, String) {
+    let folder = folder(test);
+    let text = fs::read_to_string(examples().join("in-line-3-counterweights.toml")).unwrap();
+    fs::write(folder.join("three.toml"), &text).unwrap();
+    (folder, text)
+}
+
+#[test]
+fn the_answers_are_those_of_the_commands() {
+    let (folder, text) = three("studio-answers");
+    let server = Server::start(&folder, "three.toml");
+    let of_command =
+        |arguments: &[&str]| -> Value { serde_json::from_str(&output(&folder, 0, arguments)).unwrap() };
+    let mut loads = of_command(&["loads", "three.toml", "--format", "json"]);
+    loads.as_object_mut().unwrap().remove("internal");
+    assert_eq!(server.post("/api/loads", &json!({ "text": text })), loads);
+    let bearings = of_command(&["bearings", "three.toml", "--format", "json"]);
+    assert_eq!(server.post("/api/bearings", &json!({ "text": text })), bearings);
+    let balance = of_command(&["balance", "three.toml", "--format", "json"]);
+    let answer = server.post("/api/balance", &json!({ "text": text, "free": "balance" }));
+    assert_eq!(answer["answer"]["weights"], balance["weights"]);
+    assert_eq!(answer["answer"]["stages"], balance["stages"]);
+    let design = of_command(&["counterweight", "design", "three.toml", "--format", "json"]);
+    assert_eq!(server.post("/api/counterweight/design", &json!({ "text": text }))["designs"], design);
+    let arrangements = of_command(&["balance", "three.toml", "--search", "--format", "json"]);
+    assert_eq!(server.post("/api/arrangements", &json!({ "text": text })), arrangements);
+    let question = serde_json::to_vec(&json!({ "text": text, "name": "three.toml" })).unwrap();
+    let (status, _, report) =
+        server.ask("POST", "/api/report", &[("x-lanchester-token", &server.token)], &question);
+    assert_eq!(
+        (status, String::from_utf8(report).unwrap()),
+        (200, output(&folder, 0, &["report", "three.toml", "--output", "-"]))
+    );
+}
+
+#[test]
+fn an_edit_keeps_the_rest_and_a_saved_file_is_what_was_sent() {
+    let (folder, text) = three("studio-edit");
+    let server = Server::start(&folder, "three.toml");
+    let file = server.json(200, "GET", "/api/session", &json!(null))["file"].clone();
+    assert_eq!(file["text"], text);
+    let edits = json!([{ "path": "counterweight[0].unbalance", "value": "3.2 oz in" }]);
+    let reading = server.post("/api/engine", &json!({ "text": text, "edits": edits }));
+    let new = reading["text"].as_str().unwrap();
+    assert_eq!(new.lines().zip(text.lines()).filter(|(a, b)| a != b).count(), 1);
+    assert!(
+        reading["engine"]["counterweights"][0]["unbalance"]
+            .as_f64()
+            .is_some_and(|u| (u - 2.304e-3).abs() < 1e-6)
+    );
+    let saved = server.json(
+        200,
+        "PUT",
+        "/api/file",
+        &json!({ "name": "three.toml", "text": new, "revision": file["revision"] }),
+    );
+    assert_eq!(fs::read_to_string(folder.join("three.toml")).unwrap(), new);
+    // Another program writes; what was read is not what stands there.
+    fs::write(folder.join("three.toml"), "# other\n").unwrap();
+    let refused = server.json(
+        409,
+        "PUT",
+        "/api/file",
+        &json!({ "name": "three.toml", "text": text, "revision": saved["revision"] }),
+    );
+    assert!(refused["message"].as_str().unwrap().contains("another program changed three.toml"), "{refused}");
+    assert_eq!(fs::read_to_string(folder.join("three.toml")).unwrap(), "# other\n");
+    let taken = server.json(
+        409,
+        "PUT",
+        "/api/file",
+        &json!({ "name": "three.toml", "text": text, "revision": null }),
+    );
+    assert!(taken["message"].as_str().unwrap().contains("exists already"), "{taken}");
+}
+
+#[test]
+fn a_mistake_tells_its_key_and_a_question_about_no_engine_its_mistakes() {
+    let (folder, text) = three("studio-mistakes");
+    let server = Server::start(&folder, ".");
+    let wrong = text.replacen("web_thickness = \"", "web_thickness = \"x", 1);
+    let reading = server.post("/api/engine", &json!({ "text": wrong }));
+    assert!(reading["engine"].is_null());
+    assert_eq!(reading["diagnostics"][0]["path"], "crank.body.web_thickness");
+    let refused = server.json(422, "POST", "/api/loads", &json!({ "text": wrong }));
+    assert_eq!(refused["diagnostics"][0]["code"], reading["diagnostics"][0]["code"]);
+    let none = server.json(422, "POST", "/api/torque", &json!({ "text": text }));
+    assert!(none["hint"].as_str().unwrap().contains("[gas]"), "{none}");
+    for (path, question) in [
+        ("/api/loads", json!({ "text": text, "speed": -1 })),
+        ("/api/loads", json!({ "text": text, "samples": u64::MAX })),
+        ("/api/loads", json!({ "text": text, "samples": 0 })),
+        ("/api/arrangements", json!({ "text": text, "most_shafts": 99 })),
+        ("/api/arrangements/adopt", json!({ "text": text, "choice": 0 })),
+        ("/api/counterweight/front", json!({ "text": text, "against": "inertia", "count": 1_000_000 })),
+        ("/api/counterweight/shape", json!({ "text": text, "weight": "none" })),
+        ("/api/balance", json!({ "text": text, "minimise": ["beauty"] })),
+        ("/api/balance", json!({ "text": text, "free": "none" })),
+        ("/api/balance", json!({ "text": text, "shafts": ["-1 @ nowhere"] })),
+        ("/api/engine", json!({ "text": text, "edits": [{ "path": "crank[", "value": 1 }] })),
+    ] {
+        let refused = server.json(422, "POST", path, &question);
+        assert!(refused["message"].as_str().is_some_and(|message| !message.is_empty()), "{path} {refused}");
+        assert!(refused["hint"].as_str().is_some_and(|hint| !hint.is_empty()), "{path} {question} {refused}");
+    }
+    let unread = server.json(400, "POST", "/api/loads", &json!({ "texts": text }));
+    assert!(unread["message"].as_str().unwrap().contains("`text`"), "{unread}");
+}
+
+#[test]
+fn nobody_else_gets_in() {
+    let (folder, text) = three("studio-gate");
+    fs::write(folder.parent().unwrap().join("outside.toml"), &text).unwrap();
+    let server = Server::start(&folder, "three.toml");
+    let token = ("x-lanchester-token", server.token.as_str());
+    let status = |headers: &[(&str, &str)], path: &str| server.ask("GET", path, headers, b"").0;
+    assert_eq!(status(&[token], "/api/session"), 200);
+    assert_eq!(status(&[], "/api/session"), 401);
+    assert_eq!(status(&[("x-lanchester-token", "guess")], "/api/session"), 401);
+    assert_eq!(status(&[token, ("host", "evil.example")], "/api/session"), 403);
+    assert_eq!(status(&[token, ("origin", "http://evil.example")], "/api/session"), 403);
+    assert_eq!(status(&[token, ("origin", &format!("http://{}", server.host))], "/api/session"), 200);
+    assert_eq!(status(&[], "/../../etc/passwd"), 404);
+    let (status, head, _) = server.ask("GET", "/", &[], b"");
+    assert!(status == 200 && head.contains("content-security-policy: default-src 'self'"), "{head}");
+    for name in ["../outside.toml", "/etc/passwd", "..\\outside.toml", "three.txt", ""] {
+        let refused = server.json(422, "POST", "/api/file/open", &json!({ "name": name }));
+        assert!(refused["hint"].is_string(), "{name}: {refused}");
+        server.json(422, "PUT", "/api/file", &json!({ "name": name, "text": "x", "revision": null }));
+    }
+    let gas = text.clone() + "\n[gas]\n[[gas.trace]]\nfile = \"../outside.toml\"\nspeed = \"1000 rpm\"\n";
+    let refused = server.json(422, "POST", "/api/torque", &json!({ "text": gas }));
+    assert!(!refused["message"].as_str().unwrap().is_empty(), "{refused}");
+}
+
+#[test]
+fn a_huge_question_is_refused_and_the_server_lives() {
+    let (folder, text) = three("studio-huge");
+    let server = Server::start(&folder, "three.toml");
+    let token = ("x-lanchester-token", server.token.as_str());
+    let (status, ..) = server.ask("POST", "/api/engine", &[token], &vec![b' '; 25 << 20]);
+    assert_eq!(status, 413);
+    let long = "#".repeat(5 << 20);
+    let reading = server.post("/api/engine", &json!({ "text": long }));
+    assert_eq!(reading["diagnostics"][0]["code"], "E0003");
+    server.json(422, "PUT", "/api/file", &json!({ "name": "long.toml", "text": long, "revision": null }));
+    assert!(!folder.join("long.toml").exists());
+    server.post("/api/loads", &json!({ "text": text }));
+}
+
+#[test]
+fn a_change_on_the_disk_is_told() {
+    let (folder, _) = three("studio-events");
+    let server = Server::start(&folder, "three.toml");
+    let stream = TcpStream::connect(&server.host).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+    write!(&stream, "GET /api/events?token={} HTTP/1.1\r\nhost: {}\r\n\r\n", server.token, server.host)
+        .unwrap();
+    let mut lines = BufReader::new(&stream).lines();
+    let mut told =
+        || lines.by_ref().map_while(Result::ok).find(|line| line.starts_with("data: ")).expect("an event");
+    assert!(told().contains("In-line three"));
+    fs::write(folder.join("three.toml"), "# other\n").unwrap();
+    assert!(told().contains("# other"));
+    fs::remove_file(folder.join("three.toml")).unwrap();
+    assert_eq!(told(), "data: null");
+}
+
+#[test]
+fn what_cannot_be_served_is_told() {
+    let (folder, _) = three("studio-start");
+    let server = Server::start(&folder, "three.toml");
+    let port = server.host.rsplit(':').next().unwrap();
+    let taken = message(&folder, 2, &["studio", "three.toml", "--no-open", "--port", port]);
+    assert!(taken.contains(&format!("the port {port} is taken")) && taken.contains("hint: "), "{taken}");
+    let missing = message(&folder, 2, &["studio", "four.toml", "--no-open"]);
+    assert!(missing.contains("four.toml") && missing.contains("hint: "), "{missing}");
+    let nowhere = message(&folder, 2, &["studio", "nowhere/four.toml", "--no-open"]);
+    assert!(nowhere.contains("nowhere") && nowhere.contains("hint: "), "{nowhere}");
+}
