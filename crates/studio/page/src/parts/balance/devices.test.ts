@@ -24,7 +24,9 @@ describe("quantities as typed", () => {
 
 describe("amounts", () => {
   it("keep the unit that was typed", () => {
-    const base = baseOf(weight, (path) => (path === "counterweight[0].unbalance" ? "88.76 kg mm" : undefined));
+    const base = baseOf(weight, (path) =>
+      path === "counterweight[0].unbalance" ? "88.76 kg mm" : undefined,
+    );
     expect(amountEdit(weight, 0.04438, base, "g mm", 1e-6)).toEqual({
       path: "counterweight[0].unbalance",
       value: "44.38 kg mm",
@@ -32,7 +34,10 @@ describe("amounts", () => {
   });
 
   it("of mass and radius change the mass", () => {
-    const written: Record<string, string> = { "counterweight[0].mass": "1.5 kg", "counterweight[0].radius": "61 mm" };
+    const written: Record<string, string> = {
+      "counterweight[0].mass": "1.5 kg",
+      "counterweight[0].radius": "61 mm",
+    };
     const base = baseOf(weight, (path) => written[path]);
     expect(amountEdit(weight, 0.04438, base, "g mm", 1e-6)?.value).toBe("0.75 kg");
   });

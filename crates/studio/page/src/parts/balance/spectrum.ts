@@ -58,8 +58,12 @@ export function spectrum(now: LoadSet, before: LoadSet | undefined): Spectrum {
   const seen = (row: Row) =>
     row.order === 1 ||
     row.order === 2 ||
-    [row.force.now, row.force.before].some((one) => one && largest(one) > SEEN * force && largest(one) > 1e-3) ||
-    [row.couple.now, row.couple.before].some((one) => one && largest(one) > SEEN * couple && largest(one) > 1e-3);
+    [row.force.now, row.force.before].some(
+      (one) => one && largest(one) > SEEN * force && largest(one) > 1e-3,
+    ) ||
+    [row.couple.now, row.couple.before].some(
+      (one) => one && largest(one) > SEEN * couple && largest(one) > 1e-3,
+    );
   return { rows: rows.filter(seen), force, couple };
 }
 

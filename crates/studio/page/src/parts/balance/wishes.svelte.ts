@@ -39,10 +39,8 @@ class Wishes {
 
   /** A locked device stays as it is. */
   lock(name: string, on: boolean) {
-    const locked = new Set(this.locked);
-    if (on) locked.add(name);
-    else locked.delete(name);
-    this.locked = locked;
+    const others = [...this.locked].filter((one) => one !== name);
+    this.locked = new Set(on ? [...others, name] : others);
   }
 
   optimise(text: string) {

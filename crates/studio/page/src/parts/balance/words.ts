@@ -44,8 +44,10 @@ export function methodWords(method: Method): string {
   const times = (count: number, what: string) => `${count} ${what}${count === 1 ? "" : "s"}`;
   if (method.kind === "convex")
     return `One convex problem, solved ${times(method.solves, "time")} until its crank angles were exact: it has no other optimum.`;
-  return `All choices were searched: ${times(method.nodes, "box")
-    .replace("boxs", "boxes")} of choices, ${times(method.solves, "convex problem")}. Every box that was dropped holds nothing better.`;
+  return `All choices were searched: ${times(method.nodes, "box").replace(
+    "boxs",
+    "boxes",
+  )} of choices, ${times(method.solves, "convex problem")}. Every box that was dropped holds nothing better.`;
 }
 
 /** Angles [rad] that hold an optimum up, each once, in degrees. */
