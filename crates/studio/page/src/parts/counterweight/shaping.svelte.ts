@@ -22,12 +22,13 @@ class Shaping {
   readonly front = new Task<CounterweightFront>("counterweight-front");
   #wanted: Dimensions | undefined;
   #busy = false;
+  #looks = 0;
 
   choose(name: string) {
     this.name = name;
     this.live = undefined;
-    this.ghost = undefined;
     this.problem = undefined;
+    this.unlook();
   }
 
   /** The shape with these dimensions, drawn at once and written into the file. */
@@ -65,9 +66,17 @@ class Shaping {
     }
   }
 
-  /** Draws a design behind the present shape. */
+  /** Draws a design over the present shape. */
   async look(dimensions: Dimensions) {
-    this.ghost = await this.preview(this.name, dimensions, "counterweight-ghost");
+    const look = ++this.#looks;
+    const found = await this.preview(this.name, dimensions, "counterweight-ghost");
+    if (look === this.#looks) this.ghost = found;
+  }
+
+  /** Takes that design away again, even if it is still on its way. */
+  unlook() {
+    this.#looks += 1;
+    this.ghost = undefined;
   }
 
   /** Gives these dimensions to several weights, as one step. */
@@ -78,7 +87,7 @@ class Shaping {
       if (!found) return;
       text = found.text;
     }
-    this.ghost = undefined;
+    this.unlook();
     await engine.set(text, what);
   }
 }
