@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { areaPath, barsPath, dotsPath, linePath, spacing } from "./path";
+import { areaPath, barsPath, dotsPath, headPath, linePath, spacing } from "./path";
 import { pixelMap } from "./scale";
 
 const one = pixelMap([0, 1], 0, 1);
@@ -24,6 +24,10 @@ describe("paths", () => {
   });
   it("of areas go there and back", () => {
     expect(areaPath([0, 1], [10, 20], [0, 5], one, down)).toBe("M0 90L1 80L1 95L0 100Z");
+  });
+  it("of arrows end in a head", () => {
+    expect(headPath([0, 100], [0, 0], one, one, 10)).toBe("M100 0L90 4L90 -4Z");
+    expect(headPath([0, 0], [0, 0], one, one, 10)).toBe("");
   });
   it("of dots are circles", () => {
     expect(dotsPath([5], [50], one, down, 2)).toBe("M3 50a2 2 0 1 0 4 0a2 2 0 1 0 -4 0Z");

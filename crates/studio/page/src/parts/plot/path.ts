@@ -89,6 +89,21 @@ export function dotsPath(x: Values, y: Values, mapX: PixelMap, mapY: PixelMap, r
   return path;
 }
 
+/** The head of an arrow along the last stretch, `long` px; shorter arrows have shorter heads. */
+export function headPath(x: Values, y: Values, mapX: PixelMap, mapY: PixelMap, long: number): string {
+  const last = Math.min(x.length, y.length) - 1;
+  if (last < 1) return "";
+  const [px, py] = [place(mapX, x[last] as number), place(mapY, y[last] as number)];
+  const dx = px - place(mapX, x[last - 1] as number);
+  const dy = py - place(mapY, y[last - 1] as number);
+  const length = Math.hypot(dx, dy);
+  if (!(length > 1)) return "";
+  const size = Math.min(long, 0.6 * length) / length;
+  const corner = (side: number) =>
+    `${tenth(px - size * (dx + side * 0.4 * dy))} ${tenth(py - size * (dy - side * 0.4 * dx))}`;
+  return `M${tenth(px)} ${tenth(py)}L${corner(1)}L${corner(-1)}Z`;
+}
+
 /** The least distance between neighbours of all places together; infinite for a single one. */
 export function spacing(all: readonly Values[]): number {
   const places = [...new Set(all.flatMap((values) => Array.from(values)))].sort((a, b) => a - b);

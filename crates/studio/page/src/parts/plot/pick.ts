@@ -52,3 +52,9 @@ export function places(series: readonly Series[]): Values {
   if (first && series.every((one) => one.x === first)) return first;
   return Float64Array.from(new Set(series.flatMap((one) => Array.from(one.x)))).sort();
 }
+
+/** Whether any value is larger than rounding noise. */
+export function matters(values: Values, noise: number): boolean {
+  for (let i = 0; i < values.length; i++) if (Math.abs(values[i] as number) > noise) return true;
+  return false;
+}

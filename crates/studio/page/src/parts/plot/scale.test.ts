@@ -32,7 +32,7 @@ describe("limits", () => {
     expect(limits(force, [curve([NaN, 0, 10, Infinity])], "y", 1, 5, true)).toEqual([0, 10]);
   });
   it("do not blow up rounding noise", () => {
-    const axis = { ...force, least: 1 };
+    const axis = { ...force, least: 1e-9 };
     expect(limits(axis, [curve([-1e-12, 4e-12])], "y", 1, 5, true)).toEqual([-1, 1]);
     expect(limits({ ...axis, zero: true }, [curve([0, 4e-12], "bars")], "y", 1, 5, true)).toEqual([0, 1]);
   });

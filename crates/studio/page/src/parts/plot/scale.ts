@@ -74,12 +74,12 @@ export function limits(
     );
   }
   if (axis.symmetric) {
-    const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]), least);
+    const reach = Math.max(Math.abs(range[0]), Math.abs(range[1]));
     range = [-reach, reach];
   }
   if (least > 0 && Math.max(Math.abs(range[0]), Math.abs(range[1])) <= least) {
     // What stands there is noise: bars and sizes stay on zero, all else is centred.
-    range = axis.zero && range[0] >= 0 ? [0, least] : [-least, least];
+    range = axis.zero && range[0] >= 0 ? [0, unit] : [-unit, unit];
   }
   if (range[0] === range[1]) {
     const half = Math.abs(range[0]) / 2 || unit;
@@ -145,7 +145,10 @@ export function axisTicks(range: Range, axis: Axis, unit: number, count: number)
       step = (values[1] ?? 1) - (values[0] ?? 0);
     }
   } else {
-    values = scaleLinear().domain([low, high]).ticks(count);
+    // Whole numbers are short.
+    values = scaleLinear()
+      .domain([low, high])
+      .ticks(axis.whole ? 2 * count : count);
     if (axis.whole) values = values.filter((value) => Math.abs(value - Math.round(value)) < 1e-9);
     step = (values[1] ?? 1) - (values[0] ?? 0);
   }

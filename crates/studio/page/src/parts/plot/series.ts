@@ -11,8 +11,11 @@ export interface Series {
   y: Values;
   /** Number of its colour, from 1; beyond the sixth the dashes tell series apart. */
   colour: number;
-  /** Default: a line. `area` lies between `base` and `y`; `bars` stand on zero. */
-  kind?: "line" | "points" | "bars" | "area";
+  /**
+   * Default: a line. `area` lies between `base` and `y`, `bars` stand on zero, an `arrow` goes from the first point to
+   * the last.
+   */
+  kind?: "line" | "points" | "bars" | "area" | "arrow";
   /** Lower edge of an area; default: zero. */
   base?: Values;
   dash?: string;
@@ -38,7 +41,7 @@ export interface Axis {
   log?: boolean;
   /** Whether zero belongs to the axis. */
   zero?: boolean;
-  /** The axis spans at least this much either way: below it stands rounding noise. */
+  /** Below this size stands rounding noise: it is shown as zero. */
   least?: number;
   /** Same distance below zero as above. */
   symmetric?: boolean;
@@ -54,6 +57,8 @@ export interface Marker {
   colour?: number;
   /** Writes the name beside it. */
   shown?: boolean;
+  /** The name alone, without a dot. */
+  bare?: boolean;
 }
 
 /** A stretch of the x axis on a ground of its own. */
