@@ -1,0 +1,41 @@
+// The groups of the form: every key of the file is in one of them.
+
+import type { KeyInfo } from "../../api/types";
+
+export interface Group {
+  name: string;
+  /** Keys of the file itself, in this order. */
+  keys: string[];
+  /** Always shown and open: no engine goes without. */
+  always: boolean;
+}
+
+const group = (name: string, keys: string[], always = false): Group => ({ name, keys, always });
+
+const GROUPS = [
+  group("Engine", ["name", "note", "strokes", "rotation", "origin"], true),
+  group("Layout", ["layout"], true),
+  group("Speed and firing", ["speed", "firing"], true),
+  group("Crank", ["crank"], true),
+  group("Piston", ["piston"], true),
+  group("Rod", ["rod", "articulated_rod"], true),
+  group("Cylinders", ["cylinders", "cylinder"]),
+  group("Crankshafts and throws", ["crankshaft", "throw"]),
+  group("Counterweights", ["counterweights", "counterweight"]),
+  group("Balance shafts", ["shaft"]),
+  group("Gas and friction", ["gas", "friction"]),
+  group("Flywheel", ["flywheel"]),
+  group("Bearings", ["bearings"]),
+  group("Block and mounts", ["block", "mount"]),
+  group("Balance task", ["balance"]),
+  group("Shapes of weights", ["counterweight_design", "shaft_weight_design"]),
+  group("Room for the crankshaft", ["clearance"]),
+  group("Tolerances", ["tolerances"]),
+];
+
+/** The groups, with a last one for keys that have no place in the others. */
+export function grouped(keys: KeyInfo[]): Group[] {
+  const placed = new Set(GROUPS.flatMap((one) => one.keys));
+  const others = keys.map((key) => key.name).filter((name) => !placed.has(name));
+  return others.length > 0 ? [...GROUPS, group("More", others)] : GROUPS;
+}
