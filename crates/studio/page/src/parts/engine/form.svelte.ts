@@ -4,7 +4,7 @@ import { SvelteSet } from "svelte/reactivity";
 import type { PlacedDiagnostic } from "../../api/types";
 import { engine } from "../../state/engine.svelte";
 import { server } from "../../state/server.svelte";
-import { Tables, within } from "./tables";
+import { Tables, subject, within } from "./tables";
 
 class Form {
   /** Keys and tables whose empty fields are shown although the file does not have them yet. */
@@ -13,7 +13,10 @@ class Form {
   readonly tables = $derived(new Tables(server.session?.tables ?? []));
   readonly entries = $derived(engine.reading?.entries ?? []);
   readonly layout = $derived(String(engine.value("layout.type") ?? ""));
-  readonly diagnostics = $derived(engine.reading?.diagnostics ?? []);
+  readonly diagnostics = $derived.by((): PlacedDiagnostic[] => {
+    const reading = engine.reading;
+    return reading?.diagnostics.map((one) => ({ ...one, path: subject(reading, one) })) ?? [];
+  });
 
   /** Shows empty fields for a key and for the tables around it. */
   ask(path: string) {

@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
-import type { Entry, Json } from "../../api/types";
+import type { FileEntry } from "../../api/types";
 import { banks, directions, shape, si, turn } from "./geometry";
+import type { Json } from "./written";
 
-const entries = (values: Record<string, Json>): Entry[] =>
-  Object.entries(values).map(([path, value]) => ({ path, value, start: 0, end: 0, line: 1 }));
+const entries = (values: Record<string, Json>): FileEntry[] =>
+  Object.entries(values).map(([path, value]) => ({ path, value, span: { start: 0, end: 0 } }));
 
 const twin = entries({
   "crankshaft[0].name": "crankshaft",

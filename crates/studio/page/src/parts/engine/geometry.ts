@@ -1,6 +1,6 @@
 // Throws and cylinders of the engine for the sketch, out of the general form of its file as the server writes it.
 
-import type { Entry } from "../../api/types";
+import type { FileEntry } from "../../api/types";
 
 export interface Throw {
   crankshaft: number;
@@ -61,7 +61,7 @@ export function si(value: unknown): number | undefined {
   return unit === undefined || !Number.isFinite(number) ? undefined : number * unit;
 }
 
-export function shape(entries: Entry[]): Shape | undefined {
+export function shape(entries: FileEntry[]): Shape | undefined {
   const values = new Map(entries.map((entry) => [entry.path, entry.value]));
   const number = (path: string, fallback = 0) => si(values.get(path)) ?? fallback;
   const list = <T>(name: string, make: (path: string, at: number) => T): T[] => {

@@ -1,6 +1,6 @@
 // The groups of the form: every key of the file is in one of them.
 
-import type { KeyInfo } from "../../api/types";
+import type { FileEntry, KeyInfo } from "../../api/types";
 
 export interface Group {
   name: string;
@@ -13,7 +13,7 @@ export interface Group {
 const group = (name: string, keys: string[], always = false): Group => ({ name, keys, always });
 
 const GROUPS = [
-  group("Engine", ["name", "note", "strokes", "rotation", "origin"], true),
+  group("Engine", ["name", "note", "strokes", "rotation", "origin", "version"], true),
   group("Layout", ["layout"], true),
   group("Speed and firing", ["speed", "firing"], true),
   group("Crank", ["crank"], true),
@@ -32,6 +32,18 @@ const GROUPS = [
   group("Room for the crankshaft", ["clearance"]),
   group("Tolerances", ["tolerances"]),
 ];
+
+/** Keys without which there is no engine, unless the file says the same in another way: their fields are always there. */
+const CORE: Record<string, string[]> = {
+  "crank.stroke": ["crank.radius", "throw[0].radius"],
+  "piston.mass": ["cylinder[0].piston.mass"],
+  "rod.length": ["cylinder[0].rod.length"],
+};
+
+export function isCore(path: string, entries: FileEntry[]): boolean {
+  const others = CORE[path];
+  return others !== undefined && !entries.some((entry) => others.includes(entry.path));
+}
 
 /** The groups, with a last one for keys that have no place in the others. */
 export function grouped(keys: KeyInfo[]): Group[] {

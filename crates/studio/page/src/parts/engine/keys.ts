@@ -1,6 +1,6 @@
 // Which key of the file a dimension of the sketch belongs to: files say the same in several ways.
 
-import type { Entry } from "../../api/types";
+import type { FileEntry } from "../../api/types";
 import { typed } from "./written";
 
 export interface Named {
@@ -10,7 +10,7 @@ export interface Named {
 }
 
 /** The first of these keys that the file has. */
-export function first(entries: Entry[], paths: string[]): Named | undefined {
+export function first(entries: FileEntry[], paths: string[]): Named | undefined {
   for (const path of paths) {
     const entry = entries.find((one) => one.path === path);
     if (entry) return { path, text: typed(entry.value) };
@@ -19,7 +19,7 @@ export function first(entries: Entry[], paths: string[]): Named | undefined {
 }
 
 /** Keys of the cylinder at this place of the list, then those for all cylinders. */
-export function ofCylinder(entries: Entry[], number: number, key: string, common: string[]): string[] {
+export function ofCylinder(entries: FileEntry[], number: number, key: string, common: string[]): string[] {
   const own = entries.find((one) => /^cylinder\[\d+\]\.number$/.test(one.path) && one.value === number);
   const place = own ? own.path.replace(/\.number$/, "") : `cylinder[${number - 1}]`;
   return [`${place}.${key}`, ...common];

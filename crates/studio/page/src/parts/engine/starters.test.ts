@@ -1,11 +1,12 @@
 import { describe, expect, it } from "vitest";
-import type { Entry, Json, TableInfo } from "../../api/types";
+import type { FileEntry, KeyTable } from "../../api/types";
 import { starter, tree } from "./starters";
+import type { Json } from "./written";
 
-const entries = (values: Record<string, Json>): Entry[] =>
-  Object.entries(values).map(([path, value]) => ({ path, value, start: 0, end: 0, line: 1 }));
+const entries = (values: Record<string, Json>): FileEntry[] =>
+  Object.entries(values).map(([path, value]) => ({ path, value, span: { start: 0, end: 0 } }));
 
-const table = (path: string): TableInfo => ({
+const table = (path: string): KeyTable => ({
   path,
   doc: "",
   keys: [
@@ -14,7 +15,6 @@ const table = (path: string): TableInfo => ({
       doc: "",
       wanted: "an angle with its unit",
       kind: "quantity",
-      dimension: "angle",
       choices: [],
       required: true,
       layouts: [],

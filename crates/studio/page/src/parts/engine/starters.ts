@@ -1,8 +1,8 @@
 // What a new entry of a list begins with, where there is none to be copied.
 
-import type { Entry, Json, TableInfo } from "../../api/types";
+import type { FileEntry, KeyTable } from "../../api/types";
 import { count } from "./tables";
-import { written } from "./written";
+import { type Json, written } from "./written";
 
 const STARTERS: Record<string, Record<string, Json>> = {
   "counterweight[]": { throw: 1, unbalance: "0 kg m" },
@@ -14,7 +14,7 @@ const STARTERS: Record<string, Record<string, Json>> = {
 };
 
 /** A copy of the list's last entry, else a start of its own, else the examples of the keys that it needs. */
-export function starter(entries: Entry[], list: string, table: TableInfo): Json {
+export function starter(entries: FileEntry[], list: string, table: KeyTable): Json {
   const last = count(entries, list) - 1;
   if (last >= 0) {
     const copy = tree(entries, `${list}[${last}]`);
@@ -34,7 +34,7 @@ export function starter(entries: Entry[], list: string, table: TableInfo): Json 
 }
 
 /** Everything below `root` as one value. */
-export function tree(entries: Entry[], root: string): Record<string, Json> {
+export function tree(entries: FileEntry[], root: string): Record<string, Json> {
   const out: Record<string, Json> = {};
   for (const entry of entries) {
     if (!entry.path.startsWith(`${root}.`)) continue;
@@ -44,7 +44,7 @@ export function tree(entries: Entry[], root: string): Record<string, Json> {
     );
     let at: Node = out;
     steps.forEach((step, depth) => {
-      if (depth === steps.length - 1) at[step] = entry.value;
+      if (depth === steps.length - 1) at[step] = entry.value as Json;
       else at = (at[step] ??= typeof steps[depth + 1] === "number" ? [] : {}) as Node;
     });
   }

@@ -1,13 +1,12 @@
 import { describe, expect, it } from "vitest";
-import type { Entry, TableInfo } from "../../api/types";
-import { Tables, children, count, label, present } from "./tables";
+import type { FileEntry, KeyTable, PlacedDiagnostic, Reading } from "../../api/types";
+import { Tables, children, count, label, present, split, subject } from "./tables";
 
 const key = (name: string) => ({
   name,
   doc: "",
   wanted: "",
   kind: "quantity",
-  dimension: null,
   choices: [],
   required: false,
   layouts: [],
@@ -19,10 +18,10 @@ const tables = new Tables([
   { path: "crank.body", doc: "", keys: [key("density")] },
   { path: "shaft[]", doc: "", keys: [key("weights")] },
   { path: "shaft[].weights[]", doc: "", keys: [key("z")] },
-] satisfies TableInfo[]);
+] satisfies KeyTable[]);
 
 const entries = ["crank.stroke", "crank.body.density", "shaft[0].weights[0].z", "shaft[1].weights[10].z"].map(
-  (path): Entry => ({ path, value: "", start: 0, end: 0, line: 1 }),
+  (path): FileEntry => ({ path, value: "", span: { start: 0, end: 0 } }),
 );
 
 describe("Tables", () => {
@@ -57,5 +56,50 @@ describe("label", () => {
   it("reads as words", () => {
     expect(label("big_end_mass")).toBe("Big end mass");
     expect(label("z")).toBe("z");
+  });
+});
+
+describe("split", () => {
+  it("keeps quoted names whole", () => {
+    expect(split("crank.body.density")).toEqual({ parent: "crank.body", name: "density" });
+    expect(split("name")).toEqual({ parent: "", name: "name" });
+    expect(split('balance.limits."force order 0.5"')).toEqual({
+      parent: "balance.limits",
+      name: '"force order 0.5"',
+    });
+  });
+});
+
+describe("subject", () => {
+  const text = 'name = "x"\n[rod]\nmass = "1 kg"\n[[shaft]]\nx = "0 mm"\n[[shaft]]\ny = "0 mm"\n';
+  const at = (path: string, value: string, from = 0): FileEntry => {
+    const start = text.indexOf(value, from);
+    return { path, value, span: { start, end: start + value.length } };
+  };
+  const second = text.lastIndexOf("[[shaft]]");
+  const reading = {
+    text,
+    entries: [
+      at("name", '"x"'),
+      at("rod.mass", '"1 kg"'),
+      at("shaft[0].x", '"0 mm"'),
+      at("shaft[1].y", '"0 mm"', second),
+    ],
+  } as unknown as Reading;
+  const about = (path: string | null, start: number) =>
+    subject(reading, { path, span: { start, end: start } } as unknown as PlacedDiagnostic);
+
+  it("is the value at its place, or the key on the same line", () => {
+    expect(about("rod.mass", text.indexOf('"1 kg"'))).toBe("rod.mass");
+    expect(about("rod.mass", text.indexOf("mass"))).toBe("rod.mass");
+  });
+
+  it("is the table whose header it stands at, and not the first key in it", () => {
+    expect(about("rod.mass", text.indexOf("[rod]"))).toBe("rod");
+    expect(about("shaft[1].y", second)).toBe("shaft[1]");
+  });
+
+  it("is nothing where only the file as a whole is meant", () => {
+    expect(about(null, 3)).toBeNull();
   });
 });

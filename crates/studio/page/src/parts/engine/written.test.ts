@@ -7,7 +7,6 @@ const key = (kind: string, wanted: string, example: string): KeyInfo => ({
   doc: "",
   wanted,
   kind,
-  dimension: null,
   choices: [],
   required: false,
   layouts: [],

@@ -1,6 +1,9 @@
 // Between what stands in a field and what stands in the file. Units are the server's business: text stays text.
 
-import type { Json, KeyInfo } from "../../api/types";
+import type { KeyInfo } from "../../api/types";
+
+/** A value of the file. */
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
