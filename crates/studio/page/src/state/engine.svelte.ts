@@ -33,6 +33,12 @@ class EngineDocument {
   problem = $state.raw<Problem>();
 
   dirty = $derived(this.text !== (this.file?.text ?? ""));
+  /** Something would be lost with this text: an untouched template of the gallery would not. */
+  unsaved = $derived(
+    this.dirty &&
+      this.text !== "" &&
+      !(this.file === null && server.session?.templates.some((template) => template.text === this.text)),
+  );
   undoes = $derived(this.#past.at(-1)?.what);
   redoes = $derived(this.#future.at(-1)?.what);
   /** Another program changed the file since it was opened or saved here. */
@@ -52,6 +58,8 @@ class EngineDocument {
     this.#future = [];
     this.text = text;
     await this.#do({ text, what: "open", kind: "" }, false);
+    // A file without an engine has no results: those of the engine before are not its own.
+    if (this.text === text && this.reading?.text === text && !this.reading.engine) this.valid = "";
   }
 
   /** New text, as typed or as adopted from a result; `kind`: what belongs to one step of undo. */
@@ -105,6 +113,10 @@ class EngineDocument {
   #waiting: { job: Job; remember: boolean; done: () => void }[] = [];
   #running = false;
 
+  constructor() {
+    server.whenBack(() => void this.#run());
+  }
+
   #do(job: Job, remember: boolean): Promise<void> {
     return new Promise((done) => {
       const replaced = (waiting: { job: Job }) =>
@@ -135,25 +147,48 @@ class EngineDocument {
           this.reading = reading;
           this.problem = undefined;
           if (reading.engine) this.valid = reading.text;
+        } else if (job.edits) {
+          // The edit belongs into the newer text too.
+          this.#waiting.unshift(next);
+          continue;
         }
       } catch (error) {
         if (error instanceof Refused) this.problem = error.problem;
-        else if (error instanceof Gone) server.lost();
-        else throw error;
+        else if (error instanceof Gone) {
+          // Nothing is lost: the job is done when the server is back.
+          this.#waiting.unshift(next);
+          server.lost();
+          break;
+        } else throw error;
       }
       done();
     }
     this.#running = false;
   }
 
-  /** Writes the file; `Refused` with status 409 where another program changed it. `over`: what it may replace. */
-  async save(name?: string, over?: string): Promise<void> {
+  /**
+   * Writes the file; `Refused` with status 409 where another program changed it. `over`: revision that it may replace,
+   * `null` for none.
+   */
+  async save(name?: string, over?: string | null): Promise<void> {
     const target = name ?? this.file?.name;
     if (!target) throw new Error("a file that is not there yet needs a name");
-    const revision = name && name !== this.file?.name ? null : (over ?? this.file?.revision ?? null);
+    const own = target === this.file?.name ? this.file.revision : null;
+    const revision = over === undefined ? own : over;
     const file = await put<FileState>("/api/file", { name: target, text: this.text, revision });
     this.file = file;
     server.onDisk = file;
+  }
+
+  /** What another program wrote is what this text replaces from now on. */
+  keepMine(theirs: FileState) {
+    this.file = theirs;
+  }
+
+  /** What another program wrote in place of this text; undo brings this one back. */
+  async takeTheirs(theirs: FileState) {
+    this.file = theirs;
+    await this.set(theirs.text, `take ${theirs.name} from the disk`);
   }
 }
 

@@ -12,6 +12,17 @@ class Server {
   /** The file as it stands on the disk. */
   onDisk = $state.raw<FileState | null>(null);
   #waiting = false;
+  #back: (() => void)[] = [];
+
+  /** Calls `act` each time the server answers again. */
+  whenBack(act: () => void) {
+    this.#back.push(act);
+  }
+
+  /** The session anew: files may have come to the folder. */
+  async refresh() {
+    this.session = await get<Session>("/api/session");
+  }
 
   async start(): Promise<Session> {
     const session = await get<Session>("/api/session");
@@ -46,6 +57,7 @@ class Server {
         this.#waiting = false;
         this.epoch += 1;
         this.#listen();
+        for (const act of this.#back) act();
       } catch {
         setTimeout(again, 1000);
       }

@@ -6,6 +6,7 @@ export type System = (typeof SYSTEMS)[number];
 export type Measure =
   | "length"
   | "area"
+  | "volume"
   | "mass"
   | "force"
   | "moment"
@@ -48,6 +49,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     ...COMMON,
     length: { name: "m", si: 1 },
     area: { name: "m²", si: 1 },
+    volume: { name: "m³", si: 1 },
     mass: { name: "kg", si: 1 },
     force: { name: "N", si: 1 },
     moment: { name: "N m", si: 1 },
@@ -64,6 +66,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     ...COMMON,
     length: { name: "mm", si: 1e-3 },
     area: { name: "mm²", si: 1e-6 },
+    volume: { name: "cm³", si: 1e-6 },
     mass: { name: "g", si: 1e-3 },
     force: { name: "N", si: 1 },
     moment: { name: "N m", si: 1 },
@@ -80,6 +83,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     ...COMMON,
     length: { name: "in", si: INCH },
     area: { name: "in²", si: INCH * INCH },
+    volume: { name: "in³", si: INCH ** 3 },
     mass: { name: "lb", si: POUND },
     force: { name: "lbf", si: POUND_FORCE },
     moment: { name: "lbf ft", si: POUND_FORCE * 12 * INCH },

@@ -1,0 +1,38 @@
+import { describe, expect, it } from "vitest";
+import type { Complex, LoadSet, OrderLoads } from "../../api/types";
+import { spectrum } from "./spectrum";
+
+const zero: Complex = [0, 0];
+function order(number: number, forward: Complex, backward: Complex = zero): OrderLoads {
+  return {
+    order: number,
+    force_forward: forward,
+    force_backward: backward,
+    couple_forward: zero,
+    couple_backward: zero,
+    roll_moment: zero,
+    shaft_torque: zero,
+  };
+}
+const set = (orders: OrderLoads[]) => ({ orders }) as LoadSet;
+
+describe("the two-sided spectrum", () => {
+  it("takes amounts of complex components", () => {
+    const { rows, force } = spectrum(set([order(1, [3, 4], [0, 2])]), undefined);
+    expect(rows[0]?.force.now).toEqual({ forward: 5, backward: 2 });
+    expect(rows[0]?.force.before).toBeUndefined();
+    expect(force).toBe(5);
+  });
+
+  it("leaves out orders that are nothing, but not the first and second", () => {
+    const now = set([order(1, zero), order(2, [100, 0]), order(4, [1, 0]), order(6, [1e-6, 0])]);
+    expect(spectrum(now, undefined).rows.map((row) => row.order)).toEqual([1, 2, 4]);
+  });
+
+  it("shows what was there before", () => {
+    const { rows, force } = spectrum(set([order(2, [1, 0])]), set([order(2, [10, 0]), order(3, [5, 0])]));
+    expect(rows.map((row) => row.order)).toEqual([2, 3]);
+    expect(rows[1]?.force).toEqual({ now: { backward: 0, forward: 0 }, before: { backward: 0, forward: 5 } });
+    expect(force).toBe(10);
+  });
+});

@@ -1,0 +1,44 @@
+import { describe, expect, it } from "vitest";
+import { angleWords, criterionName, gapWords, isClosed, measureOf, methodWords, ratioName } from "./words";
+
+const stage = { value: 100, lower_bound: 99, gap: 1, terms: [], active: [] };
+
+describe("criteria", () => {
+  it("have the names of the file", () => {
+    expect(criterionName({ peak: "roll-moment" })).toBe("roll moment");
+    expect(criterionName({ order: ["couple", 0.5] })).toBe("couple order 1/2");
+    expect(criterionName("added-unbalance")).toBe("added unbalance");
+  });
+
+  it("are measured in their unit", () => {
+    expect(measureOf({ peak: "force-x" })).toBe("force");
+    expect(measureOf({ order: ["couple", 1] })).toBe("moment");
+    expect(measureOf("added-mass")).toBe("mass");
+  });
+});
+
+describe("proofs", () => {
+  it("are closed within a part in a million", () => {
+    expect(isClosed(stage)).toBe(false);
+    expect(gapWords(stage)).toBe("1.0 %");
+    expect(gapWords({ ...stage, gap: 1e-6 })).toBe("closed");
+    expect(gapWords({ ...stage, value: 0, gap: 0 })).toBe("closed");
+  });
+
+  it("name each angle once", () => {
+    expect(angleWords([Math.PI, 0, Math.PI])).toBe("0°, 180°");
+    expect(angleWords([0, 1, 2, 3], 2)).toBe("0°, 57.3° and 2 more");
+  });
+
+  it("tell the method", () => {
+    expect(methodWords({ kind: "branch-and-bound", nodes: 190, solves: 870 })).toContain("190 boxes");
+    expect(methodWords({ kind: "convex", solves: 1 })).toContain("1 time ");
+  });
+});
+
+describe("ratios", () => {
+  it("have a sign", () => {
+    expect(ratioName(-2)).toBe("−2");
+    expect(ratioName(1)).toBe("+1");
+  });
+});

@@ -1,0 +1,65 @@
+// Criteria, numbers of proofs and verdicts in plain words.
+
+import type { Criterion, FoundStage, Load, Method } from "../../api/types";
+import type { Measure } from "../../state/units.svelte";
+
+export function loadName(load: Load): string {
+  if (typeof load === "object") return `force at mount ${load["mount-force"] + 1}`;
+  if (load === "largest-mount-force") return "mount force";
+  return load.replaceAll("-", " ");
+}
+
+export function criterionName(criterion: Criterion): string {
+  if (typeof criterion === "string") return criterion.replaceAll("-", " ");
+  if ("peak" in criterion) return loadName(criterion.peak);
+  return `${loadName(criterion.order[0])} order ${orderName(criterion.order[1])}`;
+}
+
+/** `1`, `1/2`, `5/2`. */
+export function orderName(order: number): string {
+  return Number.isInteger(order) || !Number.isInteger(2 * order) ? String(order) : `${2 * order}/2`;
+}
+
+/** What a criterion measures. */
+export function measureOf(criterion: Criterion): Measure {
+  if (criterion === "added-mass") return "mass";
+  if (criterion === "added-unbalance") return "unbalance";
+  const load = "peak" in criterion ? criterion.peak : criterion.order[0];
+  const moments: Load[] = ["couple", "couple-x", "couple-y", "roll-moment", "bending-moment"];
+  return moments.includes(load) ? "moment" : "force";
+}
+
+/** Whether the proof leaves nothing open that could be seen. */
+export function isClosed(stage: FoundStage): boolean {
+  return stage.gap <= 1e-6 * Math.max(Math.abs(stage.value), Number.MIN_VALUE);
+}
+
+/** A gap as part of the value. */
+export function gapWords(stage: FoundStage): string {
+  if (stage.value === 0 || isClosed(stage)) return "closed";
+  return `${((100 * stage.gap) / Math.abs(stage.value)).toPrecision(2)} %`;
+}
+
+export function methodWords(method: Method): string {
+  const times = (count: number, what: string) => `${count} ${what}${count === 1 ? "" : "s"}`;
+  if (method.kind === "convex")
+    return `One convex problem, solved ${times(method.solves, "time")} until its crank angles were exact: it has no other optimum.`;
+  return `All choices were searched: ${times(method.nodes, "box").replace(
+    "boxs",
+    "boxes",
+  )} of choices, ${times(method.solves, "convex problem")}. Every box that was dropped holds nothing better.`;
+}
+
+/** Angles [rad] that hold an optimum up, each once, in degrees. */
+export function angleWords(angles: readonly number[], most = 8): string {
+  const degrees = [...new Set(angles.map((theta) => Math.round((theta * 1800) / Math.PI) / 10))].sort(
+    (a, b) => a - b,
+  );
+  const named = degrees.slice(0, most).map((degree) => `${degree}°`);
+  return named.join(", ") + (degrees.length > most ? ` and ${degrees.length - most} more` : "");
+}
+
+/** A ratio with its sign: `−1`, `+2`. */
+export function ratioName(ratio: number): string {
+  return `${ratio < 0 ? "−" : "+"}${Math.abs(ratio)}`;
+}

@@ -1,0 +1,48 @@
+import { describe, expect, it } from "vitest";
+import type { DeviceSummary } from "../../api/types";
+import { bodyEdits, bodyStart, clearanceStart, shapesStart, websOf, type Sizes } from "./start";
+
+const four: Sizes = {
+  bore: 0.0825,
+  stroke: 0.0928,
+  bottom: 0.0976,
+  webDistance: 0.044,
+  narrowest: 0.044,
+  rods: 1,
+};
+const web = (number: number, z: number) => ({ name: `web ${number}`, z }) as DeviceSummary;
+const number = (size: unknown) => Number(String(size).split(" ")[0]);
+
+describe("sections to start from", () => {
+  it("keep journal, pin and web within one another", () => {
+    const body = bodyStart(four);
+    expect(number(body.journal_diameter) / 2).toBeLessThan(number(body.web_radius));
+    expect(number(body.pin_diameter) / 2).toBeLessThan(number(body.pin_end_radius));
+    expect(number(body.web_thickness)).toBeLessThan(1e3 * four.narrowest);
+    expect(shapesStart(four).thickness).toBe(body.web_thickness);
+  });
+
+  it("leave the big end room between the webs", () => {
+    const width = number(clearanceStart(four).big_end_width);
+    expect(width).toBeGreaterThan(4);
+    expect(width).toBeLessThan(44 - number(bodyStart(four).web_thickness));
+  });
+
+  it("take the place of masses of the throw", () => {
+    const entries = [{ path: "crank.pin_mass", value: "0.4 kg", start: 0, end: 0, line: 1 }];
+    expect(bodyEdits(four, entries)[0]).toEqual({ path: "crank.pin_mass", value: null });
+    expect(bodyEdits(four, [])).toHaveLength(1);
+  });
+});
+
+describe("distances of webs", () => {
+  it("come from weights on neighbouring webs", () => {
+    const found = websOf([web(1, -0.066), web(2, -0.022), web(3, 0.01), web(4, 0.054)]);
+    expect(found?.distance).toBeCloseTo(0.044, 12);
+    expect(found?.narrowest).toBeCloseTo(0.032, 12);
+  });
+
+  it("are not known from weights elsewhere", () => {
+    expect(websOf([web(2, 0), { name: "flywheel", z: 0.1 } as DeviceSummary])).toBeUndefined();
+  });
+});

@@ -1,0 +1,89 @@
+// The few numbers that are always seen, out of the loads.
+
+import type { Loads, OrderLoads } from "../api/types";
+import type { Measure } from "../state/units.svelte";
+
+export interface Figure {
+  name: string;
+  /** What it is, in full. */
+  about: string;
+  measure: Measure;
+  /** SI. */
+  value: number;
+}
+
+/** What is smaller than this part of the forces within the engine is rounding and counts as nothing. */
+const NOISE = 1e-9;
+
+export function figures(loads: Loads): Figure[] {
+  const peaks = loads.total.peaks;
+  const within = Math.max(...loads.cylinders.map((cylinder) => cylinder.loads.peaks.force.max.value), 0);
+  // Couples are compared with the same forces on an arm of 1 m.
+  const clean = (value: number) => (Math.abs(value) > NOISE * within ? value : 0);
+  const order = (wanted: number) => loads.total.orders.find((entry) => entry.order === wanted);
+  const force = (wanted: number) => clean(sum(order(wanted), "force_forward", "force_backward"));
+  const couple = (wanted: number) => clean(sum(order(wanted), "couple_forward", "couple_backward"));
+  const roll = Math.max(Math.abs(peaks.roll_moment.max.value), Math.abs(peaks.roll_moment.min.value));
+  return [
+    {
+      name: "Peak force",
+      about: "Largest resultant shaking force on the block",
+      measure: "force",
+      value: clean(peaks.force.max.value),
+    },
+    {
+      name: "Force, order 1",
+      about: "Largest resultant of the force of first order",
+      measure: "force",
+      value: force(1),
+    },
+    {
+      name: "Force, order 2",
+      about: "Largest resultant of the force of second order",
+      measure: "force",
+      value: force(2),
+    },
+    {
+      name: "Peak couple",
+      about: "Largest resultant couple about the reference point",
+      measure: "moment",
+      value: clean(peaks.couple.max.value),
+    },
+    {
+      name: "Couple, order 1",
+      about: "Largest resultant of the couple of first order",
+      measure: "moment",
+      value: couple(1),
+    },
+    {
+      name: "Couple, order 2",
+      about: "Largest resultant of the couple of second order",
+      measure: "moment",
+      value: couple(2),
+    },
+    {
+      name: "Roll moment",
+      about: "Largest moment of inertia forces about the crank axis",
+      measure: "moment",
+      value: clean(roll),
+    },
+  ];
+}
+
+type Turning = "force_forward" | "force_backward" | "couple_forward" | "couple_backward";
+
+/** Both parts in line: the major half axis of the order's ellipse. */
+function sum(order: OrderLoads | undefined, forward: Turning, backward: Turning): number {
+  return order ? Math.hypot(...order[forward]) + Math.hypot(...order[backward]) : 0;
+}
+
+/** Change from before to now, in words; empty where there is none. */
+export function change(before: number, now: number): string {
+  if (before === now) return "same";
+  if (before === 0) return "new";
+  if (now === 0) return "gone";
+  const percent = (now / before - 1) * 100;
+  if (Math.abs(percent) < 0.05) return "same";
+  if (percent > 999) return `× ${(now / before).toPrecision(3)}`;
+  return `${percent < 0 ? "−" : "+"}${Math.abs(percent).toFixed(Math.abs(percent) < 10 ? 1 : 0)} %`;
+}

@@ -1,0 +1,94 @@
+// What a plot is made of. All values are SI; the plot shows them in the units that are chosen.
+
+import type { Measure } from "../../state/units.svelte";
+
+/** Numbers over an axis, as results hold them. */
+export type Values = ArrayLike<number>;
+
+export interface Series {
+  name: string;
+  x: Values;
+  y: Values;
+  /** Number of its colour, from 1; beyond the sixth the dashes tell series apart. */
+  colour: number;
+  /**
+   * Default: a line. `area` lies between `base` and `y`, `bars` stand on zero, an `arrow` goes from the first point to
+   * the last.
+   */
+  kind?: "line" | "points" | "bars" | "area" | "arrow";
+  /** Lower edge of an area; default: zero. */
+  base?: Values;
+  dash?: string;
+  /** In px; default 1.75. */
+  width?: number;
+  /** Joins the last point with the first: what repeats. */
+  closed?: boolean;
+  /** What runs along a curve whose axes are two components, for the readout: the crank angle. */
+  along?: Values;
+  /** Names of single points, for the readout. */
+  labels?: readonly string[];
+  /** Left out of the plot until its name in the legend is pressed. */
+  hidden?: boolean;
+}
+
+export interface Axis {
+  name: string;
+  measure: Measure;
+  /** Unit in place of that of the measure, where the values are plain numbers: "of 1". */
+  unit?: string;
+  /** Default: what the series reach. */
+  domain?: readonly [number, number];
+  log?: boolean;
+  /** Whether zero belongs to the axis. */
+  zero?: boolean;
+  /** Below this size stands rounding noise: it is shown as zero. */
+  least?: number;
+  /** Same distance below zero as above. */
+  symmetric?: boolean;
+  /** Ticks at whole numbers only. */
+  whole?: boolean;
+}
+
+/** A place that is marked. */
+export interface Marker {
+  x: number;
+  y: number;
+  name: string;
+  colour?: number;
+  /** Writes the name beside it. */
+  shown?: boolean;
+  /** The name alone, without a dot. */
+  bare?: boolean;
+}
+
+/** A stretch of the x axis on a ground of its own. */
+export interface Band {
+  from: number;
+  to: number;
+  name: string;
+  colour?: number;
+}
+
+/** A line across the plot at a value. */
+export interface Rule {
+  x?: number;
+  y?: number;
+  name: string;
+}
+
+/** The crank angle in a plot over the crank angle: it can be dragged. */
+export interface Cursor {
+  value: number;
+  set: (value: number) => void;
+}
+
+const COLOURS = 6;
+const DASHES = ["", "7 3", "2 3", "9 3 2 3"];
+
+export function colour(number: number): string {
+  return `var(--series-${((Math.max(1, number) - 1) % COLOURS) + 1})`;
+}
+
+export function dash(series: Series): string {
+  return series.dash ?? DASHES[Math.floor((Math.max(1, series.colour) - 1) / COLOURS) % DASHES.length] ?? "";
+}

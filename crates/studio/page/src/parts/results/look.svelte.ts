@@ -1,0 +1,29 @@
+// What of the results is looked at; it stays while other tabs are open.
+
+export const SECTIONS = [
+  ["forces", "Forces and couples"],
+  ["motion", "Motion"],
+  ["torque", "Torque"],
+  ["bearings", "Bearings"],
+  ["mounts", "Mounts"],
+  ["crankshaft", "Inside the crankshaft"],
+] as const;
+export type Section = (typeof SECTIONS)[number][0];
+
+export type By = "whole" | "parts" | "cylinders";
+
+class Look {
+  section = $state<Section>("forces");
+  /** How loads are split. */
+  by = $state<By>("whole");
+  /** What the stars of the cylinders show. */
+  stars = $state<"force" | "couple">("force");
+  /** Bearings also without counterweights. */
+  bare = $state(false);
+  /** Share of the reciprocating forces in shear and bending. */
+  share = $state(0);
+  counterweights = $state(true);
+  model = $state<"free_beam" | "throw_by_throw">("free_beam");
+}
+
+export const look = new Look();

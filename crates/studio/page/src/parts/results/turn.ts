@@ -1,0 +1,9 @@
+// The crank angle of the whole studio, inside the period of a result.
+
+import { view } from "../../state/view.svelte";
+import type { Cursor } from "../plot/series";
+
+export function turned(period: number): Cursor {
+  const value = view.theta % period;
+  return { value: value < 0 ? value + period : value, set: (theta) => (view.theta = theta) };
+}

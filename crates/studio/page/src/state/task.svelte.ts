@@ -1,0 +1,47 @@
+// A result of the server that is asked for by a button: it stays until it is asked for again.
+
+import { Gone, Refused, post } from "../api/client";
+import type { Problem } from "../api/types";
+import { server } from "./server.svelte";
+
+export class Task<T> {
+  value = $state.raw<T>();
+  problem = $state.raw<Problem>();
+  busy = $state(false);
+  /** The engine file's text that the answer belongs to. */
+  text = $state("");
+  #count = 0;
+
+  constructor(readonly lane: string) {}
+
+  /** Asks anew; an answer to an older question is dropped. */
+  async ask(path: string, text: string, settings: Record<string, unknown>): Promise<T | undefined> {
+    const count = ++this.#count;
+    this.busy = true;
+    try {
+      const value = await post<T>(path, { text, ...settings }, this.lane);
+      if (count !== this.#count) return undefined;
+      this.value = value;
+      this.text = text;
+      this.problem = undefined;
+      return value;
+    } catch (error) {
+      if (count !== this.#count) return undefined;
+      if (error instanceof Refused) {
+        this.problem = error.problem;
+        this.value = undefined;
+      } else if (error instanceof Gone) server.lost();
+      else throw error;
+      return undefined;
+    } finally {
+      if (count === this.#count) this.busy = false;
+    }
+  }
+
+  clear() {
+    this.#count += 1;
+    this.busy = false;
+    this.value = undefined;
+    this.problem = undefined;
+  }
+}

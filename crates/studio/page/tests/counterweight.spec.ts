@@ -1,0 +1,151 @@
+// The Counterweight tab: from a template to outlines, handles, best shape, front, export.
+
+import type { Page } from "@playwright/test";
+import { readFile } from "node:fs/promises";
+import { points } from "./points";
+import { expect, test } from "./server";
+
+test.use({ example: "in-line-3-counterweights.toml" });
+
+async function open(page: Page, address: string) {
+  await page.goto(address);
+  await page.getByRole("tab", { name: "Counterweight" }).click();
+}
+
+const outline = (page: Page) => page.locator("path.part");
+const mass = (page: Page) => page.locator("[data-fact=mass]");
+const field = (page: Page, name: string) => page.getByRole("textbox", { name });
+
+/** Finds the best shapes and takes them. */
+async function adoptBest(page: Page) {
+  await page.getByRole("button", { name: "Find the best shape" }).click();
+  const best = page.getByRole("region", { name: "Best shape" });
+  await expect(best).toContainText("Proved: no shape within the ranges goes below");
+  await best.getByRole("button", { name: "Adopt" }).click();
+  await expect(field(page, "Arc radius")).toHaveValue(/^92\.4999\d* mm$/);
+}
+
+test("the best shape is found with its proof, adopted and undone", async ({ studio, page }) => {
+  await open(page, studio.address);
+  await expect(outline(page)).toBeVisible();
+  await expect(page.getByRole("button", { name: /^web 1/ })).toContainText("no shape yet");
+  await page.getByRole("button", { name: "Find the best shape" }).click();
+  const best = page.getByRole("region", { name: "Best shape" });
+  await expect(best).toContainText("1608.0 g");
+  await expect(best).toContainText("piston 1 is in the way");
+  await expect(page.locator("path.ghost")).toBeVisible();
+  await best.getByRole("button", { name: "Adopt" }).click();
+  await expect(page.getByRole("button", { name: /^web 1/ })).toContainText(/16\d\d g/);
+  await expect(page.locator("path.ghost")).toHaveCount(0);
+  await expect(page.getByRole("table", { name: "Clearances" })).toContainText("piston 1");
+  await page.locator("body").press("Control+z");
+  await expect(page.getByRole("button", { name: /^web 1/ })).toContainText("no shape yet");
+});
+
+test("a handle that is dragged changes outline, mass and file, as one step", async ({ studio, page }) => {
+  await open(page, studio.address);
+  await adoptBest(page);
+  const [before, grams] = [await outline(page).getAttribute("d"), await mass(page).innerText()];
+  const handle = page.getByRole("slider", { name: "Arc radius" });
+  await handle.scrollIntoViewIfNeeded();
+  const box = (await handle.boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y + 24, { steps: 6 });
+  await page.mouse.up();
+  await expect(outline(page)).not.toHaveAttribute("d", before!);
+  await expect(mass(page)).not.toHaveText(grams);
+  await expect(field(page, "Arc radius")).not.toHaveValue(/^92/);
+  expect(parseFloat(await field(page, "Arc radius").inputValue())).toBeLessThan(92);
+  await expect(page.getByLabel("The part")).toContainText("too light");
+  await page.locator("body").press("Control+z");
+  await expect(field(page, "Arc radius")).toHaveValue(/^92/);
+  await expect(mass(page)).toHaveText(grams);
+});
+
+test("a handle follows the keyboard, and tells what comes too close", async ({ studio, page }) => {
+  await open(page, studio.address);
+  await adoptBest(page);
+  const handle = page.getByRole("slider", { name: "Arc radius" });
+  await handle.focus();
+  await handle.press("PageUp");
+  await expect(handle).toHaveAttribute("aria-valuetext", "97.50 mm");
+  const row = page.getByRole("table", { name: "Clearances" }).getByRole("row", { name: /^piston 1/ });
+  await expect(row).toContainText(/too close|touches/);
+  await expect(page.getByRole("button", { name: /^web 1/ })).toContainText("too close");
+});
+
+test("a dimension is typed in any unit; a wrong one shows its message", async ({ studio, page }) => {
+  await open(page, studio.address);
+  await adoptBest(page);
+  const grams = await mass(page).innerText();
+  await field(page, "Arc radius").fill("3.5 in");
+  await field(page, "Arc radius").press("Enter");
+  await expect(page.getByRole("slider", { name: "Arc radius" })).toHaveAttribute(
+    "aria-valuetext",
+    "88.90 mm",
+  );
+  await expect(mass(page)).not.toHaveText(grams);
+  await field(page, "Thickness").fill("26 kg");
+  await field(page, "Thickness").press("Enter");
+  const dimensions = page.getByRole("region", { name: "Dimensions" });
+  await expect(dimensions.getByRole("alert")).toHaveText(/length/);
+  await expect(field(page, "Thickness")).toHaveAttribute("aria-invalid", "true");
+});
+
+test("a point of the front is drawn over the present outline and adopted", async ({ studio, page }) => {
+  await open(page, studio.address);
+  await adoptBest(page);
+  await page.getByRole("button", { name: "Trace the front" }).click();
+  const front = page.getByRole("region", { name: "Front of designs" });
+  await expect(front).toContainText("Proved: below the line there is nothing.");
+  const all = await points(front);
+  expect(all.length).toBeGreaterThan(10);
+  await page.mouse.click(...all[2]!);
+  await expect(front).toContainText(/Design \d+:/);
+  const ghost = page.locator("path.ghost");
+  await expect(ghost).toHaveAttribute("d", /^M/);
+  const drawn = await ghost.getAttribute("d");
+  expect(drawn).not.toBe(await outline(page).getAttribute("d"));
+  await front.getByRole("button", { name: /^Adopt for/ }).click();
+  await expect(ghost).toHaveCount(0);
+  await expect(field(page, "Arc radius")).not.toHaveValue(/^92\.4999/);
+});
+
+test("STEP of a weight and of the crankshaft, DXF and SVG of an outline are saved", async ({
+  studio,
+  page,
+}) => {
+  await open(page, studio.address);
+  await adoptBest(page);
+  const heads: [string, string, RegExp][] = [
+    ["Export web 1 as STEP", "in-line-3-counterweights-web-1.step", /^ISO-10303-21;/],
+    ["Export the crankshaft as STEP", "in-line-3-counterweights-crankshaft.step", /^ISO-10303-21;/],
+    ["Export web 1 as DXF", "in-line-3-counterweights-web-1.dxf", /^\s*(0|999)\r?\n/],
+    ["Export web 1 as SVG", "in-line-3-counterweights-web-1.svg", /^(<\?xml[^>]*>\s*)?<svg/],
+  ];
+  for (const [button, name, head] of heads) {
+    const download = page.waitForEvent("download");
+    await page.getByRole("button", { name: button, exact: true }).click();
+    const file = await download;
+    expect(file.suggestedFilename()).toBe(name);
+    expect((await readFile(await file.path())).toString("utf8", 0, 200)).toMatch(head);
+  }
+});
+
+test.describe("a template", () => {
+  test.use({ example: "in-line-4-production.toml" });
+
+  test("becomes outlines with clicks only", async ({ studio, page }) => {
+    await open(page, studio.address);
+    const setup = page.getByRole("region", { name: "Sections to start from" });
+    await setup.getByRole("button", { name: "Add all to start from" }).click();
+    await expect(setup).toHaveCount(0);
+    await page.getByRole("button", { name: "Find the best shape" }).click();
+    const best = page.getByRole("region", { name: "Best shape" });
+    await expect(best).toContainText("the least mass is");
+    await best.getByRole("button", { name: "Adopt" }).click();
+    await expect(page.getByRole("button", { name: /^web 1/ })).toContainText(/\d g/);
+  });
+});
