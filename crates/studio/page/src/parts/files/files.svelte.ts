@@ -95,6 +95,9 @@ class Files {
       then?.();
     } catch (error) {
       if (error instanceof Refused && error.status === 409) await this.#conflict(target);
+      // A file that another program took away is written anew.
+      else if (error instanceof Refused && over === undefined && (await this.#vanished(target)))
+        await this.write(target, null);
       else if (error instanceof Refused && this.dialog?.kind === "save-as")
         this.refusal = sentence(error.problem);
       else this.#complain(error);
@@ -106,8 +109,12 @@ class Files {
     await this.#try(async () => {
       this.dialog = { kind: "conflict", theirs: await post<FileState>("/api/file/open", { name }) };
     });
-    // A file that another program took away is written anew.
-    if (this.dialog?.kind !== "conflict") await this.write(name, null);
+  }
+
+  async #vanished(name: string): Promise<boolean> {
+    if (name !== engine.file?.name) return false;
+    await this.#try(() => server.refresh());
+    return server.session?.files.includes(name) === false;
   }
 
   close() {

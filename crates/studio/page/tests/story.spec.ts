@@ -1,0 +1,40 @@
+// The main story of this part of the page: from the gallery to a saved file and its report.
+
+import { readFile } from "node:fs/promises";
+import { field, figure, newEngine, opened, text, type } from "./page";
+import { expect, test } from "./server";
+
+test.use({ example: "" });
+
+test("from a new in-line three to a saved file and a report", async ({ studio, page }, info) => {
+  await page.goto(studio.address);
+  await opened(page);
+  await newEngine(page, "three", "in-line three");
+  await expect(page.getByRole("heading", { level: 1 })).toContainText("in-line 3");
+  const force = await figure(page, "Peak couple").textContent();
+  await type(page, "crank.stroke", "3.2 in");
+  await type(page, "name", "My three");
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText("My three");
+  await expect(figure(page, "Peak couple")).not.toHaveText(force ?? "");
+  await expect(field(page, "crank.stroke")).toHaveValue("3.2 in");
+
+  await page.keyboard.press("Control+s");
+  const dialog = page.getByRole("dialog", { name: "Save as" });
+  await dialog.getByLabel("Name of the file").fill("my-three");
+  await page.keyboard.press("Enter");
+  await expect(page.getByText("Saved my-three.toml")).toBeVisible();
+  const saved = await studio.read("my-three.toml");
+  expect(saved).toBe(await text(page));
+  expect(saved).toContain('stroke = "3.2 in"');
+  expect(saved).toContain('name = "My three"');
+
+  const waiting = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Report" }).click();
+  const report = info.outputPath("report.html");
+  const download = await waiting;
+  expect(download.suggestedFilename()).toBe("my-three.html");
+  await download.saveAs(report);
+  const html = await readFile(report, "utf8");
+  expect(html).toContain("My three");
+  expect(html).toContain("<svg");
+});
