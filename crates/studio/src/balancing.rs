@@ -151,12 +151,12 @@ fn task(engine: &Engine, question: &BalanceQuestion) -> Result<BalanceTask, Prob
     }
     let mounts = &engine.mounts;
     if !question.minimise.is_empty() {
-        let stage = |text: &String| option::stage(text, mounts, "minimise").map_err(Problem::refused);
+        let stage = |text: &String| option::stage(text, mounts, "minimise").map_err(Problem::quantity);
         task.stages = question.minimise.iter().map(stage).collect::<Result<_, _>>()?;
         task.cancel.clear();
     }
     if !question.cancel.is_empty() {
-        let orders = |text: &String| option::cancel(text, mounts, "cancel").map_err(Problem::refused);
+        let orders = |text: &String| option::cancel(text, mounts, "cancel").map_err(Problem::quantity);
         let lists: Vec<_> = question.cancel.iter().map(orders).collect::<Result<_, _>>()?;
         (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
     }
@@ -164,14 +164,14 @@ fn task(engine: &Engine, question: &BalanceQuestion) -> Result<BalanceTask, Prob
         if let Some((name @ ("most" | "least"), amount)) =
             text.split_once('=').map(|(name, value)| (name.trim(), value))
         {
-            let amount = option::unbalance(amount.trim(), name).map_err(Problem::refused)?;
+            let amount = option::unbalance(amount.trim(), name).map_err(Problem::quantity)?;
             for weight in task.weights.iter_mut().filter(|weight| matches!(weight.seat, Seat::Crankshaft(_)))
             {
                 if name == "most" { weight.most = Some(amount) } else { weight.least = amount }
             }
             continue;
         }
-        let limit = option::limit(text, mounts, "limit").map_err(Problem::refused)?;
+        let limit = option::limit(text, mounts, "limit").map_err(Problem::quantity)?;
         task.limits.retain(|known| known.criterion != limit.criterion);
         task.limits.push(limit);
     }
@@ -223,7 +223,7 @@ fn add_shaft(task: &mut BalanceTask, text: &str) -> Result<(), Problem> {
         numerator.zip(denominator).and_then(|(numerator, denominator)| Ratio::new(numerator, denominator));
     let ratio =
         ratio.ok_or_else(|| wrong(format!("a shaft needs a ratio such as -1 or 1/2, got `{text}`")))?;
-    let length = |text: &str| option::length(text.trim(), "shafts").map(Place::At).map_err(Problem::refused);
+    let length = |text: &str| option::length(text.trim(), "shafts").map(Place::At).map_err(Problem::quantity);
     let axis = axis.split(',').map(length).collect::<Result<Vec<_>, Problem>>()?;
     let [x, y] = axis[..] else {
         return Err(wrong(format!("a shaft needs the two coordinates x, y of its axis, got `{text}`")));
@@ -285,7 +285,7 @@ fn request(engine: &Engine, question: &ArrangementQuestion) -> Result<Arrangemen
         ));
     }
     for text in &question.limits {
-        let limit = option::limit(text, &engine.mounts, "limit").map_err(Problem::refused)?;
+        let limit = option::limit(text, &engine.mounts, "limit").map_err(Problem::quantity)?;
         if limit.criterion == request.criterion.criterion() {
             if limit.most <= 0.0 {
                 return Err(Problem::refused(format!(

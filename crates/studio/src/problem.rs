@@ -4,6 +4,7 @@ use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use lanchester::model::Diagnostic;
+use lanchester::model::option::BadQuantity;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -35,6 +36,11 @@ impl Problem {
         };
         let status = StatusCode::UNPROCESSABLE_ENTITY.as_u16();
         Problem { message, hint, diagnostics: Vec::new(), status }
+    }
+
+    /// A quantity or a criterion that cannot be read.
+    pub(crate) fn quantity(bad: BadQuantity) -> Problem {
+        Problem { hint: Some(bad.hint), ..Problem::refused(bad.message) }
     }
 
     /// An engine file with mistakes.

@@ -4,7 +4,7 @@
 /** A crank angle at which a criterion stands at its peak and holds the optimum up. */
 export type Active = {
   /** Which criterion. */
-  criterion: Criterion2;
+  criterion: Criterion;
   /**
    * Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
    * limit for a limited one).
@@ -89,7 +89,7 @@ export type Arrangement = {
   /** The weights, with the proof that these devices leave no less. */
   answer: Answer;
   /** The narrowest place between the parts; `None` without shafts. Negative where no allowed position clears. */
-  clearance: Clearance | null;
+  clearance: ArrangementClearance | null;
   /** Peak of the resultant couple about the origin that is left [N m]. */
   couple: number;
   /** Whether weights are added to the crank. */
@@ -121,6 +121,14 @@ export type Arrangement = {
   roll_moment: number;
   /** Its balance shafts. */
   shafts: ArrangedShaft[];
+};
+
+/** The narrowest place. */
+export type ArrangementClearance = {
+  /** Which parts, in words, with the crank angle for moving ones. */
+  between: string;
+  /** Distance between the two parts [m]; negative: they overlap. */
+  distance: number;
 };
 
 /** Which arrangements are searched. */
@@ -175,6 +183,8 @@ export type Articulation = {
 
 /** An engine at a speed. */
 export type AtSpeed = {
+  /** Angles of the curves in a revolution; as many as `lanchester loads` has where it is left out. */
+  samples: number | null;
   /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
   speed: number | null;
   /** The engine file. */
@@ -329,7 +339,7 @@ export type BeyondTable = {
 /** A big end within the crankcase. */
 export type BigEndClearance = {
   /** Its clearance; `on_body` is on the big end. */
-  clearance: Clearance2;
+  clearance: Clearance;
   /** Cylinder of the rod, from 1. */
   cylinder: number;
   /** Largest distance of the big end from the axis of the crankshaft [m]. */
@@ -344,7 +354,7 @@ export type BodyClearances = {
    * Its clearance to every obstacle that is there, but those that lie farther away along the crank than another one
    * of their kind is at its nearest.
    */
-  clearances: Clearance2[];
+  clearances: Clearance[];
   /** Index of its crankshaft. */
   crankshaft: number;
   /** Its first and its last plane [m]. */
@@ -395,7 +405,7 @@ export type CancellationVerdict = {
 /** An order that had to vanish. */
 export type CancelledOrder = {
   /** One order of a load. */
-  criterion: Criterion2;
+  criterion: Criterion;
   /** The least that these devices leave of it where nothing else is asked for [N or N m]; 0 where it can vanish alone. */
   least_alone: number;
   /** Its peak with the answer [N or N m]: from the loads of the engine with the weights fitted, computed anew. */
@@ -482,16 +492,8 @@ export type ChosenDesign = {
   weight: string | null;
 };
 
-/** The narrowest place. */
-export type Clearance = {
-  /** Which parts, in words, with the crank angle for moving ones. */
-  between: string;
-  /** Distance between the two parts [m]; negative: they overlap. */
-  distance: number;
-};
-
 /** The smallest distance of a counterweight or web from an obstacle over all angles. */
-export type Clearance2 = {
+export type Clearance = {
   /** Proved bound: it is nowhere smaller than this [m]. */
   bound: number;
   /** Smallest distance in space [m], zero where they overlap. */
@@ -530,7 +532,7 @@ export type Clearances = {
 };
 
 /** Engines side by side. */
-export type Compared = {
+export type CompareQuestion = {
   /** The engines in the order of the answer. */
   engines: NamedEngine[];
   /** In what they are made equal; as they are where it is left out. */
@@ -542,7 +544,7 @@ export type Compared = {
 };
 
 /** One engine of a comparison, in the size in which it is compared. */
-export type Compared2 = {
+export type Compared = {
   /** Mass of the counterweights and shaft weights that are parts [kg]; `None` where one of them is a number only. */
   added_mass: number | null;
   /** Unbalance of all counterweights [kg m]. */
@@ -602,7 +604,7 @@ export type ComparedTorque = {
 /** Engines side by side. */
 export type Comparison = {
   /** The engines in the order of the request. */
-  engines: Compared2[];
+  engines: Compared[];
   /** In what they were made equal. */
   equal: Equal;
   /** Fluctuation of the speed that the flywheels keep at the lowest speed [1]. */
@@ -752,11 +754,8 @@ export type CrankshaftSection = {
   unbalance: Point;
 };
 
-/** What engines are compared by: less is better. */
-export type Criterion = "force" | "couple" | "roll-moment" | "mount-force" | "firing-unevenness" | "torque-unevenness" | "flywheel" | "added-unbalance" | "shafts";
-
 /** What is judged. */
-export type Criterion2 = {
+export type Criterion = {
   peak: Load;
 } | {
   order: [Load, number];
@@ -902,6 +901,9 @@ export type Design = {
   /** Its unbalance [kg m]. */
   unbalance: number;
 };
+
+/** A limit of a task. */
+export type DesignLimit = "mass" | "swept-radius" | "inertia" | "thickness" | "half-width" | "balance";
 
 /** Limits on what follows from the dimensions. `None`: no limit. */
 export type DesignLimits = {
@@ -1090,7 +1092,7 @@ export type Effect = {
   /** As the engine file stands [SI unit]. */
   before: number;
   /** Which. */
-  criterion: Criterion2;
+  criterion: Criterion;
   /** Without the free weights (those that they replace left out) [SI unit]. */
   without: number;
 };
@@ -1326,7 +1328,7 @@ export type FoundInertia = {
 /** A limit of the answer. */
 export type FoundLimit = {
   /** Its criterion, if it is one. */
-  criterion: Criterion2 | null;
+  criterion: Criterion | null;
   /** The limit, in SI units. */
   most: number;
   /**
@@ -1362,7 +1364,7 @@ export type FoundStage = {
   /** No choice of these devices that holds the limits goes below this. */
   lower_bound: number;
   /** Each term's criterion and true value. */
-  terms: Array<[Criterion2, number]>;
+  terms: Array<[Criterion, number]>;
   /** The sum of weight times criterion, its true value over the continuous cycle. */
   value: number;
 };
@@ -1410,9 +1412,9 @@ export type FreeShaft = {
   /** Speed over that of crankshaft 1, signed. */
   ratio: Ratio;
   /** Position of its axis [m]. */
-  x: Place2;
+  x: Place;
   /** Position of its axis [m]. */
-  y: Place2;
+  y: Place;
 };
 
 /** An unbalance that is to be found: `U = amount e^{i phase}` at `theta = 0`, in the engine's frame. */
@@ -1432,7 +1434,7 @@ export type FreeWeight = {
   /** What it sits on. */
   seat: Seat;
   /** Plane [m], from the origin. */
-  z: Place2;
+  z: Place;
 };
 
 /** The front between two objectives, from the least of the first to the least of the second. */
@@ -1501,7 +1503,7 @@ export type FunctionalTerm = {
   /** The part without the free devices [N or N m]. */
   amount: [number, number];
   /** One order of a load. */
-  criterion: Criterion2;
+  criterion: Criterion;
   /** `y`: value of the functional per N or N m. */
   factor: [number, number];
   /** Which part of it. */
@@ -1650,13 +1652,10 @@ export type Lever = "exact" | "sine";
 /** A criterion that must not pass a value. */
 export type Limit = {
   /** What. */
-  criterion: Criterion2;
+  criterion: Criterion;
   /** Largest value, in the criterion's SI unit. */
   most: number;
 };
-
-/** A limit of a task. */
-export type Limit2 = "mass" | "swept-radius" | "inertia" | "thickness" | "half-width" | "balance";
 
 /** A load over the cycle whose largest amount is judged; about the origin. */
 export type Load = "force" | "force-x" | "force-y" | "couple" | "couple-x" | "couple-y" | "roll-moment" | {
@@ -1923,7 +1922,7 @@ export type NearestLimit = {
   /** Its value in the task [SI]. */
   asked: number;
   /** Which limit. */
-  limit: Limit2;
+  limit: DesignLimit;
   /** The nearest that can be met [SI]. */
   nearest: number;
 };
@@ -2130,18 +2129,8 @@ export type PinLoad = {
   peak: Extreme;
 };
 
-/** An engine in a ranking. */
-export type Place = {
-  /** Its place in the comparison. */
-  engine: number;
-  /** Rank, from 1; engines that cannot be told apart share it. */
-  rank: number;
-  /** What it has, in the unit of the criterion. */
-  value: number;
-};
-
 /** A coordinate that is given or to be found. */
-export type Place2 = {
+export type Place = {
   at: number;
 } | {
   between: [number, number];
@@ -2275,9 +2264,22 @@ export type Range_of_uint = {
 /** The engines by one criterion, best first. */
 export type Ranking = {
   /** By what. */
-  criterion: Criterion;
+  criterion: RankingCriterion;
   /** The engines in their order. */
-  places: Place[];
+  places: RankingPlace[];
+};
+
+/** What engines are compared by: less is better. */
+export type RankingCriterion = "force" | "couple" | "roll-moment" | "mount-force" | "firing-unevenness" | "torque-unevenness" | "flywheel" | "added-unbalance" | "shafts";
+
+/** An engine in a ranking. */
+export type RankingPlace = {
+  /** Its place in the comparison. */
+  engine: number;
+  /** Rank, from 1; engines that cannot be told apart share it. */
+  rank: number;
+  /** What it has, in the unit of the criterion. */
+  value: number;
 };
 
 /** A whole number, or a fraction such as `1/2`. */
@@ -2477,7 +2479,7 @@ export type Smallest = {
   /** Name of the counterweight or web, or "big end 2". */
   body: string;
   /** The clearance. */
-  clearance: Clearance2;
+  clearance: Clearance;
 };
 
 /** The arrangements at one cylinder spacing. */
@@ -2539,7 +2541,7 @@ export type SpeedRipple = {
 /** Criteria that are minimised together: the sum of weight times criterion. */
 export type Stage = {
   /** Positive weights and criteria. */
-  terms: Array<[number, Criterion2]>;
+  terms: Array<[number, Criterion]>;
 };
 
 /** A plane along the shaft. */
