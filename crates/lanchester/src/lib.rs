@@ -32,6 +32,7 @@ mod own_layout;
 mod pressure;
 pub mod run;
 mod running;
+mod scene;
 mod shaft_weights;
 mod torque_report;
 pub mod validate;
@@ -70,6 +71,7 @@ pub use pressure::{
     trace_names,
 };
 pub use running::{Running, is_running, running};
+pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,

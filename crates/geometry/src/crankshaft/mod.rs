@@ -13,8 +13,10 @@
 mod body;
 mod element;
 mod error;
+mod piece;
 mod slab;
 
 pub use body::{CrankUnbalance, CrankshaftBody, CrankshaftSection, PointWeight, ThrowShare, crankshaft};
 pub use element::SectionKind;
 pub use error::CrankshaftError;
+pub use piece::{CrankshaftPiece, crankshaft_pieces};

@@ -4,9 +4,9 @@
 //! z stays along the crank axis. Metres. A point where faces meet stands once for each normal, with the same coordinates.
 
 use super::mesh::{Mesh, meshes};
+use super::surface::SurfaceMesh;
 use super::{ExportError, Solid};
 use serde::Serialize;
-use std::collections::BTreeMap;
 use std::f32::consts::FRAC_1_SQRT_2;
 
 /// Component types and targets of the specification.
@@ -180,21 +180,8 @@ pub fn glb(solids: &[Solid], facet_error: f64) -> Result<Vec<u8>, ExportError> {
 impl Document {
     /// Writes points, normals and triangles of a mesh and says where they are.
     fn mesh(&mut self, mesh: &Mesh, binary: &mut Vec<u8>) -> (Attributes, usize) {
-        let mut numbers = BTreeMap::new();
-        let (mut points, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
-        for triangle in &mesh.triangles {
-            for k in 0..3 {
-                let normal = triangle.normals[k].map(|x| x as f32);
-                let key = (triangle.corners[k], normal.map(f32::to_bits));
-                let next = numbers.len() as u32;
-                let number = *numbers.entry(key).or_insert(next);
-                if number == next {
-                    points.push(mesh.points[triangle.corners[k]]);
-                    normals.push(normal);
-                }
-                indices.push(number);
-            }
-        }
+        let SurfaceMesh { points, normals, triangles } = SurfaceMesh::of(mesh);
+        let indices = triangles.as_flattened();
         let bound = |choose: fn(f32, f32) -> f32| {
             let first = points[0];
             points.iter().fold(first, |bound, point| [0, 1, 2].map(|i| choose(bound[i], point[i])))

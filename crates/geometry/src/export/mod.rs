@@ -39,6 +39,7 @@ mod solid;
 mod step;
 mod step_curve;
 mod stl;
+mod surface;
 mod triangulation;
 
 pub use error::ExportError;
@@ -48,6 +49,7 @@ pub use solid::Solid;
 pub use step::{StepHeader, step};
 pub use step_curve::SPLINE_ERROR;
 pub use stl::stl;
+pub use surface::{SurfaceMesh, surface_meshes};
 
 /// Lengths below this are not told apart in an exported file [m]: arcs that stand out less over their chord are written as
 /// lines; shorter edges, thinner parts and bores that leave a thinner wall are refused.

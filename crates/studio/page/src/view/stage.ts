@@ -1,0 +1,422 @@
+// The picture in three dimensions. It draws only when something changed; three.js comes with this file, after the first paint.
+
+import {
+  AddEquation,
+  AdditiveBlending,
+  Box3,
+  Color,
+  CustomBlending,
+  EdgesGeometry,
+  Group as Node,
+  LineBasicMaterial,
+  LineSegments,
+  type Material,
+  Mesh,
+  MeshBasicMaterial,
+  MeshMatcapMaterial,
+  PerspectiveCamera,
+  Raycaster,
+  Scene as World,
+  SrcColorFactor,
+  type Texture,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+  ZeroFactor,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Scene } from "../api/types";
+import { Arrow, type Shown } from "./arrows";
+import { type Body, bodies, geometryOf, matrixOf, meshOf } from "./bodies";
+import { FrameClock } from "./frames";
+import { glass, metal } from "./metal";
+import { type Pose, pose } from "./pose";
+import { type Preset, fit, lookFrom } from "./camera";
+
+export interface Look {
+  dark: boolean;
+  ground: string;
+  ink: string;
+  accent: string;
+}
+
+interface Drawn extends Body {
+  node: Node;
+}
+
+/** After so long without a change a still picture is drawn finely [ms]. */
+const STILL = 140;
+
+export class Stage {
+  /** Times of the frames of the last second. */
+  readonly clock = new FrameClock();
+  /** Called after each frame with the camera's turn, for the axes in the corner. */
+  onframe: (camera: PerspectiveCamera) => void = () => {};
+  readonly software: boolean;
+
+  readonly #renderer: WebGLRenderer;
+  readonly #world = new World();
+  /** The engine; mirrored for one that turns the other way. */
+  readonly #root = new Node();
+  readonly #camera = new PerspectiveCamera(22, 1, 0.01, 100);
+  readonly #controls: OrbitControls;
+  readonly #raycaster = new Raycaster();
+  readonly #box = new Box3();
+  readonly #arrows = new Map<string, Arrow>();
+  readonly #arrowRoot = new Node();
+  #scene: Scene | undefined;
+  #drawn: Drawn[] = [];
+  #hidden = new Set<string>();
+  #textures: Texture[] = [];
+  #materials: Material[] = [];
+  #look: Look | undefined;
+  #theta = 0;
+  #mark: { part: number; node: Node } | undefined;
+  #frame = 0;
+  #still: ReturnType<typeof setTimeout> | undefined;
+  #ratio = 1;
+  /** The side that is looked from until the camera is moved by hand: it fits a picture of another size too. */
+  #preset: Preset | undefined;
+  readonly #at: Pose = { x: 0, y: 0, z: 0, angle: 0 };
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.software = isSoftware();
+    this.#renderer = new WebGLRenderer({
+      canvas,
+      antialias: !this.software,
+      powerPreference: "high-performance",
+    });
+    this.#world.add(this.#root);
+    this.#root.add(this.#arrowRoot);
+    this.#camera.up.set(1, 0, 0);
+    this.#controls = new OrbitControls(this.#camera, canvas);
+    this.#controls.enableDamping = false;
+    this.#controls.zoomToCursor = true;
+    this.#controls.addEventListener("change", () => this.#changed());
+    this.#controls.addEventListener("start", () => (this.#preset = undefined));
+  }
+
+  /** Draws soon; several changes make one frame. */
+  #changed() {
+    if (this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#draw(this.software ? 1 : Math.min(devicePixelRatio, 2));
+      clearTimeout(this.#still);
+      if (this.software) this.#still = setTimeout(() => this.#draw(2), STILL);
+    });
+  }
+
+  #draw(ratio: number) {
+    if (ratio !== this.#ratio) {
+      this.#ratio = ratio;
+      this.#renderer.setPixelRatio(ratio);
+    }
+    this.clock.begin(performance.now());
+    this.#renderer.render(this.#world, this.#camera);
+    this.clock.end(performance.now());
+    this.onframe(this.#camera);
+  }
+
+  resize(width: number, height: number) {
+    if (width < 1 || height < 1) return;
+    this.#camera.aspect = width / height;
+    this.#camera.updateProjectionMatrix();
+    this.#renderer.setPixelRatio(this.#ratio);
+    this.#renderer.setSize(width, height, false);
+    if (this.#preset) this.look(this.#preset);
+    this.#changed();
+  }
+
+  /** A new engine: the camera stays if it looks at the same one, changed. */
+  show(scene: Scene, theta: number) {
+    const isFirst = this.#scene === undefined;
+    const before = this.#box.getSize(new Vector3()).length();
+    this.#scene = scene;
+    this.#theta = theta;
+    this.#root.scale.y = scene.mirrored ? -1 : 1;
+    this.select(null);
+    this.#clear();
+    this.#drawn = bodies(scene).map((body) => ({ ...body, node: new Node() }));
+    for (const body of this.#drawn) {
+      body.node.matrixAutoUpdate = false;
+      this.#root.add(body.node);
+    }
+    this.#dress();
+    this.#pose();
+    this.#box.makeEmpty();
+    for (const { node, geometry } of this.#drawn) {
+      geometry.computeBoundingBox();
+      if (geometry.boundingBox) this.#box.union(geometry.boundingBox.clone().applyMatrix4(node.matrixWorld));
+    }
+    const size = this.#box.getSize(new Vector3()).length();
+    if (isFirst || Math.abs(size - before) > 0.15 * before) this.look("iso");
+    this.#changed();
+  }
+
+  #clear() {
+    for (const { node, geometry, edges } of this.#drawn) {
+      this.#root.remove(node);
+      geometry.dispose();
+      edges.dispose();
+    }
+    this.#drawn = [];
+  }
+
+  theme(look: Look) {
+    this.#look = look;
+    this.#world.background = new Color(look.ground);
+    this.#dress();
+    const part = this.#mark?.part ?? null;
+    this.select(part);
+    this.#changed();
+  }
+
+  /** Materials for the theme. */
+  #dress() {
+    const look = this.#look;
+    if (!look) return;
+    for (const thing of [...this.#textures, ...this.#materials]) thing.dispose();
+    const [steel, clear] = [metal(look.dark), glass(look.dark)];
+    this.#textures = [steel, clear];
+    this.#materials = [];
+    const keep = <T extends Material>(material: T): T => {
+      this.#materials.push(material);
+      return material;
+    };
+    const lines = keep(
+      new LineBasicMaterial({
+        color: look.dark ? "#05070a" : "#1b2430",
+        transparent: true,
+        opacity: look.dark ? 0.55 : 0.42,
+      }),
+    );
+    const faint = keep(
+      new LineBasicMaterial({ color: look.ink, transparent: true, opacity: 0.16, depthWrite: false }),
+    );
+    const made = new Map<string, Material>();
+    for (const body of this.#drawn) {
+      const { group, node, geometry, edges } = body;
+      const isGlass = group.id === "bore";
+      let material = made.get(group.id);
+      if (!material) {
+        material = keep(
+          isGlass
+            ? // Added to a dark ground, multiplied with a light one: no order of drawing is needed.
+              new MeshMatcapMaterial({
+                matcap: clear,
+                depthWrite: false,
+                transparent: true,
+                ...(look.dark
+                  ? { blending: AdditiveBlending }
+                  : {
+                      blending: CustomBlending,
+                      blendEquation: AddEquation,
+                      blendSrc: ZeroFactor,
+                      blendDst: SrcColorFactor,
+                    }),
+              })
+            : new MeshMatcapMaterial({
+                matcap: steel,
+                color: look.dark ? group.dark : group.light,
+                // Where a weight and its web share a face the weight is seen; edges are seen on both.
+                polygonOffset: true,
+                polygonOffsetFactor: group.id === "weight" || group.id === "shaft-weight" ? 1 : 2,
+                polygonOffsetUnits: group.id === "weight" || group.id === "shaft-weight" ? 2 : 8,
+              }),
+        );
+        made.set(group.id, material);
+      }
+      node.clear();
+      const mesh = new Mesh(geometry, material);
+      mesh.userData.body = body;
+      if (isGlass) mesh.renderOrder = 2;
+      const edge = new LineSegments(edges, isGlass ? faint : lines);
+      if (isGlass) edge.renderOrder = 3;
+      node.add(mesh, edge);
+    }
+    this.visible(this.#hidden);
+  }
+
+  turn(theta: number) {
+    if (theta === this.#theta) return;
+    this.#theta = theta;
+    this.#pose();
+    this.#changed();
+  }
+
+  #pose() {
+    for (const body of this.#drawn) {
+      matrixOf(pose(body.motion, this.#theta, this.#at), body.node.matrix);
+      body.node.matrixWorldNeedsUpdate = true;
+    }
+    this.#poseMark();
+    this.#root.updateMatrixWorld(true);
+  }
+
+  /** Shows all groups but the hidden ones. */
+  visible(hidden: Set<string>) {
+    this.#hidden = hidden;
+    for (const { node, group } of this.#drawn) node.visible = !hidden.has(group.id);
+    this.#changed();
+  }
+
+  /** Arrows at a point of the engine [m]; those that are not named any more go. */
+  arrows(shown: Shown[], at: [number, number, number]) {
+    this.#arrowRoot.position.set(...at);
+    const size = 0.27 * this.#box.getSize(new Vector3()).length();
+    const ids = new Set(shown.map(({ id, colour }) => `${id} ${colour} ${size.toFixed(4)}`));
+    for (const [id, arrow] of this.#arrows) {
+      if (ids.has(id)) continue;
+      this.#arrowRoot.remove(arrow);
+      arrow.free();
+      this.#arrows.delete(id);
+    }
+    for (const one of shown) {
+      const id = `${one.id} ${one.colour} ${size.toFixed(4)}`;
+      let arrow = this.#arrows.get(id);
+      if (!arrow) {
+        arrow = new Arrow(one.kind, one.colour, size);
+        this.#arrows.set(id, arrow);
+        this.#arrowRoot.add(arrow);
+      }
+      arrow.show(one);
+    }
+    this.#changed();
+  }
+
+  /** The part under a point of the page, as its index. */
+  pick(x: number, y: number): number | null {
+    const frame = this.#renderer.domElement.getBoundingClientRect();
+    const at = new Vector2(
+      ((x - frame.left) / frame.width) * 2 - 1,
+      1 - ((y - frame.top) / frame.height) * 2,
+    );
+    this.#raycaster.setFromCamera(at, this.#camera);
+    const solid = this.#drawn.filter(({ group, node }) => node.visible && group.id !== "bore");
+    const glassy = this.#drawn.filter(({ group, node }) => node.visible && group.id === "bore");
+    return this.#hit(solid) ?? this.#hit(glassy);
+  }
+
+  #hit(drawn: Drawn[]): number | null {
+    const meshes = drawn.map(({ node }) => node.children[0] as Mesh);
+    const hit = this.#raycaster.intersectObjects(meshes, false)[0];
+    if (!hit || hit.faceIndex === undefined || hit.faceIndex === null) return null;
+    const body = hit.object.userData.body as Drawn;
+    let at = body.first.length - 1;
+    while (at > 0 && (body.first[at] as number) > hit.faceIndex) at -= 1;
+    return body.parts[at] ?? null;
+  }
+
+  /** Marks one part. */
+  select(part: number | null) {
+    if (this.#mark) {
+      this.#root.remove(this.#mark.node);
+      for (const child of this.#mark.node.children as (Mesh | LineSegments)[]) {
+        child.geometry.dispose();
+        (child.material as Material).dispose();
+      }
+      this.#mark = undefined;
+    }
+    if (part !== null && this.#scene && this.#look) {
+      const geometry = geometryOf(meshOf(this.#scene, part));
+      const colour = this.#look.accent;
+      const tint = new MeshBasicMaterial({
+        color: colour,
+        transparent: true,
+        opacity: 0.45,
+        depthWrite: false,
+      });
+      const line = new LineBasicMaterial({ color: colour, depthTest: false, transparent: true });
+      const node = new Node();
+      node.matrixAutoUpdate = false;
+      node.add(new Mesh(geometry, tint), new LineSegments(new EdgesGeometry(geometry, 32), line));
+      for (const child of node.children) child.renderOrder = 5;
+      this.#root.add(node);
+      this.#mark = { part, node };
+      this.#poseMark();
+    }
+    this.#changed();
+  }
+
+  #poseMark() {
+    const motion = this.#mark && this.#scene?.parts[this.#mark.part]?.motion;
+    if (!this.#mark || !motion) return;
+    matrixOf(pose(motion, this.#theta, this.#at), this.#mark.node.matrix);
+    this.#mark.node.matrixWorldNeedsUpdate = true;
+  }
+
+  /** All points as they stand now. */
+  #points(): Float32Array {
+    const point = new Vector3();
+    const all: number[] = [];
+    for (const { node, geometry } of this.#drawn) {
+      const positions = geometry.getAttribute("position");
+      // Every third will do: shapes have many points close by.
+      for (let k = 0; k < positions.count; k += 3) {
+        point.fromBufferAttribute(positions, k).applyMatrix4(node.matrixWorld);
+        all.push(point.x, point.y, point.z);
+      }
+    }
+    return new Float32Array(all);
+  }
+
+  /** Looks from one of the usual sides at the whole engine. */
+  look(preset: Preset) {
+    this.#preset = preset;
+    const direction = new Vector3(...lookFrom(preset));
+    const { target, far } = fit(this.#points(), direction, this.#camera);
+    if (!(far > 0)) return;
+    this.#controls.target.copy(target);
+    this.#camera.position.copy(target).addScaledVector(direction, far);
+    this.#camera.near = far / 60;
+    this.#camera.far = far * 8;
+    this.#camera.updateProjectionMatrix();
+    this.#controls.update();
+    this.#changed();
+  }
+
+  /** Goes round the engine [rad], to the right and up. */
+  orbit(right: number, up: number) {
+    this.#preset = undefined;
+    const offset = this.#camera.position.clone().sub(this.#controls.target);
+    const axis = new Vector3(1, 0, 0).cross(offset).normalize();
+    const height = Math.acos(offset.x / offset.length());
+    const tilt = Math.min(Math.max(height - up, 0.02), Math.PI - 0.02) - height;
+    offset.applyAxisAngle(axis, tilt).applyAxisAngle(new Vector3(1, 0, 0), right);
+    this.#camera.position.copy(this.#controls.target).add(offset);
+    this.#controls.update();
+    this.#changed();
+  }
+
+  /** Comes nearer by a factor. */
+  zoom(factor: number) {
+    this.#preset = undefined;
+    const offset = this.#camera.position.clone().sub(this.#controls.target);
+    this.#camera.position.copy(this.#controls.target).addScaledVector(offset, 1 / factor);
+    this.#controls.update();
+    this.#changed();
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.#frame);
+    clearTimeout(this.#still);
+    this.select(null);
+    cancelAnimationFrame(this.#frame);
+    for (const arrow of this.#arrows.values()) arrow.free();
+    this.#clear();
+    for (const thing of [...this.#textures, ...this.#materials]) thing.dispose();
+    this.#controls.dispose();
+    this.#renderer.dispose();
+  }
+}
+
+/** Whether a processor draws, as without a graphics card. */
+function isSoftware(): boolean {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  if (!probe) return false;
+  const info = probe.getExtension("WEBGL_debug_renderer_info");
+  const name = String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER));
+  probe.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
