@@ -3,7 +3,7 @@
 use crate::arguments::ReportArguments;
 use crate::commands::running::{Running, bearings_input, running, torque_input};
 use crate::commands::{json, open, refused};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::provenance::provenance;
@@ -54,8 +54,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         false => report(&input),
         true => arrangements_report(&ArrangementsInput {
             engine: &opened.engine,
-            arrangements: &arrangements(&opened.engine, &request)
-                .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?,
+            arrangements: &arrangements(&opened.engine, &request).map_err(Failure::refused)?,
             provenance: &provenance,
             warnings: &warnings,
         }),
