@@ -30,6 +30,7 @@ mod mounted;
 mod own_layout;
 mod pressure;
 pub mod run;
+mod sample_study;
 mod shaft_weights;
 mod torque_report;
 pub mod validate;
@@ -66,6 +67,7 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
+pub use sample_study::SampleStudy;
 pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
