@@ -7,6 +7,7 @@
 mod answer;
 mod arrangement;
 mod arrangement_task;
+mod as_it_stands;
 mod bending;
 mod branch;
 mod cancellation;
@@ -32,6 +33,7 @@ pub mod workshop;
 pub use answer::*;
 pub use arrangement::*;
 pub use arrangement_task::{arrangement_task, crank_task, swept_task};
+pub use as_it_stands::as_it_stands;
 pub use cancellation::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;

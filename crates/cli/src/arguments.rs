@@ -123,6 +123,7 @@ pub enum Command {
         after_help = "Examples:\n  lanchester compare twin.toml four.toml\n  lanchester compare twin.toml four.toml --equal displacement\n  \
                             lanchester compare twin.toml boxer.toml --equal power --hold piston-speed --reference 2\n  \
                             lanchester compare twin.toml --arrangements 1,2,4 --optimum --figures figures\n  \
+                            lanchester compare twin.toml boxer.toml --reference four.toml --share 1/2 --mount-spacing '176 mm' --arrangements all\n  \
                             lanchester compare twin.toml boxer.toml --format csv > comparison.csv"
     )]
     Compare(CompareArguments),
@@ -160,7 +161,8 @@ pub enum Command {
     #[command(
         after_help = "Examples:\n  lanchester scatter four.toml\n  lanchester scatter four.toml --samples 1000000 --seed 7 --figures figures\n  \
                             lanchester scatter four.toml --limit 'force order 1 = 60 N' --limit 'couple order 1 = 10 N m'\n  \
-                            lanchester scatter four.toml --orders-only --format json > scatter.json\n\n\
+                            lanchester scatter four.toml --orders-only --format json > scatter.json\n  \
+                            lanchester scatter four.toml --samples 10000000 --save engines.parquet\n\n\
                             Exit status 1: the production does not keep a limit."
     )]
     Scatter(ScatterArguments),

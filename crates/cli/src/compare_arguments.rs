@@ -7,12 +7,20 @@ use std::path::PathBuf;
 /// `compare`
 #[derive(Debug, Args)]
 pub struct CompareArguments {
-    /// Engine files, two or more, or one with --arrangements or --optimum.
+    /// Engine files, two or more; or one with --arrangements, --optimum or a file as --reference.
     #[arg(required = true, value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Number of the engine with which the others are compared, from 1: in the order of the table.
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub reference: usize,
+    /// The engine with which the others are compared: its number, from 1, in the order of the table; or an engine file of its own, which
+    /// then stands first and as it is.
+    #[arg(long, value_name = "N|FILE", default_value = "1")]
+    pub reference: String,
+    /// Share of the reference that the others are compared with, its line in the bars: `1/2` for twins beside half a four; default: all of it.
+    #[arg(long, value_name = "SHARE")]
+    pub share: Option<String>,
+    /// Put every engine on two stiff mounts, so far apart along the crank, and compare the force at them: what forces and couples do
+    /// together. Default: the mounts of each file.
+    #[arg(long, value_name = "LENGTH")]
+    pub mount_spacing: Option<String>,
     /// In what the engines are made equal to the reference, as similar engines of another size; default: in nothing.
     #[arg(long, value_enum)]
     pub equal: Option<EqualOption>,

@@ -1,7 +1,7 @@
 //! The command line of `lanchester explore`.
 
 use crate::format::Format;
-use crate::run::PartOf;
+use crate::run_arguments::RunArguments;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -41,20 +41,12 @@ pub struct ExploreArguments {
     /// Values of an objective that differ by less than this share of what all masses could do together are equal.
     #[arg(long, value_name = "SHARE", default_value_t = 1e-9)]
     pub resolution: f64,
-    /// Write every judged case, its inputs and its objectives, into this table: Parquet (`.parquet`, readable in pandas and DuckDB)
-    /// or CSV (`.csv`). A run that is stopped or killed goes on with the same command; until it is done, what there is lies in a
-    /// folder `FILE.run`.
-    #[arg(long, value_name = "FILE")]
-    pub save: Option<PathBuf>,
+    /// The table of judged cases.
+    #[command(flatten)]
+    pub run: RunArguments,
     /// Only the layouts of the front into the table.
     #[arg(long, requires = "save")]
     pub front_only: bool,
-    /// Only part k of n of the cases, `2/3`, for computers that share a search; `lanchester merge` joins the tables.
-    #[arg(long, value_name = "K/N", requires = "save")]
-    pub part: Option<PartOf>,
-    /// Threads; default: one for each core.
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
     /// Rows of the table in the text.
     #[arg(long, value_name = "N", default_value_t = 20)]
     pub rows: usize,

@@ -1,7 +1,7 @@
 //! From the options of `explore` to a search.
 
 use crate::explore_arguments::{ExploreArguments, SpaceArguments};
-use crate::failure::{Failure, WRONG_INPUT};
+use crate::failure::Failure;
 use crate::value_list::value_list;
 use lanchester::model::{Engine, option};
 use lanchester::study::explore::{
@@ -10,7 +10,6 @@ use lanchester::study::explore::{
 };
 use lanchester::{LayoutChoices, LayoutSpace, layout_space, own_pattern};
 use std::f64::consts::TAU;
-use std::fmt::Display;
 
 /// A search with what the user should know of it.
 pub struct LayoutSearch {
@@ -22,7 +21,8 @@ pub struct LayoutSearch {
 pub fn layout_search(engine: &Engine, arguments: &ExploreArguments) -> Result<LayoutSearch, Failure> {
     let constraints = constraints(arguments)?;
     let choices = choices(engine, &arguments.space)?;
-    let LayoutSpace { space, notes } = layout_space(engine, &choices, &constraints).map_err(refused)?;
+    let LayoutSpace { space, notes } =
+        layout_space(engine, &choices, &constraints).map_err(Failure::refused)?;
     let objectives = objectives(arguments)?;
     if let Some((place, twice)) =
         objectives.iter().enumerate().find(|(k, one)| objectives[..*k].contains(one))
@@ -38,12 +38,7 @@ pub fn layout_search(engine: &Engine, arguments: &ExploreArguments) -> Result<La
         resolution: arguments.resolution,
         ..ExploreRequest::new(space, objectives, constraints)
     };
-    Ok(LayoutSearch { explorer: Explorer::new(request).map_err(refused)?, notes })
-}
-
-/// A search that cannot be done as asked.
-pub fn refused(error: impl Display) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
+    Ok(LayoutSearch { explorer: Explorer::new(request).map_err(Failure::refused)?, notes })
 }
 
 fn objectives(arguments: &ExploreArguments) -> Result<Vec<Objective>, Failure> {

@@ -28,6 +28,11 @@ impl Failure {
         Failure { status: WRONG_INPUT, message: format!("error: {message}\nhint: {hint}") }
     }
 
+    /// What is asked for cannot be done: `error` says why, with its own hint where there is one.
+    pub fn refused(error: impl fmt::Display) -> Failure {
+        Failure { status: WRONG_INPUT, message: format!("error: {error}") }
+    }
+
     /// The input is wrong and its diagnostics have been printed.
     pub fn diagnosed() -> Failure {
         Failure { status: WRONG_INPUT, message: String::new() }

@@ -10,22 +10,21 @@ mod table_file;
 
 pub use head::{Head, Held};
 
-use crate::failure::{Failure, NOT_AS_EXPECTED, WRONG_INPUT};
+use crate::failure::{Failure, NOT_AS_EXPECTED};
 use folder::Folder;
 use lanchester::run::{Study, part, stretch};
 use lanchester::table::{Form, Rows};
 use progress::Progress;
-use std::fmt::Display;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// What is done is put on the disk when it is a tenth of the time of this run, at least and at most so long, or so many rows: a
-/// killed run loses little, and a long one leaves no crowd of tables.
+/// What is done is put on the disk when it is a tenth of the time of this run, at least and at most so long, or so many values: a
+/// killed run loses little, a long one leaves no crowd of tables, and memory does not grow with it.
 const PATIENCE: [Duration; 2] = [Duration::from_millis(250), Duration::from_secs(20)];
-const MOST_ROWS: usize = 1 << 20;
+const MOST_VALUES: usize = 1 << 24;
 
 /// Blocks for each thread between two looks at the clock.
 const BLOCKS_PER_THREAD: u64 = 4;
@@ -59,8 +58,8 @@ pub fn run_alone<S: Study>(study: &S) -> Result<S::Kept, Failure> {
     let mut next = 0;
     while next < blocks.end {
         let batch = next..blocks.end.min(next + batch());
-        let (more, _) = stretch(study, batch.clone()).map_err(refused)?;
-        kept = study.join(kept, more).map_err(refused)?;
+        let (more, _) = stretch(study, batch.clone()).map_err(Failure::refused)?;
+        kept = study.join(kept, more).map_err(Failure::refused)?;
         next = batch.end;
         progress.at(study.cases(0..next));
     }
@@ -106,6 +105,7 @@ pub fn run_into<S: Study>(
         progress.say(&format!("going on after {} of {} blocks", next - first, blocks.end - first));
     }
     let began = Instant::now();
+    let width = study.columns().len();
     while next < blocks.end {
         let started = Instant::now();
         let patience = (began.elapsed() / 10).clamp(PATIENCE[0], PATIENCE[1]);
@@ -114,12 +114,15 @@ pub fn run_into<S: Study>(
         let mut rows = Rows::empty(&study.columns());
         while next < blocks.end {
             let batch = next..blocks.end.min(next + batch());
-            let (more, found) = stretch(study, batch.clone()).map_err(refused)?;
-            kept = study.join(kept, more).map_err(refused)?;
+            let (more, found) = stretch(study, batch.clone()).map_err(Failure::refused)?;
+            kept = study.join(kept, more).map_err(Failure::refused)?;
             rows.append(found);
             next = batch.end;
             progress.at(study.cases(first..next));
-            if stop.load(Ordering::Relaxed) || started.elapsed() > patience || rows.len() >= MOST_ROWS {
+            if stop.load(Ordering::Relaxed)
+                || started.elapsed() > patience
+                || rows.len() * width >= MOST_VALUES
+            {
                 break;
             }
         }
@@ -173,10 +176,10 @@ pub fn join_tables<S: Study>(
     let mut kept = study.nothing();
     for table in tables {
         let held = Held::of(&table_file::open(table)?, table)?;
-        kept = study.join(kept, held.kept()?).map_err(refused)?;
+        kept = study.join(kept, held.kept()?).map_err(Failure::refused)?;
     }
     let metadata = head.metadata(blocks, study.blocks(), &kept)?;
-    let last = study.last_rows(&kept).map_err(refused)?;
+    let last = study.last_rows(&kept).map_err(Failure::refused)?;
     table_file::write(path, form, &columns, &metadata, |writer| {
         let cannot = |error| table_file::cannot_write(path, error);
         if let Some(rows) = last {
@@ -197,9 +200,4 @@ pub fn join_tables<S: Study>(
 
 fn batch() -> u64 {
     BLOCKS_PER_THREAD * rayon::current_num_threads() as u64
-}
-
-/// A study that cannot be done as asked.
-fn refused(error: impl Display) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }

@@ -1,6 +1,7 @@
 //! The command line of `lanchester scatter`.
 
 use crate::format::Format;
+use crate::run_arguments::RunArguments;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -28,6 +29,9 @@ pub struct ScatterArguments {
     /// Capability with which a limit is met, by percentiles; default: 1.33.
     #[arg(long, value_name = "NUMBER", requires = "limit")]
     pub capability: Option<f64>,
+    /// The table of drawn engines.
+    #[command(flatten)]
+    pub run: RunArguments,
     /// Write the distributions as an SVG file into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

@@ -4,6 +4,7 @@ use crate::arguments::{BalanceArguments, CrankWeights};
 use crate::commands::open;
 use crate::failure::Failure;
 use crate::search_arguments::Drive;
+use crate::share_option::share;
 use lanchester::balance::{
     self, ArrangementRequest, DriveRule, Judged, MountPlaces, PartSizes, Positions, Target, searched_engine,
 };
@@ -200,25 +201,6 @@ fn add_reference(
     }
     request.target = Target::Reference { engine, share };
     Ok(())
-}
-
-/// A share above 0: `50 %`, `0.5` or `1/2`.
-fn share(text: &str) -> Result<f64, Failure> {
-    let fraction = text.split_once('/').and_then(|(upper, lower)| {
-        let [upper, lower] = [upper, lower].map(|part| part.trim().parse::<f64>());
-        Some(upper.ok()? / lower.ok()?)
-    });
-    let share = match fraction {
-        Some(share) => share,
-        None => option::share(text, "--share").map_err(Failure::from)?,
-    };
-    if share.is_finite() && share > 0.0 {
-        return Ok(share);
-    }
-    Err(Failure::input(
-        format_args!("--share needs a share above 0, got {}", text.trim()),
-        "1/2 compares a twin with half a four",
-    ))
 }
 
 fn orders(text: &str) -> Result<Vec<u32>, Failure> {

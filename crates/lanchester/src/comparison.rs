@@ -3,14 +3,15 @@
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, crankshaft_inertia};
 use lanchester_balance::{
-    ArrangementOptions, BalanceError, Outcome, TwinArrangement, arranged, fitted, optimise,
+    ArrangementOptions, BalanceError, Outcome, TwinArrangement, arranged, as_it_stands, fitted, optimise,
 };
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, Torque,
     TorqueError, TorqueRequest, TurningInertia, firing_chart, flywheel_need, inertia_excitations,
     merged_orders, motion, torque, total_loads,
 };
-use lanchester_model::{Engine, SpeedRange, default_task};
+use lanchester_model::Criterion::Peak;
+use lanchester_model::{Engine, Load, Mount, SpeedRange, default_task};
 use lanchester_study::compare::{
     COMPARISON_VERSION, Compared, ComparedTorque, Comparison, Criterion, Equal, Held, Leading, Ranking,
     Similar, SimilarError,
@@ -51,6 +52,11 @@ pub struct CompareRequest {
     pub speed: Option<f64>,
     /// Place of the engine with which the others are compared.
     pub reference: usize,
+    /// Share of it that they are compared with [1]: 0.5 for twins beside half a four.
+    pub share: f64,
+    /// Distance along the crank of two stiff mounts that every engine is put on [m], to either side of the origin; `None`: the mounts of
+    /// its file.
+    pub mount_spacing: Option<f64>,
     /// Fluctuation of the speed that the flywheels keep at the lowest speed [1]; `None`: 2 %.
     pub fluctuation: Option<f64>,
 }
@@ -66,6 +72,8 @@ impl Default for CompareRequest {
             held: Held::Speed,
             speed: None,
             reference: 0,
+            share: 1.0,
+            mount_spacing: None,
             fluctuation: None,
         }
     }
@@ -80,6 +88,14 @@ pub enum CompareError {
     TooFew {
         /// Engines given.
         got: usize,
+    },
+    /// A number of the request that is not above 0.
+    #[error("{quantity} must be finite and above 0, got {got}")]
+    Number {
+        /// Which number.
+        quantity: &'static str,
+        /// What was asked for.
+        got: f64,
     },
     /// A reference that there is not.
     #[error("the reference is number {got} of {count} engines\nhint: count from 1")]
@@ -183,6 +199,13 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
     if entries.len() < 2 {
         return Err(CompareError::TooFew { got: entries.len() });
     }
+    for (quantity, got) in
+        [("share of the reference", Some(request.share)), ("mount spacing", request.mount_spacing)]
+    {
+        if let Some(got) = got.filter(|got| !(*got > 0.0 && got.is_finite())) {
+            return Err(CompareError::Number { quantity, got });
+        }
+    }
     if request.reference >= entries.len() {
         return Err(CompareError::Reference { got: request.reference + 1, count: entries.len() });
     }
@@ -202,7 +225,7 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
         .zip(&measures)
         .map(|(candidate, &own)| {
             let similar = Similar::of(request.equal, request.held, own, wanted)?;
-            candidate.compared(similar, fluctuation)
+            candidate.compared(similar, request.mount_spacing, fluctuation)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let rankings = Criterion::ALL.iter().filter_map(|criterion| Ranking::of(*criterion, &engines)).collect();
@@ -211,6 +234,7 @@ pub fn compare(entries: &[CompareEntry], request: &CompareRequest) -> Result<Com
         equal: request.equal,
         held: request.held,
         reference: request.reference,
+        share: request.share,
         fluctuation,
         engines,
         rankings,
@@ -316,7 +340,12 @@ impl Candidate {
     }
 
     /// The engine in the size and at the speed of `similar`.
-    fn compared(&self, similar: Similar, fluctuation: f64) -> Result<Compared, CompareError> {
+    fn compared(
+        &self,
+        similar: Similar,
+        mount_spacing: Option<f64>,
+        fluctuation: f64,
+    ) -> Result<Compared, CompareError> {
         let engine = &self.engine;
         let request = LoadRequest {
             speed: Some(self.speed * similar.speed_of_original()),
@@ -349,7 +378,14 @@ impl Candidate {
                 [order.couple_forward.norm(), order.couple_backward.norm()]
             }),
             roll_moment: similar.moment() * left(roll, natural[1]),
-            mount_force: self.mount_force(similar)?,
+            mount_force: match mount_spacing {
+                Some(spacing) => {
+                    Some(self.stiff_mount_force(similar, mounts_apart(spacing / similar.length))?)
+                }
+                None if self.engine.is_on_springs() => Some(self.sprung_mount_force(similar)?),
+                None if self.engine.mounts.is_empty() => None,
+                None => Some(self.stiff_mount_force(similar, self.engine.mounts.clone())?),
+            },
             firing_unevenness: firing_chart(engine).ok().map(|chart| chart.unevenness),
             torque: self.torque(similar, fluctuation)?,
             counterweights: similar.unbalance() * counterweights,
@@ -359,11 +395,20 @@ impl Candidate {
         })
     }
 
+    /// Largest force of the moving masses at any of `mounts`, which are in the size of the file and stiff.
+    fn stiff_mount_force(&self, similar: Similar, mounts: Vec<Mount>) -> Result<f64, CompareError> {
+        let highest = self.speed * similar.speed_of_original();
+        let speed = SpeedRange { lowest: highest.min(self.engine.speed.lowest), highest };
+        let engine = Engine { speed, mounts, ..self.engine.clone() };
+        let most = Peak(Load::LargestMountForce);
+        let value = as_it_stands(&engine, most)
+            .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: Box::new(error) })?;
+        let [natural, _] = natural_loads(&engine, highest);
+        Ok(if value <= ROUNDING * natural { 0.0 } else { similar.force() * value })
+    }
+
     /// Largest force at any mount, with mounts that are similar too.
-    fn mount_force(&self, similar: Similar) -> Result<Option<f64>, CompareError> {
-        if !self.engine.is_on_springs() {
-            return Ok(None);
-        }
+    fn sprung_mount_force(&self, similar: Similar) -> Result<f64, CompareError> {
         let refused =
             |error| CompareError::Mounts { engine: self.engine.name.clone(), error: Box::new(error) };
         let speed = self.speed * similar.speed_of_original();
@@ -379,7 +424,7 @@ impl Candidate {
             .and_then(|system| system.response(&excitations))
             .map_err(refused)?;
         let peaks = response.speeds.iter().flat_map(|at| &at.peaks).map(|peak| peak.value);
-        Ok(Some(similar.force() * peaks.fold(0.0, f64::max)))
+        Ok(similar.force() * peaks.fold(0.0, f64::max))
     }
 
     fn torque(&self, similar: Similar, fluctuation: f64) -> Result<Option<ComparedTorque>, CompareError> {
@@ -434,6 +479,18 @@ impl Gas {
         }
         Ok(Some(gas))
     }
+}
+
+/// Two stiff mounts so far apart [m] on the axis of the crank.
+fn mounts_apart(spacing: f64) -> Vec<Mount> {
+    let mount = |(name, side): (&str, f64)| Mount {
+        name: name.to_owned(),
+        x: 0.0,
+        y: 0.0,
+        z: side * spacing,
+        spring: None,
+    };
+    [("front", -0.5), ("rear", 0.5)].map(mount).to_vec()
 }
 
 /// The engine with the best devices for the task of its file.

@@ -32,6 +32,7 @@ mod own_layout;
 mod pressure;
 pub mod run;
 mod running;
+mod sample_study;
 mod scene;
 mod shaft_weights;
 mod torque_report;
@@ -71,6 +72,7 @@ pub use pressure::{
     trace_names,
 };
 pub use running::{Running, is_running, running};
+pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,

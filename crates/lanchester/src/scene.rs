@@ -28,7 +28,7 @@ pub use mesh::SceneMesh;
 const STEPS: usize = 128;
 
 /// The solids of an engine and how they move.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Scene {
     /// Whether +y is to the left for who looks from the free end with x up: an engine that turns the other way is the mirror image of its numbers.
     pub mirrored: bool,
@@ -43,7 +43,7 @@ pub struct Scene {
 }
 
 /// A part of the scene.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ScenePart {
     /// Name, such as "piston 3". It says "symbolic" where the size stands for an unbalance and not for a shape.
     pub name: String,
@@ -62,7 +62,7 @@ pub struct ScenePart {
 }
 
 /// What a part of the scene is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SceneKind {
     /// A main journal.
@@ -86,7 +86,7 @@ pub enum SceneKind {
 }
 
 /// How the frame of a part moves in the frame of the engine: a place, and a turn about z. Angles count from +x towards +y.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum SceneMotion {
     /// It stands.

@@ -61,6 +61,7 @@ mod room;
 mod schema;
 mod shaft_part;
 mod shape_task;
+mod spacing;
 mod task;
 mod template;
 mod tolerance;

@@ -75,6 +75,7 @@ pub fn relative_table(comparison: &Comparison) -> Option<Table> {
     for ranking in &comparison.rankings {
         let criterion = ranking.criterion;
         let Some(whole) = criterion.value(reference).filter(|whole| *whole > 0.0) else { continue };
+        let whole = whole * share_of(comparison, criterion);
         if criterion == Criterion::Shafts {
             continue;
         }
@@ -83,11 +84,26 @@ pub fn relative_table(comparison: &Comparison) -> Option<Table> {
         columns.push((Column::numbers(criterion.name(), "%"), cells));
     }
     let title = format!(
-        "In percent of no. {}, {}",
+        "In percent of {}no. {}, {}",
+        share_words(comparison),
         comparison.reference + 1,
         label(comparison, comparison.reference)
     );
     (columns.len() > 1).then(|| Table::of_columns("relative", title, "", columns))
+}
+
+/// Share of the reference that the others are compared with.
+fn share_of(comparison: &Comparison, criterion: Criterion) -> f64 {
+    if criterion.is_of_size() { comparison.share } else { 1.0 }
+}
+
+/// The share in words, before the reference.
+fn share_words(comparison: &Comparison) -> String {
+    match comparison.share {
+        1.0 => String::new(),
+        0.5 => "half of ".to_owned(),
+        share => format!("{} of ", number::trimmed(share, 4)),
+    }
 }
 
 /// What was made equal, in a sentence.
@@ -220,8 +236,9 @@ pub fn comparison_figure(comparison: &Comparison) -> Figure {
         id: "comparison".to_owned(),
         title: "Engines side by side".to_owned(),
         caption: format!(
-            "{} Shorter is better; the dashed line is {}.",
+            "{} Shorter is better; the dashed line is {}{}.",
             equal_words(comparison),
+            share_words(comparison),
             label(comparison, comparison.reference)
         ),
         panels,
@@ -266,7 +283,7 @@ fn bars(comparison: &Comparison, criterion: Criterion) -> Panel {
         svg.text("small halo", (at(value) + 5.0, middle + 4.0), Anchor::Start, &shown);
         said.push(format!("{name} {shown}"));
     }
-    let reference = at(values[comparison.reference]);
+    let reference = at(share_of(comparison, criterion) * values[comparison.reference]);
     svg.line("limit", (reference, HEAD - 8.0), (reference, bottom));
     Panel::new(svg, format!("{}{unit}: {}.", number::capital(criterion.name()), said.join("; ")))
 }
@@ -330,6 +347,7 @@ mod tests {
             equal: Equal::Displacement,
             held: Held::Speed,
             reference: 0,
+            share: 1.0,
             fluctuation: 0.02,
             rankings: Criterion::ALL.iter().filter_map(|c| Ranking::of(*c, &engines)).collect(),
             engines,
@@ -352,6 +370,11 @@ mod tests {
         let table = relative_table(&comparison()).unwrap();
         assert!(table.text().contains("50.0"), "{}", table.text());
         assert!(!table.text().contains("couple"), "nothing is a share of nothing");
+        // Of half the reference twice as much; how unevenly it fires has no half.
+        let half = Comparison { share: 0.5, ..comparison() };
+        let table = relative_table(&half).unwrap();
+        assert!(table.title.starts_with("In percent of half of no. 1"), "{}", table.title);
+        assert!(table.text().contains("100.0") && table.text().contains("200.0"), "{}", table.text());
     }
 
     #[test]

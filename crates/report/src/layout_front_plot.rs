@@ -16,7 +16,10 @@ const NUMBERED: usize = 6;
 
 const TOP: f64 = 30.0;
 
-/// Every layout of the front as a point, by pairs of objectives; what nothing beats in the two of a panel alone is filled and
+/// Axes reach so many times as far as the front, where cases behind it do.
+const BEHIND: f64 = 2.5;
+
+/// A sample of all judged cases as dots, every layout of the front as a point, by pairs of objectives; what nothing beats in the two of a panel alone is filled and
 /// joined by the line that no layout crosses.
 pub fn layout_front_figure(answer: &ExploreAnswer) -> Figure {
     let spread = |place: usize| {
@@ -45,11 +48,26 @@ pub fn layout_front_figure(answer: &ExploreAnswer) -> Figure {
         id: "layout-front".to_owned(),
         title: format!("Layouts of {} cylinders that nothing beats", answer.cylinders),
         caption: format!(
-            "Every point is a layout of the front. Filled points are those that nothing beats in the two objectives of their panel \
-             alone: nothing lies below and to the left of the line through them. Numbers are those of the table.{given}{same}"
+            "Dots are {}. Every point is a layout of the front. Filled points are those that nothing beats in the two objectives of their panel \
+             alone: nothing lies below and to the left of the line through them. Numbers are those of the table.{given}{same}",
+            dots_words(answer)
         ),
         columns: panels.len().clamp(1, 2),
         panels,
+    }
+}
+
+/// What the dots are.
+fn dots_words(answer: &ExploreAnswer) -> String {
+    let (shown, judged) = (answer.sample.len() as f64, answer.counts.judged as f64);
+    let number = |value: f64| number::short(value, 9);
+    match answer.counts.judged > answer.sample.len() as u128 {
+        true => format!(
+            "{} of the {} judged cases, drawn evenly, as far as the axes reach",
+            number(shown),
+            number(judged)
+        ),
+        false => "all judged cases, as far as the axes reach".to_owned(),
     }
 }
 
@@ -66,8 +84,14 @@ fn panel(answer: &ExploreAnswer, x: usize, y: usize) -> Panel {
     let layouts = &answer.front[..answer.front.len().min(MOST)];
     let given = answer.given.as_ref().and_then(|given| Some((given.values[x]?, given.values[y]?)));
     let points: Vec<(f64, f64)> = layouts.iter().map(|layout| (layout.values[x], layout.values[y])).collect();
+    let behind: Vec<(f64, f64)> = answer.sample.iter().map(|case| (case.values[x], case.values[y])).collect();
     let all = || points.iter().copied().chain(given);
-    let largest = |of: fn((f64, f64)) -> f64| all().map(of).fold(0.0, f64::max);
+    let largest = |of: fn((f64, f64)) -> f64| {
+        let front = all().map(of).fold(0.0, f64::max);
+        let cases = behind.iter().copied().map(of).fold(0.0, f64::max);
+        // A front that is nothing leaves the axis to the cases.
+        if front > 0.0 { front.max(cases.min(BEHIND * front)) } else { cases }
+    };
     let [x_scale, y_scale] = [(x, largest(|p| p.0)), (y, largest(|p| p.1))]
         .map(|(place, largest)| scale(answer.objectives[place].objective, largest));
     let lowest = |of: fn((f64, f64)) -> f64| {
@@ -99,6 +123,12 @@ fn panel(answer: &ExploreAnswer, x: usize, y: usize) -> Panel {
     let place = |(a, b): (f64, f64)| {
         (x_axis.place(a / x_scale.divisor, LEFT, right), y_axis.place(b / y_scale.divisor, bottom, TOP))
     };
+    for &(a, b) in &behind {
+        let at = place((a, b));
+        if (LEFT..=right).contains(&at.0) && (TOP..=bottom).contains(&at.1) {
+            svg.circle("case", at, 1.3);
+        }
+    }
     let edge = edge(&points);
     let mut line = Vec::with_capacity(2 * edge.len());
     for (k, &index) in edge.iter().enumerate() {

@@ -153,7 +153,9 @@ pub use scatter_figures::scatter_figure;
 pub use scatter_tables::{
     scatter_limit_table, scatter_table, scatter_text, tighten_words, tolerance_name, tolerance_table,
 };
-pub use sensitivity_tables::{input_name, sensitivity_csv, sensitivity_tables, sensitivity_text};
+pub use sensitivity_tables::{
+    input_name, measure_unit, sensitivity_csv, sensitivity_tables, sensitivity_text,
+};
 pub use shaft_weight_drawing::shaft_weight_drawings;
 pub use shaft_weight_tables::{
     DesignedShaftShape, designed_shaft_weights_table, nearest_shaft_limits_table, shaft_aim_words,

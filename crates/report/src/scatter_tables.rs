@@ -1,9 +1,11 @@
 //! Production scatter: loads, limits, and what to tighten first.
 
 use crate::number;
+use crate::sensitivity_tables::measure_unit;
 use crate::table::{Cell, Column, Table, column_cells, numbers, words};
-use lanchester_model::{Distribution, Extent, Tolerance, Varied};
+use lanchester_model::{Distribution, Extent, Tolerance};
 use lanchester_study::scatter::{OutputScatter, ScatterStudy, TOLD_SHARES};
+use lanchester_study::sensitivity::Quantity;
 
 /// Gains below this are not worth a word.
 const SMALL: f64 = 0.01;
@@ -90,18 +92,7 @@ pub fn tolerance_name(tolerance: &Tolerance) -> String {
 
 /// Its half width in a unit of its size.
 fn half_width(tolerance: &Tolerance) -> String {
-    let (factor, unit) = match tolerance.quantity {
-        Varied::PistonMass | Varied::BigEndMass | Varied::SmallEndMass => (1e3, "g"),
-        Varied::RodCentre
-        | Varied::RodLength
-        | Varied::CrankRadius
-        | Varied::Offset
-        | Varied::CylinderPlane => (1e3, "mm"),
-        Varied::ThrowUnbalance | Varied::CounterweightUnbalance | Varied::ShaftUnbalance => (1e6, "g mm"),
-        Varied::ThrowAngle | Varied::CylinderAngle | Varied::CounterweightAngle | Varied::ShaftPhase => {
-            (1f64.to_degrees(), "deg")
-        }
-    };
+    let (factor, unit) = measure_unit(Quantity::Part(tolerance.quantity).measure());
     format!("{} {unit}", number::trimmed(factor * tolerance.half_width, 4))
 }
 
@@ -150,19 +141,13 @@ pub fn tighten_words(study: &ScatterStudy) -> Vec<String> {
     study.scatter.outputs.iter().enumerate().map(of).collect()
 }
 
-/// A table for a terminal with what stands below it.
-pub(crate) fn noted(table: &Table) -> String {
-    let note = if table.note.is_empty() { String::new() } else { format!("  {}\n", table.note) };
-    table.text() + &note
-}
-
 /// The study for a terminal.
 pub fn scatter_text(study: &ScatterStudy) -> String {
-    let mut out = format!("{}\n\n{}", study.engine, noted(&scatter_table(study)));
+    let mut out = format!("{}\n\n{}", study.engine, scatter_table(study).noted_text());
     if let Some(limits) = scatter_limit_table(study) {
-        out += &format!("\n{}", noted(&limits));
+        out += &format!("\n{}", limits.noted_text());
     }
-    out += &format!("\n{}\nTighten first\n", noted(&tolerance_table(study)));
+    out += &format!("\n{}\nTighten first\n", tolerance_table(study).noted_text());
     for line in tighten_words(study) {
         out += &format!("  {line}\n");
     }

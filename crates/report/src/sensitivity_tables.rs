@@ -1,7 +1,6 @@
 //! Sensitivities: derivatives, one input at a time, and shares of the variance, output by output.
 
 use crate::number;
-use crate::scatter_tables::noted;
 use crate::table::{Cell, Column, Table, words};
 use lanchester_study::sensitivity::{Effect, Measure, OutputSensitivity, Sensitivity, VariedInput};
 
@@ -19,8 +18,8 @@ pub fn input_name(varied: &VariedInput) -> String {
     }
 }
 
-/// Factor and unit in which an input is shown.
-fn unit(measure: Measure) -> (f64, &'static str) {
+/// Unit in which what is so measured is shown, behind what its SI value is multiplied by.
+pub fn measure_unit(measure: Measure) -> (f64, &'static str) {
     match measure {
         Measure::Mass => (1e3, "g"),
         Measure::Length | Measure::Place => (1e3, "mm"),
@@ -32,7 +31,7 @@ fn unit(measure: Measure) -> (f64, &'static str) {
 }
 
 fn shown(varied: &VariedInput, value: f64) -> String {
-    let (factor, unit) = unit(varied.input.quantity.measure());
+    let (factor, unit) = measure_unit(varied.input.quantity.measure());
     format!("{} {unit}", number::trimmed(factor * value, 4))
 }
 
@@ -70,7 +69,7 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
         (Column::numbers(header, unit), cells.collect::<Vec<_>>())
     };
     let per = |k: &usize| {
-        let (_, unit) = unit(input(k).input.quantity.measure());
+        let (_, unit) = measure_unit(input(k).input.quantity.measure());
         let slope = effect(k).slope;
         let sides = match () {
             () if slope.up == slope.down => "",
@@ -92,7 +91,7 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
             let slope = effect(k).slope.up;
             // A peak that grows either way by what bends alone: its slope is the rounding of its place.
             let is_flat = slope.abs() * input(k).half_width <= FLAT * change(own, effect(k));
-            Some(if is_flat { 0.0 } else { slope / unit(input(k).input.quantity.measure()).0 })
+            Some(if is_flat { 0.0 } else { slope / measure_unit(input(k).input.quantity.measure()).0 })
         }),
         words("", order.iter().map(per)),
         numbers("at the lower end", output, 5, &|k| effect(k).below),
@@ -140,7 +139,7 @@ fn idle_words(found: &Sensitivity, own: &OutputSensitivity) -> String {
 pub fn sensitivity_text(found: &Sensitivity) -> String {
     let mut out = format!("{}\n", found.engine);
     for table in sensitivity_tables(found) {
-        out += &format!("\n{}", noted(&table));
+        out += &format!("\n{}", table.noted_text());
     }
     let still: Vec<String> =
         found.outputs.iter().filter(|own| strongest(own).is_empty()).map(|own| own.output.name()).collect();

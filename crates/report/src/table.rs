@@ -2,6 +2,7 @@
 
 use crate::number;
 use crate::svg::escape;
+use crate::terminal::push_wrapped;
 use std::fmt::Write;
 
 /// A table.
@@ -185,6 +186,13 @@ impl Table {
         if !self.remark.is_empty() {
             let _ = writeln!(out, "  {}", self.remark);
         }
+        out
+    }
+
+    /// The same with its note below it.
+    pub(crate) fn noted_text(&self) -> String {
+        let mut out = self.text();
+        push_wrapped(&mut out, "  ", &self.note);
         out
     }
 

@@ -1,4 +1,4 @@
-//! The report, and its figures.
+//! Pictures: the report, its figures, the engine in space.
 
 use crate::api::{Api, Made};
 use crate::problem::Problem;
@@ -6,7 +6,7 @@ use crate::reading::{EngineText, engine};
 use crate::server::Studio;
 use lanchester::mechanism::{InternalRequest, LoadRequest};
 use lanchester::model::{Engine, read};
-use lanchester::{EngineReport, is_running, provenance};
+use lanchester::{EngineReport, Scene, is_running, provenance, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -31,12 +31,13 @@ struct FigureSvg {
 }
 
 pub(crate) fn questions(api: Api) -> Api {
-    api.post("/api/figures", "All figures of the report: `lanchester report --figures`.", figures).file(
-        "/api/report",
-        "The report: `lanchester report`.",
-        "text/html; charset=utf-8",
-        report,
-    )
+    api.post("/api/scene", "The engine as moving bodies, for a view in 3-D.", in_space)
+        .post("/api/figures", "All figures of the report: `lanchester report --figures`.", figures)
+        .file("/api/report", "The report: `lanchester report`.", "text/html; charset=utf-8", report)
+}
+
+fn in_space(_: &Studio, question: EngineText) -> Result<Scene, Problem> {
+    Ok(scene(&engine(&question.text)?))
 }
 
 fn report_of<'a>(studio: &Studio, engine: &'a Engine, text: &str) -> Result<EngineReport<'a>, Problem> {

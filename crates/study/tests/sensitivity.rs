@@ -10,7 +10,14 @@ fn engine(name: &str) -> Engine {
     read(template(name).unwrap().text).engine.unwrap()
 }
 
-/// Outputs of the mechanism.
+/// Peaks, and orders 1 and 2, of all loads.
+fn outputs() -> Vec<Output> {
+    let loads = [BlockLoad::Force, BlockLoad::Couple, BlockLoad::RollMoment];
+    let orders = [None, Some(1.0), Some(2.0)];
+    orders.into_iter().flat_map(|order| loads.map(|load| Output { load, order })).collect()
+}
+
+/// Their values by the mechanism.
 fn loads(engine: &Engine, speed: f64) -> Vec<f64> {
     let request = LoadRequest { speed: Some(speed), samples: 1, max_order: 2, ..LoadRequest::default() };
     let loads = total_loads(engine, &request).unwrap();
@@ -74,7 +81,7 @@ fn derivatives_are_the_differences_of_the_loads() {
         let pistons = engine.cylinders.iter().map(|c| c.reciprocating_mass() * engine.throws[c.throw].radius);
         let inertia = pistons.sum::<f64>() * speed * speed;
         let inputs: Vec<Input> = Input::common(&engine).into_iter().chain(Input::single(&engine)).collect();
-        let slopes = derivatives(&engine, speed, &Output::standard(), &inputs).unwrap();
+        let slopes = derivatives(&engine, speed, &outputs(), &inputs).unwrap();
         for (place, input) in inputs.iter().enumerate() {
             let h = step(*input);
             let [far_back, back, front, far_front] =

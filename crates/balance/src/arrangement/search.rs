@@ -9,9 +9,9 @@ use crate::arrangement::half_disc::{HalfDisc, cylinder_mass};
 use crate::arrangement::placement::{Ground, Placement, Tenant};
 use crate::arrangement::request::{ArrangementRequest, Judged, MountPlaces, Target};
 use crate::arrangement::result::*;
-use crate::arrangement::spacing::{extent, scaled_along, spacing_of};
+use crate::arrangement::spacing::extent;
 use crate::arrangement::wording;
-use crate::{Answer, BalanceError, Outcome, fitted, optimise};
+use crate::{Answer, BalanceError, Outcome, as_it_stands, fitted, optimise};
 use lanchester_model::{BalanceTask, Criterion, Engine, Limit, Load, Mount, Place, Seat, Stage};
 use num_complex::Complex64;
 
@@ -43,7 +43,7 @@ const BEARING_GAP: f64 = 0.01;
 pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arrangements, BalanceError> {
     request.check()?;
     let (limit, limit_source) = limit(request)?;
-    let own_spacing = spacing_of(engine);
+    let own_spacing = engine.spacing();
     let mut spacings = Vec::new();
     for scale in scales(request, own_spacing)? {
         let searched = searched_engine(engine, request, scale);
@@ -66,7 +66,7 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
 /// The engine that arrangements are fitted to: no balance shafts, the mounts of the request, and every z of throws,
 /// cylinders and counterweights times `scale` ([`SpacingArrangements::scale`]).
 pub fn searched_engine(engine: &Engine, request: &ArrangementRequest, scale: f64) -> Engine {
-    let mut searched = scaled_along(engine, scale);
+    let mut searched = engine.stretched(scale);
     searched.shafts.clear();
     searched.counterweights.retain(|weight| !is_searched(&weight.name));
     searched.mounts = mounts(engine, request);
@@ -113,7 +113,7 @@ fn limit(request: &ArrangementRequest) -> Result<(Option<f64>, Option<String>), 
         Target::Reference { engine, share } => {
             let mut reference = engine.as_ref().clone();
             reference.mounts = mounts(engine, request);
-            let value = share * as_it_stands(&reference, request)?;
+            let value = share * as_it_stands(&reference, request.criterion.criterion())?;
             // Below this share of its moving masses' largest load it does not shake at all.
             let scale = load_scale(&reference);
             let scale = if request.criterion == Judged::Couple { scale[1] } else { scale[0] };
@@ -127,14 +127,6 @@ fn limit(request: &ArrangementRequest) -> Result<(Option<f64>, Option<String>), 
             })
         }
     }
-}
-
-/// The criterion of an engine with nothing added.
-fn as_it_stands(engine: &Engine, request: &ArrangementRequest) -> Result<f64, BalanceError> {
-    let criterion = request.criterion.criterion();
-    let task =
-        BalanceTask { stages: vec![Stage { terms: vec![(1.0, criterion)] }], ..BalanceTask::default() };
-    Ok(after(&optimise(engine, &task)?, criterion))
 }
 
 /// What an answer leaves of a criterion.
@@ -258,7 +250,11 @@ impl<'a> Search<'a> {
             examined.into_iter().flat_map(|(_, a, lightest)| std::iter::once(a).chain(lightest)).collect();
         let (left, roll) = arrangements.first().map_or((0.0, 0.0), |a| (a.residual, a.roll_moment));
         // Where nothing added breaks a further limit it has no residual.
-        let baseline = if left.is_finite() { left } else { as_it_stands(self.engine, self.request)? };
+        let baseline = if left.is_finite() {
+            left
+        } else {
+            as_it_stands(self.engine, self.request.criterion.criterion())?
+        };
         let front = mark_front(&mut arrangements, baseline, roll);
         let simplest = self.limit.and_then(|_| simplest(&arrangements));
         Ok(SpacingArrangements { spacing, scale, baseline, arrangements, front, simplest, left_out })

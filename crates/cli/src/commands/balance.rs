@@ -2,7 +2,7 @@
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::balance_request::balance_task;
-use crate::commands::found::{csv, loads_of, put_into_file, refused};
+use crate::commands::found::{csv, loads_of, put_into_file};
 use crate::commands::{json, open, published, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
@@ -50,7 +50,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "give --cancel, or take another --table",
         ));
     }
-    let answer = optimise(engine, &task).map_err(refused)?;
+    let answer = optimise(engine, &task).map_err(Failure::refused)?;
     let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
     let after = fitted(engine, &answer);
     let loads_after = loads_of(&after)?;

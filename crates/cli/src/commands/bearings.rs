@@ -1,7 +1,7 @@
 //! `lanchester bearings`: what pistons, pins and bearings carry.
 
 use crate::commands::{json, open, write_figures};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::torque_arguments::{BearingsArguments, PartOption};
@@ -39,8 +39,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     };
     let loads = |part, counterweights| {
         let request = BearingRequest { speed, part, counterweights, ..BearingRequest::default() };
-        bearing_report(engine, &traces, &request)
-            .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })
+        bearing_report(engine, &traces, &request).map_err(Failure::refused)
     };
     let found = loads(part, true)?;
     let has_weights = part != BearingPart::Gas && engine.counterweights.iter().any(|w| w.unbalance > 0.0);

@@ -76,10 +76,8 @@ fn gas(engine: &Engine, path: &Path) -> (Vec<String>, bool) {
     if engine.gas.is_none() {
         return (Vec::new(), false);
     }
-    let report = trace_files(engine, path).and_then(|traces| {
-        cylinder_gas(engine, &traces, engine.speed.highest)
-            .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })
-    });
+    let report = trace_files(engine, path)
+        .and_then(|traces| cylinder_gas(engine, &traces, engine.speed.highest).map_err(Failure::refused));
     match report {
         Ok(report) => (report.warnings.iter().map(|warning| format!("warning: {warning}")).collect(), false),
         Err(failure) => (vec![failure.message], true),

@@ -2,21 +2,23 @@
 
 use crate::commands::{json, open, write_figures};
 use crate::compare_arguments::{CompareArguments, EqualOption, HeldOption};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
+use crate::share_option::share;
 use crate::trace_files::trace_files;
 use lanchester::balance::TwinArrangement;
 use lanchester::model::option;
 use lanchester::report::{comparison_figure, comparison_table, comparison_text};
 use lanchester::study::compare::{Equal, Held};
 use lanchester::{CompareEntry, CompareRequest, ComparedWith, compare};
+use std::path::Path;
 
 pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
     let request = request(arguments)?;
     let with = with(arguments)?;
-    let mut entries = Vec::with_capacity(arguments.files.len() * with.len());
-    for file in &arguments.files {
+    let mut entries = Vec::with_capacity(arguments.files.len() * with.len() + 1);
+    let mut take = |file: &Path, with: &[ComparedWith]| -> Result<(), Failure> {
         let opened = open(file, colour)?;
         let traces = trace_files(&opened.engine, file)?;
         entries.extend(with.iter().map(|&with| CompareEntry {
@@ -24,9 +26,15 @@ pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
             traces: traces.clone(),
             with,
         }));
+        Ok(())
+    };
+    if arguments.reference.parse::<usize>().is_err() {
+        take(Path::new(&arguments.reference), &[ComparedWith::OwnDevices])?;
     }
-    let comparison = compare(&entries, &request)
-        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    for file in &arguments.files {
+        take(file, &with)?;
+    }
+    let comparison = compare(&entries, &request).map_err(Failure::refused)?;
     for warning in &comparison.warnings {
         eprintln!("warning: {warning}");
     }
@@ -45,7 +53,9 @@ fn request(arguments: &CompareArguments) -> Result<CompareRequest, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     let fluctuation =
         arguments.fluctuation.as_deref().map(|text| option::share(text, "--fluctuation")).transpose()?;
-    let Some(reference) = arguments.reference.checked_sub(1) else {
+    // A file stands first.
+    let number = arguments.reference.parse::<usize>().unwrap_or(1);
+    let Some(reference) = number.checked_sub(1) else {
         return Err(Failure::input("--reference counts the engines from 1, got 0", "the first one is 1"));
     };
     let equal = match arguments.equal {
@@ -57,7 +67,10 @@ fn request(arguments: &CompareArguments) -> Result<CompareRequest, Failure> {
         HeldOption::Speed => Held::Speed,
         HeldOption::PistonSpeed => Held::PistonSpeed,
     };
-    Ok(CompareRequest { equal, held, speed, reference, fluctuation })
+    let share = arguments.share.as_deref().map_or(Ok(1.0), share)?;
+    let spacing = arguments.mount_spacing.as_deref();
+    let mount_spacing = spacing.map(|text| option::length(text, "--mount-spacing")).transpose()?;
+    Ok(CompareRequest { equal, held, speed, reference, share, mount_spacing, fluctuation })
 }
 
 /// What every file is compared with.

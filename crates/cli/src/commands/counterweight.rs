@@ -9,12 +9,11 @@ mod front;
 mod import;
 
 use crate::counterweight_arguments::{CounterweightArguments, CounterweightCommand};
-use crate::failure::{Failure, WRONG_INPUT};
+use crate::failure::Failure;
 use crate::files::write_result;
 use lanchester::geometry::clearance::SweptRoom;
 use lanchester::model::Engine;
 use lanchester::report::{counterweight_drawings, obstacle_name, shaft_weight_drawings};
-use std::fmt::Display;
 use std::path::Path;
 
 pub fn run(arguments: &CounterweightArguments, colour: bool) -> Result<u8, Failure> {
@@ -40,11 +39,6 @@ fn room_words(room: &SweptRoom) -> String {
         1e3 * room.least,
         obstacle_name(room.limit)
     )
-}
-
-/// An error of the facade with its own hint.
-fn refused(error: impl Display) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }
 
 /// Draws the counterweights and the weights of balance shafts of an engine into the folder, those of one shape once.

@@ -2,7 +2,7 @@
 
 use crate::commands::{Opened, json, open, write_figures};
 use crate::explore_arguments::ExploreArguments;
-use crate::explore_request::{LayoutSearch, layout_search, refused};
+use crate::explore_request::{LayoutSearch, layout_search};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_new};
 use crate::format::Format;
@@ -25,22 +25,19 @@ pub struct SavedSearch {
 pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let LayoutSearch { explorer, notes } = layout_search(&opened.engine, arguments)?;
-    if let Some(threads) = arguments.threads {
-        // Set once, before anything is computed; a second time cannot be.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
-    }
-    let rows = match (&arguments.save, arguments.front_only) {
+    arguments.run.set_threads();
+    let rows = match (&arguments.run.save, arguments.front_only) {
         (None, _) => LayoutRows::Nothing,
         (Some(_), true) => LayoutRows::Front,
         (Some(_), false) => LayoutRows::Judged,
     };
     let study = LayoutStudy { explorer, rows };
-    let found = match &arguments.save {
+    let found = match &arguments.run.save {
         None => run_alone(&study)?,
         Some(path) => {
             let request = study.explorer.request().clone();
             let saved = SavedSearch { request, rows, notes: notes.clone() };
-            run_into(&study, &Head::new("explore", &saved, &opened.source.text)?, path, arguments.part)?
+            run_into(&study, &Head::new("explore", &saved, &opened.source.text)?, path, arguments.run.part)?
         }
     };
     let engine = &opened.engine;
@@ -62,8 +59,8 @@ pub fn answer_of(
     found: &Exploration,
     notes: Vec<String>,
 ) -> Result<ExploreAnswer, Failure> {
-    let mut answer = explorer.answer(found, &engine.name, notes).map_err(refused)?;
-    answer.given = Some(given_engine(engine, explorer, &answer).map_err(refused)?);
+    let mut answer = explorer.answer(found, &engine.name, notes).map_err(Failure::refused)?;
+    answer.given = Some(given_engine(engine, explorer, &answer).map_err(Failure::refused)?);
     Ok(answer)
 }
 
@@ -93,7 +90,7 @@ fn adopt(
             "leave --adopt out to see them",
         )
     })?;
-    let engine = adopted_layout(&opened.engine, explorer, found.layout.case).map_err(refused)?;
+    let engine = adopted_layout(&opened.engine, explorer, found.layout.case).map_err(Failure::refused)?;
     let text = expanded(&engine);
     let reading = read(&text);
     if reading.engine.is_none() {

@@ -3,8 +3,8 @@
 use crate::arguments::{BalanceArguments, BalanceTable};
 use crate::commands::Opened;
 use crate::commands::put_back::PutBack;
-use crate::failure::{Failure, WRONG_INPUT};
-use lanchester::balance::{Answer, BalanceError};
+use crate::failure::Failure;
+use lanchester::balance::Answer;
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::Engine;
 use lanchester::report::{
@@ -42,8 +42,4 @@ pub fn csv(engine: &Engine, answer: &Answer, table: Option<BalanceTable>) -> Str
             table.map_or(String::new(), |table| table.csv())
         }
     }
-}
-
-pub fn refused(error: BalanceError) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }

@@ -1,15 +1,16 @@
 //! `lanchester merge`: the parts of a run become the table that the run would have written.
 
-use crate::commands::explore::{SavedSearch, answer_of, said};
-use crate::explore_request::refused;
+use crate::commands::explore::{self, SavedSearch, answer_of};
+use crate::commands::scatter::{self, SavedScatter};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::run::{Held, is_free, join_tables, read_held};
+use crate::run::{Head, Held, is_free, join_tables, read_held};
 use clap::Args;
 use lanchester::LayoutStudy;
-use lanchester::model::read;
+use lanchester::model::{Engine, read};
 use lanchester::study::explore::Explorer;
+use serde::de::DeserializeOwned;
 use std::path::PathBuf;
 
 /// `merge`
@@ -21,7 +22,7 @@ pub struct MergeArguments {
     /// The whole table, .parquet or .csv; never overwrites.
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
-    /// Rows of the table in the text.
+    /// Rows of the table in the text, of parts of `explore`.
     #[arg(long, value_name = "N", default_value_t = 20)]
     pub rows: usize,
     /// Form of the answer.
@@ -48,25 +49,56 @@ pub fn run(arguments: &MergeArguments) -> Result<u8, Failure> {
     }
     all_there(&parts, of)?;
     is_free(&arguments.output)?;
-    if head.study != "explore" {
-        return Err(Failure::input(
-            format_args!("this version of lanchester cannot merge parts of `{}`", head.study),
-            "merge them with the version that wrote them",
-        ));
-    }
-    let saved: SavedSearch = serde_json::from_str(&head.request).map_err(|error| {
-        Failure::input(format_args!("the request of the parts cannot be read: {error}"), "run them again")
-    })?;
-    let explorer = Explorer::new(saved.request.clone()).map_err(refused)?;
-    let study = LayoutStudy { explorer, rows: saved.rows };
-    let paths: Vec<PathBuf> = parts.iter().map(|(_, path)| path.clone()).collect();
-    let kept = join_tables(&study, &head, &paths, 0..of, &arguments.output)?;
     let engine = read(&head.engine).engine.ok_or_else(|| {
         Failure::input("the engine file that the parts hold is not valid for this version", "run them again")
     })?;
-    let answer = answer_of(&engine, &study.explorer, &kept, saved.notes)?;
-    print(&said(&answer, arguments.format, arguments.rows, false)?)?;
-    Ok(DONE)
+    let parts = Parts { paths: parts.into_iter().map(|(_, path)| path).collect(), head, of, engine };
+    match parts.head.study.as_str() {
+        "explore" => parts.explored(arguments),
+        "scatter" => parts.scattered(arguments),
+        other => Err(Failure::input(
+            format_args!("this version of lanchester cannot merge parts of `{other}`"),
+            "merge them with the version that wrote them",
+        )),
+    }
+}
+
+/// All parts of a run, in the order of their blocks.
+struct Parts {
+    paths: Vec<PathBuf>,
+    head: Head,
+    /// Blocks of the run.
+    of: u64,
+    engine: Engine,
+}
+
+impl Parts {
+    fn request<R: DeserializeOwned>(&self) -> Result<R, Failure> {
+        serde_json::from_str(&self.head.request).map_err(|error| {
+            Failure::input(format_args!("the request of the parts cannot be read: {error}"), "run them again")
+        })
+    }
+
+    fn explored(&self, arguments: &MergeArguments) -> Result<u8, Failure> {
+        let saved: SavedSearch = self.request()?;
+        let explorer = Explorer::new(saved.request).map_err(Failure::refused)?;
+        let study = LayoutStudy { explorer, rows: saved.rows };
+        let kept = join_tables(&study, &self.head, &self.paths, 0..self.of, &arguments.output)?;
+        let answer = answer_of(&self.engine, &study.explorer, &kept, saved.notes)?;
+        print(&explore::said(&answer, arguments.format, arguments.rows, false)?)?;
+        Ok(DONE)
+    }
+
+    fn scattered(&self, arguments: &MergeArguments) -> Result<u8, Failure> {
+        let saved: SavedScatter = self.request()?;
+        let study = saved.study(&self.engine, true)?;
+        let tally = join_tables(&study, &self.head, &self.paths, 0..self.of, &arguments.output)?;
+        let Some(answer) = saved.answer(&study, &tally)? else {
+            return Err(Failure::input("the parts hold no sample", "run them again"));
+        };
+        print(&scatter::said(&answer, arguments.format)?)?;
+        Ok(scatter::status(&answer))
+    }
 }
 
 /// Refuses parts that leave blocks out, or have some twice.

@@ -25,7 +25,7 @@ pub mod torque;
 pub mod validate;
 pub mod workshop;
 
-use crate::failure::{Failure, WRONG_INPUT};
+use crate::failure::Failure;
 use crate::files::{Source, read_source, write_result};
 use lanchester::mechanism::LoadError;
 use lanchester::model::{Diagnostic, Engine, read, render};
@@ -67,12 +67,11 @@ pub fn write_figures(folder: &Path, engine_file: &Path, figures: &[Figure]) -> R
 
 /// A calculation that cannot be done as asked.
 pub fn refused(error: LoadError) -> Failure {
-    let message = match error {
+    match error {
         // The numbers of a request come from options.
         LoadError::Request { .. } => {
-            format!("error: {error}\nhint: `lanchester loads --help` tells what each option means")
+            Failure::input(error, "`lanchester loads --help` tells what each option means")
         }
-        _ => format!("error: {error}"),
-    };
-    Failure { status: WRONG_INPUT, message }
+        _ => Failure::refused(error),
+    }
 }

@@ -1,7 +1,7 @@
 //! `lanchester mounts`: the block on its mounts.
 
 use crate::commands::{json, open, write_figures};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::mounts_arguments::{MountsArguments, MountsTable};
@@ -34,7 +34,7 @@ pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
         false => Some(trace_files(&opened.engine, &arguments.file)?),
     };
     let study = mounts(&opened.engine, &speeds, arguments.orders, traces.as_deref(), &points)
-        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+        .map_err(Failure::refused)?;
     for warning in &study.warnings {
         eprintln!("warning: {warning}");
     }

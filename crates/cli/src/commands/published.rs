@@ -2,7 +2,7 @@
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::commands::{Opened, json};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::published_arguments::MatrixShafts;
@@ -78,7 +78,7 @@ pub fn fit(engine: &Engine, arguments: &BalanceArguments) -> Result<MethodAnswer
     let method = method(engine, arguments)?;
     let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(Failure::from);
     let stages = arguments.minimise.iter().map(stage).collect::<Result<Vec<_>, Failure>>()?;
-    method.fit(engine, &stages).map_err(unsuited)
+    method.fit(engine, &stages).map_err(Failure::refused)
 }
 
 /// Writes the figures, if asked for, and prints the answer.
@@ -197,8 +197,4 @@ fn web_pattern(text: &str) -> Result<Vec<bool>, Failure> {
         )),
     };
     text.chars().map(web).collect()
-}
-
-fn unsuited(error: BalanceError) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }

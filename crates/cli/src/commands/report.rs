@@ -2,7 +2,7 @@
 
 use crate::arguments::ReportArguments;
 use crate::commands::{json, open, refused};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::{Source, print, write_result};
 use crate::format::Format;
 use crate::program::PROGRAM;
@@ -26,8 +26,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         let warnings: Vec<String> = opened.warnings.iter().map(lanchester::in_one_line).collect();
         let page = arrangements_report(&ArrangementsInput {
             engine,
-            arrangements: &arrangements(engine, &request)
-                .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?,
+            arrangements: &arrangements(engine, &request).map_err(Failure::refused)?,
             provenance: &provenance(&opened.source, &loads, &request),
             warnings: &warnings,
         });

@@ -1,36 +1,98 @@
 //! `lanchester scatter`: what tolerances of the parts do to residual forces and couples.
 
 use crate::commands::{json, open, write_figures};
-use crate::failure::{DONE, Failure, NOT_AS_EXPECTED, WRONG_INPUT};
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
+use crate::run::{Head, run_alone, run_into};
 use crate::scatter_arguments::ScatterArguments;
-use lanchester::model::option;
+use lanchester::SampleStudy;
+use lanchester::model::{Engine, option};
 use lanchester::report::{scatter_figure, scatter_table, scatter_text};
-use lanchester::study::scatter::{ScatterOptions, scatter_study};
+use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, Tally, scatter_study_of};
+use serde::{Deserialize, Serialize};
+
+/// The request as a table keeps it: the options of the command.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SavedScatter {
+    /// Speed of the crankshaft [rad/s].
+    speed: Option<f64>,
+    samples: u64,
+    seed: u64,
+    orders_only: bool,
+    limits: Vec<String>,
+    capability: f64,
+}
+
+impl SavedScatter {
+    fn of(arguments: &ScatterArguments) -> Result<SavedScatter, Failure> {
+        let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
+        Ok(SavedScatter {
+            speed,
+            samples: arguments.samples,
+            seed: arguments.seed,
+            orders_only: arguments.orders_only,
+            limits: arguments.limit.clone(),
+            capability: arguments.capability.unwrap_or(ScatterOptions::default().capability),
+        })
+    }
+
+    /// The run for an engine, its samples being rows or not.
+    pub fn study(&self, engine: &Engine, keeps_samples: bool) -> Result<SampleStudy, Failure> {
+        let limit = |text: &String| option::limit(text, &engine.mounts, "--limit");
+        let options = ScatterOptions {
+            speed: self.speed,
+            samples: self.samples,
+            seed: self.seed,
+            peaks: !self.orders_only,
+            limits: self.limits.iter().map(limit).collect::<Result<_, _>>()?,
+            capability: self.capability,
+        };
+        let request = options.request(engine).map_err(Failure::refused)?;
+        let scattering = Scattering::new(request).map_err(Failure::refused)?;
+        Ok(SampleStudy { scattering, keeps_samples })
+    }
+
+    /// What is told of the samples that were drawn; `None` of no sample.
+    pub fn answer(&self, study: &SampleStudy, tally: &Tally) -> Result<Option<ScatterStudy>, Failure> {
+        scatter_study_of(&study.scattering, tally, self.capability).map_err(Failure::refused)
+    }
+}
 
 pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
-    let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
-    let engine = open(&arguments.file, colour)?.engine;
-    let limit = |text: &String| option::limit(text, &engine.mounts, "--limit");
-    let standard = ScatterOptions::default();
-    let options = ScatterOptions {
-        speed,
-        samples: arguments.samples,
-        seed: arguments.seed,
-        peaks: !arguments.orders_only,
-        limits: arguments.limit.iter().map(limit).collect::<Result<_, _>>()?,
-        capability: arguments.capability.unwrap_or(standard.capability),
+    let saved = SavedScatter::of(arguments)?;
+    let opened = open(&arguments.file, colour)?;
+    arguments.run.set_threads();
+    let study = saved.study(&opened.engine, arguments.run.save.is_some())?;
+    let tally = match &arguments.run.save {
+        None => run_alone(&study)?,
+        Some(path) => {
+            let head = Head::new("scatter", &saved, &opened.source.text)?;
+            run_into(&study, &head, path, arguments.run.part)?
+        }
     };
-    let study = scatter_study(&engine, &options)
-        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    let Some(answer) = saved.answer(&study, &tally)? else {
+        eprintln!("no sample falls into this part: the run has fewer blocks than parts");
+        return Ok(DONE);
+    };
     if let Some(folder) = &arguments.figures {
-        write_figures(folder, &arguments.file, &[scatter_figure(&study)])?;
+        write_figures(folder, &arguments.file, &[scatter_figure(&answer)])?;
     }
-    print(&match arguments.format {
-        Format::Text => scatter_text(&study),
-        Format::Json => json(&study)?,
-        Format::Csv => scatter_table(&study).csv(),
-    })?;
-    Ok(if study.limits.iter().all(|limit| limit.is_met) { DONE } else { NOT_AS_EXPECTED })
+    print(&said(&answer, arguments.format)?)?;
+    // A part alone is not the production: its limits are judged where parts are merged.
+    Ok(if arguments.run.part.is_some() { DONE } else { status(&answer) })
+}
+
+/// The answer as it is printed.
+pub fn said(answer: &ScatterStudy, format: Format) -> Result<String, Failure> {
+    Ok(match format {
+        Format::Text => scatter_text(answer),
+        Format::Json => json(answer)?,
+        Format::Csv => scatter_table(answer).csv(),
+    })
+}
+
+/// Whether the limits are met, as an exit status.
+pub fn status(answer: &ScatterStudy) -> u8 {
+    if answer.limits.iter().all(|limit| limit.is_met) { DONE } else { NOT_AS_EXPECTED }
 }

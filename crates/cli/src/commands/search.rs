@@ -1,7 +1,7 @@
 //! `lanchester balance --search`: which arrangement of crank weights and balance shafts, and one of them in full.
 
 use crate::arguments::{BalanceArguments, BalanceTable};
-use crate::commands::found::{csv, loads_of, put_into_file, refused};
+use crate::commands::found::{csv, loads_of, put_into_file};
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
@@ -20,7 +20,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     fits_together(arguments)?;
     let opened = open(&arguments.file, colour)?;
     let request = arrangement_request(&opened.engine, arguments, colour)?;
-    let found = arrangements(&opened.engine, &request).map_err(refused)?;
+    let found = arrangements(&opened.engine, &request).map_err(Failure::refused)?;
     let choice = arguments.search.choose.as_deref().map(|text| choice(&found, text)).transpose()?;
     if let Some(folder) = &arguments.figures {
         for figure in figures(&opened.engine, &request, &found, choice) {

@@ -1,7 +1,7 @@
 //! `lanchester sensitivity`: what matters most for the residual loads.
 
 use crate::commands::{json, open, write_figures};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::sensitivity_arguments::SensitivityArguments;
@@ -30,8 +30,7 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
         only: arguments.only,
         sobol: arguments.sobol.map(|draws| [draws, arguments.seed.unwrap_or(1)]),
     };
-    let found = sensitivity(&engine, &request)
-        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    let found = sensitivity(&engine, &request).map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &[tornado_figure(&found)])?;
     }

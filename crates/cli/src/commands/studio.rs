@@ -1,7 +1,7 @@
 //! `lanchester studio`: the tool in a browser.
 
 use crate::commands::json;
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::program::PROGRAM;
 use crate::studio_arguments::{Description, StudioArguments};
@@ -29,8 +29,7 @@ pub fn run(arguments: &StudioArguments) -> Result<u8, Failure> {
                     open(address);
                 }
             };
-            serve(&options, announce)
-                .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+            serve(&options, announce).map_err(Failure::refused)?;
             Ok(DONE)
         }
     }

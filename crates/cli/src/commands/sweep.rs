@@ -3,13 +3,11 @@
 use crate::arguments::{BalanceArguments, BalanceMethod};
 use crate::commands::found::put_into_file;
 use crate::commands::{Opened, json};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::request::series;
-use lanchester::balance::{
-    Answer, BalanceError, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank,
-};
+use lanchester::balance::{Answer, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
 use lanchester::mechanism::Kinematics;
 use lanchester::model::{Criterion, Engine, Load, option};
 use lanchester::report::{Figure, crank_curve, sweep_steps_table, swept_text};
@@ -56,7 +54,7 @@ pub fn run(arguments: &BalanceArguments, opened: &Opened, colour: bool) -> Resul
         options.angles = angles as usize;
     }
     let kinematics = arguments.published.series.as_deref().map_or(Ok(Kinematics::Exact), series)?;
-    let found = swept(engine, load(arguments, engine)?, kinematics, &options).map_err(refused)?;
+    let found = swept(engine, load(arguments, engine)?, kinematics, &options).map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         let figure = crank_curve(&found.sweep, found.optimal());
         write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
@@ -121,8 +119,4 @@ pub fn curve(after: &Engine, answer: &Answer) -> Option<Figure> {
     }
     let found = sweep(after, load, Kinematics::Exact, &SweepOptions::fitting(after)).ok()?;
     Some(crank_curve(&found, Some(SweptCrank { unbalance: amount, criterion: stage.value })))
-}
-
-fn refused(error: BalanceError) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }

@@ -1,7 +1,7 @@
 //! `lanchester torque`: what the gas does to the crank.
 
 use crate::commands::{json, open, write_figures};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::torque_arguments::{LeverOption, TorqueArguments};
@@ -18,8 +18,7 @@ pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
     let request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     let traces = trace_files(&opened.engine, &arguments.file)?;
-    let report = torque_report(&opened.engine, &traces, &request)
-        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    let report = torque_report(&opened.engine, &traces, &request).map_err(Failure::refused)?;
     for warning in &report.warnings {
         eprintln!("warning: {warning}");
     }

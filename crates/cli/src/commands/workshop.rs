@@ -12,10 +12,9 @@ mod given_factor;
 mod grade;
 mod internal;
 
-use crate::failure::{Failure, WRONG_INPUT};
+use crate::failure::Failure;
 use crate::files::read_source;
 use crate::workshop_arguments::{WorkshopArguments, WorkshopCommand};
-use lanchester::balance::workshop::WorkshopError;
 use lanchester::model::render;
 use lanchester::model::workshop::{Sheet, read_sheet};
 use std::path::Path;
@@ -45,9 +44,4 @@ fn open(path: &Path, colour: bool) -> Result<Sheet, Failure> {
         Some(sheet) => Ok(sheet),
         None => Err(Failure::diagnosed()),
     }
-}
-
-/// A sheet that cannot be answered as asked.
-fn refused(error: WorkshopError) -> Failure {
-    Failure { status: WRONG_INPUT, message: format!("error: {error}") }
 }

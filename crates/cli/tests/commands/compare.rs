@@ -1,18 +1,7 @@
 //! Engines side by side on the command line.
 
-use crate::program::{folder, message, output, output_json};
+use crate::program::{example, folder, message, number, output, output_json};
 use serde_json::Value;
-
-fn example(name: &str) -> String {
-    format!("{}/../../examples/{name}.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn number(value: &Value, pointer: &str) -> f64 {
-    value
-        .pointer(pointer)
-        .and_then(Value::as_f64)
-        .unwrap_or_else(|| panic!("no number at {pointer}: {value}"))
-}
 
 /// The nine arrangements of the thesis stand as in its Table 38, and the optimum is not worse than any crank.
 #[test]
@@ -96,6 +85,38 @@ fn a_similar_engine_is_the_engine_built_in_that_size() {
     );
 }
 
+/// Twins beside half a four on two mounts 176 mm apart: the thesis's questions of section 6.1, its numbers of Tables 36 to 39 and of its text.
+#[test]
+fn lit_twin_thesis_2008_mounts_beside_half_a_four() {
+    let folder = folder("compare-mounts");
+    let [four, twin, boxer] =
+        ["in-line-4-long-stroke", "twin-in-line-in-phase", "twin-boxer-in-phase"].map(example);
+    let with = |more: &[&str]| {
+        let base =
+            ["compare", &twin, &boxer, "--reference", &four, "--share", "1/2", "--arrangements", "1,3"];
+        [&base[..], &["--mount-spacing", "176 mm"], more].concat().join("|")
+    };
+    let run = |more: &[&str]| {
+        let line = with(more);
+        output_json(&folder, 0, &[&line.split('|').collect::<Vec<_>>()[..], &["--format", "json"]].concat())
+    };
+    let json = run(&[]);
+    assert_eq!(json["engines"].as_array().map(Vec::len), Some(5), "the four stands once");
+    let of = |engine: usize, what: &str| number(&json, &format!("/engines/{engine}/{what}"));
+    // A force is shared by the mounts; two shafts leave what half a four has (6.1.2.2, Table 37: half of 5793,89 N, truncated series).
+    assert!((of(0, "mount_force") - 0.5 * of(0, "force")).abs() < 1e-6 * of(0, "force"));
+    assert!((of(2, "force") - 0.5 * of(0, "force")).abs() < 1e-3 * of(0, "force"));
+    // A couple becomes two opposite forces over the distance: 726 N m of first order alone were 4126 N.
+    assert!((of(3, "mount_force") - of(3, "couple") / 0.176).abs() < 1e-6 * of(3, "mount_force"));
+    let line = with(&[]);
+    let text = output(&folder, 0, &line.split('|').collect::<Vec<_>>());
+    assert!(text.contains("In percent of half of no. 1, in-line four, long stroke"), "{text}");
+    // Mounts of a given distance stay there when engines change their size.
+    let equal = run(&["--equal", "displacement"]);
+    let boxer = |what: &str| number(&equal, &format!("/engines/3/{what}"));
+    assert!((boxer("mount_force") - boxer("couple") / 0.176).abs() < 1e-6 * boxer("mount_force"));
+}
+
 #[test]
 fn mistakes_of_a_comparison_are_told() {
     let folder = folder("compare-mistakes");
@@ -107,6 +128,9 @@ fn mistakes_of_a_comparison_are_told() {
     refused(&["compare", &twin], "two or more engines or arrangements, got 1");
     refused(&["compare", &twin, &twin, "--reference", "3"], "the reference is number 3 of 2 engines");
     refused(&["compare", &twin, &twin, "--reference", "0"], "counts the engines from 1");
+    refused(&["compare", &twin, "--reference", "nothing.toml"], "nothing.toml");
+    refused(&["compare", &twin, &twin, "--share", "0"], "--share needs a share above 0, got 0");
+    refused(&["compare", &twin, &twin, "--mount-spacing=0 mm"], "mount spacing must be finite and above 0");
     refused(&["compare", &twin, "--arrangements", "1,10"], "numbers from 1 to 9, got `10`");
     refused(&["compare", &twin, &twin, "--hold", "speed"], "--equal");
     let four = example("in-line-4");

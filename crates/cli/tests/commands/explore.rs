@@ -1,6 +1,6 @@
 //! Searches over layouts on the command line.
 
-use crate::program::{folder, lanchester, message, output, output_json};
+use crate::program::{folder, lanchester, message, number, output, output_json};
 use serde_json::Value;
 use std::path::Path;
 
@@ -9,13 +9,6 @@ pub fn gallery(folder: &Path, name: &str) -> String {
     let file = format!("{name}.toml");
     output(folder, 0, &["new", name, "--output", &file]);
     file
-}
-
-fn number(value: &Value, pointer: &str) -> f64 {
-    value
-        .pointer(pointer)
-        .and_then(Value::as_f64)
-        .unwrap_or_else(|| panic!("no number at {pointer}: {value}"))
 }
 
 /// Size of an order of a load: both senses.

@@ -14,6 +14,7 @@ mod mounts;
 mod program;
 mod runs;
 mod scatter;
+mod scatter_runs;
 mod search;
 mod sensitivity;
 mod shaft_weights;

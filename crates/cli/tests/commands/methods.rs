@@ -1,14 +1,10 @@
 //! The published rules, matrices and 50 % shares, on the command line.
 
-use crate::program::{examples, folder, message, output, output_json};
+use crate::program::{example, folder, message, output, output_json};
 use std::path::Path;
 
 fn source(name: &str) -> String {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation").join(name).display().to_string()
-}
-
-fn example(name: &str) -> String {
-    examples().join(name).display().to_string()
 }
 
 /// Applied Sciences 2021, 11, 8997, Table 5: m_c 1.275 kg, m_c,1 0.665 kg and m_c,2 0.0985 kg on every shaft.
@@ -40,7 +36,7 @@ fn lit_balancing_tool_2021_v4_matrices() {
 #[test]
 fn the_half_rules_stand_beside_the_optimum() {
     let folder = folder("half-three");
-    let file = example("in-line-3.toml");
+    let file = example("in-line-3");
     let found = output_json(&folder, 0, &["balance", &file, "--method", "half", "--format", "json"]);
     let weights = found["weights"].as_array().unwrap();
     let amount = |weight: &serde_json::Value, key: &str| {
@@ -60,7 +56,7 @@ fn the_half_rules_stand_beside_the_optimum() {
         output(&folder, 0, &["balance", &file, "--method", "half", "--format", "csv", "--table", "orders"]);
     assert!(csv.lines().any(|line| line.starts_with("couple,N m,1,against,")), "{csv}");
     // Another share on an engine without a rule of its own.
-    let share = ["balance", &example("twin-in-line-in-phase.toml"), "--method", "half"];
+    let share = ["balance", &example("twin-in-line-in-phase"), "--method", "half"];
     let full =
         output_json(&folder, 0, &[&share[..], &["--balance-factor", "100 %", "--format", "json"]].concat());
     let half =
@@ -74,7 +70,7 @@ fn the_half_rules_stand_beside_the_optimum() {
 #[test]
 fn an_option_of_another_method_is_refused_with_what_to_do() {
     let folder = folder("methods-refused");
-    let three = example("in-line-3.toml");
+    let three = example("in-line-3");
     for (more, says) in [
         (vec!["--method", "matrix", "--webs", "101"], "6"),
         (vec!["--method", "matrix", "--webs", "10x001"], "1 or 0"),

@@ -17,6 +17,17 @@ pub fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples")
 }
 
+/// Path of an example.
+pub fn example(name: &str) -> String {
+    examples().join(format!("{name}.toml")).display().to_string()
+}
+
+/// The number at a place of some JSON.
+pub fn number(value: &serde_json::Value, pointer: &str) -> f64 {
+    let found = value.pointer(pointer).and_then(serde_json::Value::as_f64);
+    found.unwrap_or_else(|| panic!("no number at {pointer}: {value}"))
+}
+
 pub fn lanchester(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_lanchester")).args(arguments).current_dir(folder).output().unwrap()
 }
@@ -37,7 +48,7 @@ pub fn message(folder: &Path, status: i32, arguments: &[&str]) -> String {
 }
 
 pub fn twin() -> String {
-    examples().join("twin-in-line-in-phase.toml").display().to_string()
+    example("twin-in-line-in-phase")
 }
 
 /// The same as JSON.

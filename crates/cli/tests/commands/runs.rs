@@ -24,7 +24,7 @@ fn search<'a>(ratios: &'a str, table: &'a str, more: &[&'a str]) -> Vec<&'a str>
     [&SEARCH[..], &[ratios, "--save", table], more].concat()
 }
 
-fn bytes(folder: &Path, table: &str) -> Vec<u8> {
+pub fn bytes(folder: &Path, table: &str) -> Vec<u8> {
     fs::read(folder.join(table)).unwrap()
 }
 
@@ -108,16 +108,9 @@ fn the_table_holds_every_judged_case_with_its_inputs_and_its_request() {
     assert!(other.contains("cases.parquet holds something else and is not overwritten"), "{other}");
 }
 
-/// A run killed again and again, without a warning, becomes the table of the run that was not.
-#[test]
-fn a_killed_run_goes_on_to_the_same_bytes() {
-    let folder = folder("runs-killed");
-    gallery(&folder, "v6-60");
-    // Seconds of one thread; what is done is put on the disk four times a second.
-    let ratios = "0.20 .. 0.45 by 0.005";
-    let more = ["--even-firing", "--throw-angles", "every 5 deg", "--threads", "1"];
-    let arguments = search(ratios, "killed.parquet", &more);
-    let run_folder = folder.join("killed.parquet.run");
+/// Starts a run twice and kills it as soon as another piece of it is on the disk.
+pub fn kill_twice(folder: &Path, arguments: &[&str], table: &str) {
+    let run_folder = folder.join(table.to_owned() + ".run");
     let tables = || {
         let entries = fs::read_dir(&run_folder)
             .map(|entries| entries.flatten().collect::<Vec<_>>())
@@ -131,8 +124,8 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     let mut kills = 0;
     for wanted in [1, 2] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
-            .args(&arguments)
-            .current_dir(&folder)
+            .args(arguments)
+            .current_dir(folder)
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .spawn()
@@ -150,7 +143,19 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
             TableReader::open(File::open(table).unwrap()).unwrap();
         }
     }
-    assert_eq!(kills, 2, "the search is too short to be killed twice");
+    assert_eq!(kills, 2, "the run is too short to be killed twice");
+}
+
+/// A run killed again and again, without a warning, becomes the table of the run that was not.
+#[test]
+fn a_killed_run_goes_on_to_the_same_bytes() {
+    let folder = folder("runs-killed");
+    gallery(&folder, "v6-60");
+    // Seconds of one thread; what is done is put on the disk four times a second.
+    let ratios = "0.20 .. 0.45 by 0.005";
+    let more = ["--even-firing", "--throw-angles", "every 5 deg", "--threads", "1"];
+    let arguments = search(ratios, "killed.parquet", &more);
+    kill_twice(&folder, &arguments, "killed.parquet");
     let other = message(&folder, 2, &search("0.3", "killed.parquet", &[]));
     assert!(other.contains("holds what another run has begun"), "{other}");
     let went_on = lanchester(&folder, &arguments);

@@ -1,18 +1,7 @@
 //! Production scatter and the assignment of weighed parts on the command line.
 
-use crate::program::{folder, message, output, output_json};
+use crate::program::{example, folder, message, number, output, output_json};
 use serde_json::Value;
-
-fn example(name: &str) -> String {
-    format!("{}/../../examples/{name}.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn number(value: &Value, pointer: &str) -> f64 {
-    value
-        .pointer(pointer)
-        .and_then(Value::as_f64)
-        .unwrap_or_else(|| panic!("no number at {pointer}: {value}"))
-}
 
 /// Limits decide the exit status; halving the worst tolerance in the file does what the study said it would.
 #[test]

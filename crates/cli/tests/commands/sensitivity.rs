@@ -1,11 +1,7 @@
 //! Sensitivities on the command line.
 
-use crate::program::{folder, message, output, output_json};
+use crate::program::{example, folder, message, output, output_json};
 use serde_json::Value;
-
-fn example(name: &str) -> String {
-    format!("{}/../../examples/{name}.toml", env!("CARGO_MANIFEST_DIR"))
-}
 
 /// The piston mass one percent up in the file does what the sensitivity says it does.
 #[test]

@@ -13,7 +13,7 @@ const ANY: f64 = 7850.0;
 const AROUND: usize = 40;
 
 /// A closed surface of triangles in the frame of its parts.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct SceneMesh {
     /// x, y, z of each point [m], to the micrometre.
     pub positions: Vec<f64>,

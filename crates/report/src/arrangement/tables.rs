@@ -215,21 +215,6 @@ pub fn narrowest_place(arrangement: &Arrangement) -> Option<String> {
     Some(format!("narrowest place: {millimetres} mm, {}", clearance.between))
 }
 
-/// Lines of a note, indented for a terminal.
-fn wrapped(note: &str) -> String {
-    let mut lines = vec![String::from(" ")];
-    for word in note.split_whitespace() {
-        let line = lines.last_mut().expect("invariant: there is a first line");
-        if line.chars().count() + word.chars().count() < 118 {
-            line.push(' ');
-            line.push_str(word);
-        } else {
-            lines.push(format!("  {word}"));
-        }
-    }
-    lines.join("\n")
-}
-
 /// The search as plain text for a terminal: what is good enough, the simplest that is, the front at every spacing (`all`:
 /// what is beaten too); at a single spacing also shafts and drive of the simplest, or without a limit of the one that
 /// leaves least.
@@ -255,7 +240,7 @@ pub fn arrangements_text(found: &Arrangements, all: bool) -> String {
     }
     for spacing in &found.spacings {
         let front = front_table(found, spacing, all);
-        out += &format!("\n{}\n{}\n", front.text(), wrapped(&front.note));
+        out += &format!("\n{}", front.noted_text());
         if all && !spacing.left_out.is_empty() {
             out += "\nnot examined:\n";
             for line in &spacing.left_out {

@@ -18,6 +18,8 @@ pub struct Comparison {
     pub held: Held,
     /// The engine with which the others are compared, by its place.
     pub reference: usize,
+    /// Share of its loads, devices and flywheel that the others are compared with [1].
+    pub share: f64,
     /// Fluctuation of the speed that the flywheels keep at the lowest speed [1].
     pub fluctuation: f64,
     /// The engines in the order of the request.
@@ -51,7 +53,8 @@ pub struct Compared {
     pub couple_leading: Option<Leading>,
     /// Largest roll moment of the moving masses, either way [N m].
     pub roll_moment: f64,
-    /// Largest force at any of its mounts, of inertia and, where it is known, of gas [N]; where block and mounts are known.
+    /// Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, on mounts with springs; of inertia alone on
+    /// mounts without, which share what they can carry. `None` without mounts.
     pub mount_force: Option<f64>,
     /// Largest departure of a firing interval from the even one, over it, where firing is known.
     pub firing_unevenness: Option<f64>,

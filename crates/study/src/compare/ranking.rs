@@ -92,6 +92,11 @@ impl Criterion {
         }
     }
 
+    /// Whether twice the engine has twice of it: a share of the reference has that share. How uneven an engine is has no size.
+    pub fn is_of_size(self) -> bool {
+        !matches!(self, Criterion::FiringUnevenness | Criterion::TorqueUnevenness)
+    }
+
     /// What an engine has of it, in its unit; `None` where it is not known.
     pub fn value(self, engine: &Compared) -> Option<f64> {
         match self {

@@ -6,6 +6,7 @@ use crate::explore::explorer::{EXPLORATION_VERSION, Exploration, Explorer, Run};
 use crate::explore::kernel::LayoutOrders;
 use crate::explore::layout::Layout;
 use crate::explore::objective::Objective;
+use crate::explore::sample::JudgedCase;
 use crate::explore::space::ChoiceCount;
 use serde::Serialize;
 
@@ -38,6 +39,8 @@ pub struct ExploreAnswer {
     pub front: Vec<FoundLayout>,
     /// The first kinds of layout by the objectives in their order.
     pub ranking: Vec<FoundLayout>,
+    /// Some of the judged cases, evenly from all of them: what the front is the edge of.
+    pub sample: Vec<JudgedCase>,
     /// Where the engine of the file stands, with its own weights and shafts.
     pub given: Option<GivenEngine>,
 }
@@ -134,6 +137,7 @@ impl Explorer {
             counts: exploration.counts.clone(),
             front: found(&exploration.front)?,
             ranking: found(&exploration.ranking)?,
+            sample: exploration.sample.clone(),
             given: None,
         })
     }

@@ -9,6 +9,7 @@ use crate::explore::front::{Front, Ranking};
 use crate::explore::kernel::{Block, LayoutOrders, UnitCylinder};
 use crate::explore::layout::{BankPair, Layout};
 use crate::explore::objective::{Level, Objective};
+use crate::explore::sample::{JudgedCase, Sample};
 use crate::explore::space::{Banks, Space, same_angle};
 use crate::explore::symmetry::DifferenceTable;
 use crate::explore::walk::{Found, Walk};
@@ -87,6 +88,8 @@ pub struct Exploration {
     pub front: Vec<Candidate>,
     /// The first kinds of layout by the objectives in their order.
     pub ranking: Vec<Candidate>,
+    /// Some of the judged cases, evenly from all of them: all where they are few.
+    pub sample: Vec<JudgedCase>,
 }
 
 impl Exploration {
@@ -228,6 +231,7 @@ impl Explorer {
             counts: self.no_counts(),
             front: Vec::new(),
             ranking: Vec::new(),
+            sample: Vec::new(),
         }
     }
 
@@ -245,6 +249,7 @@ impl Explorer {
         grown.mark(run)?;
         let mut front = Front::of(std::mem::take(&mut grown.front));
         let mut ranking = Ranking::of(std::mem::take(&mut grown.ranking), self.request.most_listed);
+        let mut sample = Sample::of(std::mem::take(&mut grown.sample));
         let mut from = run.from;
         while from < run.to {
             let to = run.to.min(from + STRETCH * STRETCHES);
@@ -261,10 +266,12 @@ impl Explorer {
                 grown.counts.add(&found.counts);
                 front.merge(found.front, self.request.most_on_front)?;
                 ranking.merge(found.ranking);
+                sample.merge(found.sample);
             }
             from = to;
         }
         (grown.front, grown.ranking) = (front.sorted(), ranking.into_candidates());
+        grown.sample = sample.into_cases();
         *exploration = grown;
         Ok(())
     }
@@ -283,6 +290,7 @@ impl Explorer {
         let found = Walk::new(self, judged).run(run.from, run.to)?;
         exploration.counts = found.counts;
         (exploration.front, exploration.ranking) = (found.front, found.ranking);
+        exploration.sample = found.sample;
         Ok(exploration)
     }
 
@@ -326,6 +334,9 @@ impl Explorer {
         let mut ranking = Ranking::of(std::mem::take(&mut whole.ranking), self.request.most_listed);
         ranking.merge(other.ranking);
         (whole.front, whole.ranking) = (front.sorted(), ranking.into_candidates());
+        let mut sample = Sample::of(std::mem::take(&mut whole.sample));
+        sample.merge(other.sample);
+        whole.sample = sample.into_cases();
         Ok(whole)
     }
 

@@ -10,6 +10,7 @@ use crate::explore::front::{Front, Ranking};
 use crate::explore::kernel::{Block, LayoutOrders};
 use crate::explore::layout::Layout;
 use crate::explore::objective::{Level, Objective, Sense};
+use crate::explore::sample::{JudgedCase, Sample};
 use crate::explore::symmetry::View;
 
 /// What is known of a stretch of cases.
@@ -17,6 +18,7 @@ pub(crate) struct Found {
     pub counts: Counts,
     pub front: Vec<Candidate>,
     pub ranking: Vec<Candidate>,
+    pub sample: Vec<JudgedCase>,
 }
 
 /// A view whose sizes lie in the space, at or below the number of the block itself.
@@ -31,6 +33,7 @@ pub(crate) struct Walk<'a> {
     counts: Counts,
     front: Front,
     ranking: Ranking,
+    sample: Sample,
     /// Places of the throws in the list of angles.
     throws: Vec<u16>,
     image: Vec<u16>,
@@ -59,6 +62,7 @@ impl<'a> Walk<'a> {
             counts: explorer.no_counts(),
             front: Front::default(),
             ranking: Ranking::of(Vec::new(), explorer.request.most_listed),
+            sample: Sample::default(),
             throws: vec![0; space.groups()],
             image: vec![0; space.groups()],
             firing: Firing::new(space.parts.strokes.revolutions(), space.groups()),
@@ -96,7 +100,12 @@ impl<'a> Walk<'a> {
             }
             case = end;
         }
-        Ok(Found { counts: self.counts, front: self.front.sorted(), ranking: self.ranking.into_candidates() })
+        Ok(Found {
+            counts: self.counts,
+            front: self.front.sorted(),
+            ranking: self.ranking.into_candidates(),
+            sample: self.sample.into_cases(),
+        })
     }
 
     fn prepare(&self, digits: [usize; 7], layout: Layout) -> Sizes {
@@ -275,10 +284,11 @@ impl<'a> Walk<'a> {
         }
     }
 
-    /// Takes the case into front and ranking.
+    /// Takes the case into sample, front and ranking.
     fn judge(&mut self, case: u128) -> Result<(), ExploreError> {
         self.counts.judged += 1;
         (self.judged)(case, &self.values);
+        self.sample.offer(case, &self.values);
         for (place, value) in self.values.iter().enumerate() {
             self.steps[place] = (value / self.explorer.resolutions[place]).round() as i64;
         }

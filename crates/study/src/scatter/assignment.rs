@@ -45,7 +45,7 @@ pub struct AssignmentRequest {
     pub pistons: Vec<f64>,
     /// Rods, one a cylinder.
     pub rods: Vec<WeighedRod>,
-    /// A couple of 1 N m counts as much as a force of 1 N over this lever [m]; the distance of the mounts is a good one.
+    /// A couple of 1 N m counts as much as a force of 1 N over this lever [m]; see [`standard_lever`].
     pub lever: f64,
 }
 
@@ -77,6 +77,20 @@ struct Task {
     big_end: Vec<Vector>,
     pistons: Vec<f64>,
     rods: Vec<WeighedRod>,
+}
+
+/// The lever where nobody gives one [m]: distance of the outer mounts along the crank; without them of the outer cylinders, or the stroke of
+/// a single one.
+pub fn standard_lever(engine: &Engine) -> f64 {
+    let spread = |planes: &mut dyn Iterator<Item = f64>| {
+        let (low, high) =
+            planes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
+        if high > low { high - low } else { 0.0 }
+    };
+    let mounts = spread(&mut engine.mounts.iter().map(|mount| mount.z));
+    let cylinders = spread(&mut engine.cylinders.iter().map(|cylinder| cylinder.z));
+    let stroke = engine.throws.iter().map(|throw| 2.0 * throw.radius).fold(0.0, f64::max);
+    [mounts, cylinders, stroke].into_iter().find(|lever| *lever > 0.0).unwrap_or(1.0)
 }
 
 /// The assignment with the least first-order residual.

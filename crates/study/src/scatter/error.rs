@@ -24,6 +24,19 @@ pub enum ScatterError {
     /// Nothing is asked for.
     #[error("a scatter needs at least one output, got none")]
     NoOutput,
+    /// No sample was drawn.
+    #[error("a scatter needs at least one sample, got none")]
+    NoSample,
+    /// What is kept of two stretches of samples does not fit together.
+    #[error(
+        "what is kept of the samples before {to} and of those from {from} on does not join to one scatter\nhint: they are of two runs, or one between them is missing"
+    )]
+    NotJoined {
+        /// The sample behind the first stretch.
+        to: u64,
+        /// The first sample of the second.
+        from: u64,
+    },
     /// A limit on an output that is not asked for.
     #[error("limit {place} is on the {output}, which is not among the outputs\nhint: ask for it too")]
     LimitWithoutOutput {

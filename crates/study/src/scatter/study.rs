@@ -1,8 +1,9 @@
 //! The scatter of an engine by the tolerances of its file: distribution, worst cases, limits, and what to tighten first.
 
 use crate::scatter::error::ScatterError;
-use crate::scatter::run::{Capability, Limit, Output, Scatter, ScatterRequest, scatter};
-use crate::scatter::tolerance::variables;
+use crate::scatter::run::{Capability, Limit, Output, Scatter, ScatterRequest};
+use crate::scatter::scattering::{Scattering, Tally};
+use crate::scatter::statistics::at_share;
 use crate::scatter::worst::{WorstCase, worst_cases};
 use lanchester_model::{Criterion, Engine, Load, Tolerance, criterion_name};
 use serde::Serialize;
@@ -125,74 +126,95 @@ pub struct ScatterStudy {
 /// # Ok::<(), lanchester_study::scatter::ScatterError>(())
 /// ```
 pub fn scatter_study(engine: &Engine, options: &ScatterOptions) -> Result<ScatterStudy, ScatterError> {
-    let outputs = [Output::Force { order: 1 }, Output::Couple { order: 1 }, Output::Force { order: 2 }]
-        .into_iter()
-        .chain([Output::Couple { order: 2 }]);
-    let peaks = [Output::PeakForce, Output::PeakCouple].into_iter().filter(|_| options.peaks);
-    let limits = options.limits.iter().map(|limit| {
-        let output = output_of(limit.criterion, engine)?;
-        match output.is_peak() && !options.peaks {
-            true => {
-                Err(ScatterError::Criterion { got: criterion_name(&limit.criterion, engine), needed: ORDERS })
+    let scattering = Scattering::new(options.request(engine)?)?;
+    let tally = scattering.draw_all(0..options.samples)?;
+    scatter_study_of(&scattering, &tally, options.capability)?.ok_or(ScatterError::NoSample)
+}
+
+impl ScatterOptions {
+    /// What is drawn for `engine`, by the tolerances of its file.
+    ///
+    /// # Errors
+    /// [`ScatterError`] where a limit is on something that is not told, or the capability is none.
+    pub fn request(&self, engine: &Engine) -> Result<ScatterRequest, ScatterError> {
+        let outputs = [Output::Force { order: 1 }, Output::Couple { order: 1 }, Output::Force { order: 2 }]
+            .into_iter()
+            .chain([Output::Couple { order: 2 }]);
+        let peaks = [Output::PeakForce, Output::PeakCouple].into_iter().filter(|_| self.peaks);
+        let limits = self.limits.iter().map(|limit| {
+            let output = output_of(limit.criterion, engine)?;
+            match output.is_peak() && !self.peaks {
+                true => Err(ScatterError::Criterion {
+                    got: criterion_name(&limit.criterion, engine),
+                    needed: ORDERS,
+                }),
+                false => Ok(Limit { output, value: limit.most }),
             }
-            false => Ok(Limit { output, value: limit.most }),
+        });
+        let request = ScatterRequest {
+            engine: engine.clone(),
+            speed: self.speed,
+            tolerances: engine.tolerances.clone(),
+            outputs: outputs.chain(peaks).collect(),
+            limits: limits.collect::<Result<_, _>>()?,
+            percentiles: (0..=STEPS).map(|k| f64::from(k) / f64::from(STEPS)).chain(TOLD_SHARES).collect(),
+            samples: self.samples,
+            seed: self.seed,
+        };
+        if !(self.capability > 0.0 && self.capability.is_finite()) {
+            let (quantity, needed) = ("wanted capability", "finite and above 0");
+            return Err(ScatterError::Number { quantity, needed, got: self.capability });
         }
-    });
-    let request = ScatterRequest {
-        engine: engine.clone(),
-        speed: options.speed,
-        tolerances: engine.tolerances.clone(),
-        outputs: outputs.chain(peaks).collect(),
-        limits: limits.collect::<Result<_, _>>()?,
-        percentiles: (0..=STEPS).map(|k| f64::from(k) / f64::from(STEPS)).chain(TOLD_SHARES).collect(),
-        samples: options.samples,
-        seed: options.seed,
-    };
-    if !(options.capability > 0.0 && options.capability.is_finite()) {
-        let (quantity, needed) = ("wanted capability", "finite and above 0");
-        return Err(ScatterError::Number { quantity, needed, got: options.capability });
+        Ok(request)
     }
-    let found = scatter(&request)?;
-    let deviations = variables(engine, &request.tolerances)?
-        .into_iter()
-        .map(|variable| Deviation { tolerance: variable.tolerance, part: variable.part });
+}
+
+/// The same from the samples of which `tally` is kept, a limit being met with `capability`; `None` of no sample.
+///
+/// # Errors
+/// As [`scatter_study`].
+pub fn scatter_study_of(
+    scattering: &Scattering,
+    tally: &Tally,
+    capability: f64,
+) -> Result<Option<ScatterStudy>, ScatterError> {
+    let Some(found) = scattering.scatter(tally) else { return Ok(None) };
+    let request = scattering.request();
+    let engine = &request.engine;
     let limits = found.outputs.iter().flat_map(|own| {
-        own.capabilities.iter().map(|&capability| {
-            let met = capability.cpk_by_percentiles >= options.capability;
-            let is_met = if own.deviation > 0.0 { met } else { own.most <= capability.limit };
-            LimitVerdict { output: own.output, capability, is_met }
+        own.capabilities.iter().map(|&reached| {
+            let met = reached.cpk_by_percentiles >= capability;
+            let is_met = if own.deviation > 0.0 { met } else { own.most <= reached.limit };
+            LimitVerdict { output: own.output, capability: reached, is_met }
         })
     });
-    Ok(ScatterStudy {
+    Ok(Some(ScatterStudy {
         version: SCATTER_STUDY_VERSION,
         engine: engine.name.clone(),
-        speed: options.speed.unwrap_or(engine.speed.highest),
+        speed: request.speed.unwrap_or(engine.speed.highest),
         tolerances: request.tolerances.clone(),
-        deviations: deviations.collect(),
-        worst_cases: worst_cases(&request)?,
-        tightened: tightened(&request)?,
-        capability: options.capability,
+        deviations: scattering.deviations(),
+        worst_cases: worst_cases(request)?,
+        tightened: tightened(request)?,
+        capability,
         limits: limits.collect(),
         scatter: found,
-    })
+    }))
 }
 
 /// Gains of halving each tolerance: the same draws, so that what differs is the tolerance.
 fn tightened(request: &ScatterRequest) -> Result<Vec<Tightened>, ScatterError> {
-    let alone = ScatterRequest {
-        limits: Vec::new(),
-        percentiles: vec![RARE],
-        samples: request.samples.min(MOST_TIGHTENED),
-        ..request.clone()
+    let rare = |request: ScatterRequest| -> Result<Vec<f64>, ScatterError> {
+        let scattering = Scattering::new(request)?;
+        let mut values = scattering.values(0..scattering.request().samples.min(MOST_TIGHTENED));
+        values.iter_mut().for_each(|own| own.sort_by(f64::total_cmp));
+        Ok(values.iter().map(|own| at_share(own, RARE)).collect())
     };
-    let rare = |request: &ScatterRequest| -> Result<Vec<f64>, ScatterError> {
-        Ok(scatter(request)?.outputs.iter().map(|own| own.percentiles[0].value).collect())
-    };
-    let now = rare(&alone)?;
+    let now = rare(request.clone())?;
     let halved = |tolerance: usize| {
-        let mut request = alone.clone();
+        let mut request = request.clone();
         request.tolerances[tolerance].half_width /= 2.0;
-        let then = rare(&request)?;
+        let then = rare(request)?;
         let gains = now.iter().zip(then).map(|(now, then)| if *now > 0.0 { 1.0 - then / now } else { 0.0 });
         Ok(Tightened { tolerance, gains: gains.collect() })
     };

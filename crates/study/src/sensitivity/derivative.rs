@@ -15,8 +15,6 @@ const ANGLES: usize = 256;
 const SCAN: usize = 720;
 /// Peaks that differ by less than this share are one height.
 const SAME_HEIGHT: f64 = 1e-9;
-/// Loads below this share of all inertia forces are rounding.
-const NOTHING: f64 = 1e-10;
 /// Share of the derivative of a vector by which its slope is off since its peak is: a place is known to the root of the last digit.
 const ROUNDING: f64 = 1e-6;
 /// Halvings of an interval around a peak by the golden section.
@@ -110,7 +108,7 @@ struct Places {
 
 impl Places {
     fn of(train: &Train<'_>, output: Output, engine: &Engine, speed: f64, period: f64) -> Places {
-        let nothing = NOTHING * scale(engine, speed, output);
+        let nothing = output.nothing(engine, speed);
         if output.order.is_some() {
             return Places { peaks: Vec::new(), nothing };
         }
@@ -134,25 +132,6 @@ impl Places {
         let best = peaks.iter().map(|peak| peak.1).fold(0.0f64, f64::max);
         peaks.retain(|peak| peak.1 >= best * (1.0 - SAME_HEIGHT));
         Places { peaks: peaks.into_iter().map(|peak| peak.0).collect(), nothing }
-    }
-}
-
-/// All inertia forces as if they pulled one way: about what rounding is measured by.
-fn scale(engine: &Engine, speed: f64, output: Output) -> f64 {
-    let radius = |throw: usize| engine.throws[throw].radius;
-    let cylinders =
-        engine.cylinders.iter().map(|c| (c.reciprocating_mass() + c.rod.big_end_mass) * radius(c.throw));
-    let throws = engine.throws.iter().map(|throw| throw.unbalance.abs());
-    let weights = engine.counterweights.iter().map(|weight| weight.unbalance);
-    let shafts = engine
-        .shafts
-        .iter()
-        .flat_map(|shaft| shaft.weights.iter().map(|weight| weight.unbalance * shaft.ratio.value().powi(2)));
-    let force = cylinders.chain(throws).chain(weights).chain(shafts).sum::<f64>() * speed * speed;
-    let planes = engine.cylinders.iter().map(|c| c.z.abs()).chain(engine.throws.iter().map(|t| t.radius));
-    match output.load.is_force() {
-        true => force,
-        false => force * planes.fold(0.0f64, f64::max),
     }
 }
 

@@ -9,6 +9,9 @@ use serde::Serialize;
 pub enum Quantity {
     /// Speed of crankshaft 1 [rad/s].
     Speed,
+    /// Distance of the cylinders along the crank [m]: planes of throws, cylinders and counterweights stretch about the origin, balance
+    /// shafts stay.
+    Spacing,
     /// What production varies too.
     Part(Varied),
     /// Moment of inertia of a rod about its own centre of gravity [kg m^2], where the file gives it.
@@ -59,13 +62,14 @@ impl Quantity {
             Quantity::ShaftX,
             Quantity::ShaftY,
         ];
-        std::iter::once(Quantity::Speed).chain(Varied::ALL.map(Quantity::Part)).chain(own)
+        [Quantity::Speed, Quantity::Spacing].into_iter().chain(Varied::ALL.map(Quantity::Part)).chain(own)
     }
 
     /// Name for tables, options and messages.
     pub fn name(self) -> &'static str {
         match self {
             Quantity::Speed => "speed",
+            Quantity::Spacing => "cylinder spacing",
             Quantity::Part(varied) => varied.name(),
             Quantity::RodInertia => "rod inertia",
             Quantity::PinOffset => "pin offset in the piston",
@@ -81,6 +85,7 @@ impl Quantity {
     pub fn measure(self) -> Measure {
         match self {
             Quantity::Speed => Measure::Speed,
+            Quantity::Spacing => Measure::Length,
             Quantity::RodInertia => Measure::Inertia,
             Quantity::Part(varied) => match varied {
                 Varied::PistonMass | Varied::BigEndMass | Varied::SmallEndMass => Measure::Mass,
@@ -103,10 +108,16 @@ impl Quantity {
         }
     }
 
+    /// Whether it is one number of the whole engine.
+    pub fn is_of_engine(self) -> bool {
+        matches!(self, Quantity::Speed | Quantity::Spacing)
+    }
+
     /// How many parts of `engine` have it.
     pub fn parts(self, engine: &Engine) -> usize {
         match self {
             Quantity::Speed => 1,
+            Quantity::Spacing => usize::from(engine.spacing().is_some()),
             Quantity::Part(varied) => varied.parts(engine),
             Quantity::RodInertia if engine.cylinders.iter().any(|c| c.rod.inertia.is_none()) => 0,
             Quantity::RodInertia | Quantity::PinOffset => engine.cylinders.len(),
@@ -117,11 +128,13 @@ impl Quantity {
         }
     }
 
-    /// Its numbers in `engine`, part by part. What `Engine` holds with the same meaning comes first: a change of one of these is a change of the
-    /// engine, but for [`Varied::RodCentre`], which moves mass between the ends.
+    /// The fields of `engine` that hold it, part by part: to change one is to change the engine. None for what no single field holds: speed, spacing,
+    /// [`Varied::RodCentre`], which moves mass between the ends of a rod, and [`Varied::ShaftPhase`], which turns all weights of a shaft.
     fn numbers(self, engine: &mut Engine) -> Vec<&mut f64> {
         match self {
-            Quantity::Speed | Quantity::Part(Varied::RodCentre) => Vec::new(),
+            Quantity::Speed | Quantity::Spacing | Quantity::Part(Varied::RodCentre | Varied::ShaftPhase) => {
+                Vec::new()
+            }
             Quantity::Part(Varied::PistonMass) => {
                 engine.cylinders.iter_mut().map(|c| &mut c.piston_mass).collect()
             }
@@ -153,8 +166,6 @@ impl Quantity {
             Quantity::Part(Varied::ShaftUnbalance) => {
                 engine.shafts.iter_mut().flat_map(|s| &mut s.weights).map(|w| &mut w.unbalance).collect()
             }
-            // One phase for all weights of a shaft: see `deviate`.
-            Quantity::Part(Varied::ShaftPhase) => Vec::new(),
             Quantity::RodInertia => {
                 engine.cylinders.iter_mut().filter_map(|c| c.rod.inertia.as_mut()).collect()
             }
@@ -188,11 +199,11 @@ impl Input {
             .collect()
     }
 
-    /// The quantities of `engine`, part by part.
+    /// The quantities of `engine`, part by part; those of the whole engine once.
     pub fn single(engine: &Engine) -> Vec<Input> {
         Quantity::all()
             .flat_map(|quantity| (0..quantity.parts(engine)).map(move |part| (quantity, part)))
-            .map(|(quantity, part)| Input { quantity, part: Some(part) })
+            .map(|(quantity, part)| Input { quantity, part: (!quantity.is_of_engine()).then_some(part) })
             .collect()
     }
 
@@ -203,8 +214,10 @@ impl Input {
 
     /// Its value in `engine` at `speed` [rad/s], where all of its parts have the same; directions, places of mass and phases have none.
     pub fn nominal(self, engine: &Engine, speed: f64) -> Option<f64> {
-        if self.quantity == Quantity::Speed {
-            return Some(speed);
+        match self.quantity {
+            Quantity::Speed => return Some(speed),
+            Quantity::Spacing => return engine.spacing(),
+            _ => {}
         }
         let mut copy = engine.clone();
         let values = self.quantity.numbers(&mut copy);
@@ -218,6 +231,11 @@ impl Input {
     pub fn deviate(self, engine: &mut Engine, speed: &mut f64, deviation: f64) {
         match self.quantity {
             Quantity::Speed => *speed += deviation,
+            Quantity::Spacing => {
+                if let Some(spacing) = engine.spacing() {
+                    *engine = engine.stretched(1.0 + deviation / spacing);
+                }
+            }
             Quantity::Part(Varied::RodCentre) => {
                 let own = engine.cylinders.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
                 for (_, cylinder) in own {

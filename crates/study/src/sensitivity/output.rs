@@ -6,6 +6,9 @@ use lanchester_model::{Criterion, Engine, Load};
 use num_dual::Dual64;
 use serde::Serialize;
 
+/// Loads below this share of all inertia forces are rounding.
+const NOTHING: f64 = 1e-10;
+
 /// A load on the block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -33,13 +36,6 @@ impl Output {
         [BlockLoad::Force, BlockLoad::Couple, BlockLoad::RollMoment]
             .map(|load| Output { load, order: None })
             .to_vec()
-    }
-
-    /// Peaks, and orders 1 and 2, of all loads.
-    pub fn standard() -> Vec<Output> {
-        let loads = [BlockLoad::Force, BlockLoad::Couple, BlockLoad::RollMoment];
-        let orders = [None, Some(1.0), Some(2.0)];
-        orders.into_iter().flat_map(|order| loads.map(|load| Output { load, order })).collect()
     }
 
     /// The output that a criterion of the engine file stands for; `None` for one of something else.
@@ -74,6 +70,24 @@ impl Output {
     /// Its unit.
     pub fn unit(self) -> &'static str {
         if self.load.is_force() { "N" } else { "N m" }
+    }
+
+    /// What is rounding, at `speed` [rad/s]: a small share of all inertia forces as if they pulled one way.
+    pub(super) fn nothing(self, engine: &Engine, speed: f64) -> f64 {
+        let radius = |throw: usize| engine.throws[throw].radius;
+        let cylinders =
+            engine.cylinders.iter().map(|c| (c.reciprocating_mass() + c.rod.big_end_mass) * radius(c.throw));
+        let throws = engine.throws.iter().map(|throw| throw.unbalance.abs());
+        let weights = engine.counterweights.iter().map(|weight| weight.unbalance);
+        let shafts = engine.shafts.iter().flat_map(|shaft| {
+            shaft.weights.iter().map(|weight| weight.unbalance * shaft.ratio.value().powi(2))
+        });
+        let force = cylinders.chain(throws).chain(weights).chain(shafts).sum::<f64>() * speed * speed;
+        let planes = engine.cylinders.iter().map(|c| c.z.abs()).chain(engine.throws.iter().map(|t| t.radius));
+        match self.load.is_force() {
+            true => NOTHING * force,
+            false => NOTHING * force * planes.fold(0.0f64, f64::max),
+        }
     }
 
     fn value(self, loads: &LoadSet) -> f64 {
@@ -111,7 +125,11 @@ pub(super) fn values(engine: &Engine, speed: f64, outputs: &[Output]) -> Result<
         ..LoadRequest::default()
     };
     let loads = total_loads(engine, &request)?;
-    Ok(outputs.iter().map(|output| output.value(&loads)).collect())
+    let value = |output: &Output| {
+        let value = output.value(&loads);
+        if value <= output.nothing(engine, speed) { 0.0 } else { value }
+    };
+    Ok(outputs.iter().map(value).collect())
 }
 
 /// A complex number with its derivative.

@@ -33,6 +33,8 @@ type Place = [Jet; 2];
 pub(super) struct Train<'a> {
     engine: &'a Engine,
     speed: Dual64,
+    /// Derivative of the factor by which planes stretch.
+    stretch: f64,
     input: Input,
 }
 
@@ -68,13 +70,20 @@ impl Sums {
 impl<'a> Train<'a> {
     pub fn new(engine: &'a Engine, speed: f64, input: Input) -> Train<'a> {
         let eps = if input.quantity == Quantity::Speed { 1.0 } else { 0.0 };
-        Train { engine, speed: Dual64::new(speed, eps), input }
+        let spacing = engine.spacing().filter(|_| input.quantity == Quantity::Spacing);
+        let stretch = spacing.map_or(0.0, |spacing| 1.0 / spacing);
+        Train { engine, speed: Dual64::new(speed, eps), stretch, input }
     }
 
     /// A number of part `index`, whose quantity is `quantity`.
     fn of(&self, quantity: Quantity, index: usize, value: f64) -> Dual64 {
         let is_input = self.input.quantity == quantity && self.input.is_of(index);
         Dual64::new(value, if is_input { 1.0 } else { 0.0 })
+    }
+
+    /// A plane of the crank train, `along` of which stretches with the spacing [m].
+    fn plane(&self, own: Dual64, along: f64) -> Dual64 {
+        own + Dual64::new(0.0, self.stretch * along)
     }
 
     fn part(&self, varied: Varied, index: usize, value: f64) -> Dual64 {
@@ -104,6 +113,7 @@ impl<'a> Train<'a> {
             let angle = self.part(Varied::ThrowAngle, index, throw.angle) + crank.phase;
             let unbalance = self.part(Varied::ThrowUnbalance, index, throw.unbalance);
             let z = self.of(Quantity::ThrowPlane, index, throw.unbalance_plane());
+            let z = self.plane(z, throw.z);
             let turning = self.circle(crank.ratio, theta, angle);
             sums.mass(unbalance, beside([known(crank.x), known(crank.y)], turning), z);
         }
@@ -111,7 +121,7 @@ impl<'a> Train<'a> {
             let crank = &engine.crankshafts[weight.crankshaft];
             let angle = self.part(Varied::CounterweightAngle, index, weight.angle) + crank.phase;
             let unbalance = self.part(Varied::CounterweightUnbalance, index, weight.unbalance);
-            let z = self.of(Quantity::CounterweightPlane, index, weight.z);
+            let z = self.plane(self.of(Quantity::CounterweightPlane, index, weight.z), weight.z);
             let turning = self.circle(crank.ratio, theta, angle);
             sums.mass(unbalance, beside([known(crank.x), known(crank.y)], turning), z);
         }
@@ -179,7 +189,7 @@ impl<'a> Train<'a> {
 
     fn add_cylinder(&self, theta: f64, index: usize, sums: &mut Sums) {
         let cylinder = &self.engine.cylinders[index];
-        let z = self.part(Varied::CylinderPlane, index, cylinder.z);
+        let z = self.plane(self.part(Varied::CylinderPlane, index, cylinder.z), cylinder.z);
         let crankpin = self.crankpin(theta, cylinder.throw);
         let big_end = match cylinder.rod.joint {
             RodJoint::Articulated { master, knuckle_radius, knuckle_angle } => {

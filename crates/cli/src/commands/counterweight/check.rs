@@ -1,6 +1,6 @@
 //! `lanchester counterweight check`: crankshaft and counterweights as they stand in the file.
 
-use super::{draw, refused};
+use super::draw;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{CheckTable, CounterweightCheckArguments};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -22,7 +22,7 @@ pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, 
     }
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.engine;
-    let checked = check_counterweights(engine).map_err(refused)?;
+    let checked = check_counterweights(engine).map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         draw(engine, folder, &arguments.file)?;
         if let Some(figure) = clearance_figure(engine, &checked)? {
@@ -51,7 +51,9 @@ fn clearance_figure(engine: &Engine, checked: &CounterweightCheck) -> Result<Opt
         clearances.bodies[index].clearances.iter().filter(|one| one.theta.is_some()).collect();
     moving.sort_by(|a, b| a.signed().total_cmp(&b.signed()));
     let curve = |obstacle| {
-        clearance_curve(engine, index, obstacle, ANGLES).map(|curve| (obstacle, curve)).map_err(refused)
+        clearance_curve(engine, index, obstacle, ANGLES)
+            .map(|curve| (obstacle, curve))
+            .map_err(Failure::refused)
     };
     let curves = moving.into_iter().map(|one| curve(one.obstacle)).collect::<Result<Vec<_>, _>>()?;
     Ok((!curves.is_empty()).then(|| clearance_plot(&smallest.body, &curves)))

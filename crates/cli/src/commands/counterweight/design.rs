@@ -1,6 +1,6 @@
 //! `lanchester counterweight design`: the best shape for every counterweight and every weight of a balance shaft.
 
-use super::{designed_counterweights, designed_shaft_weights, draw, refused};
+use super::{designed_counterweights, designed_shaft_weights, draw};
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{DesignArguments, DesignMethod};
@@ -91,7 +91,7 @@ fn find(engine: &Engine, arguments: &DesignArguments) -> Result<Found, Failure> 
             match design_counterweights(engine, &request) {
                 // The file is about its shafts.
                 Err(CounterweightError::NoneOnAWeb { .. }) if is_free && shaft_weights.is_some() => None,
-                designs => Some(designs.map_err(refused)?),
+                designs => Some(designs.map_err(Failure::refused)?),
             }
         }
     };
@@ -106,7 +106,7 @@ fn shafts(engine: &Engine, places: &[ShaftWeightPlace]) -> Result<ShaftWeightDes
              radius = [\"20 mm\", \"36 mm\"]\n  length = [\"10 mm\", \"60 mm\"]\n\nto the engine file",
         ));
     };
-    design_shaft_weights(engine, task, places).map_err(refused)
+    design_shaft_weights(engine, task, places).map_err(Failure::refused)
 }
 
 impl Found {
@@ -128,7 +128,9 @@ impl Found {
             });
             let found: Vec<(usize, Design)> = found.collect();
             if !found.is_empty() {
-                after = Some(with_counterweights(engine, &found, designs.task.density).map_err(refused)?);
+                after = Some(
+                    with_counterweights(engine, &found, designs.task.density).map_err(Failure::refused)?,
+                );
             }
         }
         let shafts = self.shaft_weights.iter().flat_map(|designs| &designs.weights);

@@ -1,6 +1,5 @@
 //! `lanchester counterweight export`: CAD files and outlines.
 
-use super::refused;
 use crate::commands::open;
 use crate::counterweight_arguments::ExportArguments;
 use crate::failure::{DONE, Failure};
@@ -24,14 +23,14 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let ending = arguments.output.extension().and_then(|ending| ending.to_str());
     let ending = ending.unwrap_or_default().to_ascii_lowercase();
     let facet = facet(arguments, &ending)?;
-    let solids = || solids(&parts).map_err(refused);
+    let solids = || solids(&parts).map_err(Failure::refused);
     let content = match ending.as_str() {
         "step" | "stp" => {
             let header = StepHeader { title: opened.engine.name.clone(), ..StepHeader::default() };
             step(&solids()?, &header).into_bytes()
         }
-        "stl" => stl(&solids()?, facet).map_err(refused)?,
-        "glb" => glb(&solids()?, facet).map_err(refused)?,
+        "stl" => stl(&solids()?, facet).map_err(Failure::refused)?,
+        "glb" => glb(&solids()?, facet).map_err(Failure::refused)?,
         "dxf" => dxf(one(&parts)?.part.outline()).into_bytes(),
         "svg" => svg(one(&parts)?.part.outline()).into_bytes(),
         _ => {
@@ -57,16 +56,16 @@ fn parts(
     crankshaft: usize,
 ) -> Result<Vec<PlacedPart>, Failure> {
     if !arguments.shaft.is_empty() {
-        return shaft_parts(engine, &arguments.shaft).map_err(refused);
+        return shaft_parts(engine, &arguments.shaft).map_err(Failure::refused);
     }
     let of_crank = crankshaft_parts(engine, crankshaft, &arguments.weight);
     if crankshaft > 0 || !arguments.weight.is_empty() {
-        return of_crank.map_err(refused);
+        return of_crank.map_err(Failure::refused);
     }
-    let shafts = shaft_parts(engine, &[]).map_err(refused)?;
+    let shafts = shaft_parts(engine, &[]).map_err(Failure::refused)?;
     let mut parts = match of_crank {
         Err(CounterweightError::NoPart) if !shafts.is_empty() => Vec::new(),
-        of_crank => of_crank.map_err(refused)?,
+        of_crank => of_crank.map_err(Failure::refused)?,
     };
     parts.extend(shafts);
     Ok(parts)

@@ -1,6 +1,6 @@
 //! `lanchester counterweight front`: the trade between two objectives, and the adoption of one of its designs.
 
-use super::{draw, list, refused, room_words};
+use super::{draw, list, room_words};
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::FrontArguments;
@@ -21,11 +21,11 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     let file = &arguments.shape.file;
     let request = shape_request(engine, &arguments.shape)?;
     let found = counterweight_front(engine, &request, arguments.against.into(), arguments.designs)
-        .map_err(refused)?;
+        .map_err(Failure::refused)?;
     let CounterweightFront { front, weights, room } = &found;
     if front.designs.is_empty() {
         // The optimum alone says what is in the way.
-        let designs = design_counterweights(engine, &request).map_err(refused)?;
+        let designs = design_counterweights(engine, &request).map_err(Failure::refused)?;
         print(&super::designed_counterweights::infeasible_text(&designs))?;
         return Ok(NOT_AS_EXPECTED);
     }
@@ -42,8 +42,8 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
                 "leave --adopt out to see the front",
             )
         })?;
-        let adopted = adopted(engine, &request, &found, design).map_err(refused)?;
-        let after = with_counterweights(engine, &adopted, request.task.density).map_err(refused)?;
+        let adopted = adopted(engine, &request, &found, design).map_err(Failure::refused)?;
+        let after = with_counterweights(engine, &adopted, request.task.density).map_err(Failure::refused)?;
         let put_back =
             PutBack { path: file, write: arguments.write, dry_run: arguments.dry_run, what: "shapes" };
         if put_back.run(&opened, &after, colour)? {

@@ -1,6 +1,5 @@
 //! `lanchester counterweight import`: the outline of a counterweight from a drawing.
 
-use super::refused;
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{Encloses, ImportArguments};
@@ -34,7 +33,7 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
         Encloses::Counterweight => CounterweightForm::Counterweight,
         Encloses::Web => CounterweightForm::Web,
     };
-    let after = with_outline(engine, &arguments.weight, form, part).map_err(refused)?;
+    let after = with_outline(engine, &arguments.weight, form, part).map_err(Failure::refused)?;
     let put_back =
         PutBack { path: &arguments.file, write: arguments.write, dry_run: arguments.dry_run, what: "shapes" };
     if put_back.run(&opened, &after, colour)? {
@@ -42,7 +41,7 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
     }
     let fitted = after.counterweights.iter().find(|weight| weight.name == arguments.weight);
     let Some(part) = fitted.and_then(|weight| weight.part.as_ref()) else { return Ok(DONE) };
-    let properties = counterweight_properties(&after, part).map_err(refused)?;
+    let properties = counterweight_properties(&after, part).map_err(Failure::refused)?;
     let imported = Imported { weight: &arguments.weight, part: &part.part, properties, left_out: ignored };
     print(&match arguments.format {
         Format::Text => text(&imported),
@@ -91,8 +90,8 @@ fn drawing(arguments: &ImportArguments) -> Result<Drawing, Failure> {
     let bytes = read_bytes(&arguments.drawing, "give the path of a DXF or SVG file")?;
     let ending = arguments.drawing.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     match ending.to_ascii_lowercase().as_str() {
-        "dxf" => read_dxf(&bytes, &options).map_err(refused),
-        "svg" => read_svg(&bytes, &options).map_err(refused),
+        "dxf" => read_dxf(&bytes, &options).map_err(Failure::refused),
+        "svg" => read_svg(&bytes, &options).map_err(Failure::refused),
         _ => Err(Failure::input(
             format_args!("a drawing must end in dxf or svg, got {}", arguments.drawing.display()),
             "save it as one of the two in the CAD program",
@@ -119,5 +118,5 @@ fn part(engine: &Engine, arguments: &ImportArguments, drawing: Drawing) -> Resul
             "add --thickness '20 mm' --density '7850 kg/m3'",
         ));
     };
-    Part::new(drawing.outline, thickness, density).map_err(refused)
+    Part::new(drawing.outline, thickness, density).map_err(Failure::refused)
 }

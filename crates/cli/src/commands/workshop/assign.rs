@@ -1,13 +1,13 @@
 //! `lanchester workshop assign`: which weighed piston and rod belongs into which cylinder.
 
 use crate::commands::{json, open};
-use crate::failure::{DONE, Failure, WRONG_INPUT};
+use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::AssignArguments;
-use lanchester::model::{Engine, option};
+use lanchester::model::option;
 use lanchester::report::{assignment_table, assignment_text};
-use lanchester::study::scatter::{AssignmentRequest, WeighedRod, assign};
+use lanchester::study::scatter::{AssignmentRequest, WeighedRod, assign, standard_lever};
 
 pub fn run(arguments: &AssignArguments, colour: bool) -> Result<u8, Failure> {
     let pistons = masses(arguments.pistons.as_deref(), "--pistons")?;
@@ -38,10 +38,9 @@ pub fn run(arguments: &AssignArguments, colour: bool) -> Result<u8, Failure> {
     let small_ends: Vec<f64> = own(small_ends, "--small-ends", |cylinder| cylinder.rod.small_end_mass)?;
     let rods = big_ends.into_iter().zip(small_ends);
     let rods = rods.map(|(big_end_mass, small_end_mass)| WeighedRod { big_end_mass, small_end_mass });
-    let lever = given.unwrap_or_else(|| lever(&engine));
+    let lever = given.unwrap_or_else(|| standard_lever(&engine));
     let request = AssignmentRequest { speed, pistons, rods: rods.collect(), lever, engine };
-    let found = assign(&request)
-        .map_err(|error| Failure { status: WRONG_INPUT, message: format!("error: {error}") })?;
+    let found = assign(&request).map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => assignment_text(&request, &found),
         Format::Json => json(&found)?,
@@ -63,17 +62,4 @@ fn masses(list: Option<&str>, option: &str) -> Result<Option<Vec<f64>>, Failure>
         }
     };
     list.map(|list| list.split(',').map(one).collect()).transpose()
-}
-
-/// Distance of the outer mounts along the crank; without them of the outer cylinders, or the stroke of a single one.
-fn lever(engine: &Engine) -> f64 {
-    let spread = |planes: &mut dyn Iterator<Item = f64>| {
-        let (low, high) =
-            planes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)));
-        if high > low { high - low } else { 0.0 }
-    };
-    let mounts = spread(&mut engine.mounts.iter().map(|mount| mount.z));
-    let cylinders = spread(&mut engine.cylinders.iter().map(|cylinder| cylinder.z));
-    let stroke = engine.throws.iter().map(|throw| 2.0 * throw.radius).fold(0.0, f64::max);
-    [mounts, cylinders, stroke].into_iter().find(|lever| *lever > 0.0).unwrap_or(1.0)
 }

@@ -1,6 +1,6 @@
 //! `lanchester workshop bobweight`: bobweights from weighed parts.
 
-use super::{open as open_sheet, refused};
+use super::open as open_sheet;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
@@ -20,7 +20,7 @@ pub fn run(arguments: &BobweightArguments, colour: bool) -> Result<u8, Failure> 
         }
         None => None,
     };
-    let answer = bobweight_answer(&sheet, engine.as_ref()).map_err(refused)?;
+    let answer = bobweight_answer(&sheet, engine.as_ref()).map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => bobweight_text(&answer),
         Format::Json => json(&answer)?,

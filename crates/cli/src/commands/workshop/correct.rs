@@ -1,6 +1,6 @@
 //! `lanchester workshop correct`: where to add or remove how much.
 
-use super::{open, refused};
+use super::open;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
@@ -12,7 +12,7 @@ use lanchester::report::workshop::{correction_tables, correction_text, vibration
 
 pub fn run(arguments: &CorrectArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open(&arguments.sheet, colour)?;
-    let correction = correction(&sheet).map_err(refused)?;
+    let correction = correction(&sheet).map_err(Failure::refused)?;
     if let Some(path) = &arguments.figure {
         let Some(figure) = vibration_figure(&sheet, &correction) else {
             return Err(Failure::input(

@@ -1,7 +1,6 @@
 //! `lanchester workshop crank`: unbalance of a crank with its bobweights.
 
 use super::crank_input::crank;
-use super::refused;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
@@ -16,7 +15,7 @@ pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
     let planes = crank.planes(arguments.planes.as_deref())?;
     let body = crank.body()?;
     let answer = crank_unbalance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, body)
-        .map_err(refused)?;
+        .map_err(Failure::refused)?;
     if let Some(path) = &arguments.figure {
         write_result(path, &arguments.crank.engine, &crank_figure(&answer).svg())?;
     }

@@ -1,7 +1,7 @@
 //! A crank with its bobweights, planes and body, from options and a sheet.
 
 use super::given_factor::{bad, given_factor};
-use super::{open as open_sheet, refused};
+use super::open as open_sheet;
 use crate::commands::open;
 use crate::failure::Failure;
 use crate::workshop_arguments::CrankInput;
@@ -63,7 +63,7 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
             for (index, pin) in sheet.bobweight.iter_mut().flat_map(|b| &mut b.pins).enumerate() {
                 pin.throw = pin.throw.or(Some(index + 1));
             }
-            let answer = bobweight_answer(&sheet, Some(&engine)).map_err(refused)?;
+            let answer = bobweight_answer(&sheet, Some(&engine)).map_err(Failure::refused)?;
             let bob = |throw: usize| answer.bobweights.iter().find(|b| b.throw == Some(throw + 1));
             (0..engine.throws.len()).map(|throw| bob(throw).map_or(0.0, |b| b.mass)).collect()
         }
@@ -72,7 +72,7 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
             let given =
                 if given == FactorGiven::AsBuilt { FactorGiven::ReciprocatingShare(0.5) } else { given };
             let request = FactorRequest { given, oil, angle: Some(std::f64::consts::PI) };
-            let factors = balance_factors(&engine, &request).map_err(refused)?;
+            let factors = balance_factors(&engine, &request).map_err(Failure::refused)?;
             factors.iter().map(|factor| factor.bobweight).collect()
         }
     };

@@ -1,6 +1,6 @@
 //! `lanchester workshop drill`: which holes to drill, and what they leave.
 
-use super::{open, refused};
+use super::open;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
@@ -12,7 +12,7 @@ use lanchester::report::workshop::{drilling_tables, drilling_text};
 
 pub fn run(arguments: &DrillArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open(&arguments.sheet, colour)?;
-    let drilling = drilling(&sheet).map_err(refused)?;
+    let drilling = drilling(&sheet).map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => drilling_text(&drilling),
         Format::Json => json(&drilling)?,

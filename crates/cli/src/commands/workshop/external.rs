@@ -2,7 +2,6 @@
 
 use super::crank_input::{crank, weights_in_planes};
 use super::given_factor::bad;
-use super::refused;
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::print;
@@ -18,7 +17,7 @@ pub fn run(arguments: &ExternalArguments, colour: bool) -> Result<u8, Failure> {
     let keep = option::share(&arguments.keep, "--keep").map_err(bad)?;
     let crank = crank(&arguments.crank, colour)?;
     let answer = external_balance(&crank.engine, crank.crankshaft, &crank.bobweights, &planes, radii, keep)
-        .map_err(refused)?;
+        .map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => external_text(&answer),
         Format::Json => json(&answer)?,

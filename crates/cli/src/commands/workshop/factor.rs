@@ -1,7 +1,6 @@
 //! `lanchester workshop factor`: balance factors by every definition.
 
 use super::given_factor::{bad, given_factor};
-use super::refused;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
@@ -25,7 +24,7 @@ pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
         },
     };
     let opened = open(&arguments.engine, colour)?;
-    let answer = factor_answer(&opened.engine, &request).map_err(refused)?;
+    let answer = factor_answer(&opened.engine, &request).map_err(Failure::refused)?;
     if let Some(path) = &arguments.figure {
         let Some(figure) = primary_ellipse_figure(&answer) else {
             return Err(Failure::input(

@@ -1,6 +1,6 @@
 //! `lanchester workshop grade`: what a balance quality grade allows.
 
-use super::{open, refused};
+use super::open;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
@@ -12,7 +12,7 @@ use lanchester::report::workshop::{grade_tables, grade_text};
 
 pub fn run(arguments: &GradeArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open(&arguments.sheet, colour)?;
-    let grade = grade(&sheet).map_err(refused)?;
+    let grade = grade(&sheet).map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => grade_text(&grade),
         Format::Json => json(&grade)?,

@@ -1,6 +1,6 @@
 //! `lanchester workshop internal`: slugs that take over from weights outside.
 
-use super::{open as open_sheet, refused};
+use super::open as open_sheet;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
@@ -12,7 +12,7 @@ use lanchester::report::workshop::{internal_tables, internal_text};
 
 pub fn run(arguments: &InternalArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open_sheet(&arguments.sheet, colour)?;
-    let answer = internal_balance(&sheet).map_err(refused)?;
+    let answer = internal_balance(&sheet).map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => internal_text(&answer),
         Format::Json => json(&answer)?,
