@@ -45,6 +45,8 @@ export interface Axis {
   least?: number;
   /** Same distance below zero as above. */
   symmetric?: boolean;
+  /** Grows to the left: y of an engine that turns the other way. */
+  reversed?: boolean;
   /** Ticks at whole numbers only. */
   whole?: boolean;
 }
