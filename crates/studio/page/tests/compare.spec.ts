@@ -61,7 +61,7 @@ test("states are overlaid in curves, paths, spectra and numbers", async ({ page,
 
 test("engines are ranked in words, as they are and at equal displacement", async ({ page, studio }) => {
   await open(page, studio, "in-line-4-mounts.toml", ["single-gas.toml"]);
-  const panel = page.getByRole("region", { name: "Side by side, as engines of the same size" });
+  const panel = page.getByRole("region", { name: "Ranking" });
   await expect(panel.getByText(/\(.*\), then .*\./).first()).toBeVisible();
   const displacement = panel.getByRole("row", { name: /Displacement/ });
   const own = await displacement.getByRole("cell").allTextContents();

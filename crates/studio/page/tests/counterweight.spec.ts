@@ -23,6 +23,7 @@ async function adoptBest(page: Page) {
   await expect(best).toContainText("Proved: no shape within the ranges goes below");
   await best.getByRole("button", { name: "Adopt" }).click();
   await expect(field(page, "Arc radius")).toHaveValue(/^92\.4999\d* mm$/);
+  await expect(mass(page)).toHaveText(/^160\d/);
 }
 
 test("the best shape is found with its proof, adopted and undone", async ({ studio, page }) => {

@@ -260,7 +260,8 @@ test("what is seen is saved: a drawing of its own, a picture, and a table of the
 test("the speed slider changes curves", async ({ page, studio }) => {
   await open(page, studio);
   const figure = plot(page, "Force on the block");
-  const line = figure.locator("path.line[style*='--colour']").first();
+  // The first series lies on top.
+  const line = figure.locator("path.line[style*='--colour']").last();
   const [fast, before] = [await table(page, figure), await line.getAttribute("d")];
   const slider = page.getByRole("slider", { name: "Speed", exact: true });
   await slider.fill("3000");
@@ -299,7 +300,9 @@ test.describe("latency", () => {
     await open(page, studio);
     const times = await page.evaluate(async () => {
       const slider = document.querySelector<HTMLInputElement>("input#speed");
-      const line = document.querySelector("figure[data-plot='Force on the block'] path.line");
+      const line = [...document.querySelectorAll("figure[data-plot='Force on the block'] path.line[d]")]
+        .filter((path) => path.hasAttribute("style"))
+        .at(-1);
       if (!slider || !line) throw new Error("no slider or no curve");
       const all: { whole: number; page: number }[] = [];
       for (let k = 0; k < 25; k++) {

@@ -1,6 +1,6 @@
 // Counterweights and shaft weights as they stand in the file, and the edits that change them.
 
-import type { DeviceSummary, Edit, EngineSummary, Json } from "../../api/types";
+import type { DeviceSummary, Edit, EngineSummary } from "../../api/types";
 
 /** What is written in the file at a path. */
 export type Written = (path: string) => unknown;
@@ -79,20 +79,18 @@ export function seat(device: DeviceSummary, written: Written): string {
   return "";
 }
 
-/** Weights of the short form as entries of their own, at the same places and as heavy. */
+/** Weights of the short form as entries of their own: opposite their throws as there, at the same places and as heavy. */
 export function apart(engine: EngineSummary): Edit[] {
   const edits: Edit[] = [{ path: "counterweights", value: null }];
   const own = engine.counterweights.filter((device) => device.path !== null).length;
   const short = engine.counterweights.filter((device) => device.path === null);
   short.forEach((device, index) => {
     const place = /^(web|throw) (\d+)$/.exec(device.name);
-    const where: Record<string, Json> = place
-      ? { [place[1] as string]: Number(place[2]) }
-      : { name: device.name, z: `${plain(device.z * 1e3, 9)} mm` };
+    if (!place) return;
     const value = {
-      ...where,
+      [place[1] as string]: Number(place[2]),
       unbalance: `${plain(device.unbalance * 1e6, 9)} g mm`,
-      angle: `${plain((device.angle * 180) / Math.PI, 9)} deg`,
+      angle: "180 deg",
     };
     edits.push({ path: `counterweight[${own + index}]`, value });
   });

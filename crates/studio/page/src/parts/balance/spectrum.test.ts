@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { Complex, LoadSet, OrderLoads } from "../../api/types";
+import type { LoadSet, OrderLoads } from "../../api/types";
 import { spectrum } from "./spectrum";
 
+type Complex = [number, number];
 const zero: Complex = [0, 0];
 function order(number: number, forward: Complex, backward: Complex = zero): OrderLoads {
   return {

@@ -1,6 +1,6 @@
 // Orders of force and couple as rows of two-sided bars.
 
-import type { Complex, LoadSet, OrderLoads } from "../../api/types";
+import type { LoadSet, OrderLoads } from "../../api/types";
 
 /** Amounts of one order in either sense. */
 export interface Sides {
@@ -24,7 +24,7 @@ export interface Spectrum {
 /** Below this part of the largest an order is not listed. */
 const SEEN = 1e-5;
 
-const size = ([re, im]: Complex) => Math.hypot(re, im);
+const size = ([re, im]: readonly [number, number]) => Math.hypot(re, im);
 
 function sides(order: OrderLoads | undefined, what: "force" | "couple"): Sides {
   if (!order) return { backward: 0, forward: 0 };

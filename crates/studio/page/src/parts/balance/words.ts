@@ -1,7 +1,10 @@
 // Criteria, numbers of proofs and verdicts in plain words.
 
-import type { Criterion, FoundStage, Load, Method } from "../../api/types";
+import type { Effect, FoundStage, Load, Method } from "../../api/types";
 import type { Measure } from "../../state/units.svelte";
+
+/** What balancing judges; another list of criteria has the plain name among the types. */
+export type Criterion = Effect["criterion"];
 
 export function loadName(load: Load): string {
   if (typeof load === "object") return `force at mount ${load["mount-force"] + 1}`;

@@ -42,5 +42,6 @@ describe("ranking in words", () => {
     expect(factor(1.034)).toBe("3.4 % more");
     expect(factor(1.5)).toBe("50 % more");
     expect(factor(67.24)).toBe("67.2 times as much");
+    expect(factor(1547)).toBe("1550 times as much");
   });
 });

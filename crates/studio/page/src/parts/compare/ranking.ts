@@ -63,5 +63,5 @@ export function factor(ratio: number): string {
     const percent = 100 * (ratio - 1);
     return `${percent.toFixed(percent < 10 ? 1 : 0)} % more`;
   }
-  return `${ratio.toPrecision(ratio < 10 ? 2 : 3).replace(/e\+\d+/, (power) => `·10^${Number(power.slice(2))}`)} times as much`;
+  return `${Number(ratio.toPrecision(ratio < 10 ? 2 : 3))} times as much`;
 }

@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
-import type { Clearances, Obstacle, PartClearance } from "../../api/types";
+import type { Clearances, Obstacle, BodyClearances } from "../../api/types";
 import { ringsOf } from "./envelope";
+
+type PartClearance = BodyClearances["clearances"][number];
 
 function near(obstacle: Obstacle, distance: number, at: number): PartClearance {
   return {
@@ -35,7 +37,7 @@ const clearances: Clearances = {
   big_ends: [],
   smallest: null,
   is_kept: false,
-} as unknown as Clearances;
+} as Clearances;
 
 describe("the envelope", () => {
   it("has the crankcase and the nearest piston", () => {

@@ -1,7 +1,7 @@
 // The counterweight in hand: which one, its shape while it is dragged, and a design that is looked at beside it.
 
 import { Gone, Refused, post } from "../../api/client";
-import type { CounterweightFront, DesignAnswer, Dimensions, Problem, ShapePreview } from "../../api/types";
+import type { CounterweightFront, Designed, Dimensions, Problem, ShapePreview } from "../../api/types";
 import { engine } from "../../state/engine.svelte";
 import { server } from "../../state/server.svelte";
 import { Task } from "../../state/task.svelte";
@@ -10,41 +10,48 @@ import type { Key } from "./outline";
 class Shaping {
   /** Name of the weight that was chosen. */
   name = $state("");
-  /** Shape while it is dragged; the file's follows it. */
+  /** Shape as it was dragged last; the file's text is that of `live`, until something else changes it. */
   live = $state.raw<ShapePreview>();
+  /** Dimensions that were asked for and are not drawn yet. */
+  wanted = $state.raw<Dimensions>();
   dragging = $state(false);
   /** Dimension whose handle or field is in hand. */
   held = $state<Key>();
   /** A design beside the present one. */
   ghost = $state.raw<ShapePreview>();
   problem = $state.raw<Problem>();
-  readonly designs = new Task<DesignAnswer>("counterweight-design");
+  readonly designs = new Task<Designed>("counterweight-design");
   readonly front = new Task<CounterweightFront>("counterweight-front");
-  #wanted: Dimensions | undefined;
   #busy = false;
   #looks = 0;
 
   choose(name: string) {
     this.name = name;
     this.live = undefined;
+    this.wanted = undefined;
     this.problem = undefined;
     this.unlook();
   }
 
   /** The shape with these dimensions, drawn at once and written into the file. */
   async shape(dimensions: Dimensions) {
-    this.#wanted = dimensions;
+    this.wanted = dimensions;
     if (this.#busy) return;
     this.#busy = true;
-    while (this.#wanted) {
-      const asked = this.#wanted;
-      this.#wanted = undefined;
-      const found = await this.preview(this.name, asked, "counterweight-drag");
-      if (!found) continue;
+    for (let asked: Dimensions | undefined = dimensions; asked; asked = this.#newer(asked)) {
+      const text = engine.valid;
+      const found = await this.preview(this.name, asked, "counterweight-drag", text);
+      // What was undone or typed meanwhile is newer.
+      if (!found || engine.text !== text) continue;
       this.live = found;
       await engine.set(found.text, `Shape of ${this.name}`, `shape ${this.name}`);
     }
+    this.wanted = undefined;
     this.#busy = false;
+  }
+
+  #newer(asked: Dimensions): Dimensions | undefined {
+    return this.wanted === asked ? undefined : this.wanted;
   }
 
   /** What a weight would be with these dimensions; `null`: as it is. */
@@ -54,8 +61,10 @@ class Shaping {
     lane: string,
     text = engine.valid,
   ): Promise<ShapePreview | undefined> {
+    // Clearances take longer than the shape: they are asked for when it rests.
+    const body = { text, weight, dimensions, clearances: false };
     try {
-      const found = await post<ShapePreview>("/api/counterweight/shape", { text, weight, dimensions }, lane);
+      const found = await post<ShapePreview>("/api/counterweight/shape", body, lane);
       this.problem = undefined;
       return found;
     } catch (error) {

@@ -29,7 +29,9 @@ describe("sections to start from", () => {
   });
 
   it("take the place of masses of the throw", () => {
-    const entries = [{ path: "crank.pin_mass", value: "0.4 kg", start: 0, end: 0, line: 1 }];
+    const entries = [
+      { path: "crank.pin_mass", value: "0.4 kg", span: { start: 0, end: 0 }, line: 1, column: 1 },
+    ];
     expect(bodyEdits(four, entries)[0]).toEqual({ path: "crank.pin_mass", value: null });
     expect(bodyEdits(four, [])).toHaveLength(1);
   });

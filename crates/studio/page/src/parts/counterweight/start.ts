@@ -1,6 +1,6 @@
 // Sections to start from where a file does not say yet what its crankshaft looks like: sizes in proportion to bore and stroke.
 
-import type { DeviceSummary, Edit, Entry } from "../../api/types";
+import type { DeviceSummary, Edit, FileEntry } from "../../api/types";
 import { plain } from "../balance/devices";
 
 /** What the engine tells of itself [m]. */
@@ -92,7 +92,7 @@ export function clearanceStart(of: Sizes) {
 }
 
 /** `[crank.body]` stands in place of what the file says of the masses of a throw. */
-export function bodyEdits(of: Sizes, entries: readonly Entry[]): Edit[] {
+export function bodyEdits(of: Sizes, entries: readonly FileEntry[]): Edit[] {
   const old = ["unbalance", "pin_mass", "web_mass", "web_radius"].map((key) => `crank.${key}`);
   const gone = old.filter((path) => entries.some((entry) => entry.path === path));
   return [...gone.map((path): Edit => ({ path, value: null })), { path: "crank.body", value: bodyStart(of) }];

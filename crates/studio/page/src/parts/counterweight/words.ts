@@ -53,12 +53,12 @@ export const DIMENSIONS: readonly DimensionName[] = [
 /** How a distance stands against the one that is wanted. */
 export function verdict(
   distance: number,
-  least: number,
+  least: number | null,
   kept: boolean,
 ): { mark: "good" | "warn" | "bad"; words: string } {
   if (distance <= 0) return { mark: "bad", words: "touches" };
   if (!kept) return { mark: "bad", words: "too close" };
   // A tenth above what is wanted, and whatever lies on it.
-  if (distance < 1.1 * least) return { mark: "warn", words: "just kept" };
+  if (least !== null && distance < 1.1 * least) return { mark: "warn", words: "just kept" };
   return { mark: "good", words: "kept" };
 }

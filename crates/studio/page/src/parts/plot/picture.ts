@@ -121,7 +121,7 @@ function laidOut(keys: readonly Key[], width: number, family: string) {
   return keys.map((key) => {
     const wide = 24 + (pen?.measureText(key.name).width ?? 7 * key.name.length) + 16;
     if (x > 8 && x + wide > width) [x, line] = [8, line + 1];
-    const at = { key, x, line };
+    const at = { key, x: round(x), line };
     x += wide;
     return at;
   });
