@@ -206,6 +206,10 @@ for (const width of [360, 390])
     });
     const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(over).toBe(0);
+    // The text follows the field in hand without taking the page along.
+    await field(page, "rod.length").focus();
+    await expect(page.locator(".cm-in-hand")).toHaveText('"103 mm"');
+    await expect(field(page, "rod.length")).toBeInViewport();
   });
 
 test("every engine of the gallery has its sketch and no mistakes", async ({ page }) => {
