@@ -1,7 +1,7 @@
 // The engine being worked on: its file's text is the whole truth, and everything else follows from it.
 
 import { Gone, Refused, post, put } from "../api/client";
-import type { Edit, FileState, Problem, Reading } from "../api/types";
+import type { Edit, EngineSummary, FileState, Problem, Reading } from "../api/types";
 import { server } from "./server.svelte";
 
 /** Edits of one kind within this time are one step of undo [ms]. */
@@ -22,6 +22,8 @@ class EngineDocument {
   reading = $state.raw<Reading>();
   /** The last text that makes an engine: results belong to it. */
   valid = $state("");
+  /** That engine in short. */
+  summary = $state.raw<EngineSummary>();
   #past = $state.raw<Step[]>([]);
   #future = $state.raw<Step[]>([]);
   #kind = "";
@@ -59,7 +61,10 @@ class EngineDocument {
     this.text = text;
     await this.#do({ text, what: "open", kind: "" }, false);
     // A file without an engine has no results: those of the engine before are not its own.
-    if (this.text === text && this.reading?.text === text && !this.reading.engine) this.valid = "";
+    if (this.text === text && this.reading?.text === text && !this.reading.engine) {
+      this.valid = "";
+      this.summary = undefined;
+    }
   }
 
   /** New text, as typed or as adopted from a result; `kind`: what belongs to one step of undo. */
@@ -146,7 +151,10 @@ class EngineDocument {
           this.text = reading.text;
           this.reading = reading;
           this.problem = undefined;
-          if (reading.engine) this.valid = reading.text;
+          if (reading.engine) {
+            this.valid = reading.text;
+            this.summary = reading.engine;
+          }
         } else if (job.edits) {
           // The edit belongs into the newer text too.
           this.#waiting.unshift(next);

@@ -43,7 +43,6 @@ class Files {
     this.dialog = null;
     view.speed = undefined;
     await engine.open(null, template.text, template.name);
-    this.say(`New engine: ${template.title}`);
   }
 
   async open(name: string) {
