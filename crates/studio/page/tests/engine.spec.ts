@@ -196,12 +196,20 @@ test("the speed slider goes from the lowest to the highest speed", async ({ page
 for (const width of [360, 390])
   test(`nothing scrolls sideways on a phone of ${width} px`, async ({ page }) => {
     await page.setViewportSize({ width, height: 800 });
-    await newEngine(page, "crossplane", "V8, 90 degrees, crossplane");
+    await newEngine(page, "crossplane", "in-line four, crossplane crank, with a balance shaft");
     await opened(page);
     await field(page, "crank.stroke").fill("8");
     await expect(page.locator(".said").first()).toBeVisible();
+    // Whatever can be unfolded is.
+    await page.evaluate(() => {
+      for (const group of document.querySelectorAll("details")) group.open = true;
+    });
     const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(over).toBe(0);
+    // The text follows the field in hand without taking the page along.
+    await field(page, "rod.length").focus();
+    await expect(page.locator(".cm-in-hand")).toHaveText('"103 mm"');
+    await expect(field(page, "rod.length")).toBeInViewport();
   });
 
 test("every engine of the gallery has its sketch and no mistakes", async ({ page }) => {

@@ -176,8 +176,10 @@ test("the readout tells what the program answers, at the pointer and by keys", a
   await expect(figure.locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
   const value = Math.round(total.trace.force_x[index] ?? 0);
   await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`along x \\(up\\) ${value} N`));
-  // Reading out moves nothing.
+  // Reading out moves nothing; Enter takes the crank there.
   expect(await figure.boundingBox()).toEqual(edge);
+  await page.keyboard.press("Enter");
+  await expect(plot(page, "Couple on the block").locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
 
   const box = await ground(figure);
   await page.mouse.move(box.x + box.width / 4, box.y + 20);

@@ -21,7 +21,7 @@ export interface Editor {
   /** Takes a text from elsewhere: only what differs is replaced, the cursor stays. */
   setText(text: string): void;
   setDiagnostics(found: PlacedDiagnostic[]): void;
-  /** Lights up places of the text and brings the first into view. */
+  /** Lights up places of the text and brings the first into the editor's view. */
   mark(places: [number, number][]): void;
   /** Puts the cursor to a place. */
   show(at: number): void;
@@ -182,12 +182,14 @@ export function makeEditor(host: HTMLElement, text: string, listener: Listener):
     mark(places) {
       const within = places.map(([from, to]): [number, number] => [clamp(from), clamp(to)]);
       const first = within[0];
-      view.dispatch({
-        effects: [
-          setMarks.of(within),
-          ...(first && !view.hasFocus ? [EditorView.scrollIntoView(first[0], { y: "center" })] : []),
-        ],
-      });
+      view.dispatch({ effects: setMarks.of(within) });
+      // The editor's own text moves and not the page: the eye is on the field.
+      if (first && !view.hasFocus) {
+        const { top, bottom } = view.lineBlockAt(first[0]);
+        const { scrollTop, clientHeight } = view.scrollDOM;
+        if (top < scrollTop || bottom > scrollTop + clientHeight)
+          view.scrollDOM.scrollTop = (top + bottom - clientHeight) / 2;
+      }
     },
     show(at) {
       view.dispatch({

@@ -22,6 +22,21 @@ export async function focusField(path: string): Promise<boolean> {
   return true;
 }
 
+/** Attributes of a part of the sketch that leads to the field of `path`, by mouse and by keyboard. */
+export function leadsTo(path: string) {
+  const go = () => void focusField(path);
+  return {
+    role: "button" as const,
+    tabindex: 0,
+    onclick: go,
+    onkeydown(event: KeyboardEvent) {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      go();
+    },
+  };
+}
+
 /** Shows the Engine tab with a place of the text [UTF-16 offset] in view. */
 export async function focusText(at: number) {
   view.tab = "engine";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { FileEntry } from "../../api/types";
-import { banks, directions, shape, si, turn } from "./geometry";
+import { banks, directions, extent, lines, shape, si, turn } from "./geometry";
 import type { Json } from "./written";
 
 const entries = (values: Record<string, Json>): FileEntry[] =>
@@ -58,5 +58,21 @@ describe("shape", () => {
 describe("turn", () => {
   it("stays within half a turn", () => {
     expect(turn((3 * Math.PI) / 2)).toBeCloseTo(-Math.PI / 2, 12);
+  });
+});
+
+describe("extent", () => {
+  it("holds crank circles, cylinders and shafts", () => {
+    const got = shape(twin);
+    const box = got && extent({ ...got, shafts: [{ name: "far", x: -0.45, y: 0.09, ratio: 1 }] }, 0.045);
+    expect(box?.x[0]).toBeCloseTo(-10.5, 9);
+    expect(box?.x[1]).toBeCloseTo(2.5 * Math.cos(Math.PI / 6) + 0.75, 9);
+    expect(box?.y).toEqual([expect.closeTo(-2, 9), expect.closeTo(2.5, 9)]);
+  });
+});
+
+describe("lines", () => {
+  it("of three numbers", () => {
+    expect(lines([1, 2, 3, 4])).toEqual(["1 2 3", "4"]);
   });
 });

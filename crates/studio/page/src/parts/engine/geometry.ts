@@ -152,3 +152,29 @@ export function directions(given: Shape, crankshaft: number): { angle: number; n
   });
   return found;
 }
+
+/** Numbers in lines of at most three. */
+export function lines(numbers: number[]): string[] {
+  const out: string[] = [];
+  for (let at = 0; at < numbers.length; at += 3) out.push(numbers.slice(at, at + 3).join(" "));
+  return out;
+}
+
+/** What the view along the crank needs in x and y, in units of `radius`: crank circles, cylinders, shafts. */
+export function extent(given: Shape, radius: number) {
+  const at = (axis: Axis | undefined) => [(axis?.x ?? 0) / radius, (axis?.y ?? 0) / radius] as const;
+  const discs = [
+    ...given.crankshafts.map((axis) => [...at(axis), 1.3] as const),
+    ...given.shafts.map((axis) => [...at(axis), 0.5] as const),
+    ...banks(given).map((bank) => {
+      const [x, y] = at(given.crankshafts[bank.crankshaft]);
+      return [x + 2.5 * Math.cos(bank.angle), y + 2.5 * Math.sin(bank.angle), 0.75] as const;
+    }),
+  ];
+  const span = (place: 0 | 1) =>
+    [
+      Math.min(...discs.map((disc) => disc[place] - disc[2])),
+      Math.max(...discs.map((disc) => disc[place] + disc[2])),
+    ] as const;
+  return { x: span(0), y: span(1) };
+}
