@@ -67,22 +67,36 @@ async function send(
   throw new Refused(response.status, problem);
 }
 
+/** The whole answer; a server that goes while it answers is gone too. */
+async function whole<T>(read: () => Promise<T>, signal?: AbortSignal): Promise<T> {
+  try {
+    return await read();
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    throw new Gone();
+  }
+}
+
 export async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
-  return (await (await send("GET", path, undefined, undefined, signal)).json()) as T;
+  const response = await send("GET", path, undefined, undefined, signal);
+  return whole(() => response.json() as Promise<T>, signal);
 }
 
 /** `lane`: a newer request of this window in the same lane makes the server drop an older one. */
 export async function post<T>(path: string, body: unknown, lane?: string, signal?: AbortSignal): Promise<T> {
-  return (await (await send("POST", path, body, lane, signal)).json()) as T;
+  const response = await send("POST", path, body, lane, signal);
+  return whole(() => response.json() as Promise<T>, signal);
 }
 
 export async function put<T>(path: string, body: unknown): Promise<T> {
-  return (await (await send("PUT", path, body, undefined, undefined)).json()) as T;
+  const response = await send("PUT", path, body, undefined, undefined);
+  return whole(() => response.json() as Promise<T>);
 }
 
 /** A file that the server makes: a report, a part. */
 export async function postForFile(path: string, body: unknown): Promise<Blob> {
-  return (await send("POST", path, body, undefined, undefined)).blob();
+  const response = await send("POST", path, body, undefined, undefined);
+  return whole(() => response.blob());
 }
 
 /** Events of the server; `EventSource` cannot send headers, so that the token stands in the address. */
