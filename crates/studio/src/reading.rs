@@ -72,7 +72,7 @@ fn reading(_: &Studio, question: EditedText) -> Result<Reading, Problem> {
     let mut places = Utf16::new(&text);
     let entries = file_entries(&text);
     let diagnostics = read.diagnostics.into_iter().map(|diagnostic| {
-        let path = at(&entries, &diagnostic.span);
+        let path = at(&text, &entries, &diagnostic.span);
         PlacedDiagnostic { path, diagnostic: places.diagnostic(diagnostic) }
     });
     let diagnostics = diagnostics.collect();
@@ -87,15 +87,16 @@ fn reading(_: &Studio, question: EditedText) -> Result<Reading, Problem> {
 }
 
 /// The innermost value that holds the place, or begins there.
-fn at(entries: &[FileEntry], span: &Range<usize>) -> Option<String> {
+fn at(text: &str, entries: &[FileEntry], span: &Range<usize>) -> Option<String> {
     let holds = |entry: &&FileEntry| {
         entry.span.start <= span.start && span.start < entry.span.end.max(entry.span.start + 1)
     };
     let holding = entries.iter().filter(holds).min_by_key(|entry| entry.span.len());
-    // A key that is wrong itself stands before its value, on the same line.
-    let behind =
-        || entries.iter().find(|entry| entry.span.start >= span.end && entry.span.start - span.end < 8);
-    holding.or_else(behind).map(|entry| entry.path.clone())
+    // A key that is wrong itself stands before its value; what is missing has no place of its own.
+    let is_behind = |entry: &&FileEntry| {
+        !span.is_empty() && text.get(span.end..entry.span.start).is_some_and(|between| between.trim() == "=")
+    };
+    holding.or_else(|| entries.iter().find(is_behind)).map(|entry| entry.path.clone())
 }
 
 fn expanded(_: &Studio, question: EngineText) -> Result<NewText, Problem> {
@@ -167,7 +168,7 @@ mod tests {
         let text = "name = \"A\"\nspeed = \"3 kg\"\n[crank]\nstroke = 3\n";
         let entries = file_entries(text);
         let read = model::read(text);
-        let paths: Vec<_> = read.diagnostics.iter().filter_map(|d| at(&entries, &d.span)).collect();
+        let paths: Vec<_> = read.diagnostics.iter().filter_map(|d| at(text, &entries, &d.span)).collect();
         assert!(
             paths.contains(&"speed".to_string()) && paths.contains(&"crank.stroke".to_string()),
             "{paths:?}"

@@ -27,6 +27,13 @@ struct ShapeQuestion {
     weight: String,
     /// The dimensions; `null`: those of the file, or some to start from.
     dimensions: Option<Dimensions>,
+    /// Whether clearances are told too: they take longer than all the rest.
+    #[serde(default = "yes")]
+    clearances: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// Dimensions of a shape of the family [m], [rad].
@@ -80,7 +87,7 @@ struct ShapePreview {
     half_width: f64,
     /// Angle of the flank [rad].
     shoulder_angle: f64,
-    /// All clearances of the crankshaft with this shape; none where the file names nothing to stay clear of.
+    /// All clearances of the crankshaft with this shape; none where the file names nothing to stay clear of, or nobody asked.
     clearances: Option<Clearances>,
     ranges: Option<DimensionRanges>,
     /// The engine file with this shape.
@@ -150,8 +157,8 @@ fn preview(_: &Studio, question: ShapeQuestion) -> Result<ShapePreview, Problem>
         half_width: dimensions.shape.half_width(),
         shoulder_angle: dimensions.shape.shoulder_angle(),
         clearances: match after.envelope {
-            Some(_) => Some(clearances(&after).map_err(Problem::refused)?),
-            None => None,
+            Some(_) if question.clearances => Some(clearances(&after).map_err(Problem::refused)?),
+            _ => None,
         },
         ranges: task.as_ref().map(ranges),
         text: write_back(&question.text, &after).map_err(Problem::refused)?,

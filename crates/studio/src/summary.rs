@@ -41,7 +41,7 @@ struct DeviceSummary {
     path: Option<String>,
     /// Unbalance [kg m].
     unbalance: f64,
-    /// Direction [rad], as the file counts it.
+    /// Direction at theta = 0 [rad]: of a counterweight in the frame of its crankshaft, of a shaft's weight in the engine's.
     angle: f64,
     /// Plane [m].
     z: f64,

@@ -5,8 +5,11 @@ import { engine } from "./engine.svelte";
 import { Resource } from "./resource.svelte";
 import { view } from "./view.svelte";
 
+/** An angle for each degree: what curves show, at half the size of what `lanchester loads` writes. */
+const SAMPLES = 360;
+
 function body(text: string) {
-  return view.speed === undefined ? { text } : { text, speed: view.speed };
+  return { text, samples: SAMPLES, ...(view.speed === undefined ? {} : { speed: view.speed }) };
 }
 
 class SharedLoads {

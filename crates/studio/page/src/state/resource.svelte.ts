@@ -37,6 +37,14 @@ export class Resource<T> {
   async #run() {
     if (this.busy) return;
     this.busy = true;
+    try {
+      await this.#answer();
+    } finally {
+      this.busy = false;
+    }
+  }
+
+  async #answer() {
     while (this.#next !== undefined) {
       const question = this.#next;
       this.#next = undefined;
@@ -56,6 +64,5 @@ export class Resource<T> {
         else throw error;
       }
     }
-    this.busy = false;
   }
 }
