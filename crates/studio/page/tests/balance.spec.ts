@@ -43,6 +43,10 @@ test("a slider follows the keyboard, step by step", async ({ studio, page }) => 
   await slider.focus();
   for (let i = 0; i < 10; i++) await slider.press("ArrowRight");
   await expect(page.getByRole("textbox", { name: "Direction of web 1" })).toHaveValue("155 deg");
+  // Directions count from the throw, wherever that stands.
+  const other = card(page, "Counterweight web 5").getByRole("slider", { name: "Direction" });
+  await other.press("ArrowLeft");
+  await expect(page.getByRole("textbox", { name: "Direction of web 5" })).toHaveValue("209.5 deg");
 });
 
 test("a wrong typed value shows its message beside the field", async ({ studio, page }) => {

@@ -2,7 +2,7 @@
 
 import type { Locator } from "@playwright/test";
 
-/** Middles of the points of the first series of points in a plot of `region` [px of the window]. */
+/** Middles of the points of the first series of points in a plot of `region`, which lies on top [px of the window]. */
 export async function points(region: Locator): Promise<[number, number][]> {
   const plot = region.locator("[data-plot]");
   await plot.scrollIntoViewIfNeeded();
@@ -10,7 +10,7 @@ export async function points(region: Locator): Promise<[number, number][]> {
     const edge = svg.getBoundingClientRect();
     // Discs of a radius r: "M(x - r) y a r r ...".
     const disc = /M([-\d.]+) ([-\d.]+)a([\d.]+) /g;
-    for (const path of svg.querySelectorAll("path")) {
+    for (const path of [...svg.querySelectorAll("path")].reverse()) {
       const found = [...(path.getAttribute("d") ?? "").matchAll(disc)].map((match): [number, number] => [
         edge.left + Number(match[1]) + Number(match[3]),
         edge.top + Number(match[2]),

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { DeviceSummary, EngineSummary } from "../../api/types";
-import { amountEdit, apart, baseOf, degrees, directionEdit, parted, roof, seat } from "./devices";
+import { amountEdit, apart, baseOf, degrees, direction, directionEdit, parted, roof, seat } from "./devices";
 
 const weight: DeviceSummary = {
   name: "web 1",
@@ -59,6 +59,12 @@ describe("directions", () => {
     expect(degrees(-Math.PI / 2)).toBe(270);
     expect(degrees(2 * Math.PI)).toBe(0);
     expect(degrees(2.617993877991494)).toBe(150);
+  });
+
+  it("are those that were typed, where they are typed in degrees", () => {
+    expect(direction(weight, () => "-30 deg")).toBe(330);
+    expect(direction(weight, () => "0.5 rad")).toBe(150);
+    expect(direction(weight, () => undefined)).toBe(150);
   });
 
   it("go into the key of the device", () => {

@@ -64,6 +64,12 @@ export function degrees(angle: number): number {
   return (tenths < 0 ? tenths + 3600 : tenths) / 10;
 }
 
+/** Direction of a device as the file counts it [degrees]: what was typed, where that is in degrees. */
+export function direction(device: DeviceSummary, written: Written): number {
+  const parts = parted(written(`${device.path}.${directionKey(device)}`));
+  return parts?.unit === "deg" ? degrees((parts.number * Math.PI) / 180) : degrees(device.angle);
+}
+
 export function directionEdit(device: DeviceSummary, degree: number): Edit | undefined {
   if (device.path === null) return undefined;
   return { path: `${device.path}.${directionKey(device)}`, value: `${plain(degree)} deg` };
