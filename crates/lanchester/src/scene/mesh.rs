@@ -10,7 +10,7 @@ use super::rounded;
 /// Density of solids that are only drawn; any of a material does [kg/m^3].
 const ANY: f64 = 7850.0;
 /// Facets of a turned surface.
-const AROUND: usize = 40;
+const AROUND: usize = 32;
 
 /// A closed surface of triangles in the frame of its parts.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]

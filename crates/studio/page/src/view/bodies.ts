@@ -56,16 +56,18 @@ export function bodies(scene: Scene): Body[] {
   });
   const edges = new Map<number, Float32Array>();
   return [...sets.values()].map(({ group, motion, parts, places }) => {
-    const meshes = parts.map((part) => meshOf(scene, part));
+    const meshes = parts.map((part) =>
+      group.id === "bore" ? inside(meshOf(scene, part)) : meshOf(scene, part),
+    );
     const first: number[] = [];
     let triangles = 0;
     for (const mesh of meshes) {
       first.push(triangles);
       triangles += mesh.indices.length / 3;
     }
-    const lines = parts.map((part, at) => {
+    const lines = parts.map((part) => {
       const mesh = scene.parts[part]?.mesh ?? 0;
-      const known = edges.get(mesh) ?? edgesOf(meshes[at] as SceneMesh);
+      const known = edges.get(mesh) ?? edgesOf(meshOf(scene, part));
       edges.set(mesh, known);
       return known;
     });
@@ -77,6 +79,19 @@ export function meshOf(scene: Scene, part: number): SceneMesh {
   const mesh = scene.meshes[scene.parts[part]?.mesh ?? -1];
   if (!mesh) throw new Error(`the scene has no shape for part ${part}`);
   return mesh;
+}
+
+/** Of a liner what faces its axis: only the far side of its wall is seen, and half as much is drawn. */
+function inside(mesh: SceneMesh): SceneMesh {
+  const { positions, normals, indices } = mesh;
+  const faces: number[] = [];
+  for (let k = 0; k < indices.length; k += 3) {
+    const at = 3 * (indices[k] ?? 0);
+    const out =
+      (positions[at + 1] ?? 0) * (normals[at + 1] ?? 0) + (positions[at + 2] ?? 0) * (normals[at + 2] ?? 0);
+    if (out <= 0) faces.push(...indices.slice(k, k + 3));
+  }
+  return { positions, normals, indices: faces };
 }
 
 /** The shape of one part as a geometry, in its own frame. */

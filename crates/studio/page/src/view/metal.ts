@@ -1,6 +1,6 @@
 // Looks of the parts: pictures of a lit ball ("matcaps"), which cost one look-up a pixel, also where a processor draws.
 
-import { CanvasTexture, SRGBColorSpace, type Texture } from "three";
+import { CanvasTexture, type Texture } from "three";
 
 const SIZE = 256;
 
@@ -9,9 +9,7 @@ function ball(paint: (context: CanvasRenderingContext2D) => void): Texture {
   canvas.width = canvas.height = SIZE;
   const context = canvas.getContext("2d");
   if (context) paint(context);
-  const texture = new CanvasTexture(canvas);
-  texture.colorSpace = SRGBColorSpace;
-  return texture;
+  return new CanvasTexture(canvas);
 }
 
 function light(

@@ -5,11 +5,13 @@ import {
   AdditiveBlending,
   Box3,
   Color,
+  ColorManagement,
   CustomBlending,
   EdgesGeometry,
   Group as Node,
   LineBasicMaterial,
   LineSegments,
+  LinearSRGBColorSpace,
   type Material,
   Mesh,
   MeshBasicMaterial,
@@ -44,6 +46,8 @@ interface Drawn extends Body {
   node: Node;
 }
 
+ColorManagement.enabled = false;
+
 /** After so long without a change a still picture is drawn finely [ms]. */
 const STILL = 140;
 
@@ -74,6 +78,7 @@ export class Stage {
   #mark: { part: number; node: Node } | undefined;
   #frame = 0;
   #still: ReturnType<typeof setTimeout> | undefined;
+  #moving = false;
   #ratio = 1;
   /** The side that is looked from until the camera is moved by hand: it fits a picture of another size too. */
   #preset: Preset | undefined;
@@ -86,6 +91,8 @@ export class Stage {
       antialias: !this.software,
       powerPreference: "high-performance",
     });
+    // Colours are those of the screen throughout: a conversion for each pixel is dear where a processor draws.
+    this.#renderer.outputColorSpace = LinearSRGBColorSpace;
     this.#world.add(this.#root);
     this.#root.add(this.#arrowRoot);
     this.#camera.up.set(1, 0, 0);
@@ -103,7 +110,7 @@ export class Stage {
       this.#frame = 0;
       this.#draw(this.software ? 1 : Math.min(devicePixelRatio, 2));
       clearTimeout(this.#still);
-      if (this.software) this.#still = setTimeout(() => this.#draw(2), STILL);
+      if (this.software && !this.#moving) this.#still = setTimeout(() => this.#draw(2), STILL);
     });
   }
 
@@ -236,6 +243,13 @@ export class Stage {
       node.add(mesh, edge);
     }
     this.visible(this.#hidden);
+  }
+
+  /** Whether it moves by itself: still pictures are not worth their time then. */
+  moving(moving: boolean) {
+    this.#moving = moving;
+    clearTimeout(this.#still);
+    this.#changed();
   }
 
   turn(theta: number) {
