@@ -563,7 +563,10 @@ export type Compared = {
   force: number;
   /** What most of the force is. */
   force_leading: Leading | null;
-  /** Largest force at any of its mounts, of inertia and, where it is known, of gas [N]; where block and mounts are known. */
+  /**
+   * Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, on mounts with springs; of inertia alone on
+   * mounts without, which share what they can carry. `None` without mounts.
+   */
   mount_force: number | null;
   /** Largest roll moment of the moving masses, either way [N m]. */
   roll_moment: number;
@@ -615,6 +618,8 @@ export type Comparison = {
   rankings: Ranking[];
   /** The engine with which the others are compared, by its place. */
   reference: number;
+  /** Share of its loads, devices and flywheel that the others are compared with [1]. */
+  share: number;
   /** [`COMPARISON_VERSION`]. */
   version: number;
   /** What the user should know. */
@@ -2324,6 +2329,102 @@ export type SaveFile = {
   revision: string | null;
   /** The whole text. */
   text: string;
+};
+
+/** The solids of an engine and how they move. */
+export type Scene = {
+  /** Shapes, each of one part or of several. */
+  meshes: SceneMesh[];
+  /** Whether +y is to the left for who looks from the free end with x up: an engine that turns the other way is the mirror image of its numbers. */
+  mirrored: boolean;
+  /** What is seen. */
+  parts: ScenePart[];
+  /** Angle of crankshaft 1 after which everything repeats, firing too [rad]. */
+  period: number;
+  /** Poses of a part that slides or swings, evenly over its own period. */
+  steps: number;
+};
+
+/** What a part of the scene is. */
+export type SceneKind = "journal" | "crankpin" | "web" | "counterweight" | "rod" | "piston" | "shaft" | "shaft-weight" | "bore";
+
+/** A closed surface of triangles in the frame of its parts. */
+export type SceneMesh = {
+  /** Numbers of the three points of each triangle, anticlockwise as seen from outside. */
+  indices: number[];
+  /** Normal of the surface at each point, outwards, of length 1 to three decimals. */
+  normals: number[];
+  /** x, y, z of each point [m], to the micrometre. */
+  positions: number[];
+};
+
+/** How the frame of a part moves in the frame of the engine: a place, and a turn about z. Angles count from +x towards +y. */
+export type SceneMotion = {
+  /** Its turn [rad]. */
+  angle: number;
+  kind: "fixed";
+  /** Place [m]. */
+  x: number;
+  /** Place [m]. */
+  y: number;
+  /** Place [m]. */
+  z: number;
+} | {
+  /** Its turn at `theta = 0` [rad]. */
+  angle: number;
+  kind: "turn";
+  /** Speed over that of crankshaft 1, signed. */
+  ratio: number;
+  /** Axis [m]. */
+  x: number;
+  /** Axis [m]. */
+  y: number;
+  /** Place along the axis [m]. */
+  z: number;
+} | {
+  /** Direction in which it slides, and its turn [rad]. */
+  angle: number;
+  kind: "slide";
+  /** Angle of crankshaft 1 after which it repeats [rad]. */
+  period: number;
+  /** Travel at [`Scene::steps`] even steps of the period, the first at `theta = 0` [m]. */
+  travel: number[];
+  /** Place at no travel [m]. */
+  x: number;
+  /** Place at no travel [m]. */
+  y: number;
+  /** Place [m]. */
+  z: number;
+} | {
+  /** Its turns [rad]. */
+  angle: number[];
+  kind: "swing";
+  /** Angle of crankshaft 1 after which it repeats [rad]. */
+  period: number;
+  /** Places at [`Scene::steps`] even steps of the period, the first at `theta = 0` [m]. */
+  x: number[];
+  /** Places [m]. */
+  y: number[];
+  /** Place along the crank [m]. */
+  z: number;
+};
+
+/** A part of the scene. */
+export type ScenePart = {
+  /** Number of the cylinder to which it belongs, from 1. */
+  cylinder: number | null;
+  /** What it is. */
+  kind: SceneKind;
+  /** Index of its shape. */
+  mesh: number;
+  /** How the frame of its shape moves. */
+  motion: SceneMotion;
+  /** Name, such as "piston 3". It says "symbolic" where the size stands for an unbalance and not for a shape. */
+  name: string;
+  /** The key of the engine file that says most of it, as the short form of the file has it: "piston.mass". */
+  path: string | null;
+  /** Index of the engine's counterweight that it is. */
+  weight: number | null;
 };
 
 /** What a free weight sits on. */
