@@ -201,7 +201,8 @@ impl Contour {
     }
 }
 
-fn size(edges: &[Edge]) -> f64 {
+/// Largest extent of edges from the beginning of the first [m].
+pub(crate) fn size(edges: &[Edge]) -> f64 {
     let start = edges[0].from;
     edges.iter().map(|edge| edge.farthest(start).0).fold(0.0, f64::max)
 }

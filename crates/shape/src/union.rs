@@ -6,9 +6,10 @@
 //! union is a corner of an outline or a meeting of two edges, and areas hold to rounding.
 //!
 //! Points and edges closer than some roundings count as one, so that edges which coincide but for rounding are found to coincide.
-//! Where that leaves chains open or makes edges that are too short for a contour, all is done again with a larger distance.
+//! An edge that is too short for a contour is left out where that changes the area least. Where chains stay open or what is left
+//! touches itself, all is done again with a larger distance: that moves corners, and the long edges that end there.
 
-use crate::contour::Contour;
+use crate::contour::{self, Contour};
 use crate::crossing::{TOUCH, meetings};
 use crate::edge::Edge;
 use crate::error::GeometryError;
@@ -16,7 +17,7 @@ use crate::outline::Outline;
 use crate::point::Point;
 
 /// The distance that counts as none over the least length of an edge ([`TOUCH`] of the size), one attempt after the other: some
-/// roundings; so much that no edge is too short; and more.
+/// roundings; so much that no edges come too close; and more.
 const ATTEMPTS: [f64; 4] = [1e-3, 2.0, 20.0, 200.0];
 /// Bulge of an eighth of a turn: longer arcs are cut, so that radius and chord tell the angle of each part without loss.
 const EIGHTH: f64 = 0.198_912_367_379_658;
@@ -124,8 +125,8 @@ impl<'a> Joining<'a> {
                 continue;
             }
             let (p, q) = (self.nodes[from], self.nodes[to]);
-            let bulge = if whole || edge.bulge == 0.0 { edge.bulge } else { bulge_between(edge, p, q) };
-            self.pieces.push(Piece { owner, from, to, edge: Edge { from: p, to: q, bulge } });
+            let edge = if whole { Edge { from: p, to: q, ..*edge } } else { between(edge, p, q) };
+            self.pieces.push(Piece { owner, from, to, edge });
             from = to;
         }
     }
@@ -186,7 +187,7 @@ impl<'a> Joining<'a> {
             if next != first {
                 return Err(GeometryError::TooClose { at: self.nodes[kept[next].from] });
             }
-            let chain = Contour::of_simple_edges(joined(chain, size));
+            let chain = Contour::of_simple_edges(joined(without_short(chain), size));
             let area = chain.moments().area;
             if area.abs() <= self.tolerance * chain.length() {
                 // A gap too narrow to be told from none.
@@ -219,11 +220,37 @@ fn short(edge: Edge) -> Vec<Edge> {
     edge.halves().into_iter().flat_map(short).collect()
 }
 
-/// Bulge of the part of a short arc between two of its points: half its chord is the radius times the sine of half its angle.
-fn bulge_between(arc: &Edge, from: Point, to: Point) -> f64 {
-    let (radius, half) = (arc.radius(), (to - from).norm() / 2.0);
+/// The part of a line or of a short arc between two of its points: half its chord is the radius times the sine of half its angle.
+fn between(edge: &Edge, from: Point, to: Point) -> Edge {
+    if edge.bulge == 0.0 {
+        return Edge::line(from, to);
+    }
+    let (radius, half) = (edge.radius(), (to - from).norm() / 2.0);
     let cosine = ((radius - half) * (radius + half)).max(0.0).sqrt();
-    (half / (radius + cosine)).copysign(arc.bulge)
+    Edge { from, to, bulge: (half / (radius + cosine)).copysign(edge.bulge) }
+}
+
+/// A closed chain without edges that are too short for a contour: the neighbours of such an edge meet at one of its ends, or
+/// beside it where their lines or circles do, whichever changes the area least.
+fn without_short(mut edges: Vec<Edge>) -> Vec<Edge> {
+    while edges.len() > 2 {
+        let least = TOUCH * contour::size(&edges);
+        let Some(at) = edges.iter().position(|edge| 2.0 * edge.half_chord() <= least) else { break };
+        let (before, after) = ((at + edges.len() - 1) % edges.len(), (at + 1) % edges.len());
+        let [first, short, last] = [before, at, after].map(|at| edges[at]);
+        let at_corner = |corner| [between(&first, first.from, corner), between(&last, corner, last.to)];
+        let change = |corner: &Point| {
+            let old = [last, short, first].map(|edge| edge.reversed());
+            let sliver = at_corner(*corner).into_iter().chain(old).collect();
+            Contour::of_simple_edges(sliver).moments().area.abs()
+        };
+        let beside = meetings(&first, &last, least).filter(|at| (*at - short.from).norm() <= 2.0 * least);
+        let corners = [short.from, short.to].into_iter().chain(beside);
+        let corner = corners.min_by(|a, b| change(a).total_cmp(&change(b)));
+        [edges[before], edges[after]] = at_corner(corner.expect("invariant: an edge has two ends"));
+        edges.remove(at);
+    }
+    edges
 }
 
 /// A closed chain with edges joined that go on along the same line or circle.

@@ -93,12 +93,31 @@ fn widths(outlines: [&Outline; 2], y: f64) -> [f64; 2] {
 
 fn heights(edge: &Edge, into: &mut Vec<f64>) {
     into.extend([edge.from.y, edge.to.y]);
-    if edge.bulge != 0.0 && edge.bulge.abs() < FLAT {
-        into.push(edge.at(extreme(edge)).0.y);
-    } else if edge.bulge != 0.0 {
+    if edge.bulge == 0.0 {
+        return;
+    }
+    let extreme = if edge.bulge.abs() < FLAT { extreme(edge) } else { 1.0 };
+    if extreme < 1.0 {
+        into.push(edge.at(extreme).0.y);
+    } else {
         let (centre, radius) = (edge.centre(), edge.radius());
         into.extend([centre.y - radius, centre.y + radius]);
     }
+}
+
+/// Heights upside down, with more of them wherever a strip is far higher than the one before it. A root that ends just beyond a
+/// high strip bends the widths only where none of its Gauss points lies: halving it seems to change nothing.
+fn graded(heights: Vec<f64>) -> Vec<f64> {
+    let mut graded: Vec<f64> = Vec::with_capacity(heights.len());
+    for height in heights {
+        while let [.., before, last] = graded[..]
+            && height - last > 8.0 * (last - before)
+        {
+            graded.push(last + 4.0 * (last - before));
+        }
+        graded.push(height);
+    }
+    graded.iter().rev().map(|height| -height).collect()
 }
 
 /// Area and first moments of the union. The strips begin and end at the heights of corners and arcs, and at those of
@@ -112,10 +131,16 @@ pub fn strips(outlines: [&Outline; 2], corners: &Outline) -> (f64, Point) {
         let ends = outlines.map(|outline| outline.bounds()[k].y);
         if k == 0 { ends[0].min(ends[1]) } else { ends[0].max(ends[1]) }
     });
-    bounds.retain(|y| *y >= low && *y <= high);
-    bounds.extend([low, high]);
-    bounds.sort_by(f64::total_cmp);
-    bounds.dedup_by(|a, b| (*a - *b).abs() < 1e-15);
+    let clean = |mut bounds: Vec<f64>, low: f64, high: f64| {
+        bounds.retain(|y| *y >= low && *y <= high);
+        bounds.extend([low, high]);
+        bounds.sort_by(f64::total_cmp);
+        bounds.dedup_by(|a, b| (*a - *b).abs() < 1e-15);
+        bounds
+    };
+    // Roots that end beyond both outlines bend the widths too.
+    let bounds = graded(graded(clean(bounds, 2.0 * low - high, 2.0 * high - low)));
+    let bounds = clean(bounds, low, high);
     let scale = (high - low) * (high - low);
     let mut sums = [0.0; 3];
     for pair in bounds.windows(2) {
