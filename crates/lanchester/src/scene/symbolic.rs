@@ -15,7 +15,7 @@ pub(super) fn planes(engine: &Engine, crankshaft: usize, z: f64, web_thickness: 
         engine.throws.iter().filter(|throw| throw.crankshaft == crankshaft).filter_map(|throw| throw.webs);
     let webs: Vec<[f64; 2]> = webs.collect();
     let is_on = |plane: &f64| (plane - z).abs() < web_thickness / 2.0;
-    if webs.iter().flatten().any(|plane| is_on(plane)) {
+    if webs.iter().flatten().any(is_on) {
         return vec![z];
     }
     match webs.iter().find(|[front, rear]| *front < z && z < *rear) {

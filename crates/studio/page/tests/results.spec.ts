@@ -28,7 +28,7 @@ async function loads(page: Page, studio: Studio, speed?: number): Promise<Loads>
   const text = await studio.read();
   const response = await page.request.post(new URL("/api/loads", studio.address).href, {
     headers: { "X-Lanchester-Token": studio.token },
-    data: speed === undefined ? { text } : { text, speed },
+    data: { text, samples: 360, ...(speed === undefined ? {} : { speed }) },
   });
   expect(response.ok()).toBe(true);
   return (await response.json()) as Loads;

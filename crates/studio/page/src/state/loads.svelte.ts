@@ -2,14 +2,16 @@
 
 import type { Loads } from "../api/types";
 import { engine } from "./engine.svelte";
-import { Resource } from "./resource.svelte";
+import { Resource, type Question } from "./resource.svelte";
 import { view } from "./view.svelte";
 
 /** An angle for each degree: what curves show, at half the size of what `lanchester loads` writes. */
 const SAMPLES = 360;
 
-function body(text: string) {
-  return { text, samples: SAMPLES, ...(view.speed === undefined ? {} : { speed: view.speed }) };
+/** What is asked for the loads of an engine at the speed in view. */
+export function ofLoads(text: string): Question {
+  const speed = view.speed === undefined ? {} : { speed: view.speed };
+  return { path: "/api/loads", body: { text, samples: SAMPLES, ...speed } };
 }
 
 class SharedLoads {
@@ -19,12 +21,10 @@ class SharedLoads {
 
   constructor() {
     $effect.root(() => {
-      this.now = new Resource<Loads>("loads", () =>
-        engine.valid === "" ? null : { path: "/api/loads", body: body(engine.valid) },
-      );
+      this.now = new Resource<Loads>("loads", () => (engine.valid === "" ? null : ofLoads(engine.valid)));
       this.before = new Resource<Loads>("loads-of-pin", () => {
         const pin = view.pins[0];
-        return pin ? { path: "/api/loads", body: body(pin.text) } : null;
+        return pin ? ofLoads(pin.text) : null;
       });
     });
   }

@@ -37,32 +37,30 @@ export class Resource<T> {
   async #run() {
     if (this.busy) return;
     this.busy = true;
+    // Nothing may be awaited between the last look for a question and the end of being busy: one could be lost there.
     try {
-      await this.#answer();
+      while (this.#next !== undefined) await this.#ask(this.#next);
     } finally {
       this.busy = false;
     }
   }
 
-  async #answer() {
-    while (this.#next !== undefined) {
-      const question = this.#next;
-      this.#next = undefined;
-      if (question === null) {
+  async #ask(question: Question) {
+    this.#next = undefined;
+    if (question === null) {
+      this.value = undefined;
+      this.problem = undefined;
+      return;
+    }
+    try {
+      this.value = await post<T>(question.path, question.body, this.lane);
+      this.problem = undefined;
+    } catch (error) {
+      if (error instanceof Refused) {
+        this.problem = error.problem;
         this.value = undefined;
-        this.problem = undefined;
-        continue;
-      }
-      try {
-        this.value = await post<T>(question.path, question.body, this.lane);
-        this.problem = undefined;
-      } catch (error) {
-        if (error instanceof Refused) {
-          this.problem = error.problem;
-          this.value = undefined;
-        } else if (error instanceof Gone) server.lost();
-        else throw error;
-      }
+      } else if (error instanceof Gone) server.lost();
+      else throw error;
     }
   }
 }
