@@ -39,7 +39,8 @@ export interface Look {
   dark: boolean;
   ground: string;
   ink: string;
-  accent: string;
+  /** Of the part that is chosen. */
+  mark: string;
 }
 
 interface Drawn extends Body {
@@ -334,11 +335,11 @@ export class Stage {
     }
     if (part !== null && this.#scene && this.#look) {
       const geometry = geometryOf(meshOf(this.#scene, part));
-      const colour = this.#look.accent;
+      const colour = this.#look.mark;
       const tint = new MeshBasicMaterial({
         color: colour,
         transparent: true,
-        opacity: 0.45,
+        opacity: 0.5,
         depthWrite: false,
       });
       const line = new LineBasicMaterial({ color: colour, depthTest: false, transparent: true });
