@@ -30,7 +30,7 @@ const ALONG = new Vector3(0, 0, 1);
 const ROUND = 1.5 * Math.PI;
 
 /** One arrow: a shaft that is stretched and a head that keeps its shape; around the shaft of a couple a ring. */
-export class Arrow extends Group {
+class Arrow extends Group {
   readonly #shaft: Mesh;
   readonly #head: Mesh;
   readonly #ring = new Group();
@@ -100,5 +100,28 @@ export class Arrow extends Group {
   free() {
     this.traverse((child) => child instanceof Mesh && (child.geometry as BufferGeometry).dispose());
     this.#material.dispose();
+  }
+}
+
+/** All arrows, each by its name; those that are not named any more go. */
+export class Arrows extends Group {
+  readonly #named = new Map<string, Arrow>();
+
+  /** `size`: the length of the largest [m]. */
+  show(shown: Shown[], size: number) {
+    const named = ({ id, colour }: Shown) => `${id} ${colour} ${size.toFixed(4)}`;
+    const names = new Set(shown.map(named));
+    for (const [name, arrow] of this.#named) {
+      if (names.has(name)) continue;
+      this.remove(arrow);
+      arrow.free();
+      this.#named.delete(name);
+    }
+    for (const one of shown) {
+      const arrow = this.#named.get(named(one)) ?? new Arrow(one.kind, one.colour, size);
+      this.#named.set(named(one), arrow);
+      this.add(arrow);
+      arrow.show(one);
+    }
   }
 }

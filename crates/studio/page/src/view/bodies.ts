@@ -6,7 +6,7 @@ import { type Group, groupOf } from "./groups";
 import { type Pose, pose } from "./pose";
 
 /** Edges are drawn where faces meet at more than this [°]. */
-const EDGE = 32;
+export const EDGE = 32;
 
 /** Parts of one colour that move as one. */
 export interface Body {

@@ -61,3 +61,12 @@ export function fit(points: Float32Array, direction: Vector3, camera: Perspectiv
     .addScaledVector(back, middle.z);
   return { target, far: 1.05 * far };
 }
+
+/** Moves the camera round a target [rad], to the right and up, but not over the poles. */
+export function orbit(camera: PerspectiveCamera, target: Vector3, right: number, up: number) {
+  const offset = camera.position.clone().sub(target);
+  const height = offset.angleTo(camera.up);
+  const tilt = Math.min(Math.max(height - up, 0.02), Math.PI - 0.02) - height;
+  offset.applyAxisAngle(camera.up.clone().cross(offset).normalize(), tilt).applyAxisAngle(camera.up, right);
+  camera.position.copy(target).add(offset);
+}

@@ -16,11 +16,14 @@ export const GROUPS: Group[] = [
   { id: "rod", name: "Connecting rods", kinds: ["rod"], light: "#4f93d2", dark: "#5a9fe0" },
   { id: "crank", name: "Webs", kinds: ["web"], light: "#8b95a3", dark: "#8792a2" },
   { id: "pin", name: "Journals and pins", kinds: ["journal", "crankpin"], light: "#d9b25f", dark: "#e0bb6a" },
-  { id: "weight", name: "Counterweights", kinds: ["counterweight"], light: "#d8743c", dark: "#e8834a" },
-  { id: "shaft", name: "Balance shafts", kinds: ["shaft"], light: "#79b08c", dark: "#84bd98" },
-  { id: "shaft-weight", name: "Their weights", kinds: ["shaft-weight"], light: "#2f8a57", dark: "#3fa56b" },
+  { id: "weight", name: "Counterweights", kinds: ["counterweight"], light: "#3f9d63", dark: "#54b378" },
+  { id: "shaft", name: "Balance shafts", kinds: ["shaft"], light: "#8fc3cc", dark: "#8fc6d0" },
+  { id: "shaft-weight", name: "Their weights", kinds: ["shaft-weight"], light: "#1f8796", dark: "#2fa0b0" },
   { id: "bore", name: "Bores", kinds: ["bore"], light: "#7d93ad", dark: "#8ea6c4" },
 ];
+
+/** The part that is chosen: a colour that no metal has. */
+export const MARK = { light: "#d6197f", dark: "#ff74c4" };
 
 const BY_KIND = new Map(GROUPS.flatMap((group) => group.kinds.map((kind) => [kind, group] as const)));
 

@@ -1,46 +1,29 @@
 // The picture in three dimensions. It draws only when something changed; three.js comes with this file, after the first paint.
 
 import {
-  AddEquation,
-  AdditiveBlending,
   Box3,
   Color,
   ColorManagement,
-  CustomBlending,
-  EdgesGeometry,
   Group as Node,
-  LineBasicMaterial,
-  LineSegments,
   LinearSRGBColorSpace,
-  type Material,
-  Mesh,
-  MeshBasicMaterial,
-  MeshMatcapMaterial,
+  type Mesh,
   PerspectiveCamera,
   Raycaster,
   Scene as World,
-  SrcColorFactor,
-  type Texture,
   Vector2,
   Vector3,
   WebGLRenderer,
-  ZeroFactor,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Scene } from "../api/types";
-import { Arrow, type Shown } from "./arrows";
-import { type Body, bodies, geometryOf, matrixOf, meshOf } from "./bodies";
+import { Arrows, type Shown } from "./arrows";
+import { type Body, bodies, matrixOf } from "./bodies";
+import { Finish, type Look } from "./finish";
 import { FrameClock } from "./frames";
-import { glass, metal } from "./metal";
+import { Mark } from "./mark";
+import { isSoftware } from "./software";
 import { type Pose, pose } from "./pose";
-import { type Preset, fit, lookFrom } from "./camera";
-
-export interface Look {
-  dark: boolean;
-  ground: string;
-  ink: string;
-  accent: string;
-}
+import { type Preset, fit, lookFrom, orbit } from "./camera";
 
 interface Drawn extends Body {
   node: Node;
@@ -66,16 +49,14 @@ export class Stage {
   readonly #controls: OrbitControls;
   readonly #raycaster = new Raycaster();
   readonly #box = new Box3();
-  readonly #arrows = new Map<string, Arrow>();
-  readonly #arrowRoot = new Node();
+  readonly #arrows = new Arrows();
   #scene: Scene | undefined;
   #drawn: Drawn[] = [];
   #hidden = new Set<string>();
-  #textures: Texture[] = [];
-  #materials: Material[] = [];
+  #finish: Finish | undefined;
   #look: Look | undefined;
   #theta = 0;
-  #mark: { part: number; node: Node } | undefined;
+  #mark: Mark | undefined;
   #frame = 0;
   #still: ReturnType<typeof setTimeout> | undefined;
   #moving = false;
@@ -94,7 +75,7 @@ export class Stage {
     // Colours are those of the screen throughout: a conversion for each pixel is dear where a processor draws.
     this.#renderer.outputColorSpace = LinearSRGBColorSpace;
     this.#world.add(this.#root);
-    this.#root.add(this.#arrowRoot);
+    this.#root.add(this.#arrows);
     this.#camera.up.set(1, 0, 0);
     this.#controls = new OrbitControls(this.#camera, canvas);
     this.#controls.enableDamping = false;
@@ -183,64 +164,11 @@ export class Stage {
   #dress() {
     const look = this.#look;
     if (!look) return;
-    for (const thing of [...this.#textures, ...this.#materials]) thing.dispose();
-    const [steel, clear] = [metal(look.dark), glass(look.dark)];
-    this.#textures = [steel, clear];
-    this.#materials = [];
-    const keep = <T extends Material>(material: T): T => {
-      this.#materials.push(material);
-      return material;
-    };
-    const lines = keep(
-      new LineBasicMaterial({
-        color: look.dark ? "#05070a" : "#1b2430",
-        transparent: true,
-        opacity: look.dark ? 0.55 : 0.42,
-      }),
-    );
-    const faint = keep(
-      new LineBasicMaterial({ color: look.ink, transparent: true, opacity: 0.16, depthWrite: false }),
-    );
-    const made = new Map<string, Material>();
+    this.#finish?.free();
+    this.#finish = new Finish(look);
     for (const body of this.#drawn) {
-      const { group, node, geometry, edges } = body;
-      const isGlass = group.id === "bore";
-      let material = made.get(group.id);
-      if (!material) {
-        material = keep(
-          isGlass
-            ? // Added to a dark ground, multiplied with a light one: no order of drawing is needed.
-              new MeshMatcapMaterial({
-                matcap: clear,
-                depthWrite: false,
-                transparent: true,
-                ...(look.dark
-                  ? { blending: AdditiveBlending }
-                  : {
-                      blending: CustomBlending,
-                      blendEquation: AddEquation,
-                      blendSrc: ZeroFactor,
-                      blendDst: SrcColorFactor,
-                    }),
-              })
-            : new MeshMatcapMaterial({
-                matcap: steel,
-                color: look.dark ? group.dark : group.light,
-                // Where a weight and its web share a face the weight is seen; edges are seen on both.
-                polygonOffset: true,
-                polygonOffsetFactor: group.id === "weight" || group.id === "shaft-weight" ? 1 : 2,
-                polygonOffsetUnits: group.id === "weight" || group.id === "shaft-weight" ? 2 : 8,
-              }),
-        );
-        made.set(group.id, material);
-      }
-      node.clear();
-      const mesh = new Mesh(geometry, material);
-      mesh.userData.body = body;
-      if (isGlass) mesh.renderOrder = 2;
-      const edge = new LineSegments(edges, isGlass ? faint : lines);
-      if (isGlass) edge.renderOrder = 3;
-      node.add(mesh, edge);
+      body.node.clear();
+      body.node.add(...this.#finish.dressed(body));
     }
     this.visible(this.#hidden);
   }
@@ -264,7 +192,7 @@ export class Stage {
       matrixOf(pose(body.motion, this.#theta, this.#at), body.node.matrix);
       body.node.matrixWorldNeedsUpdate = true;
     }
-    this.#poseMark();
+    this.#mark?.pose(this.#theta);
     this.#root.updateMatrixWorld(true);
   }
 
@@ -275,27 +203,10 @@ export class Stage {
     this.#changed();
   }
 
-  /** Arrows at a point of the engine [m]; those that are not named any more go. */
+  /** Arrows at a point of the engine [m]. */
   arrows(shown: Shown[], at: [number, number, number]) {
-    this.#arrowRoot.position.set(...at);
-    const size = 0.27 * this.#box.getSize(new Vector3()).length();
-    const ids = new Set(shown.map(({ id, colour }) => `${id} ${colour} ${size.toFixed(4)}`));
-    for (const [id, arrow] of this.#arrows) {
-      if (ids.has(id)) continue;
-      this.#arrowRoot.remove(arrow);
-      arrow.free();
-      this.#arrows.delete(id);
-    }
-    for (const one of shown) {
-      const id = `${one.id} ${one.colour} ${size.toFixed(4)}`;
-      let arrow = this.#arrows.get(id);
-      if (!arrow) {
-        arrow = new Arrow(one.kind, one.colour, size);
-        this.#arrows.set(id, arrow);
-        this.#arrowRoot.add(arrow);
-      }
-      arrow.show(one);
-    }
+    this.#arrows.position.set(...at);
+    this.#arrows.show(shown, 0.27 * this.#box.getSize(new Vector3()).length());
     this.#changed();
   }
 
@@ -325,39 +236,16 @@ export class Stage {
   /** Marks one part. */
   select(part: number | null) {
     if (this.#mark) {
-      this.#root.remove(this.#mark.node);
-      for (const child of this.#mark.node.children as (Mesh | LineSegments)[]) {
-        child.geometry.dispose();
-        (child.material as Material).dispose();
-      }
+      this.#root.remove(this.#mark);
+      this.#mark.free();
       this.#mark = undefined;
     }
     if (part !== null && this.#scene && this.#look) {
-      const geometry = geometryOf(meshOf(this.#scene, part));
-      const colour = this.#look.accent;
-      const tint = new MeshBasicMaterial({
-        color: colour,
-        transparent: true,
-        opacity: 0.45,
-        depthWrite: false,
-      });
-      const line = new LineBasicMaterial({ color: colour, depthTest: false, transparent: true });
-      const node = new Node();
-      node.matrixAutoUpdate = false;
-      node.add(new Mesh(geometry, tint), new LineSegments(new EdgesGeometry(geometry, 32), line));
-      for (const child of node.children) child.renderOrder = 5;
-      this.#root.add(node);
-      this.#mark = { part, node };
-      this.#poseMark();
+      this.#mark = new Mark(this.#scene, part, this.#look.mark);
+      this.#mark.pose(this.#theta);
+      this.#root.add(this.#mark);
     }
     this.#changed();
-  }
-
-  #poseMark() {
-    const motion = this.#mark && this.#scene?.parts[this.#mark.part]?.motion;
-    if (!this.#mark || !motion) return;
-    matrixOf(pose(motion, this.#theta, this.#at), this.#mark.node.matrix);
-    this.#mark.node.matrixWorldNeedsUpdate = true;
   }
 
   /** All points as they stand now. */
@@ -393,12 +281,7 @@ export class Stage {
   /** Goes round the engine [rad], to the right and up. */
   orbit(right: number, up: number) {
     this.#preset = undefined;
-    const offset = this.#camera.position.clone().sub(this.#controls.target);
-    const axis = new Vector3(1, 0, 0).cross(offset).normalize();
-    const height = Math.acos(offset.x / offset.length());
-    const tilt = Math.min(Math.max(height - up, 0.02), Math.PI - 0.02) - height;
-    offset.applyAxisAngle(axis, tilt).applyAxisAngle(new Vector3(1, 0, 0), right);
-    this.#camera.position.copy(this.#controls.target).add(offset);
+    orbit(this.#camera, this.#controls.target, right, up);
     this.#controls.update();
     this.#changed();
   }
@@ -406,8 +289,7 @@ export class Stage {
   /** Comes nearer by a factor. */
   zoom(factor: number) {
     this.#preset = undefined;
-    const offset = this.#camera.position.clone().sub(this.#controls.target);
-    this.#camera.position.copy(this.#controls.target).addScaledVector(offset, 1 / factor);
+    this.#camera.position.lerp(this.#controls.target, 1 - 1 / factor);
     this.#controls.update();
     this.#changed();
   }
@@ -417,20 +299,10 @@ export class Stage {
     clearTimeout(this.#still);
     this.select(null);
     cancelAnimationFrame(this.#frame);
-    for (const arrow of this.#arrows.values()) arrow.free();
+    this.#arrows.show([], 1);
     this.#clear();
-    for (const thing of [...this.#textures, ...this.#materials]) thing.dispose();
+    this.#finish?.free();
     this.#controls.dispose();
     this.#renderer.dispose();
   }
-}
-
-/** Whether a processor draws, as without a graphics card. */
-function isSoftware(): boolean {
-  const probe = document.createElement("canvas").getContext("webgl2");
-  if (!probe) return false;
-  const info = probe.getExtension("WEBGL_debug_renderer_info");
-  const name = String(probe.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : probe.RENDERER));
-  probe.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
