@@ -126,7 +126,7 @@ fn panel(answer: &ExploreAnswer, x: usize, y: usize) -> Panel {
     for &(a, b) in &behind {
         let at = place((a, b));
         if (LEFT..=right).contains(&at.0) && (TOP..=bottom).contains(&at.1) {
-            svg.circle("case", at, 1.3);
+            svg.circle("muted", at, 1.3);
         }
     }
     let edge = edge(&points);
