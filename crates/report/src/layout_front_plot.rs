@@ -60,7 +60,7 @@ pub fn layout_front_figure(answer: &ExploreAnswer) -> Figure {
 /// What the dots are.
 fn dots_words(answer: &ExploreAnswer) -> String {
     let (shown, judged) = (answer.sample.len() as f64, answer.counts.judged as f64);
-    let number = |value: f64| number::short(value, 9);
+    let number = |value: f64| number::terminal(value, 0);
     match answer.counts.judged > answer.sample.len() as u128 {
         true => format!(
             "{} of the {} judged cases, drawn evenly, as far as the axes reach",
@@ -126,7 +126,7 @@ fn panel(answer: &ExploreAnswer, x: usize, y: usize) -> Panel {
     for &(a, b) in &behind {
         let at = place((a, b));
         if (LEFT..=right).contains(&at.0) && (TOP..=bottom).contains(&at.1) {
-            svg.circle("case", at, 1.3);
+            svg.circle("muted", at, 1.3);
         }
     }
     let edge = edge(&points);
