@@ -99,7 +99,7 @@ mod tests {
         let gate = Gate::new("word".into(), 7000);
         let passes = |pairs: &[(&'static str, &'static str)]| gate.check_place(&headers(pairs)).is_ok();
         assert!(passes(&[("host", "127.0.0.1:7000")]));
-        assert!(passes(&[("host", "localhost:7000"), ("origin", "http://localhost:7000")]));
+        assert!(passes(&[("host", "localhost:7000"), ("origin", "http://127.0.0.1:7000")]));
         assert!(!passes(&[]));
         assert!(!passes(&[("host", "evil.example:7000")]));
         assert!(!passes(&[("host", "127.0.0.1:7001")]));

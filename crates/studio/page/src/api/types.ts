@@ -976,7 +976,7 @@ export type DesignedCounterweight = {
 
 /** A weight. */
 export type DeviceSummary = {
-  /** Direction [rad], as the file counts it. */
+  /** Direction at theta = 0 [rad]: of a counterweight in the frame of its crankshaft, of a shaft's weight in the engine's. */
   angle: number;
   /** Whether it is a part with a shape. */
   has_part: boolean;
@@ -2492,7 +2492,7 @@ export type ShaftSummary = {
 export type ShapePreview = {
   /** Its bounds: least x and y, largest x and y [m]. */
   bounds: [number, number, number, number];
-  /** All clearances of the crankshaft with this shape; none where the file names nothing to stay clear of. */
+  /** All clearances of the crankshaft with this shape; none where the file names nothing to stay clear of, or nobody asked. */
   clearances: Clearances | null;
   dimensions: Dimensions;
   /** Whether the file has a shape for this weight, or the question gave one; otherwise it is one to start from. */
@@ -2526,6 +2526,8 @@ export type ShapePreview = {
 
 /** A shape to look at. */
 export type ShapeQuestion = {
+  /** Whether clearances are told too: they take longer than all the rest. */
+  clearances: boolean;
   /** The dimensions; `null`: those of the file, or some to start from. */
   dimensions: Dimensions | null;
   /** The engine file. */
