@@ -38,3 +38,47 @@ test("from a new in-line three to a saved file and a report", async ({ studio, p
   expect(html).toContain("My three");
   expect(html).toContain("<svg");
 });
+
+test("from a new in-line three to a balanced engine with outlines of its counterweights", async ({
+  studio,
+  page,
+}, info) => {
+  const start = Date.now();
+  await page.goto(studio.address);
+  await opened(page);
+  await newEngine(page, "three", "in-line three");
+  const bare = await figure(page, "Couple, order 1").textContent();
+
+  await page.getByRole("tab", { name: "Balance" }).click();
+  await page.getByRole("button", { name: "Optimise", exact: true }).click();
+  const answer = page.getByRole("region", { name: "Optimise" });
+  await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
+  await answer.getByRole("button", { name: "Adopt" }).click();
+  await expect(figure(page, "Couple, order 1")).not.toHaveText(bare ?? "");
+
+  await page.getByRole("tab", { name: "Counterweight" }).click();
+  await page.getByRole("button", { name: "Add all to start from" }).click();
+  await page.getByRole("button", { name: "Find the best shape" }).click();
+  const best = page.getByRole("region", { name: "Best shape" });
+  await expect(best).toContainText("the least mass is");
+  await best.getByRole("button", { name: "Adopt" }).click();
+  await expect(page.locator("path.part")).toBeVisible();
+  await expect(page.getByRole("table", { name: "Clearances" })).toContainText("kept");
+  await page.screenshot({ path: info.outputPath("outlines.png") });
+
+  await page.getByRole("tab", { name: "Engine" }).click();
+  await page.keyboard.press("Control+s");
+  await page.getByRole("dialog", { name: "Save as" }).getByLabel("Name of the file").fill("balanced");
+  await page.keyboard.press("Enter");
+  await expect(page.getByText("Saved balanced.toml")).toBeVisible();
+  const saved = await studio.read("balanced.toml");
+  expect(saved).toContain("[[counterweight]]");
+  expect(saved).toContain("shape = ");
+
+  const waiting = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Report" }).click();
+  const report = info.outputPath("balanced.html");
+  await (await waiting).saveAs(report);
+  expect(await readFile(report, "utf8")).toContain("The crankshaft");
+  console.log(`from the gallery to the report in ${((Date.now() - start) / 1000).toFixed(1)} s`);
+});

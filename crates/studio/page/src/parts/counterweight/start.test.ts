@@ -1,6 +1,14 @@
 import { describe, expect, it } from "vitest";
 import type { DeviceSummary } from "../../api/types";
-import { bodyEdits, bodyStart, clearanceStart, shapesStart, websOf, type Sizes } from "./start";
+import {
+  bodyEdits,
+  bodyStart,
+  clearanceStart,
+  halvedOntoWebs,
+  shapesStart,
+  websOf,
+  type Sizes,
+} from "./start";
 
 const four: Sizes = {
   bore: 0.0825,
@@ -34,6 +42,33 @@ describe("sections to start from", () => {
     ];
     expect(bodyEdits(four, entries)[0]).toEqual({ path: "crank.pin_mass", value: null });
     expect(bodyEdits(four, [])).toHaveLength(1);
+  });
+});
+
+describe("weights at throws", () => {
+  const weight = (index: number) =>
+    ({ name: `throw ${index + 1}`, path: `counterweight[${index}]`, unbalance: 0.04 }) as DeviceSummary;
+  const written = (file: Record<string, unknown>) => (path: string) => file[path];
+
+  it("become two halves on the webs beside the pin", () => {
+    const file = {
+      "counterweight[0].throw": 3,
+      "counterweight[0].unbalance": "0.04460580929 kg m",
+      "counterweight[0].angle": "210 deg",
+    };
+    expect(halvedOntoWebs([weight(0)], written(file))).toEqual([
+      { path: "counterweight[0].web", value: 5 },
+      { path: "counterweight[0].throw", value: null },
+      { path: "counterweight[0].unbalance", value: "0.022302904645 kg m" },
+      { path: "counterweight[0].name", value: null },
+      { path: "counterweight[1]", value: { web: 6, unbalance: "0.022302904645 kg m", angle: "210 deg" } },
+    ]);
+  });
+
+  it("are left alone where one stands elsewhere", () => {
+    const file = { "counterweight[0].z": "0 mm", "counterweight[0].unbalance": "1 kg mm" };
+    expect(halvedOntoWebs([weight(0)], written(file))).toBeUndefined();
+    expect(halvedOntoWebs([], written({}))).toBeUndefined();
   });
 });
 

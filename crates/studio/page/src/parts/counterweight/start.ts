@@ -1,7 +1,7 @@
 // Sections to start from where a file does not say yet what its crankshaft looks like: sizes in proportion to bore and stroke.
 
 import type { DeviceSummary, Edit, FileEntry } from "../../api/types";
-import { plain } from "../balance/devices";
+import { baseOf, parted, plain, type Written } from "../balance/devices";
 
 /** What the engine tells of itself [m]. */
 export interface Sizes {
@@ -43,6 +43,36 @@ export function websOf(
     if (place.web % 2 === 1) distance = Math.min(distance, apart);
   });
   return Number.isFinite(distance) ? { distance, narrowest } : undefined;
+}
+
+/**
+ * Weights in the planes of throws as two halves on the webs beside the pin, which load the engine alike; `undefined` where one of them
+ * stands elsewhere, or has an amount that cannot be halved.
+ */
+export function halvedOntoWebs(weights: readonly DeviceSummary[], written: Written): Edit[] | undefined {
+  const edits: Edit[] = [];
+  const more: Edit[] = [];
+  for (const weight of weights) {
+    const number = weight.path === null ? undefined : written(`${weight.path}.throw`);
+    const base = baseOf(weight, written);
+    const parts = parted(base?.typed);
+    if (weight.path === null || typeof number !== "number" || !base || !parts) return undefined;
+    const half = `${plain(parts.number / 2, 12)} ${parts.unit}`;
+    const entry: Record<string, unknown> = { web: 2 * number, [base.key]: half };
+    for (const key of ["radius", "angle", "crankshaft"]) {
+      const value = written(`${weight.path}.${key}`);
+      if (value !== undefined) entry[key] = value;
+    }
+    edits.push(
+      { path: `${weight.path}.web`, value: 2 * number - 1 },
+      { path: `${weight.path}.throw`, value: null },
+      { path: `${weight.path}.${base.key}`, value: half },
+      // It was named after the throw.
+      { path: `${weight.path}.name`, value: null },
+    );
+    more.push({ path: `counterweight[${weights.length + more.length}]`, value: entry });
+  }
+  return edits.length > 0 ? [...edits, ...more] : undefined;
 }
 
 /** Thickness of a web: the rest between the middles of two of them stays for pin and journal. */
