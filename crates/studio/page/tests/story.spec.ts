@@ -74,6 +74,7 @@ test("from a new in-line three to a balanced engine with outlines of its counter
   await best.getByRole("button", { name: "Adopt" }).click();
   await expect(page.locator("path.part")).toBeVisible();
   await expect(page.getByRole("table", { name: "Clearances" })).toContainText("kept");
+  await expect(page.getByRole("region", { name: "Sections to start from" })).toHaveCount(0);
   await page.evaluate(() => scrollTo(0, 0));
   await page.screenshot({ path: info.outputPath("outlines.png") });
 
