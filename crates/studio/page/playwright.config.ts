@@ -9,7 +9,7 @@ export default defineConfig({
   outputDir: "test-results",
   reporter: "line",
   workers: 1,
-  retries: 1,
+  retries: 0,
   timeout: 60_000,
   expect: { timeout: 10_000 },
   use: {
