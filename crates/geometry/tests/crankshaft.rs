@@ -10,7 +10,7 @@ mod step_reader;
 
 use lanchester_geometry::crankshaft::{CrankshaftBody, CrankshaftError, SectionKind, crankshaft};
 use lanchester_geometry::export::{RESOLUTION, StepHeader, glb, solids, step, stl};
-use lanchester_geometry::{Contour, MassMoments, Outline, Part, Point};
+use lanchester_geometry::{Contour, GeometryError, Insert, MassMoments, Outline, Part, Point};
 use lanchester_model::*;
 use proptest::prelude::*;
 use random_crank::{any_body, any_wish, engine, engine_balance, plain_wish};
@@ -96,7 +96,14 @@ proptest! {
             wish
         })).collect();
         let engine = engine(body, &throws, gap, &wishes);
-        let crank = crankshaft(&engine, 0).unwrap();
+        let crank = match crankshaft(&engine, 0) {
+            Err(CrankshaftError::Shape { source: GeometryError::InsertOutside { what: "overlaps another insert", .. }, .. }) => {
+                prop_assert!(inserts_overlap(&engine), "refused, though no two inserts meet");
+                return Ok(());
+            }
+            other => other.unwrap(),
+        };
+        prop_assert!(!inserts_overlap(&engine), "two inserts in one place");
         let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
         let twice = crank.counted_twice;
         prop_assert!((crank.unbalance.unbalance + twice.unbalance - unbalance).norm() < 1e-12 * u);
@@ -164,6 +171,27 @@ proptest! {
             prop_assert!((centre - crank.mass.centre[k]).abs() < 1e-6 * 0.1, "{} {}", centre, crank.mass.centre[k]);
         }
     }
+}
+
+/// Whether inserts of two counterweights want the same place.
+fn inserts_overlap(engine: &Engine) -> bool {
+    let inserts: Vec<(Point, f64, [f64; 2])> = engine
+        .counterweights
+        .iter()
+        .filter_map(|weight| weight.part.as_deref())
+        .flat_map(|placed| {
+            let front = placed.z - 0.5 * placed.part.thickness();
+            let at = move |insert: &Insert| {
+                (insert.centre.turned(placed.angle), insert.radius, [front + insert.from, front + insert.to])
+            };
+            placed.part.inserts().iter().map(at)
+        })
+        .collect();
+    inserts.iter().enumerate().any(|(index, (centre, radius, [from, to]))| {
+        inserts[..index].iter().any(|(other, other_radius, [other_from, other_to])| {
+            (*centre - *other).norm() < radius + other_radius && from.max(*other_from) < to.min(*other_to)
+        })
+    })
 }
 
 /// An engine whose neighbouring throws share a web of so many millimetres, or have a journal between them.
