@@ -11,15 +11,19 @@ export class Task<T> {
   /** The engine file's text that the answer belongs to. */
   text = $state("");
   #count = 0;
+  #asked: AbortController | undefined;
 
   constructor(readonly lane: string) {}
 
   /** Asks anew; an answer to an older question is dropped. */
   async ask(path: string, text: string, settings: Record<string, unknown>): Promise<T | undefined> {
-    const count = ++this.#count;
+    this.stop();
+    const count = this.#count;
+    const asked = new AbortController();
+    this.#asked = asked;
     this.busy = true;
     try {
-      const value = await post<T>(path, { text, ...settings }, this.lane);
+      const value = await post<T>(path, { text, ...settings }, this.lane, asked.signal);
       if (count !== this.#count) return undefined;
       this.value = value;
       this.text = text;
@@ -38,9 +42,15 @@ export class Task<T> {
     }
   }
 
-  clear() {
+  /** Breaks off what is under way, here and on the server; an earlier answer stays. */
+  stop() {
     this.#count += 1;
+    this.#asked?.abort();
     this.busy = false;
+  }
+
+  clear() {
+    this.stop();
     this.value = undefined;
     this.problem = undefined;
   }

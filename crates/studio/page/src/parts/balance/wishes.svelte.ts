@@ -43,12 +43,14 @@ class Wishes {
     this.locked = new Set(on ? [...others, name] : others);
   }
 
-  optimise(text: string) {
+  /** `devices`: names of those that the engine has. */
+  optimise(text: string, devices: string[]) {
+    const cancels = this.cancel.length > 0;
     return this.found.ask("/api/balance", text, {
       free: this.free,
-      locked: [...this.locked],
-      minimise: this.cancel.length > 0 ? [] : this.stages.map(spoken),
-      limits: this.limits.map((limit) => `${spoken(limit)} = ${limit.most}`),
+      locked: this.free === "devices" ? devices.filter((name) => this.locked.has(name)) : [],
+      minimise: cancels ? [] : this.stages.map(spoken),
+      limits: cancels ? [] : this.limits.map((limit) => `${spoken(limit)} = ${limit.most}`),
       cancel: this.cancel.map(spoken),
       shafts: [],
     });

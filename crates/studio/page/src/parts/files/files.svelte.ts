@@ -93,10 +93,10 @@ class Files {
       this.#then = undefined;
       then?.();
     } catch (error) {
-      if (error instanceof Refused && error.status === 409) await this.#conflict(target);
+      const found = error instanceof Refused ? error.problem.found : null;
       // A file that another program took away is written anew.
-      else if (error instanceof Refused && over === undefined && (await this.#vanished(target)))
-        await this.write(target, null);
+      if (found === "removed") await this.write(target, null);
+      else if (found !== null) await this.#conflict(target);
       else if (error instanceof Refused && this.dialog?.kind === "save-as")
         this.refusal = sentence(error.problem);
       else this.#complain(error);
@@ -108,12 +108,6 @@ class Files {
     await this.#try(async () => {
       this.dialog = { kind: "conflict", theirs: await post<FileState>("/api/file/open", { name }) };
     });
-  }
-
-  async #vanished(name: string): Promise<boolean> {
-    if (name !== engine.file?.name) return false;
-    await this.#try(() => server.refresh());
-    return server.session?.files.includes(name) === false;
   }
 
   close() {
