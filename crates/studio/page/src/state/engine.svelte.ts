@@ -1,6 +1,6 @@
 // The engine being worked on: its file's text is the whole truth, and everything else follows from it.
 
-import { Gone, Refused, post, put } from "../api/client";
+import { post, put } from "../api/client";
 import type { Edit, EngineSummary, FileState, Problem, Reading } from "../api/types";
 import { server } from "./server.svelte";
 
@@ -219,13 +219,13 @@ class EngineDocument {
       }
     } catch (error) {
       if (this.#current !== next) return true;
-      if (error instanceof Refused) this.problem = error.problem;
-      else if (error instanceof Gone) {
+      const refused = server.refusal(error);
+      if (!refused) {
         // Nothing is lost: the job is done when the server is back.
         this.#waiting.unshift(next);
-        server.lost();
         return false;
-      } else throw error;
+      }
+      this.problem = refused;
     }
     done();
     return true;

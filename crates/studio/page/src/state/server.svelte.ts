@@ -1,7 +1,7 @@
 // Whether the server answers, and what it tells by itself.
 
-import { events, get } from "../api/client";
-import type { FileState, Session } from "../api/types";
+import { Gone, Refused, events, get } from "../api/client";
+import type { FileState, Problem, Session } from "../api/types";
 
 class Server {
   /** What the server said at the start. */
@@ -41,6 +41,14 @@ class Server {
       source.close();
       this.lost();
     };
+  }
+
+  /** What the server refused; one that is gone is waited for, and anything else is a mistake of the page. */
+  refusal(error: unknown): Problem | undefined {
+    if (error instanceof Refused) return error.problem;
+    if (!(error instanceof Gone)) throw error;
+    this.lost();
+    return undefined;
   }
 
   /** Tries once a second until the server answers again. */
