@@ -106,6 +106,11 @@ export class Studio {
     return readFile(join(this.folder, name), "utf8");
   }
 
+  /** Takes a file of the folder away, as another program would. */
+  remove(name = this.name): Promise<void> {
+    return rm(join(this.folder, name));
+  }
+
   /** Writes a file of the folder, as another program would. */
   write(text: string, name = this.name): Promise<void> {
     return writeFile(join(this.folder, name), text);

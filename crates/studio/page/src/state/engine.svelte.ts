@@ -45,7 +45,11 @@ class EngineDocument {
   untitled = $state("engine");
   problem = $state.raw<Problem>();
 
-  dirty = $derived(this.text !== (this.file?.text ?? ""));
+  /** Another program removed the file since it was opened or saved here. */
+  removedOutside = $derived(
+    this.file !== null && server.onDisk === null && server.session?.files.includes(this.file.name) === false,
+  );
+  dirty = $derived(this.removedOutside || this.text !== (this.file?.text ?? ""));
   /** Something would be lost with this text: an untouched template of the gallery would not. */
   unsaved = $derived(
     this.dirty &&

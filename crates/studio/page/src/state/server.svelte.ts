@@ -12,6 +12,7 @@ class Server {
   /** The file as it stands on the disk. */
   onDisk = $state.raw<FileState | null>(null);
   #waiting = false;
+  #seen = 0;
   #back: (() => void)[] = [];
 
   /** Calls `act` each time the server answers again. */
@@ -35,12 +36,19 @@ class Server {
   #listen() {
     const source = events();
     source.addEventListener("file", (event) => {
-      this.onDisk = JSON.parse((event as MessageEvent<string>).data) as FileState | null;
+      void this.#see(JSON.parse((event as MessageEvent<string>).data) as FileState | null);
     });
     source.onerror = () => {
       source.close();
       this.lost();
     };
+  }
+
+  /** The file as it stands on the disk now. Where there is none the folder tells whether it was removed. */
+  async #see(file: FileState | null) {
+    const seen = ++this.#seen;
+    if (file === null) await this.refresh().catch(() => this.lost());
+    if (seen === this.#seen) this.onDisk = file;
   }
 
   /** What the server refused; one that is gone is waited for, and anything else is a mistake of the page. */
