@@ -2,6 +2,7 @@
 
 import type { Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
+import { newEngine, text as fileText } from "./page";
 import { points } from "./points";
 import { expect, test } from "./server";
 
@@ -10,6 +11,15 @@ test.use({ example: "in-line-3-counterweights.toml" });
 async function open(page: Page, address: string) {
   await page.goto(address);
   await page.getByRole("tab", { name: "Counterweight" }).click();
+}
+
+/** The file's text, read on the tab Engine. */
+async function text(page: Page): Promise<string> {
+  await page.getByRole("tab", { name: "Engine" }).click();
+  await expect(page.locator(".cm-content")).toBeVisible();
+  const found = await fileText(page);
+  await page.getByRole("tab", { name: "Counterweight" }).click();
+  return found;
 }
 
 const outline = (page: Page) => page.locator("path.part");
@@ -148,5 +158,30 @@ test.describe("a template", () => {
     await expect(best).toContainText("the least mass is");
     await best.getByRole("button", { name: "Adopt" }).click();
     await expect(page.getByRole("button", { name: /^web 1/ })).toContainText(/\d g/);
+  });
+});
+
+test.describe("an engine whose limits leave no shape", () => {
+  test.use({ example: "" });
+
+  test("is told the nearest limit, which is filled in with a click", async ({ studio, page }) => {
+    await page.goto(studio.address);
+    await newEngine(page, "boxer", "boxer twin");
+    await page.getByRole("tab", { name: "Counterweight" }).click();
+    await page.getByRole("button", { name: "Add all to start from" }).click();
+    // Webs between the pins carry no weights: there is no room for them.
+    await expect(page.getByRole("list", { name: "Counterweights" }).getByRole("button")).toHaveCount(2);
+    await page.getByRole("button", { name: "Find the best shape" }).click();
+    const best = page.getByRole("region", { name: "Best shape" });
+    await expect(best).toContainText("no shape within the ranges has the unbalance that is wanted");
+    const before = await text(page);
+    await best.getByRole("button", { name: /^Set balance to 4\d\.\d %$/ }).click();
+    await expect(best).toContainText("the least mass is");
+    expect(before).not.toContain("balance = ");
+    await best.getByRole("button", { name: "Adopt" }).click();
+    await expect(outline(page)).toBeVisible();
+    await page.locator("body").press("Control+z");
+    await page.locator("body").press("Control+z");
+    expect(await text(page)).toBe(before);
   });
 });
