@@ -1,7 +1,6 @@
 // The Counterweight tab: from a template to outlines, handles, best shape, front, export.
 
 import type { Page } from "@playwright/test";
-import { readFile } from "node:fs/promises";
 import { newEngine, text as fileText } from "./page";
 import { points } from "./points";
 import { expect, test } from "./server";
@@ -124,27 +123,6 @@ test("a point of the front is drawn over the present outline and adopted", async
   await expect(field(page, "Arc radius")).not.toHaveValue(/^92\.4999/);
 });
 
-test("STEP of a weight and of the crankshaft, DXF and SVG of an outline are saved", async ({
-  studio,
-  page,
-}) => {
-  await open(page, studio.address);
-  await adoptBest(page);
-  const heads: [string, string, RegExp][] = [
-    ["Export web 1 as STEP", "in-line-3-counterweights-web-1.step", /^ISO-10303-21;/],
-    ["Export the crankshaft as STEP", "in-line-3-counterweights-crankshaft.step", /^ISO-10303-21;/],
-    ["Export web 1 as DXF", "in-line-3-counterweights-web-1.dxf", /^\s*(0|999)\r?\n/],
-    ["Export web 1 as SVG", "in-line-3-counterweights-web-1.svg", /^(<\?xml[^>]*>\s*)?<svg/],
-  ];
-  for (const [button, name, head] of heads) {
-    const download = page.waitForEvent("download");
-    await page.getByRole("button", { name: button, exact: true }).click();
-    const file = await download;
-    expect(file.suggestedFilename()).toBe(name);
-    expect((await readFile(await file.path())).toString("utf8", 0, 200)).toMatch(head);
-  }
-});
-
 test.describe("a template", () => {
   test.use({ example: "in-line-4-production.toml" });
 
@@ -177,7 +155,7 @@ test.describe("an engine whose limits leave no shape", () => {
     const before = await text(page);
     await best.getByRole("button", { name: /^Set balance to 4\d\.\d %$/ }).click();
     await expect(best).toContainText("the least mass is");
-    expect(before).not.toContain("balance = ");
+    expect(before).not.toMatch(/^balance = /m);
     await best.getByRole("button", { name: "Adopt" }).click();
     await expect(outline(page)).toBeVisible();
     await page.locator("body").press("Control+z");
