@@ -64,7 +64,8 @@ impl Server {
     }
 
     fn json(&self, status: u16, method: &str, path: &str, question: &Value) -> Value {
-        let body = serde_json::to_vec(question).unwrap();
+        // The server does not read a body that no question has: it would close the connection over it.
+        let body = if question.is_null() { Vec::new() } else { serde_json::to_vec(question).unwrap() };
         let (got, _, answer) = self.ask(method, path, &[("x-lanchester-token", &self.token)], &body);
         let text = String::from_utf8_lossy(&answer);
         assert_eq!(got, status, "{path}: {text}");

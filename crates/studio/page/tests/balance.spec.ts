@@ -87,11 +87,11 @@ test("the optimum comes with its proof, is adopted and undone; a locked weight s
 
 test("limits that cannot hold are told with what comes nearest", async ({ studio, page }) => {
   await open(page, studio.address);
-  await page.getByRole("button", { name: "Add a limit" }).click();
-  await page.getByRole("combobox", { name: "Limit 1: load" }).selectOption("couple");
-  await page.getByRole("textbox", { name: "Limit 1: at most" }).fill("1 N m");
-  await page.getByRole("button", { name: "Optimise", exact: true }).click();
   const answer = page.getByRole("region", { name: "Optimise" });
+  await answer.getByRole("button", { name: "Add a limit" }).click();
+  await answer.getByRole("combobox", { name: "Limit 1: load" }).selectOption("couple");
+  await answer.getByRole("textbox", { name: "Limit 1: at most" }).fill("1 N m");
+  await answer.getByRole("button", { name: "Optimise", exact: true }).click();
   await expect(answer.getByRole("heading", { name: "The limits cannot hold together" })).toBeVisible();
   await expect(answer).toContainText("3103 N m");
   await expect(answer.getByRole("button", { name: "Adopt" })).toHaveCount(0);
@@ -125,10 +125,12 @@ test("a shaft is added, slid and removed", async ({ studio, page }) => {
 
 test("an arrangement is picked on the front and adopted", async ({ studio, page }) => {
   await open(page, studio.address);
-  await page.getByRole("combobox", { name: "Judge by" }).selectOption("couple");
-  await page.getByRole("textbox", { name: "Good enough below" }).fill("2.5 kN m");
-  await page.getByRole("button", { name: "Compare arrangements" }).click();
   const region = page.getByRole("region", { name: "Arrangements" });
+  await region.getByRole("combobox", { name: "Judge by: load" }).selectOption("couple");
+  await region.getByRole("button", { name: "Add a limit" }).click();
+  await expect(region.getByRole("combobox", { name: "Limit 1: load" })).toHaveValue("couple");
+  await region.getByRole("textbox", { name: "Limit 1: at most" }).fill("2.5 kN m");
+  await page.getByRole("button", { name: "Compare arrangements" }).click();
   await expect(region.getByRole("heading", { name: /^No\. \d+:/ })).toBeVisible();
   const title = region.getByRole("heading", { name: /^No\. \d+:/ });
   // The first point of the front adds nothing.
@@ -146,6 +148,8 @@ test("an arrangement is picked on the front and adopted", async ({ studio, page 
   await page.mouse.click(...nothing!);
   await page.mouse.click(...(await points(region))[index]!);
   await expect(title).toContainText(name);
+  // What is adopted is what was compared, whatever is asked next.
+  await region.getByRole("combobox", { name: "Shafts, at most" }).selectOption("0");
   await region.getByRole("button", { name: "Adopt this arrangement" }).click();
   await expect(page.getByRole("article", { name: /^Balance shaft/ })).toHaveCount(1);
   await page.locator("body").press("Control+z");

@@ -122,6 +122,73 @@ test.describe("another program changes the file", () => {
   });
 });
 
+test.describe("another program removes the file", () => {
+  const told = "Another program removed in-line-3.toml";
+
+  test("saving says so, and it is saved again", async ({ studio, page }) => {
+    await type(page, "rod.length", "155 mm");
+    await studio.remove();
+    await page.keyboard.press("Control+s");
+    const dialog = page.getByRole("dialog", { name: told });
+    await expect(dialog).toContainText("Your text is still here");
+    await expect(studio.read()).rejects.toThrow();
+    await dialog.getByRole("button", { name: "Save again" }).click();
+    await expect(page.getByText("Saved in-line-3.toml")).toBeVisible();
+    expect(await studio.read()).toContain('length = "155 mm"');
+    await expect(page.getByText(told)).toBeHidden();
+    await expect(page.locator(".unsaved")).toBeHidden();
+  });
+
+  test("it is told at once, and saved under another name", async ({ studio, page }) => {
+    await studio.remove();
+    await expect(page.getByText(told)).toBeVisible();
+    // Without a change of one's own there is something to lose too.
+    await expect(page.locator(".unsaved")).toBeVisible();
+    await page.getByRole("button", { name: "Save as …" }).click();
+    const dialog = page.getByRole("dialog", { name: "Save as" });
+    await dialog.getByLabel("Name of the file").fill("other");
+    await page.keyboard.press("Enter");
+    await expect(page.getByText("Saved other.toml")).toBeVisible();
+    await expect(page.getByText(told)).toBeHidden();
+    expect(await studio.read("other.toml")).toBe(await text(page));
+  });
+
+  test("it is let go", async ({ studio, page }) => {
+    await studio.remove();
+    await page.getByRole("button", { name: "Discard" }).click();
+    const gallery = page.getByRole("dialog", { name: "New engine" });
+    await gallery.getByRole("button", { name: "in-line three", exact: true }).click();
+    await expect(page.getByText(told)).toBeHidden();
+    await expect(page.locator(".unsaved")).toBeHidden();
+    await expect(studio.read()).rejects.toThrow();
+  });
+
+  test("one that came back in another shape is not written over", async ({ studio, page }) => {
+    await type(page, "rod.length", "155 mm");
+    const theirs = (await studio.read()).replace('length = "150 mm"', 'length = "149 mm"');
+    await studio.remove();
+    await page.keyboard.press("Control+s");
+    const dialog = page.getByRole("dialog", { name: told });
+    await expect(dialog).toBeVisible();
+    await studio.write(theirs);
+    await dialog.getByRole("button", { name: "Save again" }).click();
+    const conflict = page.getByRole("dialog", { name: "Another program changed in-line-3.toml" });
+    await expect(conflict.locator(".theirs")).toContainText(['length = "149 mm"']);
+    expect(await studio.read()).toBe(theirs);
+  });
+});
+
+test("what is still being typed is saved too, and asked about", async ({ studio, page }) => {
+  await field(page, "rod.length").fill("155 mm");
+  await page.keyboard.press("Control+s");
+  await expect(page.getByText("Saved in-line-3.toml")).toBeVisible();
+  expect(await studio.read()).toContain('length = "155 mm"');
+  await expect(field(page, "rod.length")).toBeFocused();
+  await field(page, "rod.length").fill("156 mm");
+  await page.getByRole("button", { name: "New", exact: true }).click();
+  await expect(page.getByRole("dialog", { name: "Save your changes first?" })).toBeVisible();
+});
+
 test("two windows on one file do not overwrite each other", async ({ studio, page, context }) => {
   const other = await context.newPage();
   await other.goto(studio.address);

@@ -40,6 +40,7 @@ export async function newEngine(page: Page, search: string, title: string) {
   await gallery.getByRole("searchbox").fill(search);
   await gallery.getByRole("button", { name: title, exact: true }).click();
   await expect(gallery).toBeHidden();
+  await expect(page.getByRole("region", { name: "Loads in short" })).toHaveAttribute("aria-busy", "false");
 }
 
 /** Commits a value as a user does: typed, then Enter. */

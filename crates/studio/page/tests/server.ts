@@ -6,9 +6,10 @@
 //     await page.goto(studio.address);
 //   });
 //
-// LANCHESTER_PROGRAM names the program; default: the debug build of this workspace.
+// LANCHESTER_PROGRAM names the program; default: the debug build of this workspace. LANCHESTER_PAGE names a folder with a
+// built page that is shown in place of the program's own: the page can be tested without building the program anew.
 
-import { test as base } from "@playwright/test";
+import { type BrowserContext, test as base } from "@playwright/test";
 import { type ChildProcess, spawn } from "node:child_process";
 import { copyFile, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { createServer } from "node:net";
@@ -16,6 +17,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
 const PROGRAM = process.env.LANCHESTER_PROGRAM ?? resolve("../../../target/debug/lanchester");
+const PAGE = process.env.LANCHESTER_PAGE;
 const EXAMPLES = resolve("../../../examples");
 /** How long the program may take until it prints its address [ms]. */
 const START = 20_000;
@@ -104,6 +106,11 @@ export class Studio {
     return readFile(join(this.folder, name), "utf8");
   }
 
+  /** Takes a file of the folder away, as another program would. */
+  remove(name = this.name): Promise<void> {
+    return rm(join(this.folder, name));
+  }
+
   /** Writes a file of the folder, as another program would. */
   write(text: string, name = this.name): Promise<void> {
     return writeFile(join(this.folder, name), text);
@@ -128,8 +135,23 @@ interface Options {
   example: string;
 }
 
+/** Answers everything but questions from the folder of a built page. */
+async function showPage(context: BrowserContext, folder: string) {
+  await context.route(
+    (address) => address.hostname === "127.0.0.1" && !address.pathname.startsWith("/api/"),
+    (route) => {
+      const path = new URL(route.request().url()).pathname;
+      return route.fulfill({ path: join(folder, path === "/" ? "index.html" : path) });
+    },
+  );
+}
+
 export const test = base.extend<Options & { studio: Studio }>({
   example: ["in-line-3-counterweights.toml", { option: true }],
+  context: async ({ context }, use) => {
+    if (PAGE) await showPage(context, resolve(PAGE));
+    await use(context);
+  },
   studio: async ({ example }, use) => {
     const studio = await Studio.start(example);
     await use(studio);

@@ -1,6 +1,6 @@
 // A result of the server that follows what it is asked for.
 
-import { Gone, Refused, post } from "../api/client";
+import { post } from "../api/client";
 import type { Problem } from "../api/types";
 import { server } from "./server.svelte";
 
@@ -20,12 +20,14 @@ export class Resource<T> {
 
   constructor(
     readonly lane: string,
-    question: () => Question,
+    /** `undefined` leaves the last question and its answer. */
+    question: () => Question | undefined,
   ) {
     $effect(() => {
       // A server that came back is asked again.
       void server.epoch;
       const next = question();
+      if (next === undefined) return;
       const key = JSON.stringify(next) + server.epoch;
       if (key === this.#asked) return;
       this.#asked = key;
@@ -56,11 +58,10 @@ export class Resource<T> {
       this.value = await post<T>(question.path, question.body, this.lane);
       this.problem = undefined;
     } catch (error) {
-      if (error instanceof Refused) {
-        this.problem = error.problem;
-        this.value = undefined;
-      } else if (error instanceof Gone) server.lost();
-      else throw error;
+      const refused = server.refusal(error);
+      if (!refused) return;
+      this.problem = refused;
+      this.value = undefined;
     }
   }
 }

@@ -1,7 +1,7 @@
 // Whether the server answers, and what it tells by itself.
 
-import { events, get } from "../api/client";
-import type { FileState, Session } from "../api/types";
+import { Gone, Refused, events, get } from "../api/client";
+import type { FileState, Problem, Session } from "../api/types";
 
 class Server {
   /** What the server said at the start. */
@@ -12,6 +12,7 @@ class Server {
   /** The file as it stands on the disk. */
   onDisk = $state.raw<FileState | null>(null);
   #waiting = false;
+  #seen = 0;
   #back: (() => void)[] = [];
 
   /** Calls `act` each time the server answers again. */
@@ -35,12 +36,27 @@ class Server {
   #listen() {
     const source = events();
     source.addEventListener("file", (event) => {
-      this.onDisk = JSON.parse((event as MessageEvent<string>).data) as FileState | null;
+      void this.#see(JSON.parse((event as MessageEvent<string>).data) as FileState | null);
     });
     source.onerror = () => {
       source.close();
       this.lost();
     };
+  }
+
+  /** The file as it stands on the disk now. Where there is none the folder tells whether it was removed. */
+  async #see(file: FileState | null) {
+    const seen = ++this.#seen;
+    if (file === null) await this.refresh().catch(() => this.lost());
+    if (seen === this.#seen) this.onDisk = file;
+  }
+
+  /** What the server refused; one that is gone is waited for, and anything else is a mistake of the page. */
+  refusal(error: unknown): Problem | undefined {
+    if (error instanceof Refused) return error.problem;
+    if (!(error instanceof Gone)) throw error;
+    this.lost();
+    return undefined;
   }
 
   /** Tries once a second until the server answers again. */

@@ -1,14 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { DeviceSummary } from "../../api/types";
-import {
-  bodyEdits,
-  bodyStart,
-  clearanceStart,
-  halvedOntoWebs,
-  shapesStart,
-  websOf,
-  type Sizes,
-} from "./start";
+import { bodyEdits, bodyStart, clearanceStart, onFreeWebs, ontoWebs, shapesStart } from "./start";
+import type { Sizes } from "./sizes";
 
 const four: Sizes = {
   bore: 0.0825,
@@ -17,8 +10,9 @@ const four: Sizes = {
   webDistance: 0.044,
   narrowest: 0.044,
   rods: 1,
+  knuckle: 0,
+  free: [1, 2, 3, 4, 5, 6, 7, 8],
 };
-const web = (number: number, z: number) => ({ name: `web ${number}`, z }) as DeviceSummary;
 const number = (size: unknown) => Number(String(size).split(" ")[0]);
 
 describe("sections to start from", () => {
@@ -41,7 +35,15 @@ describe("sections to start from", () => {
       { path: "crank.pin_mass", value: "0.4 kg", span: { start: 0, end: 0 }, line: 1, column: 1 },
     ];
     expect(bodyEdits(four, entries)[0]).toEqual({ path: "crank.pin_mass", value: null });
-    expect(bodyEdits(four, [])).toHaveLength(1);
+    const there = {
+      path: "crank.web_distance",
+      value: "44 mm",
+      span: { start: 0, end: 0 },
+      line: 1,
+      column: 1,
+    };
+    expect(bodyEdits(four, [there])).toHaveLength(1);
+    expect(bodyEdits(four, [])[0]).toEqual({ path: "crank.web_distance", value: "44 mm" });
   });
 });
 
@@ -56,7 +58,7 @@ describe("weights at throws", () => {
       "counterweight[0].unbalance": "0.04460580929 kg m",
       "counterweight[0].angle": "210 deg",
     };
-    expect(halvedOntoWebs([weight(0)], written(file))).toEqual([
+    expect(ontoWebs([weight(0)], written(file), [5, 6])).toEqual([
       { path: "counterweight[0].web", value: 5 },
       { path: "counterweight[0].throw", value: null },
       { path: "counterweight[0].unbalance", value: "0.022302904645 kg m" },
@@ -67,19 +69,31 @@ describe("weights at throws", () => {
 
   it("are left alone where one stands elsewhere", () => {
     const file = { "counterweight[0].z": "0 mm", "counterweight[0].unbalance": "1 kg mm" };
-    expect(halvedOntoWebs([weight(0)], written(file))).toBeUndefined();
-    expect(halvedOntoWebs([], written({}))).toBeUndefined();
+    expect(ontoWebs([weight(0)], written(file), [])).toBeUndefined();
+    expect(ontoWebs([], written({}), [])).toBeUndefined();
   });
 });
 
-describe("distances of webs", () => {
-  it("come from weights on neighbouring webs", () => {
-    const found = websOf([web(1, -0.066), web(2, -0.022), web(3, 0.01), web(4, 0.054)]);
-    expect(found?.distance).toBeCloseTo(0.044, 12);
-    expect(found?.narrowest).toBeCloseTo(0.032, 12);
+describe("a web between two pins", () => {
+  const short = (web: number) => ({ name: `web ${web}`, path: null, unbalance: 0.02 }) as DeviceSummary;
+
+  it("has no weight: that of the throw stands on its other web alone", () => {
+    const found = onFreeWebs([1, 2, 3, 4].map(short), [1, 4]);
+    expect(found.map((weight) => [weight.name, weight.unbalance])).toEqual([
+      ["web 1", 0.04],
+      ["web 4", 0.04],
+    ]);
+    const file = { "counterweight[0].throw": 1, "counterweight[0].unbalance": "40 g mm" };
+    const weight = { name: "throw 1", path: "counterweight[0]", unbalance: 4e-5 } as DeviceSummary;
+    expect(ontoWebs([weight], (path) => (file as Record<string, unknown>)[path], [1, 4])).toEqual([
+      { path: "counterweight[0].web", value: 1 },
+      { path: "counterweight[0].throw", value: null },
+      { path: "counterweight[0].unbalance", value: "40 g mm" },
+      { path: "counterweight[0].name", value: null },
+    ]);
   });
 
-  it("are not known from weights elsewhere", () => {
-    expect(websOf([web(2, 0), { name: "flywheel", z: 0.1 } as DeviceSummary])).toBeUndefined();
+  it("has one where the throw has no other web", () => {
+    expect(onFreeWebs([1, 2].map(short), []).map((weight) => weight.unbalance)).toEqual([0.02, 0.02]);
   });
 });

@@ -2,20 +2,7 @@
 
 import type { DeviceSummary, Edit, FileEntry } from "../../api/types";
 import { baseOf, parted, plain, type Written } from "../balance/devices";
-
-/** What the engine tells of itself [m]. */
-export interface Sizes {
-  bore: number;
-  stroke: number;
-  /** From the crank axis to the piston pin at bottom dead centre. */
-  bottom: number;
-  /** Between the middles of a throw's two webs. */
-  webDistance: number;
-  /** The smallest distance of the middles of any two neighbouring webs. */
-  narrowest: number;
-  /** Rods on a crankpin. */
-  rods: number;
-}
+import type { Sizes } from "./sizes";
 
 const DENSITY = "7850 kg/m3";
 
@@ -24,32 +11,15 @@ function mm(length: number, part = 0.5): string {
   return `${plain(Math.round((length * 1e3) / part) * part, 6)} mm`;
 }
 
-/** Distances of webs from the weights that stand on them; `undefined` as long as none does. */
-export function websOf(
-  weights: readonly DeviceSummary[],
-): { distance: number; narrowest: number } | undefined {
-  const places = weights
-    .map((weight) => ({ web: Number(/^web (\d+)$/.exec(weight.name)?.[1] ?? NaN), z: weight.z }))
-    .filter((place) => Number.isFinite(place.web))
-    .sort((a, b) => a.web - b.web);
-  let distance = Infinity;
-  let narrowest = Infinity;
-  places.forEach((place, index) => {
-    const next = places[index + 1];
-    if (next?.web !== place.web + 1) return;
-    const apart = next.z - place.z;
-    if (apart <= 0) return;
-    narrowest = Math.min(narrowest, apart);
-    if (place.web % 2 === 1) distance = Math.min(distance, apart);
-  });
-  return Number.isFinite(distance) ? { distance, narrowest } : undefined;
-}
-
 /**
- * Weights in the planes of throws as two halves on the webs beside the pin, which load the engine alike; `undefined` where one of them
- * stands elsewhere, or has an amount that cannot be halved.
+ * Weights in the planes of throws, shared out among the webs beside the pin that stand free: halves on both load the engine alike.
+ * `undefined` where one of the weights stands elsewhere, or has an amount that cannot be shared out.
  */
-export function halvedOntoWebs(weights: readonly DeviceSummary[], written: Written): Edit[] | undefined {
+export function ontoWebs(
+  weights: readonly DeviceSummary[],
+  written: Written,
+  free: readonly number[],
+): Edit[] | undefined {
   const edits: Edit[] = [];
   const more: Edit[] = [];
   for (const weight of weights) {
@@ -57,22 +27,42 @@ export function halvedOntoWebs(weights: readonly DeviceSummary[], written: Writt
     const base = baseOf(weight, written);
     const parts = parted(base?.typed);
     if (weight.path === null || typeof number !== "number" || !base || !parts) return undefined;
-    const half = `${plain(parts.number / 2, 12)} ${parts.unit}`;
-    const entry: Record<string, unknown> = { web: 2 * number, [base.key]: half };
-    for (const key of ["radius", "angle", "crankshaft"]) {
-      const value = written(`${weight.path}.${key}`);
-      if (value !== undefined) entry[key] = value;
-    }
+    const [first = 2 * number - 1, ...others] = beside(number, free);
+    const share = `${plain(parts.number / (1 + others.length), 12)} ${parts.unit}`;
     edits.push(
-      { path: `${weight.path}.web`, value: 2 * number - 1 },
+      { path: `${weight.path}.web`, value: first },
       { path: `${weight.path}.throw`, value: null },
-      { path: `${weight.path}.${base.key}`, value: half },
+      { path: `${weight.path}.${base.key}`, value: share },
       // It was named after the throw.
       { path: `${weight.path}.name`, value: null },
     );
-    more.push({ path: `counterweight[${weights.length + more.length}]`, value: entry });
+    for (const web of others) {
+      const entry: Record<string, unknown> = { web, [base.key]: share };
+      for (const key of ["radius", "angle", "crankshaft"]) {
+        const value = written(`${weight.path}.${key}`);
+        if (value !== undefined) entry[key] = value;
+      }
+      more.push({ path: `counterweight[${weights.length + more.length}]`, value: entry });
+    }
   }
   return edits.length > 0 ? [...edits, ...more] : undefined;
+}
+
+/** The webs of a throw that carry weights: those that stand free, or both where none does. */
+function beside(number: number, free: readonly number[]): number[] {
+  const both = [2 * number - 1, 2 * number];
+  const own = both.filter((web) => free.includes(web));
+  return own.length > 0 ? own : both;
+}
+
+/** Weights of the short form on webs, each on those that stand free alone: a web between two pins has no room for one. */
+export function onFreeWebs(weights: readonly DeviceSummary[], free: readonly number[]): DeviceSummary[] {
+  return weights.flatMap((weight) => {
+    const web = Number(/^web (\d+)$/.exec(weight.name)?.[1] ?? NaN);
+    if (weight.path !== null || !Number.isFinite(web)) return [weight];
+    const own = beside(Math.ceil(web / 2), free);
+    return own.includes(web) ? [{ ...weight, unbalance: (2 * weight.unbalance) / own.length }] : [];
+  });
 }
 
 /** Thickness of a web: the rest between the middles of two of them stays for pin and journal. */
@@ -106,7 +96,8 @@ export function shapesStart(of: Sizes) {
 }
 
 export function clearanceStart(of: Sizes) {
-  const bigEnd = 0.44 * of.bore;
+  // The big end of a master rod holds the knuckle pins.
+  const bigEnd = Math.max(0.44 * of.bore, of.knuckle > 0 ? of.knuckle + 0.16 * of.bore : 0);
   const width = (of.webDistance - thickness(of)) / of.rods - 1.5e-3;
   return {
     least: "1.5 mm",
@@ -125,5 +116,17 @@ export function clearanceStart(of: Sizes) {
 export function bodyEdits(of: Sizes, entries: readonly FileEntry[]): Edit[] {
   const old = ["unbalance", "pin_mass", "web_mass", "web_radius"].map((key) => `crank.${key}`);
   const gone = old.filter((path) => entries.some((entry) => entry.path === path));
-  return [...gone.map((path): Edit => ({ path, value: null })), { path: "crank.body", value: bodyStart(of) }];
+  return [
+    ...gone.map((path): Edit => ({ path, value: null })),
+    ...webEdits(of, entries),
+    { path: "crank.body", value: bodyStart(of) },
+  ];
+}
+
+/** The distance of the webs where the file has none, or one that leaves no room for two webs between neighbouring pins. */
+export function webEdits(of: Sizes, entries: readonly FileEntry[]): Edit[] {
+  const own = entries.some((entry) => /^throw\[\d+\]\.web_distance$/.test(entry.path));
+  const value = `${plain(of.webDistance * 1e3, 9)} mm`;
+  const same = entries.some((entry) => entry.path === "crank.web_distance" && entry.value === value);
+  return own || same ? [] : [{ path: "crank.web_distance", value }];
 }

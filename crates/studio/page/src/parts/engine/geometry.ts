@@ -22,7 +22,10 @@ export interface Cylinder {
   offset: number;
   /** 0 where the file does not say. */
   bore: number;
+  /** From the crankpin to the piston pin with the rod stretched, that of an articulated rod's knuckle included. */
   rod: number;
+  /** From the crankpin to the knuckle pin of an articulated rod; 0 for others. */
+  knuckle: number;
 }
 
 export interface Axis {
@@ -90,7 +93,8 @@ export function shape(entries: FileEntry[]): Shape | undefined {
     z: number(`${path}.z`, throws[number(`${path}.throw`, 1) - 1]?.z),
     offset: number(`${path}.offset`),
     bore: number(`${path}.bore`),
-    rod: number(`${path}.rod.length`),
+    rod: number(`${path}.rod.length`) + number(`${path}.rod.knuckle_radius`),
+    knuckle: number(`${path}.rod.knuckle_radius`),
   }));
   if (throws.length === 0 || cylinders.length === 0 || throws.some((one) => one.radius <= 0))
     return undefined;

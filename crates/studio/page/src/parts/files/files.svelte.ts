@@ -13,6 +13,7 @@ export type FileDialog =
   | { kind: "open" }
   | { kind: "save-as" }
   | { kind: "unsaved"; then: () => void }
+  | { kind: "removed"; name: string }
   | { kind: "conflict"; theirs: FileState };
 
 /** A message stays for so long [ms]. */
@@ -25,6 +26,7 @@ class Files {
   /** Why the name of "save as" does not do. */
   refusal = $state("");
   #then: (() => void) | undefined;
+  #openings = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   say(text: string, good = true) {
@@ -34,7 +36,8 @@ class Files {
   }
 
   /** Does `then` at once, or after the question whether to save first. */
-  guard(then: () => void) {
+  async guard(then: () => void) {
+    await typed();
     if (engine.unsaved) this.dialog = { kind: "unsaved", then };
     else then();
   }
@@ -46,8 +49,11 @@ class Files {
   }
 
   async open(name: string) {
+    const opening = ++this.#openings;
     await this.#try(async () => {
       const file = await post<FileState>("/api/file/open", { name });
+      // Another one was picked meanwhile.
+      if (opening !== this.#openings) return;
       server.onDisk = file;
       view.speed = undefined;
       await engine.open(file, file.text);
@@ -70,16 +76,27 @@ class Files {
     this.dialog = null;
   }
 
-  save() {
-    if (engine.file) void this.write();
-    else this.dialog = { kind: "save-as" };
+  async save() {
+    await typed();
+    if (engine.file) await this.write();
+    else this.saveAs();
+  }
+
+  saveAs() {
+    this.dialog = { kind: "save-as" };
+  }
+
+  /** Lets a text go whose file is gone: another engine is picked in its place. */
+  discard() {
+    this.#then = undefined;
+    this.dialog = { kind: "new" };
   }
 
   /** Saves and goes on with what the question was about. */
   saveFirst(then: () => void) {
     this.#then = then;
     this.dialog = null;
-    this.save();
+    void this.save();
   }
 
   async write(name?: string, over?: string | null) {
@@ -93,12 +110,10 @@ class Files {
       this.#then = undefined;
       then?.();
     } catch (error) {
-      const found = error instanceof Refused ? error.problem.found : null;
-      // A file that another program took away is written anew.
-      if (found === "removed") await this.write(target, null);
-      else if (found !== null) await this.#conflict(target);
-      else if (error instanceof Refused && this.dialog?.kind === "save-as")
-        this.refusal = sentence(error.problem);
+      if (!(error instanceof Refused)) this.#complain(error);
+      else if (error.problem.found === "removed") this.dialog = { kind: "removed", name: target };
+      else if (error.problem.found !== null) await this.#conflict(target);
+      else if (this.dialog?.kind === "save-as") this.refusal = sentence(error.problem);
       else this.#complain(error);
     }
   }
@@ -121,6 +136,7 @@ class Files {
   }
 
   async report() {
+    await typed();
     await this.#try(async () => {
       const name = engine.file?.name ?? `${engine.untitled}.toml`;
       const page = await postForFile("/api/report", { text: engine.valid, name });
@@ -130,11 +146,17 @@ class Files {
   }
 
   async copyLink() {
-    await navigator.clipboard.writeText(await link());
-    this.say("Link copied: it holds this very state, and stays on this computer's studio");
+    await typed();
+    try {
+      await navigator.clipboard.writeText(await link());
+      this.say("Link copied: it holds this very state, and stays on this computer's studio");
+    } catch {
+      this.say("The browser lets nothing be copied: download the state as a file instead", false);
+    }
   }
 
-  saveState() {
+  async saveState() {
+    await typed();
     const state = current();
     const name = state.name.replace(/\.toml$/, "") + ".state.json";
     download(new Blob([JSON.stringify(state, null, 1)], { type: "application/json" }), name);
@@ -156,6 +178,16 @@ class Files {
       this.say("Not done: the studio's server does not answer", false);
     } else throw error;
   }
+}
+
+/** What is still being typed counts: fields hand it on when the focus leaves them. */
+async function typed() {
+  const at = document.activeElement;
+  if (at instanceof HTMLElement && at.matches("input, textarea")) {
+    at.blur();
+    at.focus({ preventScroll: true });
+  }
+  await engine.settled();
 }
 
 function sentence(problem: { message: string; hint: string | null }): string {
