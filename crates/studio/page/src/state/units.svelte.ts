@@ -14,6 +14,7 @@ export type Measure =
   | "inertia"
   | "speed"
   | "angle"
+  | "rotation"
   | "velocity"
   | "acceleration"
   | "pressure"
@@ -39,6 +40,8 @@ const RPM: Unit = { name: "rpm", si: Math.PI / 30 };
 const COMMON = {
   speed: RPM,
   angle: DEGREE,
+  // Small angles, told with digits that count.
+  rotation: DEGREE,
   frequency: { name: "Hz", si: 1 },
   share: { name: "%", si: 0.01 },
   none: { name: "", si: 1 },

@@ -1,0 +1,35 @@
+// Directions in the words of engine builders: x stands upright in the sketch, y across, z along the crank.
+
+import type { Component } from "./curves";
+
+interface Direction {
+  /** Beside its curve. */
+  name: string;
+  /** Above a plot of its own. */
+  title: string;
+}
+
+export const DIRECTIONS: Record<Component, Direction> = {
+  force_x: { name: "vertical, along x", title: "Vertical force, along x" },
+  force_y: { name: "lateral, along y", title: "Lateral force, along y" },
+  couple_x: { name: "yaw, about x", title: "Yaw couple, about x" },
+  couple_y: { name: "pitch, about y", title: "Pitch couple, about y" },
+  roll_moment: { name: "roll, about z", title: "Roll moment, about the crank axis z" },
+  shaft_torque: { name: "shaft torque", title: "Shaft torque of the masses" },
+};
+
+/** Axes of paths, as seen from the free end. */
+export const ALONG = {
+  force: { x: "vertical, x", y: "lateral, y" },
+  couple: { x: "yaw, about x", y: "pitch, about y" },
+} as const;
+
+/** The six motions of the block's centre, in the order of answers. */
+export const MOTIONS = [
+  "vertical, x",
+  "lateral, y",
+  "along the crank, z",
+  "yaw, about x",
+  "pitch, about y",
+  "roll, about z",
+] as const;
