@@ -89,7 +89,7 @@ test("loads are split by part and by cylinder", async ({ page, studio }) => {
   await open(page, studio);
   const { parts, cylinders } = await loads(page, studio);
   await page.getByText("By kind of part").click();
-  const lines = plot(page, "Vertical force, along x").locator("path.line[style*='--colour']");
+  const lines = plot(page, "Vertical force (x)").locator("path.line[style*='--colour']");
   await expect(lines).toHaveCount(1 + parts.length);
   await page.getByText("By cylinder").click();
   await expect(lines).toHaveCount(1 + cylinders.length);
@@ -175,7 +175,7 @@ test("the readout tells what the program answers, at the pointer and by keys", a
   const degrees = ((total.trace.theta[index] ?? 0) * 180) / Math.PI;
   await expect(figure.locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
   const value = Math.round(total.trace.force_x[index] ?? 0);
-  await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`vertical, along x ${value} N`));
+  await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`vertical \\(x\\) ${value} N`));
   // Reading out moves nothing; Enter takes the crank there.
   expect(await figure.boundingBox()).toEqual(edge);
   await page.keyboard.press("Enter");
@@ -196,7 +196,7 @@ test("the crank angle is dragged in one plot and moves in all", async ({ page, s
   await page.mouse.move(box.x + box.width / 2, box.y + 60, { steps: 5 });
   await page.mouse.up();
   await page.mouse.move(0, 0);
-  const reading = plot(page, "Roll moment, about the crank axis z").locator(".reading b");
+  const reading = plot(page, "Roll moment (about z)").locator(".reading b");
   await expect(reading).toHaveText(/^1(79|80)\.\d°$/);
 });
 
@@ -238,7 +238,7 @@ test("what is seen is saved: a drawing of its own, a picture, and a table of the
   expect(found.broken).toBeUndefined();
   expect(found.name).toBe("svg");
   expect(found.title).toBe("Force on the block");
-  expect(found.words).toContain("vertical, along x");
+  expect(found.words).toContain("vertical (x)");
   expect(found.words).toContain("Crank angle [°]");
   expect(found.coloured).toBeGreaterThan(2);
   expect(svg).not.toMatch(/var\(|class=|data-screen/);
@@ -250,7 +250,7 @@ test("what is seen is saved: a drawing of its own, a picture, and a table of the
   expect(png.length).toBeGreaterThan(5000);
 
   const { head, rows } = await table(page, figure);
-  expect(head).toEqual(["Crank angle [°]", "vertical, along x [N]", "lateral, along y [N]"]);
+  expect(head).toEqual(["Crank angle [°]", "vertical (x) [N]", "lateral (y) [N]"]);
   expect(rows.length).toBe(total.trace.theta.length);
   for (const [index, [theta, x, y]] of rows.entries()) {
     expect(((theta ?? NaN) * Math.PI) / 180).toBeCloseTo(total.trace.theta[index] ?? NaN, 12);
