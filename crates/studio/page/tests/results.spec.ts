@@ -2,7 +2,7 @@
 
 import type { Download, Locator, Page } from "@playwright/test";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
-import type { Loads } from "../src/api/types";
+import type { Loads, MountStudy } from "../src/api/types";
 import { expect, test, type Studio } from "./server";
 
 test.use({ example: "in-line-4-mounts.toml" });
@@ -257,6 +257,70 @@ test("what is seen is saved: a drawing of its own, a picture, and a table of the
     expect(x).toBe(total.trace.force_x[index]);
     expect(y).toBe(total.trace.force_y[index]);
   }
+});
+
+test("the block moves as the program answers, and its mounts go round in orbits", async ({
+  page,
+  studio,
+}) => {
+  const waiting = page.waitForResponse((response) => response.url().endsWith("/api/mounts"));
+  await open(page, studio, "Mounts");
+  const study = (await (await waiting).json()) as MountStudy;
+  const last = study.response.speeds.length - 1;
+  const orders = study.response.speeds[last]?.orders ?? [];
+  // At crank angle zero an order is where its real part says [mm].
+  const start = (parts: (readonly [number, number] | undefined)[]) =>
+    1e3 * parts.reduce((sum, part) => sum + (part?.[0] ?? 0), 0);
+
+  const centre = await table(page, plot(page, "Displacement of the block over the crank angle"));
+  expect(centre.head).toEqual([
+    "Crank angle [°]",
+    "vertical (x) [mm]",
+    "lateral (y) [mm]",
+    "along the crank (z) [mm]",
+  ]);
+  for (const along of [0, 1, 2])
+    expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 9);
+
+  for (const [mount, name] of study.response.mounts.entries()) {
+    const figure = plot(page, `Orbit of the mount “${name}”`);
+    const { head, rows } = await table(page, figure);
+    expect(head.slice(0, 3)).toEqual([
+      "all orders: Crank angle [°]",
+      "all orders: lateral (y) [mm]",
+      "all orders: vertical (x) [mm]",
+    ]);
+    const moved = study.points[mount]?.displacement[last] ?? [];
+    expect(rows[0]?.[1]).toBeCloseTo(start(moved.map((part) => part[1])), 9);
+    expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 9);
+  }
+  await page.getByText("From the side", { exact: true }).click();
+  const first = plot(page, `Orbit of the mount “${study.response.mounts[0]}”`);
+  expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [mm]");
+});
+
+test("keys go to other curves of a plane, and what is zoomed follows the readout", async ({
+  page,
+  studio,
+}) => {
+  await open(page, studio, "Mounts");
+  const orbit = page.locator("figure[data-plot^='Orbit']").first();
+  const surface = orbit.getByRole("slider");
+  await surface.focus();
+  await page.keyboard.press("PageDown");
+  await expect(surface).toHaveAttribute("aria-valuetext", /^all orders/);
+  await page.keyboard.press("PageDown");
+  await expect(surface).toHaveAttribute("aria-valuetext", /^order /);
+
+  const figure = plot(page, "Displacement of the block over the crank angle");
+  await figure.getByRole("slider").focus();
+  await page.keyboard.press("Home");
+  for (let k = 0; k < 4; k++) await page.keyboard.press("+");
+  const zoomed = await labels(figure);
+  // What was shown was the middle: now it is the beginning, as wide as before.
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(async () => (await labels(figure))[0]).not.toBe(zoomed[0]);
+  expect(Number((await labels(figure))[0])).toBeLessThan(Number(zoomed[0]));
 });
 
 test("the speed slider changes curves", async ({ page, studio }) => {
