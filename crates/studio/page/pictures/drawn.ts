@@ -50,12 +50,18 @@ export async function into(page: Page, first: Locator) {
   });
 }
 
+/** What was scrolled by a click is seen from its top again. */
+export async function top(page: Page) {
+  await page.evaluate(() => scrollTo(0, 0));
+}
+
 /** What is in sight, when nothing is on its way any more and no caret blinks. */
 export async function draw(page: Page, name: string) {
-  await page.waitForLoadState("networkidle").catch(() => undefined);
   await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
-  await page.mouse.move(0, 0);
+  // At the very edge no part of the page is under the pointer.
+  const { width, height } = page.viewportSize() ?? { width: 2, height: 2 };
+  await page.mouse.move(width - 1, height - 1);
   // The 3-D view is drawn finely after a while without a change.
-  await page.waitForTimeout(900);
+  await page.waitForTimeout(1200);
   await page.screenshot({ path: `${FOLDER}/${name}.png`, animations: "disabled", caret: "hide" });
 }

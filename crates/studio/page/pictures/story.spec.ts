@@ -2,7 +2,7 @@
 
 import { newEngine } from "../tests/page";
 import { expect, test } from "../tests/server";
-import { draw, FOLDER, start, tab } from "./drawn";
+import { draw, FOLDER, into, start, tab, top } from "./drawn";
 
 test.use({ example: "" });
 
@@ -30,6 +30,7 @@ test("the story", async ({ page, studio }) => {
     return answer.getByRole("button", { name: "Adopt" });
   };
   let adopt = await balance();
+  await into(page, page.getByRole("region", { name: "Optimise" }));
   await scene("Its counterweights and shafts at their best, with the proof");
   await adopt.click();
   await tab(page, "counterweight");
@@ -43,7 +44,7 @@ test("the story", async ({ page, studio }) => {
   await expect(best).toContainText("the least mass is");
   await best.getByRole("button", { name: "Adopt" }).click();
   await expect(page.locator("path.part")).toBeVisible();
-  await page.evaluate(() => scrollTo(0, 0));
+  await top(page);
   await scene("The lightest counterweight that fits the crankcase");
   await draw(page, "outlines");
   await tab(page, "view");
@@ -51,10 +52,10 @@ test("the story", async ({ page, studio }) => {
   await scene("And how it turns, with what is left of force and couple");
 
   const sheet = await page.context().newPage();
-  await sheet.setViewportSize({ width: 1280, height: 900 });
+  await sheet.setViewportSize({ width: 1600, height: 1000 });
   await sheet.setContent(`<style>
-      body { margin: 0; padding: 16px; background: #fff; font: 15px system-ui, sans-serif; color: #161b22; }
-      main { display: grid; grid-template-columns: 1fr 1fr; gap: 14px 16px; }
+      body { margin: 0; background: #fff; font: 15px system-ui, sans-serif; color: #161b22; }
+      main { padding: 16px; display: grid; grid-template-columns: 1fr 1fr; gap: 14px 16px; }
       figure { margin: 0; }
       figcaption { padding: 0 0 6px; font-weight: 600; }
       b { color: #0b5cad; padding-right: 6px; }
@@ -69,5 +70,5 @@ test("the story", async ({ page, studio }) => {
     .locator("img")
     .last()
     .evaluate((image: HTMLImageElement) => image.decode());
-  await sheet.screenshot({ path: `${FOLDER}/story.png`, fullPage: true });
+  await sheet.locator("main").screenshot({ path: `${FOLDER}/story.png` });
 });

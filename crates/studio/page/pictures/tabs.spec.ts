@@ -1,7 +1,7 @@
 // Each tab in both themes, on a desk and on a phone.
 
 import { expect, test } from "../tests/server";
-import { draw, into, section, start, tab, THEMES, turned } from "./drawn";
+import { draw, into, section, start, tab, THEMES, top, turned } from "./drawn";
 
 for (const theme of THEMES) {
   test.describe(theme, () => {
@@ -9,7 +9,7 @@ for (const theme of THEMES) {
 
     test("engine", async ({ page, studio }) => {
       await start(page, studio.address, theme);
-      await page.locator('[data-path="crank.stroke"]').focus();
+      await page.locator('[data-path="crank.radius"]').focus();
       await draw(page, `engine-${theme}`);
     });
 
@@ -19,6 +19,7 @@ for (const theme of THEMES) {
       await expect(page.locator('[data-stage="drawn"]')).toBeVisible();
       await turned(page, 40);
       await page.getByRole("combobox", { name: "Part" }).selectOption("rod 2");
+      await top(page);
       await draw(page, `view-${theme}`);
     });
 
@@ -28,6 +29,7 @@ for (const theme of THEMES) {
       await page.getByRole("button", { name: "Optimise", exact: true }).click();
       const answer = page.getByRole("region", { name: "Optimise" });
       await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
+      await into(page, answer);
       await draw(page, `balance-${theme}`);
     });
 
@@ -36,6 +38,9 @@ for (const theme of THEMES) {
       await tab(page, "counterweight");
       await page.getByRole("button", { name: "Find the best shape" }).click();
       await expect(page.getByRole("region", { name: "Best shape" })).toContainText("the least mass is");
+      await page.getByRole("region", { name: "Best shape" }).getByRole("button", { name: "Adopt" }).click();
+      await expect(page.getByRole("table", { name: "Clearances" })).toContainText("kept");
+      await top(page);
       await draw(page, `counterweight-${theme}`);
     });
 
@@ -51,6 +56,7 @@ for (const theme of THEMES) {
       await answer.getByRole("button", { name: "Adopt" }).click();
       await tab(page, "compare");
       await expect(page.getByRole("heading", { name: "Headline numbers" })).toBeVisible();
+      await top(page);
       await draw(page, `compare-${theme}`);
     });
   });
@@ -86,6 +92,7 @@ for (const theme of THEMES) {
       await tab(page, "view");
       await expect(page.locator('[data-stage="drawn"]')).toBeVisible();
       await turned(page, 40);
+      await into(page, page.locator("[data-stage]"));
       await draw(page, `phone-view-${theme}`);
       await tab(page, "balance");
       await draw(page, `phone-balance-${theme}`);

@@ -58,7 +58,7 @@ test("states are overlaid in curves, paths, spectra and numbers", async ({ page,
   // The reference has no differences; chosen anew, the others have them.
   const row = numbers.getByRole("row", { name: /Peak force/ });
   const before = await row.getByRole("cell").allTextContents();
-  await page.getByLabel("Compared with").selectOption({ label: "in-line-4" });
+  await page.getByLabel("Compared with").selectOption({ label: "Current state" });
   await expect.poll(() => row.getByRole("cell").allTextContents()).not.toEqual(before);
 });
 

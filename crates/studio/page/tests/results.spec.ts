@@ -268,35 +268,35 @@ test("the block moves as the program answers, and its mounts go round in orbits"
   const study = (await (await waiting).json()) as MountStudy;
   const last = study.response.speeds.length - 1;
   const orders = study.response.speeds[last]?.orders ?? [];
-  // At crank angle zero an order is where its real part says [mm].
+  // At crank angle zero an order is where its real part says [µm].
   const start = (parts: (readonly [number, number] | undefined)[]) =>
-    1e3 * parts.reduce((sum, part) => sum + (part?.[0] ?? 0), 0);
+    1e6 * parts.reduce((sum, part) => sum + (part?.[0] ?? 0), 0);
 
   const centre = await table(page, plot(page, "Displacement of the block over the crank angle"));
   expect(centre.head).toEqual([
     "Crank angle [°]",
-    "vertical (x) [mm]",
-    "lateral (y) [mm]",
-    "along the crank (z) [mm]",
+    "vertical (x) [µm]",
+    "lateral (y) [µm]",
+    "along the crank (z) [µm]",
   ]);
   for (const along of [0, 1, 2])
-    expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 9);
+    expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 6);
 
   for (const [mount, name] of study.response.mounts.entries()) {
     const figure = plot(page, `Orbit of the mount “${name}”`);
     const { head, rows } = await table(page, figure);
     expect(head.slice(0, 3)).toEqual([
       "all orders: Crank angle [°]",
-      "all orders: lateral (y) [mm]",
-      "all orders: vertical (x) [mm]",
+      "all orders: lateral (y) [µm]",
+      "all orders: vertical (x) [µm]",
     ]);
     const moved = study.points[mount]?.displacement[last] ?? [];
-    expect(rows[0]?.[1]).toBeCloseTo(start(moved.map((part) => part[1])), 9);
-    expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 9);
+    expect(rows[0]?.[1]).toBeCloseTo(start(moved.map((part) => part[1])), 6);
+    expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 6);
   }
   await page.getByText("From the side", { exact: true }).click();
   const first = plot(page, `Orbit of the mount “${study.response.mounts[0]}”`);
-  expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [mm]");
+  expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [µm]");
 });
 
 test("keys go to other curves of a plane, and what is zoomed follows the readout", async ({

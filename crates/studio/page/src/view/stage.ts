@@ -210,6 +210,15 @@ export class Stage {
     this.#changed();
   }
 
+  /** What stands at the tips of arrows, and where on the canvas [px]. */
+  labels(): { label: string; x: number; y: number }[] {
+    const { clientWidth, clientHeight } = this.#renderer.domElement;
+    return this.#arrows.labels().map(({ label, at }) => {
+      const { x, y } = at.project(this.#camera);
+      return { label, x: ((1 + x) / 2) * clientWidth, y: ((1 - y) / 2) * clientHeight };
+    });
+  }
+
   /** The part under a point of the page, as its index. */
   pick(x: number, y: number): number | null {
     const frame = this.#renderer.domElement.getBoundingClientRect();
