@@ -9,7 +9,8 @@ for (const theme of THEMES) {
 
     test("engine", async ({ page, studio }) => {
       await start(page, studio.address, theme);
-      await page.locator('[data-path="crank.radius"]').focus();
+      await page.locator('[data-path="layout.spacing"]').focus();
+      await top(page);
       await draw(page, `engine-${theme}`);
     });
 

@@ -283,7 +283,7 @@ test("the block moves as the program answers, and its mounts go round in orbits"
     expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 6);
 
   for (const [mount, name] of study.response.mounts.entries()) {
-    const figure = plot(page, `Orbit of the mount “${name}”`);
+    const figure = plot(page, `Orbit of “${name}”`);
     const { head, rows } = await table(page, figure);
     expect(head.slice(0, 3)).toEqual([
       "all orders: Crank angle [°]",
@@ -295,7 +295,7 @@ test("the block moves as the program answers, and its mounts go round in orbits"
     expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 6);
   }
   await page.getByText("From the side", { exact: true }).click();
-  const first = plot(page, `Orbit of the mount “${study.response.mounts[0]}”`);
+  const first = plot(page, `Orbit of “${study.response.mounts[0]}”`);
   expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [µm]");
 });
 
