@@ -124,7 +124,11 @@ pub(crate) fn questions(api: Api) -> Api {
         )
         .post("/api/torque", "Torque of gas and inertia: `lanchester torque`.", turning)
         .post("/api/bearings", "Loads of pistons, pins and bearings: `lanchester bearings`.", bearings)
-        .post("/api/mounts", "The block on its mounts: `lanchester mounts`.", mounted)
+        .post(
+            "/api/mounts",
+            "The block on its mounts: `lanchester mounts`, with a `--point` at each mount.",
+            mounted,
+        )
         .post("/api/compare", "Engines side by side: `lanchester compare`.", compared)
 }
 
@@ -179,7 +183,10 @@ fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {
     }
     let engine = engine(&question.text)?;
     let traces = asker.studio.folder.traces(&engine)?;
-    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &[]).map_err(Problem::refused)
+    // The points are the mounts themselves: how far each of them moves is drawn.
+    let points: Vec<[f64; 3]> = engine.mounts.iter().map(|mount| [mount.x, mount.y, mount.z]).collect();
+    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &points)
+        .map_err(Problem::refused)
 }
 
 fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Problem> {
