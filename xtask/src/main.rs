@@ -24,8 +24,9 @@ tasks of the workspace
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
+  cargo xtask pictures                          draw the pictures of the studio's guide anew, in a browser
   cargo xtask book                              build the book into docs/book
-  cargo xtask stress [--seconds N] [--only TEXT]  run the properties over random engines with new cases
+  cargo xtask stress [--seconds N] [--only T]   draw new cases for the properties over random engines
   cargo xtask fuzz [--seconds N] [--target T]   fuzz reader, loads, workshop and optimum (nightly, cargo-fuzz)
 ";
 
@@ -51,6 +52,7 @@ fn task(arguments: &[String]) -> Result<()> {
             Ok(())
         }
         Some("page") if rest.is_empty() => page::build(),
+        Some("pictures") if rest.is_empty() => page::draw(&workspace::program()?),
         Some("book") if rest.is_empty() => book::build(),
         Some("stress") => stress::run(rest),
         Some("fuzz") => fuzz::run(rest),

@@ -83,9 +83,20 @@ fn files(folder: &Path) -> Result<BTreeMap<PathBuf, Vec<u8>>> {
 
 /// The stories of the page in a browser.
 pub fn try_in_browser(program: &Path) -> Result<String> {
-    let mut command = npm(&["run", "browser"]);
+    in_browser("browser", program).map(|()| String::new())
+}
+
+/// Draws the pictures of the studio's guide anew.
+pub fn draw(program: &Path) -> Result<()> {
+    install()?;
+    in_browser("pictures", program)
+}
+
+/// Runs a script of the page that drives a browser.
+fn in_browser(script: &str, program: &Path) -> Result<()> {
+    let mut command = npm(&["run", script]);
     command.env("LANCHESTER_PROGRAM", program).env("CHROMIUM", full_path(&chromium()?)?);
-    in_view(&mut command).map(|()| String::new())
+    in_view(&mut command)
 }
 
 /// Where a program on the path stands.

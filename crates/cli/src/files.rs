@@ -1,7 +1,7 @@
 //! The only place that touches the file system: engine files in, results out.
 
 use crate::failure::Failure;
-use lanchester::replace_file;
+use lanchester_studio::replace_file;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::Path;

@@ -30,7 +30,6 @@ mod measured_gas;
 mod mounted;
 mod own_layout;
 mod pressure;
-mod replace_file;
 pub mod run;
 mod running;
 mod sample_study;
@@ -72,7 +71,6 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
-pub use replace_file::replace_file;
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};

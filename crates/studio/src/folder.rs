@@ -1,9 +1,10 @@
 //! The folder of engine files: the only place that the studio reads from and writes to.
 
 use crate::problem::{Found, Problem};
+use crate::replace_file::replace_file;
 use axum::http::StatusCode;
 use lanchester::model::Engine;
-use lanchester::{TraceFile, fnv1a, replace_file, trace_names};
+use lanchester::{TraceFile, fnv1a, trace_names};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fs::{self, File, OpenOptions};

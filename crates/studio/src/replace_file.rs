@@ -1,4 +1,4 @@
-//! A text in the place of a file.
+//! A text in the place of a file: the way in which all front ends write over an engine file.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
