@@ -9,6 +9,7 @@ mod engines;
 mod fuzz;
 mod generate;
 mod page;
+mod stress;
 mod tidy;
 mod workspace;
 
@@ -24,6 +25,7 @@ tasks of the workspace
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
   cargo xtask book                              build the book into docs/book
+  cargo xtask stress [--seconds N] [--only TEXT]  run the properties over random engines with new cases
   cargo xtask fuzz [--seconds N] [--target T]   fuzz reader, loads, workshop and optimum (nightly, cargo-fuzz)
 ";
 
@@ -50,6 +52,7 @@ fn task(arguments: &[String]) -> Result<()> {
         }
         Some("page") if rest.is_empty() => page::build(),
         Some("book") if rest.is_empty() => book::build(),
+        Some("stress") => stress::run(rest),
         Some("fuzz") => fuzz::run(rest),
         None | Some("help" | "--help" | "-h") => {
             print!("{HELP}");

@@ -80,4 +80,7 @@ pub enum BalanceError {
         /// What to do.
         hint: &'static str,
     },
+    /// Whoever asked said that the answer is not wanted any more ([`crate::optimise_while`]).
+    #[error("the search was broken off\nhint: ask again for the whole of it")]
+    BrokenOff,
 }

@@ -38,7 +38,7 @@ pub use cancellation::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
-pub use optimum::{optimise, optimise_with};
+pub use optimum::{optimise, optimise_while, optimise_with};
 pub use swept::{SWEPT_VERSION, Swept, swept};
 pub use twin_arrangement::{
     ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,

@@ -43,12 +43,34 @@ pub fn optimise_with(
     task: &BalanceTask,
     kinematics: Kinematics,
 ) -> Result<Answer, BalanceError> {
+    found(engine, task, kinematics, &|| true)
+}
+
+/// As [`optimise`], for an asker who may lose interest: a search over choices asks `go_on` before each of its boxes, and ends
+/// where it says no. Convex programmes take milliseconds and are always finished.
+///
+/// # Errors
+/// As [`optimise`], and [`BalanceError::BrokenOff`].
+pub fn optimise_while(
+    engine: &Engine,
+    task: &BalanceTask,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Answer, BalanceError> {
+    found(engine, task, Kinematics::Exact, go_on)
+}
+
+fn found(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Answer, BalanceError> {
     if !task.cancel.is_empty() {
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
     if branch::is_needed(task) {
-        return searched(engine, task, kinematics);
+        return searched(engine, task, kinematics, go_on);
     }
     let places = middle(engine, task);
     let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
@@ -70,8 +92,13 @@ pub fn optimise_with(
 }
 
 /// The answer of a search over choices.
-fn searched(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Result<Answer, BalanceError> {
-    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics)?;
+fn searched(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Answer, BalanceError> {
+    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, go_on)?;
     let mut answer = empty(engine, task);
     let chosen = branch::is_choice(task);
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };

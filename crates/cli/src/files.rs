@@ -1,6 +1,7 @@
 //! The only place that touches the file system: engine files in, results out.
 
 use crate::failure::Failure;
+use lanchester::replace_file;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -131,21 +132,8 @@ pub fn rewrite(path: &Path, before: &str, text: &str) -> Result<(), Failure> {
             "save it elsewhere or run the command again",
         ));
     }
-    let permissions = fs::metadata(&target).map_err(cannot)?.permissions();
-    if permissions.readonly() {
+    if fs::metadata(&target).map_err(cannot)?.permissions().readonly() {
         return Err(Failure::input(format_args!("{name} may not be written to"), "change its permissions"));
     }
-    let mut beside = target.clone().into_os_string();
-    beside.push(format!(".{}.new", std::process::id()));
-    let outcome = OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
-        file.write_all(text.as_bytes())?;
-        file.set_permissions(permissions)?;
-        file.sync_all()?;
-        fs::rename(&beside, &target)
-    });
-    outcome.map_err(|error| {
-        // What could not be put in place is of no use; if it cannot be removed either, the first error says enough.
-        let _ = fs::remove_file(&beside);
-        cannot(error)
-    })
+    replace_file(&target, text).map_err(cannot)
 }

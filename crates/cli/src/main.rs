@@ -23,7 +23,6 @@ mod scatter_arguments;
 mod search_arguments;
 mod search_request;
 mod sensitivity_arguments;
-mod shaft_option;
 mod shape_request;
 mod share_option;
 mod studio_arguments;

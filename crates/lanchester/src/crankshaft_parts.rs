@@ -58,3 +58,19 @@ pub fn shaft_parts(engine: &Engine, names: &[String]) -> Result<Vec<PlacedPart>,
     }
     Ok(parts)
 }
+
+/// The solids of an engine: the first crankshaft with the balance shafts around it.
+///
+/// Frame: that of the engine at `theta = 0`, which is that of crankshaft 1.
+///
+/// # Errors
+/// Where neither has a part.
+pub fn engine_parts(engine: &Engine) -> Result<Vec<PlacedPart>, CounterweightError> {
+    let shafts = shaft_parts(engine, &[])?;
+    let mut parts = match crankshaft_parts(engine, 0, &[]) {
+        Err(CounterweightError::NoPart) if !shafts.is_empty() => Vec::new(),
+        of_crank => of_crank?,
+    };
+    parts.extend(shafts);
+    Ok(parts)
+}

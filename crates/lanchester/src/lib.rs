@@ -30,6 +30,7 @@ mod measured_gas;
 mod mounted;
 mod own_layout;
 mod pressure;
+mod replace_file;
 pub mod run;
 mod running;
 mod sample_study;
@@ -53,7 +54,7 @@ pub use counterweights::{
     CounterweightRequest, DesignedCounterweight, EvolutionRequest, adopted, counterweight_front,
     design_counterweights, with_counterweights, with_outline,
 };
-pub use crankshaft_parts::{crankshaft_parts, shaft_parts};
+pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
 pub use lanchester_cycle as cycle;
@@ -71,6 +72,7 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
+pub use replace_file::replace_file;
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};

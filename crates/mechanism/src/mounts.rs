@@ -18,6 +18,7 @@ mod peaks;
 mod response;
 mod result;
 mod study;
+mod symmetric;
 mod system;
 
 pub use error::MountError;

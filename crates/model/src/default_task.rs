@@ -21,6 +21,8 @@ pub fn default_task(engine: &Engine) -> BalanceTask {
 /// Where free weights are put on the crankshafts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CrankWeightPlaces {
+    /// Nowhere: only shafts are free.
+    None,
     /// In place of every counterweight of the engine, under its name.
     File,
     /// In the plane of every throw.
@@ -47,6 +49,7 @@ pub fn crank_weights(engine: &Engine, places: CrankWeightPlaces) -> Vec<FreeWeig
         weights.push(FreeWeight::new(name, seat, Place::At(z)));
     };
     match places {
+        CrankWeightPlaces::None => {}
         CrankWeightPlaces::File => {
             engine.counterweights.iter().for_each(|w| add(&w.name, w.crankshaft, w.z));
         }

@@ -45,6 +45,7 @@ mod engine;
 mod expanded;
 mod firing;
 mod flywheel;
+mod free_shaft;
 mod friction;
 mod gas;
 mod layout;
@@ -63,6 +64,7 @@ mod shaft_part;
 mod shape_task;
 mod spacing;
 mod task;
+mod task_options;
 mod template;
 mod tolerance;
 pub mod workshop;
@@ -92,6 +94,7 @@ pub use schema::{
 pub use shaft_part::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
 pub use shape_task::*;
 pub use task::*;
+pub use task_options::{ChangedTask, TaskOptions};
 pub use template::{Template, nearest_template, template, templates};
 pub use tolerance::{Distribution, Extent, Tolerance, Varied};
 pub use write_back::{

@@ -30,6 +30,23 @@ pub struct BalanceTask {
     pub most_optional: Option<usize>,
 }
 
+impl BalanceTask {
+    /// Takes all other weights out, with the ties that they are in.
+    pub fn keep_weights(&mut self, keep: impl Fn(&FreeWeight) -> bool) {
+        let kept: Vec<bool> = self.weights.iter().map(keep).collect();
+        let place = |index: usize| kept[..index].iter().filter(|kept| **kept).count();
+        self.ties.retain(|tie| kept[tie.first] && kept[tie.second]);
+        for tie in &mut self.ties {
+            (tie.first, tie.second) = (place(tie.first), place(tie.second));
+        }
+        let mut index = 0;
+        self.weights.retain(|_| {
+            index += 1;
+            kept[index - 1]
+        });
+    }
+}
+
 /// A coordinate that is given or to be found.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]

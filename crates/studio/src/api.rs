@@ -1,5 +1,6 @@
 //! The one list of questions and answers.
 
+use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
 use crate::{balancing, counterweights, figures, files, reading, results, session, shape_preview};
@@ -75,12 +76,12 @@ impl Api {
         mut self,
         path: &'static str,
         doc: &'static str,
-        answer: fn(&Studio) -> Result<T, Problem>,
+        answer: fn(&Asker) -> Result<T, Problem>,
     ) -> Api {
         let schema = Answer::Json(self.schemas.subschema_for::<T>());
         self.endpoints.push(Endpoint { method: "get", path, doc, question: None, answer: schema });
         let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap| async move {
-            work(state.0, &headers, move |studio| json(&answer(studio)?)).await
+            work(state.0, &headers, move |asker| json(&answer(asker)?)).await
         };
         self.router = self.router.route(path, get(handler));
         self
@@ -94,7 +95,7 @@ impl Api {
         self,
         path: &'static str,
         doc: &'static str,
-        answer: fn(&Studio, Q) -> Result<T, Problem>,
+        answer: fn(&Asker, Q) -> Result<T, Problem>,
     ) -> Api {
         self.with_body("post", path, doc, answer)
     }
@@ -107,7 +108,7 @@ impl Api {
         self,
         path: &'static str,
         doc: &'static str,
-        answer: fn(&Studio, Q) -> Result<T, Problem>,
+        answer: fn(&Asker, Q) -> Result<T, Problem>,
     ) -> Api {
         self.with_body("put", path, doc, answer)
     }
@@ -117,13 +118,13 @@ impl Api {
         method: &'static str,
         path: &'static str,
         doc: &'static str,
-        answer: fn(&Studio, Q) -> Result<T, Problem>,
+        answer: fn(&Asker, Q) -> Result<T, Problem>,
     ) -> Api {
         let question = Some(self.schemas.subschema_for::<Q>());
         let schema = Answer::Json(self.schemas.subschema_for::<T>());
         self.endpoints.push(Endpoint { method, path, doc, question, answer: schema });
         let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap, body: Bytes| async move {
-            work(state.0, &headers, move |studio| json(&answer(studio, question_of(&body)?)?)).await
+            work(state.0, &headers, move |asker| json(&answer(asker, question_of(&body)?)?)).await
         };
         self.router = self.router.route(path, if method == "put" { put(handler) } else { post(handler) });
         self
@@ -135,13 +136,13 @@ impl Api {
         path: &'static str,
         doc: &'static str,
         kind: &'static str,
-        answer: fn(&Studio, Q) -> Result<Made, Problem>,
+        answer: fn(&Asker, Q) -> Result<Made, Problem>,
     ) -> Api {
         let question = Some(self.schemas.subschema_for::<Q>());
         self.endpoints.push(Endpoint { method: "post", path, doc, question, answer: Answer::File(kind) });
         let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap, body: Bytes| async move {
-            work(state.0, &headers, move |studio| {
-                let made = answer(studio, question_of(&body)?)?;
+            work(state.0, &headers, move |asker| {
+                let made = answer(asker, question_of(&body)?)?;
                 let kind = HeaderValue::from_static(made.kind);
                 Ok(([(header::CONTENT_TYPE, kind)], made.bytes).into_response())
             })
@@ -177,23 +178,23 @@ fn json(answer: &impl Serialize) -> Result<Response, Problem> {
 
 const REPORT: &str = "this is our own fault: please report it with the engine file";
 
-/// Computes beside the server, so that it answers meanwhile; what a newer question of the same lane has replaced is not begun.
+/// Computes beside the server, so that it answers meanwhile; what nobody waits for any more is not begun.
 async fn work(
     studio: Arc<Studio>,
     headers: &HeaderMap,
-    answer: impl FnOnce(&Studio) -> Result<Response, Problem> + Send + 'static,
+    answer: impl FnOnce(&Asker) -> Result<Response, Problem> + Send + 'static,
 ) -> Response {
     let text = |name: &str| headers.get(name).and_then(|value| value.to_str().ok());
     let place = text("x-lanchester-client")
         .zip(text("x-lanchester-lane"))
         .filter(|(client, lane)| client.len() + lane.len() < 200)
         .map(|(client, lane)| studio.lanes.enter(client, lane));
+    let (asker, _waiting) = Asker::new(studio.clone(), place);
     let Ok(_permit) = studio.processors.acquire().await else { return superseded().into_response() };
-    if place.is_some_and(|place| !studio.lanes.is_newest(&place)) {
+    if !asker.waits() {
         return superseded().into_response();
     }
-    let own = studio.clone();
-    match tokio::task::spawn_blocking(move || answer(&own)).await {
+    match tokio::task::spawn_blocking(move || answer(&asker)).await {
         Ok(Ok(response)) => response,
         Ok(Err(problem)) => problem.into_response(),
         Err(_) => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation broke off", REPORT)

@@ -1,17 +1,18 @@
 //! The best weights and shafts, and which arrangement: the answers of `balance`.
 
 use crate::api::Api;
+use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::reading::{NewText, engine};
-use crate::server::Studio;
+use crate::server::superseded;
 use lanchester::balance::{
-    Answer, ArrangementRequest, Arrangements, DriveRule, Judged, Outcome, Target, arrangements, fitted,
-    optimise, searched_engine,
+    Answer, ArrangementRequest, Arrangements, BalanceError, DriveRule, Judged, Outcome, Target, arrangements,
+    fitted, optimise_while, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
-    BalanceTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Place, Ratio, Seat, crank_weights,
-    default_task, option, write_back,
+    BalanceTask, ChangedTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Place, RoomFault, Seat,
+    TaskOptions, crank_weights, default_task, option, write_back,
 };
 use lanchester::report::headline;
 use schemars::JsonSchema;
@@ -19,19 +20,20 @@ use serde::{Deserialize, Serialize};
 
 /// What may be changed, and what is wanted.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct BalanceQuestion {
     /// The engine file.
     text: String,
     /// Which weights are free.
     #[serde(default)]
     free: Free,
-    /// Names of counterweights and shafts that stay as they are.
+    /// Names of counterweights and shafts that stay as they are, with `free = "devices"`.
     #[serde(default)]
     locked: Vec<String>,
     /// Criteria in their order, as `--minimise` takes them; none: force, then couple.
     #[serde(default)]
     minimise: Vec<String>,
-    /// Limits as `--limit` takes them; `most = ..` and `least = ..` hold for every free weight on a crankshaft.
+    /// Limits as `--limit` takes them.
     #[serde(default)]
     limits: Vec<String>,
     /// Orders that must vanish, as `--cancel` takes them.
@@ -40,6 +42,12 @@ struct BalanceQuestion {
     /// Shafts that are added, as `--shaft` takes them: `-1 @ 0 mm, 100 mm @ -30 mm, 30 mm` is ratio @ x, y of the axis @ planes.
     #[serde(default)]
     shafts: Vec<String>,
+    /// Least unbalance of every free weight on a crankshaft that is used, as `--least` takes it.
+    #[serde(default)]
+    least: Option<String>,
+    /// Largest unbalance of every free weight on a crankshaft, as `--most` takes it.
+    #[serde(default)]
+    most: Option<String>,
 }
 
 /// Which weights are free.
@@ -72,10 +80,21 @@ struct BalanceAnswer {
     text: Option<String>,
     /// Loads with it.
     after: Option<Loads>,
+    /// Added shafts that may strike the crank or stand far out.
+    warnings: Vec<Warning>,
+}
+
+/// What is odd, though it can be computed.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Warning {
+    message: String,
+    /// What to do.
+    hint: String,
 }
 
 /// Which arrangements are searched.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct ArrangementQuestion {
     /// The engine file.
     text: String,
@@ -102,8 +121,9 @@ enum Drive {
 
 /// One of the arrangements of a search.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct ChosenArrangement {
-    #[serde(flatten)]
+    /// What was searched.
     search: ArrangementQuestion,
     /// Its number among all that were examined, from 1.
     choice: usize,
@@ -119,77 +139,73 @@ pub(crate) fn questions(api: Api) -> Api {
         .post("/api/arrangements/adopt", "The engine file with one of them.", adopted)
 }
 
-fn balanced(_: &Studio, question: BalanceQuestion) -> Result<BalanceAnswer, Problem> {
+fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, Problem> {
     let engine = engine(&question.text)?;
-    let task = task(&engine, &question)?;
-    let answer = optimise(&engine, &task).map_err(Problem::refused)?;
+    let ChangedTask { task, warnings } = task(&engine, &question)?;
+    let warning = |fault: RoomFault| Warning { message: fault.message, hint: fault.hint.into() };
+    let warnings = warnings.into_iter().map(warning).collect();
+    let answer = optimise_while(&engine, &task, &|| asker.waits()).map_err(|error| match error {
+        BalanceError::BrokenOff => superseded(),
+        error => Problem::refused(error),
+    })?;
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
-        return Ok(BalanceAnswer { answer, headline, text: None, after: None });
+        return Ok(BalanceAnswer { answer, headline, text: None, after: None, warnings });
     }
     let best = fitted(&engine, &answer);
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
     let text = write_back(&question.text, &best).map_err(Problem::refused)?;
-    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after) })
+    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), warnings })
 }
 
-fn task(engine: &Engine, question: &BalanceQuestion) -> Result<BalanceTask, Problem> {
-    let mut task = match question.free {
-        Free::Balance => engine.balance.clone().unwrap_or_else(|| default_task(engine)),
-        Free::Devices => devices(engine, &question.locked),
-        Free::File => of_crank(engine, CrankWeightPlaces::File),
-        Free::Throws => of_crank(engine, CrankWeightPlaces::Throws),
-        Free::Webs => of_crank(engine, CrankWeightPlaces::Webs),
-        Free::None => BalanceTask::default(),
-    };
-    if task.ties.is_empty() {
-        // A weight that leaves the task leaves the engine as it is.
-        task.weights.retain(|weight| !question.locked.contains(&weight.name));
-    }
-    for shaft in &question.shafts {
-        add_shaft(&mut task, shaft)?;
-    }
-    let mounts = &engine.mounts;
-    if !question.minimise.is_empty() {
-        let stage = |text: &String| option::stage(text, mounts, "minimise").map_err(Problem::quantity);
-        task.stages = question.minimise.iter().map(stage).collect::<Result<_, _>>()?;
-        task.cancel.clear();
-    }
-    if !question.cancel.is_empty() {
-        let orders = |text: &String| option::cancel(text, mounts, "cancel").map_err(Problem::quantity);
-        let lists: Vec<_> = question.cancel.iter().map(orders).collect::<Result<_, _>>()?;
-        (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
-    }
-    for text in &question.limits {
-        if let Some((name @ ("most" | "least"), amount)) =
-            text.split_once('=').map(|(name, value)| (name.trim(), value))
-        {
-            let amount = option::unbalance(amount.trim(), name).map_err(Problem::quantity)?;
-            for weight in task.weights.iter_mut().filter(|weight| matches!(weight.seat, Seat::Crankshaft(_)))
-            {
-                if name == "most" { weight.most = Some(amount) } else { weight.least = amount }
-            }
-            continue;
-        }
-        let limit = option::limit(text, mounts, "limit").map_err(Problem::quantity)?;
-        task.limits.retain(|known| known.criterion != limit.criterion);
-        task.limits.push(limit);
-    }
-    if task.weights.is_empty() && task.inertias.is_empty() {
+/// The free devices, changed by what is wanted.
+fn task(engine: &Engine, question: &BalanceQuestion) -> Result<ChangedTask, Problem> {
+    if !question.locked.is_empty() && question.free != Free::Devices {
         return Err(Problem::refused(
-            "nothing is free: there is no weight whose unbalance could be found\nhint: unlock a weight, or add a counterweight or a shaft",
+            "`locked` names devices of the file that stay, and others are free\nhint: leave it out, or ask with free = \"devices\"",
         ));
     }
-    Ok(task)
+    let places = match question.free {
+        Free::Devices | Free::Balance => None,
+        Free::File => Some(CrankWeightPlaces::File),
+        Free::Throws => Some(CrankWeightPlaces::Throws),
+        Free::Webs => Some(CrankWeightPlaces::Webs),
+        Free::None => Some(CrankWeightPlaces::None),
+    };
+    let free = match question.free {
+        Free::Devices => device_task(engine, &question.locked)?,
+        Free::Balance => engine.balance.clone().unwrap_or_else(|| default_task(engine)),
+        _ => BalanceTask::default(),
+    };
+    let options = TaskOptions {
+        counterweights: places,
+        shafts: question.shafts.clone(),
+        minimise: question.minimise.clone(),
+        limits: question.limits.clone(),
+        cancel: question.cancel.clone(),
+        least: question.least.clone(),
+        most: question.most.clone(),
+        ..TaskOptions::default()
+    };
+    options.change(engine, free).map_err(Problem::quantity)
 }
 
-fn of_crank(engine: &Engine, places: CrankWeightPlaces) -> BalanceTask {
-    BalanceTask { weights: crank_weights(engine, places), ..BalanceTask::default() }
-}
-
-/// Every device of the engine but the locked ones.
-fn devices(engine: &Engine, locked: &[String]) -> BalanceTask {
-    let mut task = of_crank(engine, CrankWeightPlaces::File);
+/// Every device of the engine but the locked ones, in its own plane and on its own axis.
+fn device_task(engine: &Engine, locked: &[String]) -> Result<BalanceTask, Problem> {
+    let counterweights = engine.counterweights.iter().map(|weight| &weight.name);
+    let devices: Vec<&String> = counterweights.chain(engine.shafts.iter().map(|shaft| &shaft.name)).collect();
+    if let Some(unknown) = locked.iter().find(|name| !devices.contains(name)) {
+        let known: Vec<&str> = devices.iter().map(|name| name.as_str()).collect();
+        return Err(Problem::refused(format!(
+            "`locked` needs names of counterweights and shafts, got `{unknown}`\nhint: the engine has {}",
+            if known.is_empty() { "neither".to_string() } else { known.join(", ") }
+        )));
+    }
+    // Weights in one plane are one: those that are free, under a name of theirs.
+    let mut free = engine.clone();
+    free.counterweights.retain(|weight| !locked.contains(&weight.name));
+    let weights = crank_weights(&free, CrankWeightPlaces::File);
+    let mut task = BalanceTask { weights, ..BalanceTask::default() };
     for shaft in engine.shafts.iter().filter(|shaft| !locked.contains(&shaft.name)) {
         let seat = Seat::Shaft(task.shafts.len());
         let weights = shaft.weights.iter().enumerate();
@@ -206,45 +222,15 @@ fn devices(engine: &Engine, locked: &[String]) -> BalanceTask {
             optional: false,
         });
     }
-    task
+    Ok(task)
 }
 
-fn add_shaft(task: &mut BalanceTask, text: &str) -> Result<(), Problem> {
-    let wrong = |what: String| {
-        Problem::refused(format!("{what}\nhint: write it like -1 @ 0 mm, 100 mm @ -30 mm, 30 mm"))
-    };
-    let parts: Vec<&str> = text.split('@').map(str::trim).collect();
-    let [ratio, axis, planes] = parts[..] else {
-        return Err(wrong(format!("a shaft needs ratio @ x, y @ planes, got `{text}`")));
-    };
-    let (numerator, denominator) = ratio.split_once('/').unwrap_or((ratio, "1"));
-    let (numerator, denominator) = (numerator.trim().parse().ok(), denominator.trim().parse().ok());
-    let ratio =
-        numerator.zip(denominator).and_then(|(numerator, denominator)| Ratio::new(numerator, denominator));
-    let ratio =
-        ratio.ok_or_else(|| wrong(format!("a shaft needs a ratio such as -1 or 1/2, got `{text}`")))?;
-    let length = |text: &str| option::length(text.trim(), "shafts").map(Place::At).map_err(Problem::quantity);
-    let axis = axis.split(',').map(length).collect::<Result<Vec<_>, Problem>>()?;
-    let [x, y] = axis[..] else {
-        return Err(wrong(format!("a shaft needs the two coordinates x, y of its axis, got `{text}`")));
-    };
-    let taken = |name: &str| task.shafts.iter().any(|shaft| shaft.name == name);
-    let name = (1..).map(|number| format!("shaft {number}")).find(|name| !taken(name));
-    let name = name.expect("invariant: numbers do not end");
-    let seat = Seat::Shaft(task.shafts.len());
-    for (number, plane) in planes.split(',').enumerate() {
-        task.weights.push(FreeWeight::new(format!("{name} {}", number + 1), seat, length(plane)?));
-    }
-    task.shafts.push(FreeShaft { name, ratio, x, y, optional: false });
-    Ok(())
-}
-
-fn searched(_: &Studio, question: ArrangementQuestion) -> Result<Arrangements, Problem> {
+fn searched(_: &Asker, question: ArrangementQuestion) -> Result<Arrangements, Problem> {
     let engine = engine(&question.text)?;
     arrangements(&engine, &request(&engine, &question)?).map_err(Problem::refused)
 }
 
-fn adopted(_: &Studio, question: ChosenArrangement) -> Result<NewText, Problem> {
+fn adopted(_: &Asker, question: ChosenArrangement) -> Result<NewText, Problem> {
     let text = &question.search.text;
     let engine = engine(text)?;
     let request = request(&engine, &question.search)?;

@@ -1,18 +1,17 @@
 //! Counterweights as parts: the answers of `counterweight`.
 
 use crate::api::{Api, Made};
+use crate::asker::Asker;
 use crate::design_choice::{Aim, design_request};
 use crate::problem::Problem;
 use crate::reading::{EngineText, NewText, engine};
-use crate::server::Studio;
 use lanchester::geometry::drawing::{dxf, svg};
-use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
+use lanchester::geometry::export::{StepHeader, glb, solids, step, stl};
 use lanchester::geometry::{Design, DesignOutcome};
 use lanchester::model::{Engine, write_back};
 use lanchester::{
-    CounterweightCheck, CounterweightDesigns, CounterweightError, CounterweightFront, adopted,
-    check_counterweights, counterweight_front, crankshaft_parts, design_counterweights, shaft_parts,
-    with_counterweights,
+    CounterweightCheck, CounterweightDesigns, CounterweightFront, adopted, check_counterweights,
+    counterweight_front, crankshaft_parts, design_counterweights, engine_parts, with_counterweights,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -24,6 +23,7 @@ const MOST_DESIGNS: usize = 200;
 
 /// Which weights get the best shape.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct DesignQuestion {
     /// The engine file.
     text: String,
@@ -46,6 +46,7 @@ struct Designed {
 
 /// The trade between two aims.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct FrontQuestion {
     /// The engine file.
     text: String,
@@ -63,8 +64,9 @@ struct FrontQuestion {
 
 /// A design of a front.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct ChosenDesign {
-    #[serde(flatten)]
+    /// The front that it stands on.
     front: FrontQuestion,
     /// Its number, from 1.
     choice: usize,
@@ -72,6 +74,7 @@ struct ChosenDesign {
 
 /// What is exported.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct ExportQuestion {
     /// The engine file.
     text: String,
@@ -113,11 +116,11 @@ pub(crate) fn questions(api: Api) -> Api {
     )
 }
 
-fn check(_: &Studio, question: EngineText) -> Result<CounterweightCheck, Problem> {
+fn check(_: &Asker, question: EngineText) -> Result<CounterweightCheck, Problem> {
     check_counterweights(&engine(&question.text)?).map_err(Problem::refused)
 }
 
-fn design(_: &Studio, question: DesignQuestion) -> Result<Designed, Problem> {
+fn design(_: &Asker, question: DesignQuestion) -> Result<Designed, Problem> {
     let engine = engine(&question.text)?;
     let request = design_request(&engine, question.weights, question.minimise)?;
     let designs = design_counterweights(&engine, &request).map_err(Problem::refused)?;
@@ -143,7 +146,7 @@ fn fitted(text: &str, engine: &Engine, designs: &[(usize, Design)], density: f64
     write_back(text, &after).map_err(Problem::refused)
 }
 
-fn front(_: &Studio, question: FrontQuestion) -> Result<CounterweightFront, Problem> {
+fn front(_: &Asker, question: FrontQuestion) -> Result<CounterweightFront, Problem> {
     let engine = engine(&question.text)?;
     let request = design_request(&engine, question.weight.clone().into_iter().collect(), question.minimise)?;
     counterweight_front(&engine, &request, question.against.into(), counted(&question)?)
@@ -159,7 +162,7 @@ fn counted(question: &FrontQuestion) -> Result<usize, Problem> {
     }
 }
 
-fn adopt(_: &Studio, question: ChosenDesign) -> Result<NewText, Problem> {
+fn adopt(_: &Asker, question: ChosenDesign) -> Result<NewText, Problem> {
     let ask = &question.front;
     let engine = engine(&ask.text)?;
     let request = design_request(&engine, ask.weight.clone().into_iter().collect(), ask.minimise)?;
@@ -177,11 +180,11 @@ fn adopt(_: &Studio, question: ChosenDesign) -> Result<NewText, Problem> {
     Ok(NewText { text: fitted(&ask.text, &engine, &adopted, request.task.density)? })
 }
 
-fn export(_: &Studio, question: ExportQuestion) -> Result<Made, Problem> {
+fn export(_: &Asker, question: ExportQuestion) -> Result<Made, Problem> {
     let engine = engine(&question.text)?;
     let parts = match &question.weight {
         Some(name) => crankshaft_parts(&engine, 0, std::slice::from_ref(name)).map_err(Problem::refused)?,
-        None => whole(&engine).map_err(Problem::refused)?,
+        None => engine_parts(&engine).map_err(Problem::refused)?,
     };
     let solids = || solids(&parts).map_err(Problem::refused);
     let outline = || match &parts[..] {
@@ -202,15 +205,4 @@ fn export(_: &Studio, question: ExportQuestion) -> Result<Made, Problem> {
         Format::Svg => ("image/svg+xml", svg(outline()?).into_bytes()),
     };
     Ok(Made { kind, bytes })
-}
-
-/// The first crankshaft with the balance shafts around it.
-fn whole(engine: &Engine) -> Result<Vec<PlacedPart>, CounterweightError> {
-    let shafts = shaft_parts(engine, &[])?;
-    let mut parts = match crankshaft_parts(engine, 0, &[]) {
-        Err(CounterweightError::NoPart) if !shafts.is_empty() => Vec::new(),
-        of_crank => of_crank?,
-    };
-    parts.extend(shafts);
-    Ok(parts)
 }

@@ -1,6 +1,7 @@
 //! Pictures: the report, its figures, the engine in space.
 
 use crate::api::{Api, Made};
+use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::reading::{EngineText, engine};
 use crate::server::Studio;
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 /// A report.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct ReportQuestion {
     /// The engine file.
     text: String,
@@ -36,7 +38,7 @@ pub(crate) fn questions(api: Api) -> Api {
         .file("/api/report", "The report: `lanchester report`.", "text/html; charset=utf-8", report)
 }
 
-fn in_space(_: &Studio, question: EngineText) -> Result<Scene, Problem> {
+fn in_space(_: &Asker, question: EngineText) -> Result<Scene, Problem> {
     Ok(scene(&engine(&question.text)?))
 }
 
@@ -52,9 +54,9 @@ fn report_of<'a>(studio: &Studio, engine: &'a Engine, text: &str) -> Result<Engi
     EngineReport::new(engine, &request, &internal, traces, &warnings).map_err(Problem::refused)
 }
 
-fn figures(studio: &Studio, question: EngineText) -> Result<Vec<FigureSvg>, Problem> {
+fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Problem> {
     let engine = engine(&question.text)?;
-    let figures = report_of(studio, &engine, &question.text)?.figures();
+    let figures = report_of(&asker.studio, &engine, &question.text)?.figures();
     let svg = |figure: &lanchester::report::Figure| FigureSvg {
         id: figure.id.clone(),
         title: figure.title.clone(),
@@ -64,10 +66,11 @@ fn figures(studio: &Studio, question: EngineText) -> Result<Vec<FigureSvg>, Prob
     Ok(figures.iter().map(svg).collect())
 }
 
-fn report(studio: &Studio, question: ReportQuestion) -> Result<Made, Problem> {
+fn report(asker: &Asker, question: ReportQuestion) -> Result<Made, Problem> {
     let engine = engine(&question.text)?;
-    let report = report_of(studio, &engine, &question.text)?;
+    let report = report_of(&asker.studio, &engine, &question.text)?;
     let request = LoadRequest::default();
-    let provenance = provenance(&studio.program, &question.name, &question.text, &report.loads, &request);
+    let provenance =
+        provenance(&asker.studio.program, &question.name, &question.text, &report.loads, &request);
     Ok(Made { kind: "text/html; charset=utf-8", bytes: report.page(&provenance).into_bytes() })
 }

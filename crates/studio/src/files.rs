@@ -1,15 +1,16 @@
 //! Opening and saving engine files.
 
 use crate::api::Api;
+use crate::asker::Asker;
 use crate::folder::FileState;
 use crate::problem::Problem;
-use crate::server::Studio;
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::sync::PoisonError;
 
 /// Which file is opened.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct OpenFile {
     /// Its name in the folder.
     name: String,
@@ -17,6 +18,7 @@ struct OpenFile {
 
 /// What is saved.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct SaveFile {
     /// The name in the folder.
     name: String,
@@ -34,19 +36,19 @@ pub(crate) fn questions(api: Api) -> Api {
     )
     .put(
         "/api/file",
-        "Saves an engine file, whole or not at all; status 409 where it changed meanwhile.",
+        "Saves an engine file, whole or not at all; status 409 where it was changed or removed meanwhile, or exists.",
         save,
     )
 }
 
-fn open(studio: &Studio, question: OpenFile) -> Result<FileState, Problem> {
-    let file = studio.folder.open(&question.name)?;
-    *studio.open.lock().unwrap_or_else(PoisonError::into_inner) = Some(file.name.clone());
+fn open(asker: &Asker, question: OpenFile) -> Result<FileState, Problem> {
+    let file = asker.studio.folder.open(&question.name)?;
+    *asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner) = Some(file.name.clone());
     Ok(file)
 }
 
-fn save(studio: &Studio, question: SaveFile) -> Result<FileState, Problem> {
-    let file = studio.folder.save(&question.name, &question.text, question.revision.as_deref())?;
-    *studio.open.lock().unwrap_or_else(PoisonError::into_inner) = Some(file.name.clone());
+fn save(asker: &Asker, question: SaveFile) -> Result<FileState, Problem> {
+    let file = asker.studio.folder.save(&question.name, &question.text, question.revision.as_deref())?;
+    *asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner) = Some(file.name.clone());
     Ok(file)
 }

@@ -1,9 +1,9 @@
 //! The folder of engine files: the only place that the studio reads from and writes to.
 
-use crate::problem::Problem;
+use crate::problem::{Found, Problem};
 use axum::http::StatusCode;
 use lanchester::model::Engine;
-use lanchester::{TraceFile, fnv1a, trace_names};
+use lanchester::{TraceFile, fnv1a, replace_file, trace_names};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::fs::{self, File, OpenOptions};
@@ -77,7 +77,7 @@ impl Folder {
         let Some(over) = over else {
             let outcome = OpenOptions::new().write(true).create_new(true).open(&path);
             let mut file = outcome.map_err(|error| match error.kind() {
-                io::ErrorKind::AlreadyExists => conflict(format!("{name} exists already")),
+                io::ErrorKind::AlreadyExists => conflict(Found::Exists, format!("{name} exists already")),
                 _ => cannot(error),
             })?;
             return file
@@ -87,15 +87,21 @@ impl Folder {
                 .map_err(cannot);
         };
         // A link stays a link: what it leads to is written.
-        let target = self.within(&path.canonicalize().map_err(cannot)?, name)?;
+        let target = path.canonicalize().map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => {
+                conflict(Found::Removed, format!("another program removed {name} since it was opened here"))
+            }
+            _ => cannot(error),
+        })?;
+        let target = self.within(&target, name)?;
         let before = self.read(&target, name, LONGEST_FILE)?;
         if revision(&before) != over {
-            return Err(conflict(format!("another program changed {name} since it was opened here")));
+            return Err(conflict(
+                Found::Changed,
+                format!("another program changed {name} since it was opened here"),
+            ));
         }
-        if fs::metadata(&target).map_err(cannot)?.permissions().readonly() {
-            return Err(cannot(io::ErrorKind::PermissionDenied.into()));
-        }
-        replace(&target, text).map_err(cannot)?;
+        replace_file(&target, text).map_err(cannot)?;
         Ok(saved())
     }
 
@@ -164,30 +170,16 @@ impl Folder {
     }
 }
 
-/// Puts a text in the place of a file, whole or not at all; permissions stay.
-fn replace(target: &Path, text: &str) -> io::Result<()> {
-    let permissions = fs::metadata(target)?.permissions();
-    let mut beside = target.to_path_buf().into_os_string();
-    beside.push(format!(".{}.new", std::process::id()));
-    let outcome = OpenOptions::new().write(true).create_new(true).open(&beside).and_then(|mut file| {
-        file.write_all(text.as_bytes())?;
-        file.set_permissions(permissions)?;
-        file.sync_all()?;
-        fs::rename(&beside, target)
-    });
-    if outcome.is_err() {
-        // What could not be put in place is of no use; if it cannot be removed either, the first error says enough.
-        let _ = fs::remove_file(&beside);
-    }
-    outcome
-}
-
 fn is_engine_file(name: &str) -> bool {
     name.ends_with(".toml") && name.len() > ".toml".len() && !name.starts_with('.')
 }
 
-fn conflict(message: String) -> Problem {
-    Problem::new(StatusCode::CONFLICT, message, "keep one of both, or save under another name")
+fn conflict(found: Found, message: String) -> Problem {
+    let hint = match found {
+        Found::Changed | Found::Exists => "keep one of both, or save under another name",
+        Found::Removed => "save it anew, or under another name",
+    };
+    Problem { found: Some(found), ..Problem::new(StatusCode::CONFLICT, message, hint) }
 }
 
 fn too_long(name: &str, longest: u64) -> Problem {
@@ -215,11 +207,16 @@ mod tests {
     fn a_file_is_written_over_what_was_read_alone() {
         let folder = folder("save");
         let first = folder.save("a.toml", "one", None).unwrap();
-        assert_eq!(folder.save("a.toml", "two", None).unwrap_err().status, 409);
+        assert_eq!(folder.save("a.toml", "two", None).unwrap_err().found, Some(Found::Exists));
         let second = folder.save("a.toml", "two", Some(&first.revision)).unwrap();
         assert_eq!(folder.open("a.toml").unwrap(), second);
-        assert_eq!(folder.save("a.toml", "three", Some(&first.revision)).unwrap_err().status, 409);
+        let changed = folder.save("a.toml", "three", Some(&first.revision)).unwrap_err();
+        assert_eq!((changed.status, changed.found), (409, Some(Found::Changed)));
         assert_eq!(folder.open("a.toml").unwrap().text, "two");
+        fs::remove_file(folder.root.join("a.toml")).unwrap();
+        let removed = folder.save("a.toml", "three", Some(&second.revision)).unwrap_err();
+        assert_eq!((removed.status, removed.found), (409, Some(Found::Removed)));
+        folder.save("a.toml", "three", None).unwrap();
         assert_eq!(folder.names(), ["a.toml"]);
         fs::remove_dir_all(&folder.root).unwrap();
     }

@@ -8,6 +8,7 @@
 #![forbid(unsafe_code)]
 
 mod api;
+mod asker;
 mod assets;
 mod balancing;
 mod counterweights;

@@ -17,14 +17,34 @@ pub struct Problem {
     pub hint: Option<String>,
     /// The mistakes of the engine file, where they are the reason; places in UTF-16 units.
     pub diagnostics: Vec<Diagnostic>,
+    /// How a file stands that was to be written over.
+    pub found: Option<Found>,
     #[serde(skip)]
     pub(crate) status: u16,
+}
+
+/// How a file stands on the disk, other than whoever saves it believes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Found {
+    /// Another program changed it.
+    Changed,
+    /// Another program removed it.
+    Removed,
+    /// A new file was to be written, and there is one.
+    Exists,
 }
 
 impl Problem {
     pub(crate) fn new(status: StatusCode, message: impl Into<String>, hint: impl Into<String>) -> Problem {
         let status = status.as_u16();
-        Problem { message: message.into(), hint: Some(hint.into()), diagnostics: Vec::new(), status }
+        Problem {
+            message: message.into(),
+            hint: Some(hint.into()),
+            diagnostics: Vec::new(),
+            found: None,
+            status,
+        }
     }
 
     /// A question that cannot be answered, in the words of an error of the facade: its hint stands behind `hint: `.
@@ -35,7 +55,7 @@ impl Problem {
             None => (text, None),
         };
         let status = StatusCode::UNPROCESSABLE_ENTITY.as_u16();
-        Problem { message, hint, diagnostics: Vec::new(), status }
+        Problem { message, hint, diagnostics: Vec::new(), found: None, status }
     }
 
     /// A quantity or a criterion that cannot be read.

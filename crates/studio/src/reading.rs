@@ -1,8 +1,8 @@
 //! The engine file as it is read: its values, its mistakes, the engine in short.
 
 use crate::api::Api;
+use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::server::Studio;
 use crate::summary::{EngineSummary, summary};
 use lanchester::model::{self, Diagnostic, Edit, FileEntry, Related, file_entries};
 use schemars::JsonSchema;
@@ -11,6 +11,7 @@ use std::ops::Range;
 
 /// A text, and what is to be changed in it first.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct EditedText {
     /// The engine file.
     text: String,
@@ -21,6 +22,7 @@ struct EditedText {
 
 /// A text.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct EngineText {
     /// The engine file.
     pub(crate) text: String,
@@ -63,7 +65,7 @@ pub(crate) fn questions(api: Api) -> Api {
     )
 }
 
-fn reading(_: &Studio, question: EditedText) -> Result<Reading, Problem> {
+fn reading(_: &Asker, question: EditedText) -> Result<Reading, Problem> {
     let text = match question.edits[..] {
         [] => question.text,
         _ => model::edit(&question.text, &question.edits).map_err(Problem::refused)?,
@@ -99,7 +101,7 @@ fn at(text: &str, entries: &[FileEntry], span: &Range<usize>) -> Option<String> 
     holding.or_else(|| entries.iter().find(is_behind)).map(|entry| entry.path.clone())
 }
 
-fn expanded(_: &Studio, question: EngineText) -> Result<NewText, Problem> {
+fn expanded(_: &Asker, question: EngineText) -> Result<NewText, Problem> {
     Ok(NewText { text: model::expanded(&engine(&question.text)?) })
 }
 

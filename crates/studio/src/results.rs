@@ -1,9 +1,9 @@
 //! What the engine does: the answers of `loads`, `torque`, `bearings`, `mounts` and `compare`.
 
 use crate::api::Api;
+use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::reading::engine;
-use crate::server::Studio;
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
     MountStudy, TorqueRequest, internal_cases, loads,
@@ -32,6 +32,7 @@ const MOST_ENGINES: usize = 20;
 
 /// An engine at a speed.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct AtSpeed {
     /// The engine file.
     text: String,
@@ -56,6 +57,7 @@ impl AtSpeed {
 
 /// An engine on its mounts.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct Mounted {
     /// The engine file.
     text: String,
@@ -74,6 +76,7 @@ struct BearingsAnswer {
 
 /// Engines side by side.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct CompareQuestion {
     /// The engines in the order of the answer.
     engines: Vec<NamedEngine>,
@@ -90,6 +93,7 @@ struct CompareQuestion {
 
 /// An engine under a name of its own.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct NamedEngine {
     /// What it is called in the answer.
     name: String,
@@ -120,11 +124,15 @@ pub(crate) fn questions(api: Api) -> Api {
         )
         .post("/api/torque", "Torque of gas and inertia: `lanchester torque`.", turning)
         .post("/api/bearings", "Loads of pistons, pins and bearings: `lanchester bearings`.", bearings)
-        .post("/api/mounts", "The block on its mounts: `lanchester mounts`.", mounted)
+        .post(
+            "/api/mounts",
+            "The block on its mounts: `lanchester mounts`, with a `--point` at each mount.",
+            mounted,
+        )
         .post("/api/compare", "Engines side by side: `lanchester compare`.", compared)
 }
 
-fn shaking(_: &Studio, question: AtSpeed) -> Result<Loads, Problem> {
+fn shaking(_: &Asker, question: AtSpeed) -> Result<Loads, Problem> {
     let samples = question.samples.unwrap_or(LoadRequest::default().samples);
     if !(1..=MOST_ANGLES).contains(&samples) {
         return Err(Problem::refused(format!(
@@ -135,13 +143,13 @@ fn shaking(_: &Studio, question: AtSpeed) -> Result<Loads, Problem> {
     loads(&engine(&question.text)?, &request).map_err(Problem::refused)
 }
 
-fn internal(_: &Studio, question: AtSpeed) -> Result<Vec<InternalMoments>, Problem> {
+fn internal(_: &Asker, question: AtSpeed) -> Result<Vec<InternalMoments>, Problem> {
     let request =
         InternalRequest { speed: question.speed()?, samples: INTERNAL_ANGLES, ..InternalRequest::default() };
     internal_cases(&engine(&question.text)?, &request).map_err(Problem::refused)
 }
 
-fn turning(studio: &Studio, question: AtSpeed) -> Result<TorqueReport, Problem> {
+fn turning(asker: &Asker, question: AtSpeed) -> Result<TorqueReport, Problem> {
     let speed = question.speed()?;
     let engine = engine(&question.text)?;
     let request = TorqueReportRequest {
@@ -149,13 +157,13 @@ fn turning(studio: &Studio, question: AtSpeed) -> Result<TorqueReport, Problem> 
         speeds: power_speeds(&engine, POWER_SPEEDS),
         ..TorqueReportRequest::default()
     };
-    torque_report(&engine, &studio.folder.traces(&engine)?, &request).map_err(Problem::refused)
+    torque_report(&engine, &asker.studio.folder.traces(&engine)?, &request).map_err(Problem::refused)
 }
 
-fn bearings(studio: &Studio, question: AtSpeed) -> Result<BearingsAnswer, Problem> {
+fn bearings(asker: &Asker, question: AtSpeed) -> Result<BearingsAnswer, Problem> {
     let speed = question.speed()?;
     let engine = engine(&question.text)?;
-    let traces = studio.folder.traces(&engine)?;
+    let traces = asker.studio.folder.traces(&engine)?;
     let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
     let loads = |counterweights| {
         let request = BearingRequest { speed, part, counterweights, ..BearingRequest::default() };
@@ -166,7 +174,7 @@ fn bearings(studio: &Studio, question: AtSpeed) -> Result<BearingsAnswer, Proble
     Ok(BearingsAnswer { loads: loads(true)?, without_counterweights })
 }
 
-fn mounted(studio: &Studio, question: Mounted) -> Result<MountStudy, Problem> {
+fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {
     let steps = question.steps.unwrap_or(MOUNT_SPEEDS);
     if !(2..=MOST_MOUNT_SPEEDS).contains(&steps) {
         return Err(Problem::refused(format!(
@@ -174,11 +182,14 @@ fn mounted(studio: &Studio, question: Mounted) -> Result<MountStudy, Problem> {
         )));
     }
     let engine = engine(&question.text)?;
-    let traces = studio.folder.traces(&engine)?;
-    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &[]).map_err(Problem::refused)
+    let traces = asker.studio.folder.traces(&engine)?;
+    // The points are the mounts themselves: how far each of them moves is drawn.
+    let points: Vec<[f64; 3]> = engine.mounts.iter().map(|mount| [mount.x, mount.y, mount.z]).collect();
+    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &points)
+        .map_err(Problem::refused)
 }
 
-fn compared(studio: &Studio, question: CompareQuestion) -> Result<Comparison, Problem> {
+fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Problem> {
     let count = question.engines.len();
     if count > MOST_ENGINES {
         return Err(Problem::refused(format!(
@@ -187,7 +198,7 @@ fn compared(studio: &Studio, question: CompareQuestion) -> Result<Comparison, Pr
     }
     let entry = |named: &NamedEngine| {
         let mut engine = engine(&named.text)?;
-        let traces = studio.folder.traces(&engine)?;
+        let traces = asker.studio.folder.traces(&engine)?;
         engine.name = named.name.clone();
         Ok(CompareEntry { engine, traces, with: ComparedWith::OwnDevices })
     };

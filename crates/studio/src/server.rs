@@ -81,7 +81,8 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
         processors: Semaphore::new(processors),
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();
-    runtime.map_err(|error| system(&error))?.block_on(async {
+    let runtime = runtime.map_err(|error| system(&error))?;
+    let ended = runtime.block_on(async {
         let address = SocketAddr::from((Ipv4Addr::LOCALHOST, options.port.unwrap_or(0)));
         let listener = TcpListener::bind(address).await.map_err(|error| match error.kind() {
             std::io::ErrorKind::AddrInUse => StudioError::Taken { port: address.port() },
@@ -95,7 +96,10 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
             // Streams of events never end by themselves: nobody waits for them.
             _ = tokio::signal::ctrl_c() => Ok(()),
         }
-    })
+    });
+    // Nor does anybody wait for an answer that is still computed.
+    runtime.shutdown_background();
+    ended
 }
 
 fn router(studio: Arc<Studio>, gate: Gate) -> Router {

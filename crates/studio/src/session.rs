@@ -1,10 +1,10 @@
 //! What the page needs to know at its start.
 
 use crate::api::Api;
+use crate::asker::Asker;
 use crate::folder::FileState;
 use crate::openapi::openapi;
 use crate::problem::Problem;
-use crate::server::Studio;
 use lanchester::model::{KeyTable, key_tables, templates};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -45,18 +45,18 @@ pub(crate) fn questions(api: Api) -> Api {
     )
 }
 
-fn session(studio: &Studio) -> Result<Session, Problem> {
-    let open = studio.open.lock().unwrap_or_else(PoisonError::into_inner).clone();
+fn session(asker: &Asker) -> Result<Session, Problem> {
+    let open = asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner).clone();
     let info = |template: &lanchester::model::Template| TemplateInfo {
         name: template.name,
         title: template.title,
         text: template.text,
     };
     Ok(Session {
-        program: studio.program.clone(),
-        file: open.and_then(|name| studio.folder.open(&name).ok()),
-        folder: studio.folder.name(),
-        files: studio.folder.names(),
+        program: asker.studio.program.clone(),
+        file: open.and_then(|name| asker.studio.folder.open(&name).ok()),
+        folder: asker.studio.folder.name(),
+        files: asker.studio.folder.names(),
         templates: templates().iter().map(info).collect(),
         tables: key_tables(),
     })

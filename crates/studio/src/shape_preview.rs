@@ -1,10 +1,10 @@
 //! A counterweight while its dimensions are dragged: what the shape weighs, reaches and leaves clear.
 
 use crate::api::Api;
+use crate::asker::Asker;
 use crate::design_choice::shape_task;
 use crate::problem::Problem;
 use crate::reading::engine;
-use crate::server::Studio;
 use lanchester::geometry::clearance::Clearances;
 use lanchester::geometry::{
     CounterweightShape, Edge, Outline, Part, Range, ShapeTask, Shoulder, counterweight_properties, plain_web,
@@ -20,6 +20,7 @@ const STEEL: f64 = 7850.0;
 
 /// A shape to look at.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct ShapeQuestion {
     /// The engine file.
     text: String,
@@ -38,11 +39,33 @@ fn yes() -> bool {
 
 /// Dimensions of a shape of the family [m], [rad].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 struct Dimensions {
-    #[serde(flatten)]
-    shape: CounterweightShape,
+    /// Radius of the web's disc, and half width of the rectangle [m].
+    web_radius: f64,
+    /// Height of the rectangle, from the crank axis [m].
+    rectangle_height: f64,
+    /// Height of the trapezoid [m].
+    shoulder_height: f64,
+    /// Radius of the arc [m].
+    arc_radius: f64,
+    /// Included angle of the arc [rad].
+    arc_angle: f64,
     /// Thickness along the crank [m].
     thickness: f64,
+}
+
+impl Dimensions {
+    fn of(shape: CounterweightShape, thickness: f64) -> Dimensions {
+        let CounterweightShape { web_radius, rectangle_height, shoulder_height, arc_radius, arc_angle } =
+            shape;
+        Dimensions { web_radius, rectangle_height, shoulder_height, arc_radius, arc_angle, thickness }
+    }
+
+    fn shape(self) -> CounterweightShape {
+        let Dimensions { web_radius, rectangle_height, shoulder_height, arc_radius, arc_angle, .. } = self;
+        CounterweightShape { web_radius, rectangle_height, shoulder_height, arc_radius, arc_angle }
+    }
 }
 
 /// Least and largest value of each dimension, of the file's `[counterweight_design]`.
@@ -102,7 +125,7 @@ pub(crate) fn questions(api: Api) -> Api {
     )
 }
 
-fn preview(_: &Studio, question: ShapeQuestion) -> Result<ShapePreview, Problem> {
+fn preview(_: &Asker, question: ShapeQuestion) -> Result<ShapePreview, Problem> {
     let engine = engine(&question.text)?;
     let weight = named(&engine, &question.weight)?;
     let of_file = weight.part.as_deref();
@@ -113,7 +136,7 @@ fn preview(_: &Studio, question: ShapeQuestion) -> Result<ShapePreview, Problem>
         None => shape_task(&engine, None).map(|task| start_within(&task)),
     };
     let family = of_file.and_then(|part| match part.form {
-        CounterweightForm::Family(shape) => Some(Dimensions { shape, thickness: part.part.thickness() }),
+        CounterweightForm::Family(shape) => Some(Dimensions::of(shape, part.part.thickness())),
         _ => None,
     });
     let has_dimensions = question.dimensions.is_some() || of_file.is_none() || family.is_some();
@@ -125,7 +148,7 @@ fn preview(_: &Studio, question: ShapeQuestion) -> Result<ShapePreview, Problem>
     let after = if question.dimensions.is_none() && of_file.is_some() {
         engine.clone()
     } else {
-        let shape = dimensions.shape.checked().map_err(Problem::refused)?;
+        let shape = dimensions.shape().checked().map_err(Problem::refused)?;
         let density = of_file.map(|part| part.part.density()).or(task.map(|task| task.density));
         let density = density.or(engine.crank_body.map(|body| body.density)).unwrap_or(STEEL);
         let part = Part::new(Outline::from(shape.outline()), dimensions.thickness, density)
@@ -154,8 +177,8 @@ fn preview(_: &Studio, question: ShapeQuestion) -> Result<ShapePreview, Problem>
         wanted_unbalance: part.wanted,
         swept_radius: part.part.outline().swept_radius(),
         inertia: properties.polar_inertia(),
-        half_width: dimensions.shape.half_width(),
-        shoulder_angle: dimensions.shape.shoulder_angle(),
+        half_width: dimensions.shape().half_width(),
+        shoulder_angle: dimensions.shape().shoulder_angle(),
         clearances: match after.envelope {
             Some(_) if question.clearances => Some(clearances(&after).map_err(Problem::refused)?),
             _ => None,
@@ -188,7 +211,7 @@ fn start_within(task: &ShapeTask) -> Dimensions {
     };
     let rectangle_height = low(task.rectangle_height);
     let shape = CounterweightShape { web_radius, rectangle_height, shoulder_height, arc_radius, arc_angle };
-    Dimensions { shape, thickness: low(task.thickness) }
+    Dimensions::of(shape, low(task.thickness))
 }
 
 fn ranges(task: &ShapeTask) -> DimensionRanges {

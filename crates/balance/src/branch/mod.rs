@@ -109,11 +109,12 @@ pub(crate) fn is_choice(task: &BalanceTask) -> bool {
         || task.most_optional.is_some()
 }
 
-/// Searches all choices of a task.
+/// Searches all choices of a task, for as long as `go_on` says so.
 pub(crate) fn search(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    go_on: &dyn Fn() -> bool,
 ) -> Result<Searched, BalanceError> {
     let bare = bare(engine, task);
     let loads = EngineLoads::of(&bare, kinematics)?;
@@ -130,7 +131,7 @@ pub(crate) fn search(
         }
     }
     let task = &task;
-    let ground = Ground { engine, bare, loads, task };
+    let ground = Ground { engine, bare, loads, task, go_on };
     let mut search = Search::new(&ground);
     let mut ending = ending(&mut search, &ground, asked_count)?;
     if let Ending::Chosen(chosen) = &mut ending {
@@ -233,6 +234,7 @@ fn refusal(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError>
             bare: ground.bare.clone(),
             loads: ground.loads.clone(),
             task: &alone,
+            go_on: ground.go_on,
         };
         let mut own = Search::new(&ground);
         let found = own.run(Goal::Stage(0), Choices::of(&alone), &[], None, Effort::FULL)?;

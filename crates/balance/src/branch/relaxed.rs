@@ -32,6 +32,8 @@ pub(super) struct Ground<'a> {
     pub bare: Engine,
     pub loads: EngineLoads,
     pub task: &'a BalanceTask,
+    /// Whether anybody still waits for the answer.
+    pub go_on: &'a dyn Fn() -> bool,
 }
 
 impl Ground<'_> {

@@ -226,6 +226,9 @@ impl<'a> Search<'a> {
         choices: Choices,
         parent: Parent,
     ) -> Result<Option<Examined>, BalanceError> {
+        if !(self.ground.go_on)() {
+            return Err(BalanceError::BrokenOff);
+        }
         self.nodes += 1;
         let Some(mut problem) = self.ground.problem(&choices)? else { return Ok(None) };
         problem.programme.holds = BOUNDED;

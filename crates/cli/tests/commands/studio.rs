@@ -64,7 +64,8 @@ impl Server {
     }
 
     fn json(&self, status: u16, method: &str, path: &str, question: &Value) -> Value {
-        let body = serde_json::to_vec(question).unwrap();
+        // The server does not read a body that no question has: it would close the connection over it.
+        let body = if question.is_null() { Vec::new() } else { serde_json::to_vec(question).unwrap() };
         let (got, _, answer) = self.ask(method, path, &[("x-lanchester-token", &self.token)], &body);
         let text = String::from_utf8_lossy(&answer);
         assert_eq!(got, status, "{path}: {text}");
@@ -142,6 +143,7 @@ fn an_edit_keeps_the_rest_and_a_saved_file_is_what_was_sent() {
         &json!({ "name": "three.toml", "text": text, "revision": saved["revision"] }),
     );
     assert!(refused["message"].as_str().unwrap().contains("another program changed three.toml"), "{refused}");
+    assert_eq!(refused["found"], "changed");
     assert_eq!(fs::read_to_string(folder.join("three.toml")).unwrap(), "# other\n");
     let taken = server.json(
         409,
@@ -150,6 +152,87 @@ fn an_edit_keeps_the_rest_and_a_saved_file_is_what_was_sent() {
         &json!({ "name": "three.toml", "text": text, "revision": null }),
     );
     assert!(taken["message"].as_str().unwrap().contains("exists already"), "{taken}");
+    assert_eq!(taken["found"], "exists");
+    fs::remove_file(folder.join("three.toml")).unwrap();
+    let question = json!({ "name": "three.toml", "text": text, "revision": saved["revision"] });
+    let removed = server.json(409, "PUT", "/api/file", &question);
+    assert_eq!(removed["found"], "removed");
+    assert!(!folder.join("three.toml").exists());
+}
+
+#[test]
+fn no_question_has_a_field_that_is_ignored() {
+    let (folder, text) = three("studio-fields");
+    let server = Server::start(&folder, "three.toml");
+    let description: Value =
+        serde_json::from_str(&output(&folder, 0, &["studio", "--describe", "openapi"])).unwrap();
+    let mut asked = 0;
+    for (path, methods) in description["paths"].as_object().unwrap() {
+        for (method, question) in methods.as_object().unwrap() {
+            if question.get("requestBody").is_none() {
+                continue;
+            }
+            let question = json!({ "text": text, "surprise": 1 });
+            let refused = server.json(400, &method.to_uppercase(), path, &question);
+            let message = refused["message"].as_str().unwrap();
+            assert!(message.contains("surprise") || message.contains("unknown field"), "{path}: {message}");
+            asked += 1;
+        }
+    }
+    assert!(asked > 15, "{asked} questions with a body");
+}
+
+/// A search of hundreds of boxes, which takes many seconds: given amounts in free directions on a V6, and a shaft to be placed.
+fn long_search() -> Value {
+    let text = fs::read_to_string(examples().join("v6-60.toml")).unwrap();
+    let shaft = "-1 @ -200 mm .. 200 mm, 150 mm .. 300 mm @ -200 mm .. 0 mm, 0 mm .. 200 mm \
+                 @ optional, least 0.01 kg m, most 0.01 kg m";
+    let amount = "0.013 kg m";
+    json!({ "text": text, "free": "throws", "least": amount, "most": amount, "shafts": [shaft], "minimise": ["couple"] })
+}
+
+/// Sends a question and does not wait for the answer.
+fn send(server: &Server, lane: &str, question: &Value) -> TcpStream {
+    let body = serde_json::to_vec(question).unwrap();
+    let mut stream = TcpStream::connect(&server.host).unwrap();
+    stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+    write!(
+        stream,
+        "POST /api/balance HTTP/1.1\r\nhost: {}\r\nconnection: close\r\nx-lanchester-token: {}\r\n\
+         x-lanchester-client: window\r\nx-lanchester-lane: {lane}\r\ncontent-length: {}\r\n\r\n",
+        server.host,
+        server.token,
+        body.len()
+    )
+    .unwrap();
+    stream.write_all(&body).unwrap();
+    stream
+}
+
+#[test]
+fn a_newer_question_breaks_an_older_one_off() {
+    let (folder, text) = three("studio-newer");
+    let server = Server::start(&folder, "three.toml");
+    let mut older = send(&server, "balance", &long_search());
+    std::thread::sleep(Duration::from_millis(300));
+    let mut newer = send(&server, "balance", &json!({ "text": text }));
+    let mut answers = [String::new(), String::new()];
+    older.read_to_string(&mut answers[0]).unwrap();
+    newer.read_to_string(&mut answers[1]).unwrap();
+    assert!(answers[0].contains("409") && answers[0].contains("a newer question"), "{}", answers[0]);
+    assert!(answers[1].contains("200 OK"), "{}", answers[1]);
+}
+
+#[test]
+fn a_window_that_goes_away_holds_no_processor() {
+    let (folder, text) = three("studio-away");
+    let server = Server::start(&folder, "three.toml");
+    // More than there are processors: if they went on, nobody else would get an answer within the minute.
+    let windows: Vec<TcpStream> =
+        (0..64).map(|lane| send(&server, &lane.to_string(), &long_search())).collect();
+    std::thread::sleep(Duration::from_millis(300));
+    drop(windows);
+    assert!(server.post("/api/loads", &json!({ "text": text }))["speed"].is_number());
 }
 
 #[test]
@@ -169,12 +252,17 @@ fn a_mistake_tells_its_key_and_a_question_about_no_engine_its_mistakes() {
         ("/api/loads", json!({ "text": text, "samples": u64::MAX })),
         ("/api/loads", json!({ "text": text, "samples": 0 })),
         ("/api/arrangements", json!({ "text": text, "most_shafts": 99 })),
-        ("/api/arrangements/adopt", json!({ "text": text, "choice": 0 })),
+        ("/api/arrangements/adopt", json!({ "search": { "text": text }, "choice": 0 })),
         ("/api/counterweight/front", json!({ "text": text, "against": "inertia", "count": 1_000_000 })),
         ("/api/counterweight/shape", json!({ "text": text, "weight": "none" })),
         ("/api/balance", json!({ "text": text, "minimise": ["beauty"] })),
         ("/api/balance", json!({ "text": text, "free": "none" })),
         ("/api/balance", json!({ "text": text, "shafts": ["-1 @ nowhere"] })),
+        ("/api/balance", json!({ "text": text, "shafts": ["-1 @ 0 mm, 0 mm @ 0 mm"] })),
+        ("/api/balance", json!({ "text": text, "locked": ["nobody"] })),
+        ("/api/balance", json!({ "text": text, "free": "webs", "locked": ["web 1"] })),
+        ("/api/balance", json!({ "text": text, "cancel": ["force order 1"], "limits": ["couple = 5 N m"] })),
+        ("/api/balance", json!({ "text": text, "most": "-1 kg m" })),
         ("/api/engine", json!({ "text": text, "edits": [{ "path": "crank[", "value": 1 }] })),
     ] {
         let refused = server.json(422, "POST", path, &question);

@@ -1,6 +1,7 @@
 //! Lines and points of the block and its mounts: torque-roll axis, centre of stiffness.
 
 use crate::mounts::result::{AxisLine, StiffnessCentre};
+use crate::mounts::symmetric::symmetric_eigen;
 use crate::mounts::system::MountSystem;
 use nalgebra::{Matrix3, Vector3};
 
@@ -35,14 +36,12 @@ impl MountSystem {
         let left = coupling + translation * cross;
         // D(r) = D + B^T [r]x - [r]x B - [r]x A [r]x
         let about = rotation + coupling.transpose() * cross - cross * coupling - cross * translation * cross;
-        let eigen = translation.symmetric_eigen();
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
+        let principal = symmetric_eigen(&translation);
         let largest = |m: &Matrix3<f64>| m.diagonal().amax();
         StiffnessCentre {
             point: (Vector3::from(self.body().centre) + offset).into(),
-            stiffness: order.map(|k| eigen.eigenvalues[k]),
-            directions: order.map(|k| eigen.eigenvectors.column(k).into_owned().into()),
+            stiffness: std::array::from_fn(|k| principal[k].0),
+            directions: std::array::from_fn(|k| principal[k].1.into()),
             coupling: left.amax() / (largest(&translation) * largest(&about)).sqrt(),
         }
     }

@@ -1,5 +1,6 @@
 //! Motions that the mounts do not hold, in words.
 
+use crate::mounts::symmetric::symmetric_eigen;
 use crate::mounts::system::Spring;
 use lanchester_model::Mount;
 use nalgebra::{DMatrix, Matrix6, Vector3};
@@ -27,17 +28,16 @@ pub(crate) fn free_motion(places: &[Mount], mounts: &[Spring], centre: [f64; 3])
     for mount in mounts {
         stiffness += to_centre.transpose() * mount.on_block(mount.spring.stiffness) * to_centre;
     }
-    let eigen = stiffness.symmetric_eigen();
-    let largest = eigen.eigenvalues.amax();
-    let free: Vec<usize> = (0..6).filter(|&k| eigen.eigenvalues[k] <= NOT_HELD * largest).collect();
-    if free.is_empty() {
+    let pairs = symmetric_eigen(&stiffness);
+    let largest = pairs.iter().map(|(value, _)| value.abs()).fold(0.0, f64::max);
+    let twists: Vec<_> = pairs
+        .iter()
+        .filter(|(value, _)| *value <= NOT_HELD * largest)
+        .map(|(_, twist)| (twist.fixed_rows::<3>(0).into_owned(), twist.fixed_rows::<3>(3) / unit))
+        .collect();
+    if twists.is_empty() {
         return None;
     }
-    let twist = |k: usize| {
-        let column = eigen.eigenvectors.column(k);
-        (column.fixed_rows::<3>(0).into_owned(), column.fixed_rows::<3>(3) / unit)
-    };
-    let twists: Vec<_> = free.iter().map(|&k| twist(k)).collect();
     Some(name(places, &at, middle, unit, &twists))
 }
 

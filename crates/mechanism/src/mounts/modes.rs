@@ -8,8 +8,9 @@
 use crate::extremes::root;
 use crate::mounts::error::MountError;
 use crate::mounts::result::{DampedMode, MountMode, MountModes};
+use crate::mounts::symmetric::symmetric_eigen;
 use crate::mounts::system::{MountSystem, Spring};
-use nalgebra::{Matrix6, SMatrix, Schur, SymmetricEigen, U6, Vector6};
+use nalgebra::{Matrix6, SMatrix, Schur, Vector6};
 use num_complex::Complex64;
 
 /// Iterations that the roots may take.
@@ -51,7 +52,7 @@ impl MountSystem {
 
     /// Undamped mode `index`, counted from the lowest.
     fn mode(&self, inverse: &Matrix6<f64>, index: usize) -> MountMode {
-        let squared = |frequency: f64| sorted(self.normalised(inverse, frequency).symmetric_eigen())[index].0;
+        let squared = |frequency: f64| symmetric_eigen(&self.normalised(inverse, frequency))[index].0;
         let frequency = if self.has_table() {
             // The squared frequency of the mode lies above the square of the trial at 0, and below it at the highest.
             let points = self.mounts.iter().flat_map(|m| m.spring.table.iter().map(|p| p.angular_frequency));
@@ -65,7 +66,7 @@ impl MountSystem {
         } else {
             squared(0.0).max(0.0).sqrt()
         };
-        let (_, y) = sorted(self.normalised(inverse, frequency).symmetric_eigen())[index];
+        let (_, y) = symmetric_eigen(&self.normalised(inverse, frequency))[index];
         let mut shape: Vector6<f64> = inverse.transpose() * y;
         let momentum = self.mass * shape;
         let energy: [f64; 6] = std::array::from_fn(|k| shape[k] * momentum[k]);
@@ -144,14 +145,6 @@ impl MountSystem {
         found.sort_by(|a, b| a.root.norm().total_cmp(&b.root.norm()));
         Ok(found)
     }
-}
-
-/// Eigenvalues, rising, with their vectors.
-fn sorted(eigen: SymmetricEigen<f64, U6>) -> Vec<(f64, Vector6<f64>)> {
-    let mut pairs: Vec<(f64, Vector6<f64>)> =
-        (0..6).map(|k| (eigen.eigenvalues[k], eigen.eigenvectors.column(k).into_owned())).collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    pairs
 }
 
 /// Eigenvector of an upper triangular matrix for the root on its diagonal, by back substitution. Roots that fall together

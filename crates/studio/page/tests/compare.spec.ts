@@ -46,7 +46,7 @@ test("without pins the tab says what it is for, and a state is pinned", async ({
 test("states are overlaid in curves, paths, spectra and numbers", async ({ page, studio }) => {
   await open(page, studio, "in-line-3.toml", ["in-line-4.toml", "twin-in-line-in-phase.toml"]);
   // What is far out of sight is drawn when it comes near.
-  for (const title of ["Force along x (up)", "Couple about y", "Hodographs of the force"]) {
+  for (const title of ["Vertical force (x)", "Pitch couple (about y)", "Hodographs of the force"]) {
     await figures(page, title).scrollIntoViewIfNeeded();
     await expect(figures(page, title).locator("path.line[style*='--colour']"), title).toHaveCount(3);
   }
@@ -58,7 +58,7 @@ test("states are overlaid in curves, paths, spectra and numbers", async ({ page,
   // The reference has no differences; chosen anew, the others have them.
   const row = numbers.getByRole("row", { name: /Peak force/ });
   const before = await row.getByRole("cell").allTextContents();
-  await page.getByLabel("Compared with").selectOption({ label: "in-line-4" });
+  await page.getByLabel("Compared with").selectOption({ label: "Current state" });
   await expect.poll(() => row.getByRole("cell").allTextContents()).not.toEqual(before);
 });
 

@@ -2,7 +2,7 @@
 
 import type { Download, Locator, Page } from "@playwright/test";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
-import type { Loads } from "../src/api/types";
+import type { Loads, MountStudy } from "../src/api/types";
 import { expect, test, type Studio } from "./server";
 
 test.use({ example: "in-line-4-mounts.toml" });
@@ -89,7 +89,7 @@ test("loads are split by part and by cylinder", async ({ page, studio }) => {
   await open(page, studio);
   const { parts, cylinders } = await loads(page, studio);
   await page.getByText("By kind of part").click();
-  const lines = plot(page, "Force along x (up)").locator("path.line[style*='--colour']");
+  const lines = plot(page, "Vertical force (x)").locator("path.line[style*='--colour']");
   await expect(lines).toHaveCount(1 + parts.length);
   await page.getByText("By cylinder").click();
   await expect(lines).toHaveCount(1 + cylinders.length);
@@ -175,7 +175,7 @@ test("the readout tells what the program answers, at the pointer and by keys", a
   const degrees = ((total.trace.theta[index] ?? 0) * 180) / Math.PI;
   await expect(figure.locator(".reading b")).toHaveText(`${degrees.toFixed(1)}°`);
   const value = Math.round(total.trace.force_x[index] ?? 0);
-  await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`along x \\(up\\) ${value} N`));
+  await expect(surface).toHaveAttribute("aria-valuetext", new RegExp(`vertical \\(x\\) ${value} N`));
   // Reading out moves nothing; Enter takes the crank there.
   expect(await figure.boundingBox()).toEqual(edge);
   await page.keyboard.press("Enter");
@@ -196,7 +196,7 @@ test("the crank angle is dragged in one plot and moves in all", async ({ page, s
   await page.mouse.move(box.x + box.width / 2, box.y + 60, { steps: 5 });
   await page.mouse.up();
   await page.mouse.move(0, 0);
-  const reading = plot(page, "Roll moment about the crank axis").locator(".reading b");
+  const reading = plot(page, "Roll moment (about z)").locator(".reading b");
   await expect(reading).toHaveText(/^1(79|80)\.\d°$/);
 });
 
@@ -205,7 +205,7 @@ test("names in the legend hide and show series", async ({ page, studio }) => {
   const figure = plot(page, "Force on the block");
   const lines = figure.locator("path.line[style*='--colour']");
   await expect(lines).toHaveCount(2);
-  const name = figure.getByRole("button", { name: /along y/ });
+  const name = figure.getByRole("button", { name: /lateral/ });
   await name.click();
   await expect(lines).toHaveCount(1);
   await expect(name).toHaveAttribute("aria-pressed", "false");
@@ -238,7 +238,7 @@ test("what is seen is saved: a drawing of its own, a picture, and a table of the
   expect(found.broken).toBeUndefined();
   expect(found.name).toBe("svg");
   expect(found.title).toBe("Force on the block");
-  expect(found.words).toContain("along x (up)");
+  expect(found.words).toContain("vertical (x)");
   expect(found.words).toContain("Crank angle [°]");
   expect(found.coloured).toBeGreaterThan(2);
   expect(svg).not.toMatch(/var\(|class=|data-screen/);
@@ -250,13 +250,77 @@ test("what is seen is saved: a drawing of its own, a picture, and a table of the
   expect(png.length).toBeGreaterThan(5000);
 
   const { head, rows } = await table(page, figure);
-  expect(head).toEqual(["Crank angle [°]", "along x (up) [N]", "along y (across) [N]"]);
+  expect(head).toEqual(["Crank angle [°]", "vertical (x) [N]", "lateral (y) [N]"]);
   expect(rows.length).toBe(total.trace.theta.length);
   for (const [index, [theta, x, y]] of rows.entries()) {
     expect(((theta ?? NaN) * Math.PI) / 180).toBeCloseTo(total.trace.theta[index] ?? NaN, 12);
     expect(x).toBe(total.trace.force_x[index]);
     expect(y).toBe(total.trace.force_y[index]);
   }
+});
+
+test("the block moves as the program answers, and its mounts go round in orbits", async ({
+  page,
+  studio,
+}) => {
+  const waiting = page.waitForResponse((response) => response.url().endsWith("/api/mounts"));
+  await open(page, studio, "Mounts");
+  const study = (await (await waiting).json()) as MountStudy;
+  const last = study.response.speeds.length - 1;
+  const orders = study.response.speeds[last]?.orders ?? [];
+  // At crank angle zero an order is where its real part says [µm].
+  const start = (parts: (readonly [number, number] | undefined)[]) =>
+    1e6 * parts.reduce((sum, part) => sum + (part?.[0] ?? 0), 0);
+
+  const centre = await table(page, plot(page, "Displacement of the block over the crank angle"));
+  expect(centre.head).toEqual([
+    "Crank angle [°]",
+    "vertical (x) [µm]",
+    "lateral (y) [µm]",
+    "along the crank (z) [µm]",
+  ]);
+  for (const along of [0, 1, 2])
+    expect(centre.rows[0]?.[1 + along]).toBeCloseTo(start(orders.map(({ motion }) => motion[along])), 6);
+
+  for (const [mount, name] of study.response.mounts.entries()) {
+    const figure = plot(page, `Orbit of “${name}”`);
+    const { head, rows } = await table(page, figure);
+    expect(head.slice(0, 3)).toEqual([
+      "all orders: Crank angle [°]",
+      "all orders: lateral (y) [µm]",
+      "all orders: vertical (x) [µm]",
+    ]);
+    const moved = study.points[mount]?.displacement[last] ?? [];
+    expect(rows[0]?.[1]).toBeCloseTo(start(moved.map((part) => part[1])), 6);
+    expect(rows[0]?.[2]).toBeCloseTo(start(moved.map((part) => part[0])), 6);
+  }
+  await page.getByText("From the side", { exact: true }).click();
+  const first = plot(page, `Orbit of “${study.response.mounts[0]}”`);
+  expect((await table(page, first)).head[1]).toBe("all orders: along the crank (z) [µm]");
+});
+
+test("keys go to other curves of a plane, and what is zoomed follows the readout", async ({
+  page,
+  studio,
+}) => {
+  await open(page, studio, "Mounts");
+  const orbit = page.locator("figure[data-plot^='Orbit']").first();
+  const surface = orbit.getByRole("slider");
+  await surface.focus();
+  await page.keyboard.press("PageDown");
+  await expect(surface).toHaveAttribute("aria-valuetext", /^all orders/);
+  await page.keyboard.press("PageDown");
+  await expect(surface).toHaveAttribute("aria-valuetext", /^order /);
+
+  const figure = plot(page, "Displacement of the block over the crank angle");
+  await figure.getByRole("slider").focus();
+  await page.keyboard.press("Home");
+  for (let k = 0; k < 4; k++) await page.keyboard.press("+");
+  const zoomed = await labels(figure);
+  // What was shown was the middle: now it is the beginning, as wide as before.
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(async () => (await labels(figure))[0]).not.toBe(zoomed[0]);
+  expect(Number((await labels(figure))[0])).toBeLessThan(Number(zoomed[0]));
 });
 
 test("the speed slider changes curves", async ({ page, studio }) => {

@@ -82,6 +82,24 @@ test("the engine is drawn and turns", async ({ studio, page }, info) => {
   await expect(angle).toHaveText(still ?? "");
 });
 
+test("arrows carry their numbers, apart from each other", async ({ studio, page }) => {
+  await openView(page, studio.address);
+  await expect(stage(page)).toHaveAttribute("data-stage", "drawn");
+  const labels = stage(page).locator("svg.labels text");
+  await expect(labels).toHaveCount(2);
+  const cells = await page.locator('[data-line="total"] td').allTextContents();
+  const [, , yaw, pitch] = cells.map((cell) => Number(cell.replace("−", "-")));
+  const couple = labels.filter({ hasText: /^M / });
+  const shown = Number(((await couple.textContent()) ?? "").replace(/[^\d.]/g, ""));
+  expect(Math.abs(shown / Math.hypot(yaw ?? NaN, pitch ?? NaN) - 1)).toBeLessThan(0.01);
+  const [one, other] = [await labels.nth(0).boundingBox(), await labels.nth(1).boundingBox()];
+  if (!one || !other) throw new Error("a label is not drawn");
+  const beside = one.x + one.width < other.x || other.x + other.width < one.x;
+  expect(beside || Math.abs(one.y - other.y) >= 15).toBe(true);
+  await page.getByRole("checkbox", { name: "Each source" }).check();
+  await expect(labels).toHaveCount(2);
+});
+
 test("what is hidden is not drawn, and the arrows have their numbers", async ({ studio, page }) => {
   await keepPictures(page);
   await openView(page, studio.address);

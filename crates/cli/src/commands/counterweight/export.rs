@@ -7,7 +7,7 @@ use crate::files::write_result;
 use lanchester::geometry::drawing::{dxf, svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
 use lanchester::model::{Engine, option};
-use lanchester::{CounterweightError, crankshaft_parts, shaft_parts};
+use lanchester::{crankshaft_parts, engine_parts, shaft_parts};
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
@@ -58,17 +58,10 @@ fn parts(
     if !arguments.shaft.is_empty() {
         return shaft_parts(engine, &arguments.shaft).map_err(Failure::refused);
     }
-    let of_crank = crankshaft_parts(engine, crankshaft, &arguments.weight);
     if crankshaft > 0 || !arguments.weight.is_empty() {
-        return of_crank.map_err(Failure::refused);
+        return crankshaft_parts(engine, crankshaft, &arguments.weight).map_err(Failure::refused);
     }
-    let shafts = shaft_parts(engine, &[]).map_err(Failure::refused)?;
-    let mut parts = match of_crank {
-        Err(CounterweightError::NoPart) if !shafts.is_empty() => Vec::new(),
-        of_crank => of_crank.map_err(Failure::refused)?,
-    };
-    parts.extend(shafts);
-    Ok(parts)
+    engine_parts(engine).map_err(Failure::refused)
 }
 
 /// Largest error of facets [m].

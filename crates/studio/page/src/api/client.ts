@@ -62,7 +62,7 @@ async function send(
   try {
     problem = (await response.json()) as Problem;
   } catch {
-    problem = { message: `the server answered ${response.status}`, hint: null, diagnostics: [] };
+    problem = { message: `the server answered ${response.status}`, hint: null, diagnostics: [], found: null };
   }
   throw new Refused(response.status, problem);
 }

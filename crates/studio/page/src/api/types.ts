@@ -209,6 +209,8 @@ export type BalanceAnswer = {
   headline: string;
   /** The engine file with what was found; none where nothing was. */
   text: string | null;
+  /** Added shafts that may strike the crank or stand far out. */
+  warnings: Warning[];
 };
 
 /** What may be changed, and what is wanted. */
@@ -217,12 +219,16 @@ export type BalanceQuestion = {
   cancel: string[];
   /** Which weights are free. */
   free: Free;
-  /** Limits as `--limit` takes them; `most = ..` and `least = ..` hold for every free weight on a crankshaft. */
+  /** Least unbalance of every free weight on a crankshaft that is used, as `--least` takes it. */
+  least: string | null;
+  /** Limits as `--limit` takes them. */
   limits: string[];
-  /** Names of counterweights and shafts that stay as they are. */
+  /** Names of counterweights and shafts that stay as they are, with `free = "devices"`. */
   locked: string[];
   /** Criteria in their order, as `--minimise` takes them; none: force, then couple. */
   minimise: string[];
+  /** Largest unbalance of every free weight on a crankshaft, as `--most` takes it. */
+  most: string | null;
   /** Shafts that are added, as `--shaft` takes them: `-1 @ 0 mm, 100 mm @ -30 mm, 30 mm` is ratio @ x, y of the axis @ planes. */
   shafts: string[];
   /** The engine file. */
@@ -464,32 +470,16 @@ export type CheckedShaftWeight = {
 export type ChosenArrangement = {
   /** Its number among all that were examined, from 1. */
   choice: number;
-  /** `gears` or `chain`. */
-  drive: Drive | null;
-  /** Limits as `--limit` takes them; one on what is minimised is what is good enough. */
-  limits: string[];
-  /** `force`, `couple` or `mount force`. */
-  minimise: string | null;
-  /** Most shafts, up to 4. */
-  most_shafts: number | null;
-  /** The engine file. */
-  text: string;
+  /** What was searched. */
+  search: ArrangementQuestion;
 };
 
 /** A design of a front. */
 export type ChosenDesign = {
-  /** What it is traded for. */
-  against: Aim;
   /** Its number, from 1. */
   choice: number;
-  /** How many designs, 2 to 200. */
-  count: number;
-  /** What is made small; as the file says where it is left out. */
-  minimise: Aim | null;
-  /** The engine file. */
-  text: string;
-  /** Name of the weight; without one all, if they have one duty. */
-  weight: string | null;
+  /** The front that it stands on. */
+  front: FrontQuestion;
 };
 
 /** The smallest distance of a counterweight or web from an obstacle over all angles. */
@@ -1032,17 +1022,17 @@ export type DimensionRanges = {
 
 /** Dimensions of a shape of the family [m], [rad]. */
 export type Dimensions = {
-  /** Included angle `alpha` of the arc [rad], less than a full turn. */
+  /** Included angle of the arc [rad]. */
   arc_angle: number;
-  /** Radius `R` of the arc [m]. */
+  /** Radius of the arc [m]. */
   arc_radius: number;
-  /** Height `h` of the rectangle, from the crank axis [m]. */
+  /** Height of the rectangle, from the crank axis [m]. */
   rectangle_height: number;
-  /** Height `H` of the trapezoid [m]. */
+  /** Height of the trapezoid [m]. */
   shoulder_height: number;
   /** Thickness along the crank [m]. */
   thickness: number;
-  /** Radius `r` of the web's disc, and half width of the rectangle [m]. */
+  /** Radius of the web's disc, and half width of the rectangle [m]. */
   web_radius: number;
 };
 
@@ -1319,6 +1309,9 @@ export type FlywheelNeed = {
 };
 
 export type Format = "step" | "stl" | "glb" | "dxf" | "svg";
+
+/** How a file stands on the disk, other than whoever saves it believes. */
+export type Found = "changed" | "removed" | "exists";
 
 /** A free inertia of the answer. */
 export type FoundInertia = {
@@ -2244,6 +2237,8 @@ export type Price = {
 export type Problem = {
   /** The mistakes of the engine file, where they are the reason; places in UTF-16 units. */
   diagnostics: Diagnostic[];
+  /** How a file stands that was to be written over. */
+  found: Found | null;
   /** What to do. */
   hint: string | null;
   /** What was needed and what was got. */
@@ -2904,4 +2899,11 @@ export type TurningInertia = {
   crankshaft: number;
   /** Flywheel with clutch, and whatever turns rigidly with crankshaft 1 [kg m^2]. */
   flywheel: number;
+};
+
+/** What is odd, though it can be computed. */
+export type Warning = {
+  /** What to do. */
+  hint: string;
+  message: string;
 };

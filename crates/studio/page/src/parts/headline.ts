@@ -15,55 +15,63 @@ export interface Figure {
 /** What is smaller than this part of the forces within the engine is rounding and counts as nothing. */
 const NOISE = 1e-9;
 
-export function figures(loads: Loads): Figure[] {
-  const peaks = loads.total.peaks;
-  const within = Math.max(...loads.cylinders.map((cylinder) => cylinder.loads.peaks.force.max.value), 0);
+/** What each number is, in full; before there are loads the numbers are not numbers. */
+export function figures(loads: Loads | undefined): Figure[] {
+  const peaks = loads?.total.peaks;
+  const within = Math.max(
+    ...(loads?.cylinders ?? []).map((cylinder) => cylinder.loads.peaks.force.max.value),
+    0,
+  );
   // Couples are compared with the same forces on an arm of 1 m.
-  const clean = (value: number) => (Math.abs(value) > NOISE * within ? value : 0);
-  const order = (wanted: number) => loads.total.orders.find((entry) => entry.order === wanted);
-  const force = (wanted: number) => clean(sum(order(wanted), "force_forward", "force_backward"));
-  const couple = (wanted: number) => clean(sum(order(wanted), "couple_forward", "couple_backward"));
-  const roll = Math.max(Math.abs(peaks.roll_moment.max.value), Math.abs(peaks.roll_moment.min.value));
+  const clean = (value: number | undefined) => {
+    if (value === undefined) return NaN;
+    return Math.abs(value) > NOISE * within ? value : 0;
+  };
+  const order = (wanted: number) => loads?.total.orders.find((entry) => entry.order === wanted);
+  const force = (wanted: number) => clean(loads && sum(order(wanted), "force_forward", "force_backward"));
+  const couple = (wanted: number) => clean(loads && sum(order(wanted), "couple_forward", "couple_backward"));
+  const roll =
+    peaks && Math.max(Math.abs(peaks.roll_moment.max.value), Math.abs(peaks.roll_moment.min.value));
   return [
     {
       name: "Peak force",
-      about: "Largest resultant shaking force on the block",
+      about: "Largest shaking force of the moving parts on the block over the cycle, of all orders together",
       measure: "force",
-      value: clean(peaks.force.max.value),
+      value: clean(peaks?.force.max.value),
     },
     {
       name: "Force, order 1",
-      about: "Largest resultant of the force of first order",
+      about: "Largest force of first order: it goes round once a revolution",
       measure: "force",
       value: force(1),
     },
     {
       name: "Force, order 2",
-      about: "Largest resultant of the force of second order",
+      about: "Largest force of second order: twice a revolution",
       measure: "force",
       value: force(2),
     },
     {
       name: "Peak couple",
-      about: "Largest resultant couple about the reference point",
+      about: "Largest couple about the reference point, yaw and pitch together, of all orders together",
       measure: "moment",
-      value: clean(peaks.couple.max.value),
+      value: clean(peaks?.couple.max.value),
     },
     {
       name: "Couple, order 1",
-      about: "Largest resultant of the couple of first order",
+      about: "Largest couple of first order",
       measure: "moment",
       value: couple(1),
     },
     {
       name: "Couple, order 2",
-      about: "Largest resultant of the couple of second order",
+      about: "Largest couple of second order",
       measure: "moment",
       value: couple(2),
     },
     {
       name: "Roll moment",
-      about: "Largest moment of inertia forces about the crank axis",
+      about: "Largest moment of the inertia forces about the crank axis, in either sense; without gas",
       measure: "moment",
       value: clean(roll),
     },

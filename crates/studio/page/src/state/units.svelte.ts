@@ -5,6 +5,7 @@ export type System = (typeof SYSTEMS)[number];
 
 export type Measure =
   | "length"
+  | "vibration"
   | "area"
   | "volume"
   | "mass"
@@ -14,6 +15,7 @@ export type Measure =
   | "inertia"
   | "speed"
   | "angle"
+  | "rotation"
   | "velocity"
   | "acceleration"
   | "pressure"
@@ -36,9 +38,12 @@ const POUND_FORCE = POUND * 9.80665;
 
 const DEGREE: Unit = { name: "°", si: Math.PI / 180 };
 const RPM: Unit = { name: "rpm", si: Math.PI / 30 };
+const MICROMETRE: Unit = { name: "µm", si: 1e-6 };
 const COMMON = {
   speed: RPM,
   angle: DEGREE,
+  // Small angles, told with digits that count.
+  rotation: DEGREE,
   frequency: { name: "Hz", si: 1 },
   share: { name: "%", si: 0.01 },
   none: { name: "", si: 1 },
@@ -48,6 +53,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
   SI: {
     ...COMMON,
     length: { name: "m", si: 1 },
+    vibration: MICROMETRE,
     area: { name: "m²", si: 1 },
     volume: { name: "m³", si: 1 },
     mass: { name: "kg", si: 1 },
@@ -65,6 +71,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
   "mm-g": {
     ...COMMON,
     length: { name: "mm", si: 1e-3 },
+    vibration: MICROMETRE,
     area: { name: "mm²", si: 1e-6 },
     volume: { name: "cm³", si: 1e-6 },
     mass: { name: "g", si: 1e-3 },
@@ -82,6 +89,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
   US: {
     ...COMMON,
     length: { name: "in", si: INCH },
+    vibration: { name: "mil", si: INCH / 1000 },
     area: { name: "in²", si: INCH * INCH },
     volume: { name: "in³", si: INCH ** 3 },
     mass: { name: "lb", si: POUND },

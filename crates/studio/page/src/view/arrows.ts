@@ -20,6 +20,8 @@ export interface Shown {
   /** As a share of the largest that is shown with the same length. */
   x: number;
   y: number;
+  /** What stands at its tip; nothing where many would only hide each other. */
+  label?: string;
   /** About z; for `roll`. */
   z?: number;
 }
@@ -37,6 +39,8 @@ class Arrow extends Group {
   readonly #material: MeshBasicMaterial;
   readonly #direction = new Vector3();
   readonly #turn = new Quaternion();
+  /** Of its shaft, in the frame of all arrows [m]. */
+  readonly tip = new Vector3();
 
   constructor(
     readonly shown: Shown["kind"],
@@ -92,7 +96,8 @@ class Arrow extends Group {
     this.#shaft.scale.set(1, Math.max(length - 0.9 * head, 1e-6), 1);
     this.#shaft.quaternion.copy(this.#turn);
     this.#head.scale.setScalar(head / (0.12 * this.size));
-    this.#head.position.copy(this.#direction).multiplyScalar(length);
+    this.tip.copy(this.#direction).multiplyScalar(length);
+    this.#head.position.copy(this.tip);
     this.#head.quaternion.copy(this.#turn);
   }
 
@@ -106,6 +111,7 @@ class Arrow extends Group {
 /** All arrows, each by its name; those that are not named any more go. */
 export class Arrows extends Group {
   readonly #named = new Map<string, Arrow>();
+  #labels: { label: string; arrow: Arrow }[] = [];
 
   /** `size`: the length of the largest [m]. */
   show(shown: Shown[], size: number) {
@@ -117,11 +123,18 @@ export class Arrows extends Group {
       arrow.free();
       this.#named.delete(name);
     }
+    this.#labels = [];
     for (const one of shown) {
       const arrow = this.#named.get(named(one)) ?? new Arrow(one.kind, one.colour, size);
       this.#named.set(named(one), arrow);
       this.add(arrow);
       arrow.show(one);
+      if (one.label && arrow.visible) this.#labels.push({ label: one.label, arrow });
     }
+  }
+
+  /** Labels with the tips that they belong to, in the world [m]. */
+  labels(): { label: string; at: Vector3 }[] {
+    return this.#labels.map(({ label, arrow }) => ({ label, at: this.localToWorld(arrow.tip.clone()) }));
   }
 }

@@ -20,6 +20,7 @@ import { Arrows, type Shown } from "./arrows";
 import { type Body, bodies, matrixOf } from "./bodies";
 import { Finish, type Look } from "./finish";
 import { FrameClock } from "./frames";
+import type { Label } from "./labels";
 import { Mark } from "./mark";
 import { isSoftware } from "./software";
 import { type Pose, pose } from "./pose";
@@ -33,6 +34,9 @@ ColorManagement.enabled = false;
 
 /** After so long without a change a still picture is drawn finely [ms]. */
 const STILL = 140;
+
+/** Angles of a revolution at which the engine is to fit into the picture. */
+const POSES = 6;
 
 export class Stage {
   /** Times of the frames of the last second. */
@@ -210,6 +214,22 @@ export class Stage {
     this.#changed();
   }
 
+  /** What stands at the tips of arrows, and where on the canvas [px]. */
+  labels(): Label[] {
+    const { clientWidth, clientHeight } = this.#renderer.domElement;
+    const foot = this.#arrows.getWorldPosition(new Vector3()).project(this.#camera).x;
+    return this.#arrows.labels().map(({ label, at }) => {
+      const { x, y } = at.project(this.#camera);
+      return {
+        label,
+        x: ((1 + x) / 2) * clientWidth,
+        y: ((1 - y) / 2) * clientHeight,
+        // On the side to which the arrow points.
+        left: x < foot - 0.005,
+      };
+    });
+  }
+
   /** The part under a point of the page, as its index. */
   pick(x: number, y: number): number | null {
     const frame = this.#renderer.domElement.getBoundingClientRect();
@@ -248,18 +268,26 @@ export class Stage {
     this.#changed();
   }
 
-  /** All points as they stand now. */
+  /** All points at some angles of a revolution: what turns stays in sight. */
   #points(): Float32Array {
     const point = new Vector3();
     const all: number[] = [];
-    for (const { node, geometry } of this.#drawn) {
-      const positions = geometry.getAttribute("position");
-      // Every third will do: shapes have many points close by.
-      for (let k = 0; k < positions.count; k += 3) {
-        point.fromBufferAttribute(positions, k).applyMatrix4(node.matrixWorld);
-        all.push(point.x, point.y, point.z);
+    const now = this.#theta;
+    for (let step = 0; step < POSES; step++) {
+      this.#theta = now + (2 * Math.PI * step) / POSES;
+      this.#pose();
+      for (const { node, geometry, motion } of this.#drawn) {
+        if (step > 0 && motion.kind === "fixed") continue;
+        const positions = geometry.getAttribute("position");
+        // Every third will do: shapes have many points close by.
+        for (let k = 0; k < positions.count; k += 3) {
+          point.fromBufferAttribute(positions, k).applyMatrix4(node.matrixWorld);
+          all.push(point.x, point.y, point.z);
+        }
       }
     }
+    this.#theta = now;
+    this.#pose();
     return new Float32Array(all);
   }
 

@@ -111,8 +111,8 @@ class Files {
       then?.();
     } catch (error) {
       if (!(error instanceof Refused)) this.#complain(error);
-      else if (await this.#removed(target, error)) this.dialog = { kind: "removed", name: target };
-      else if (error.status === 409) await this.#conflict(target);
+      else if (error.problem.found === "removed") this.dialog = { kind: "removed", name: target };
+      else if (error.problem.found !== null) await this.#conflict(target);
       else if (this.dialog?.kind === "save-as") this.refusal = sentence(error.problem);
       else this.#complain(error);
     }
@@ -123,14 +123,6 @@ class Files {
     await this.#try(async () => {
       this.dialog = { kind: "conflict", theirs: await post<FileState>("/api/file/open", { name }) };
     });
-  }
-
-  /** Whether another program took the file away: one that does not say so is looked for in the folder. */
-  async #removed(name: string, { problem }: Refused): Promise<boolean> {
-    if ("found" in problem && problem.found !== null) return problem.found === "removed";
-    if (name !== engine.file?.name) return false;
-    await this.#try(() => server.refresh());
-    return server.session?.files.includes(name) === false;
   }
 
   close() {

@@ -2,9 +2,9 @@
 
 import { toSi } from "../../state/units.svelte";
 import { matters } from "./pick";
-import { axisTicks, equalised, limits, pixelMap, type PixelMap } from "./scale";
+import { axisTicks, equalised, limits, pixelMap, place, type PixelMap } from "./scale";
 import type { Axis, Series } from "./series";
-import type { Zoom } from "./zoom";
+import { moved, within, type Zoom } from "./zoom";
 
 /** Edges of the ground [px]. */
 export interface Box {
@@ -91,6 +91,17 @@ export class Frame {
     const { y } = this.#shape();
     return axisTicks(this.shown.y, y, toSi(1, y.measure), this.#countY);
   });
+
+  /** Moves what is zoomed until a place [SI] is in sight; without `y` along x alone. */
+  follow(x: number, y?: number) {
+    if (!this.zoomed) return;
+    const { left, top, right, bottom } = this.box;
+    const beyond = (pixel: number, from: number, to: number) =>
+      Math.min(0, pixel - from) + Math.max(0, pixel - to);
+    const dx = beyond(place(this.maps[0], x), left, right);
+    const dy = y === undefined ? 0 : beyond(place(this.maps[1], y), top, bottom);
+    if (dx !== 0 || dy !== 0) this.zoomed = within(moved(this.maps, this.shown, [-dx, -dy]), this.whole);
+  }
 
   /** Nothing in sight stands above rounding noise. */
   vanishes = $derived.by(() => {

@@ -111,8 +111,30 @@ export class Readout {
   step(by: number) {
     const to = Math.max(0, Math.min(this.count - 1, this.index + by));
     if (this.count === 0) return;
-    if (this.#source().plane) this.point = { series: this.point?.series ?? 0, index: this.point ? to : 0 };
-    else this.at = this.#walk[to];
+    if (this.#source().plane) {
+      this.point = { series: this.point?.series ?? 0, index: this.point ? to : 0 };
+      this.#follow();
+    } else {
+      this.at = this.#walk[to];
+      if (this.at !== undefined) this.#frame.follow(this.at);
+    }
+  }
+
+  /** In a plane: to the next series, at the same place along it. */
+  turn(by: number) {
+    const { plane, visible } = this.#source();
+    if (!plane || visible.length === 0) return;
+    const { series, index } = this.point ?? { series: -by, index: 0 };
+    const next = (series + by + visible.length) % visible.length;
+    const last = Math.max(0, (visible[next]?.x.length ?? 1) - 1);
+    this.point = { series: next, index: Math.min(index, last) };
+    this.#follow();
+  }
+
+  #follow() {
+    const one = this.point && this.#source().visible[this.point.series];
+    const [x, y] = [one?.x[this.point?.index ?? 0], one?.y[this.point?.index ?? 0]];
+    if (x !== undefined && y !== undefined && Number.isFinite(x + y)) this.#frame.follow(x, y);
   }
 
   /** The point next to a place on the screen, or the one that is read out. */

@@ -1,5 +1,7 @@
 // What of the results is looked at; it stays while other tabs are open.
 
+import type { Seen } from "./shaken";
+
 export const SECTIONS = [
   ["forces", "Forces and couples"],
   ["motion", "Motion"],
@@ -18,11 +20,15 @@ class Look {
   by = $state<By>("whole");
   /** What the stars of the cylinders show. */
   stars = $state<"force" | "couple">("force");
+  /** How the torque is split. */
+  torqueBy = $state<"cause" | "cylinder">("cause");
   /** Bearings also without counterweights. */
   bare = $state(false);
   /** Share of the reciprocating forces in shear and bending. */
   share = $state(0);
   counterweights = $state(true);
+  /** From where the orbits of the mounts are seen. */
+  seen = $state<Seen>("front");
   model = $state<"free_beam" | "throw_by_throw">("free_beam");
 }
 

@@ -1,6 +1,7 @@
 // What the mounts carry over speed, as series.
 
 import type { MountStudy } from "../../api/types";
+import { orderName } from "../balance/words";
 import type { Series } from "../plot/series";
 
 type Complex = readonly [number, number];
@@ -9,8 +10,6 @@ type Complex = readonly [number, number];
 const DRAWN = 5;
 /** Orders that stay below this share of the largest force are left out. */
 const FLAT = 1e-3;
-
-export const COORDINATES = ["x", "y", "z", "about x", "about y", "about z"] as const;
 
 /**
  * Largest size of a vector `Re(V e^{ia})` over a: the major half axis of its ellipse.
@@ -49,6 +48,12 @@ export function forces(study: MountStudy, mount: number): Series[] {
     .sort((a, b) => a.order - b.order);
   return [
     { name: "largest", x, y: peaks, colour: 1, width: 2.25 },
-    ...curves.map(({ order, y }, index) => ({ name: `order ${order}`, x, y, colour: index + 2, width: 1.5 })),
+    ...curves.map(({ order, y }, index) => ({
+      name: `order ${orderName(order)}`,
+      x,
+      y,
+      colour: index + 2,
+      width: 1.5,
+    })),
   ];
 }

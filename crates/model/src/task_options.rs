@@ -1,0 +1,180 @@
+//! What the options of `balance` change about a task: of a command line or of the studio.
+
+use crate::default_task::{CrankWeightPlaces, crank_weights};
+use crate::engine::Engine;
+use crate::option::{self, BadQuantity};
+use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
+use crate::task::{BalanceTask, Seat};
+
+/// Options as text, each as `lanchester balance` takes it.
+#[derive(Debug, Clone, Default)]
+pub struct TaskOptions {
+    /// What stands before the name of an option where a message names it: `--` on a command line.
+    pub prefix: &'static str,
+    /// Free weights on the crankshafts in place of the task's.
+    pub counterweights: Option<CrankWeightPlaces>,
+    /// Shafts that are added ([`BalanceTask::add_shaft`]).
+    pub shafts: Vec<String>,
+    /// What is minimised ([`option::stage`]), in place of the task's stages and orders to cancel.
+    pub minimise: Vec<String>,
+    /// What must hold ([`option::limit`]); replaces limits on the same.
+    pub limits: Vec<String>,
+    /// Orders that must vanish ([`option::cancel`]), in place of the task's stages and limits.
+    pub cancel: Vec<String>,
+    /// Least unbalance of every free weight on a crankshaft that is used.
+    pub least: Option<String>,
+    /// Largest unbalance of every free weight on a crankshaft.
+    pub most: Option<String>,
+    /// Whether every free weight on a crankshaft may be left out.
+    pub optional: bool,
+    /// Most optional devices that may be used at once.
+    pub most_optional: Option<usize>,
+}
+
+/// A task with options, and what is odd about them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChangedTask {
+    /// The task.
+    pub task: BalanceTask,
+    /// Devices of the options that may strike the crank or stand far out; the engine file's own are told where it is read.
+    pub warnings: Vec<RoomFault>,
+}
+
+impl TaskOptions {
+    /// A task of an engine with these options.
+    ///
+    /// # Errors
+    /// [`BadQuantity`] where an option cannot be read or has no meaning for this engine, two contradict each other, a shaft goes
+    /// through a crank, or nothing is free.
+    pub fn change(&self, engine: &Engine, mut task: BalanceTask) -> Result<ChangedTask, BadQuantity> {
+        if let Some(places) = self.counterweights {
+            self.replace_crank_weights(engine, &mut task, places)?;
+        }
+        let (own_shafts, own_weights) = (task.shafts.len(), task.weights.len());
+        for text in &self.shafts {
+            task.add_shaft(text, &self.name("shaft"))?;
+        }
+        // Of what stands in the file its reader has told.
+        let of_options = |fault: &RoomFault| match fault.device {
+            TaskDevice::Shaft(index) => index >= own_shafts,
+            TaskDevice::Weight(index) => index >= own_weights,
+        };
+        let warnings: Vec<_> = room_faults(engine, &task).into_iter().filter(of_options).collect();
+        if let Some(fault) = warnings.iter().find(|fault| fault.kind == RoomFaultKind::Through) {
+            return Err(refused(fault.message.clone(), fault.hint));
+        }
+        self.bound_crank_weights(&mut task)?;
+        self.set_aims(engine, &mut task)?;
+        if task.weights.is_empty() && task.inertias.is_empty() {
+            return Err(refused(
+                "nothing is free: there is no weight whose unbalance could be found".into(),
+                &format!(
+                    "give {} or {}, or a section [balance] in the engine file",
+                    self.name("counterweights"),
+                    self.name("shaft")
+                ),
+            ));
+        }
+        Ok(ChangedTask { task, warnings })
+    }
+
+    fn name(&self, option: &str) -> String {
+        format!("{}{option}", self.prefix)
+    }
+
+    /// What is minimised, what must hold, what must vanish.
+    fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
+        let mounts = &engine.mounts;
+        if !self.cancel.is_empty() && !(self.minimise.is_empty() && self.limits.is_empty()) {
+            return Err(refused(
+                format!(
+                    "orders that must vanish stand in place of what is minimised and of limits, got {} beside {} or {}",
+                    self.name("cancel"),
+                    self.name("minimise"),
+                    self.name("limit")
+                ),
+                "ask for one of them",
+            ));
+        }
+        if !self.minimise.is_empty() {
+            let stage = |text: &String| option::stage(text, mounts, &self.name("minimise"));
+            task.stages = self.minimise.iter().map(stage).collect::<Result<_, _>>()?;
+            task.cancel.clear();
+        }
+        if !self.cancel.is_empty() {
+            let orders = |text: &String| option::cancel(text, mounts, &self.name("cancel"));
+            let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
+            (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
+        }
+        for text in &self.limits {
+            let limit = option::limit(text, mounts, &self.name("limit"))?;
+            task.limits.retain(|known| known.criterion != limit.criterion);
+            task.limits.push(limit);
+        }
+        Ok(())
+    }
+
+    /// Bounds the weights on crankshafts, and says how many optional devices may be used.
+    fn bound_crank_weights(&self, task: &mut BalanceTask) -> Result<(), BadQuantity> {
+        let amount = |text: &Option<String>, option: &str| {
+            text.as_ref().map(|text| option::unbalance(text, &self.name(option))).transpose()
+        };
+        let (least, most) = (amount(&self.least, "least")?, amount(&self.most, "most")?);
+        let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
+        for (index, weight) in task.weights.iter_mut().enumerate() {
+            if !matches!(weight.seat, Seat::Crankshaft(_)) {
+                continue;
+            }
+            weight.most = most.or(weight.most);
+            // A follower does what its leader does.
+            if !followers.contains(&index) {
+                weight.least = least.unwrap_or(weight.least);
+                weight.optional |= self.optional;
+            }
+        }
+        let Some(most) = self.most_optional else { return Ok(()) };
+        let shafts = task.shafts.iter().any(|shaft| shaft.optional);
+        if !shafts && !task.weights.iter().any(|w| w.optional) && !task.inertias.iter().any(|i| i.optional) {
+            return Err(refused(
+                format!("{} counts optional devices, and nothing is optional", self.name("most-optional")),
+                &format!(
+                    "add {} for the weights on the crank, or write a shaft like {} '-1 @ 0 mm, 100 mm @ 0 mm @ optional, most 0.02 kg m'",
+                    self.name("optional"),
+                    self.name("shaft")
+                ),
+            ));
+        }
+        task.most_optional = Some(most);
+        Ok(())
+    }
+
+    /// Drops the free weights on crankshafts with their ties, and sets those asked for in their place.
+    fn replace_crank_weights(
+        &self,
+        engine: &Engine,
+        task: &mut BalanceTask,
+        places: CrankWeightPlaces,
+    ) -> Result<(), BadQuantity> {
+        task.keep_weights(|weight| matches!(weight.seat, Seat::Shaft(_)));
+        let weights = crank_weights(engine, places);
+        if weights.is_empty() && places != CrankWeightPlaces::None {
+            let option = self.name("counterweights");
+            return Err(match places {
+                CrankWeightPlaces::Webs => refused(
+                    format!("{option} webs needs the places of the webs, and the file does not give them"),
+                    "add web_distance to [crank]",
+                ),
+                _ => refused(
+                    format!("{option} file needs counterweights in the file, and it has none"),
+                    &format!("{option} throws puts one in the plane of every throw"),
+                ),
+            });
+        }
+        task.weights.extend(weights);
+        Ok(())
+    }
+}
+
+fn refused(message: String, hint: &str) -> BadQuantity {
+    BadQuantity { message, hint: hint.into() }
+}

@@ -1,0 +1,11 @@
+import { defineConfig } from "@playwright/test";
+import tests from "./playwright.config";
+
+// Draws the pictures of the guide: `npm run pictures`.
+export default defineConfig({
+  ...tests,
+  testDir: "pictures",
+  outputDir: "test-results/pictures",
+  timeout: 120_000,
+  use: { ...tests.use, screenshot: "off" },
+});

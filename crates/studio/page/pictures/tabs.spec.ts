@@ -1,0 +1,106 @@
+// Each tab in both themes, on a desk and on a phone.
+
+import { expect, test } from "../tests/server";
+import { draw, into, section, start, tab, THEMES, top, turned } from "./drawn";
+
+for (const theme of THEMES) {
+  test.describe(theme, () => {
+    test.use({ colorScheme: theme, example: "in-line-3-counterweights.toml" });
+
+    test("engine", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await page.locator('[data-path="layout.spacing"]').focus();
+      await top(page);
+      await draw(page, `engine-${theme}`);
+    });
+
+    test("3-D view", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "view");
+      await expect(page.locator('[data-stage="drawn"]')).toBeVisible();
+      await turned(page, 40);
+      await page.getByRole("combobox", { name: "Part" }).selectOption("rod 2");
+      await top(page);
+      await draw(page, `view-${theme}`);
+    });
+
+    test("balance", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "balance");
+      await page.getByRole("button", { name: "Optimise", exact: true }).click();
+      const answer = page.getByRole("region", { name: "Optimise" });
+      await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
+      await into(page, answer);
+      await draw(page, `balance-${theme}`);
+    });
+
+    test("counterweight", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "counterweight");
+      await page.getByRole("button", { name: "Find the best shape" }).click();
+      await expect(page.getByRole("region", { name: "Best shape" })).toContainText("the least mass is");
+      await page.getByRole("region", { name: "Best shape" }).getByRole("button", { name: "Adopt" }).click();
+      await expect(page.getByRole("table", { name: "Clearances" })).toContainText("kept");
+      await top(page);
+      await draw(page, `counterweight-${theme}`);
+    });
+
+    test("compare", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "compare");
+      await page.getByRole("button", { name: "Pin this state" }).click();
+      await page.getByRole("textbox", { name: /Name of the pinned state/ }).fill("as bought");
+      await page.keyboard.press("Enter");
+      await tab(page, "balance");
+      await page.getByRole("button", { name: "Optimise", exact: true }).click();
+      const answer = page.getByRole("region", { name: "Optimise" });
+      await answer.getByRole("button", { name: "Adopt" }).click();
+      await tab(page, "compare");
+      await expect(page.getByRole("heading", { name: "Headline numbers" })).toBeVisible();
+      await top(page);
+      await draw(page, `compare-${theme}`);
+    });
+  });
+
+  test.describe(`results, ${theme}`, () => {
+    test.use({ colorScheme: theme, example: "in-line-4-mounts.toml" });
+
+    test("forces, torque, mounts", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await tab(page, "results");
+      await section(page, "Forces and couples");
+      await draw(page, `results-${theme}`);
+      await section(page, "Torque");
+      await draw(page, `torque-${theme}`);
+      await section(page, "Mounts");
+      await into(page, page.getByRole("heading", { name: "How the block moves" }));
+      await draw(page, `mounts-${theme}`);
+    });
+  });
+
+  test.describe(`phone, ${theme}`, () => {
+    test.use({
+      colorScheme: theme,
+      example: "in-line-3-counterweights.toml",
+      viewport: { width: 390, height: 844 },
+      deviceScaleFactor: 2,
+      hasTouch: true,
+    });
+
+    test("engine, balance, 3-D view, results", async ({ page, studio }) => {
+      await start(page, studio.address, theme);
+      await draw(page, `phone-engine-${theme}`);
+      await tab(page, "view");
+      await expect(page.locator('[data-stage="drawn"]')).toBeVisible();
+      await turned(page, 40);
+      await into(page, page.locator("[data-stage]"));
+      await draw(page, `phone-view-${theme}`);
+      await tab(page, "balance");
+      await draw(page, `phone-balance-${theme}`);
+      await tab(page, "results");
+      await section(page, "Forces and couples");
+      await into(page, page.locator("figure[data-plot]").first());
+      await draw(page, `phone-results-${theme}`);
+    });
+  });
+}
