@@ -54,6 +54,7 @@ test("from a new in-line three to a balanced engine with outlines of its counter
     await page.getByRole("button", { name: "Optimise", exact: true }).click();
     const answer = page.getByRole("region", { name: "Optimise" });
     await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
+    await expect(answer.getByRole("button", { name: "Adopt" })).toBeInViewport();
     await answer.getByRole("button", { name: "Adopt" }).click();
     await expect(figure(page, "Couple, order 1")).not.toHaveText(before ?? "");
   };
@@ -65,6 +66,7 @@ test("from a new in-line three to a balanced engine with outlines of its counter
   await expect(page.getByRole("region", { name: "Sections to start from" })).toHaveCount(0);
   // Bodies are heavier than the masses that stood for them: balanced anew, as good as before.
   await expect(figure(page, "Couple, order 1")).not.toHaveText(points ?? "");
+  await page.getByRole("button", { name: "To the tab Balance" }).click();
   await balance(await figure(page, "Couple, order 1").textContent());
   await expect(figure(page, "Couple, order 1")).toHaveText(points ?? "");
   await page.getByRole("tab", { name: "Counterweight" }).click();

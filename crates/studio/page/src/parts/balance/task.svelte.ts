@@ -4,6 +4,7 @@
 import type { Arrangements, BalanceAnswer } from "../../api/types";
 import { engine } from "../../state/engine.svelte";
 import { Search } from "../../state/search.svelte";
+import { EACH } from "./criteria";
 
 /** A load, or one order of it. */
 export interface Aim {
@@ -17,9 +18,6 @@ export interface Aim {
 export interface Bound extends Aim {
   most: string;
 }
-
-/** What a limit on the amount of every weight is called. */
-export const EACH = "each weight";
 
 let count = 0;
 export function aim(load: string, order = ""): Aim {

@@ -14,8 +14,10 @@ interface Of<T> {
 }
 
 class Shaping {
-  /** Weights that stand in the file one by one: they can be shaped. */
-  readonly weights = $derived((engine.summary?.counterweights ?? []).filter((one) => one.path !== null));
+  /** Weights that stand in the file one by one can be shaped; from the free end on. */
+  readonly weights = $derived(
+    (engine.summary?.counterweights ?? []).filter((one) => one.path !== null).toSorted((a, b) => a.z - b.z),
+  );
   #picked = $state("");
   /** The weight in hand. */
   readonly chosen = $derived(this.weights.find((one) => one.name === this.#picked) ?? this.weights[0]);

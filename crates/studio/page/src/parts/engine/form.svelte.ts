@@ -10,6 +10,9 @@ class Form {
   /** Keys and tables whose empty fields are shown although the file does not have them yet. */
   readonly asked = new SvelteSet<string>();
 
+  /** Parts of the form that are open: one that opened itself for a mistake stays open when the mistake is mended. */
+  readonly opened = new SvelteSet<string>();
+
   readonly tables = $derived(new Tables(server.session?.tables ?? []));
   readonly entries = $derived(engine.reading?.entries ?? []);
   readonly layout = $derived(String(engine.value("layout.type") ?? ""));
@@ -17,6 +20,21 @@ class Form {
     const reading = engine.reading;
     return reading?.diagnostics.map((one) => ({ ...one, path: subject(reading, one) })) ?? [];
   });
+
+  constructor() {
+    engine.whenOpened(() => {
+      this.asked.clear();
+      this.opened.clear();
+    });
+  }
+
+  /** What a part of the form does when it is opened or closed. */
+  folds(part: string) {
+    return (event: Event) => {
+      if ((event.currentTarget as HTMLDetailsElement).open) this.opened.add(part);
+      else this.opened.delete(part);
+    };
+  }
 
   /** Shows empty fields for a key and for the tables around it. */
   ask(path: string) {

@@ -2,7 +2,7 @@
 
 import type { FileEntry, KeyInfo, KeyTable, PlacedDiagnostic, Reading } from "../../api/types";
 
-export type Shape = "value" | "table" | "list";
+export type Shape = "value" | "table" | "list" | "stages" | "limits";
 
 export class Tables {
   #byPath: Map<string, KeyTable>;
@@ -21,12 +21,14 @@ export class Tables {
     return this.find(parent)?.keys.find((key) => key.name === name);
   }
 
-  /** What stands at `path`: a value, a table or a list of tables. */
+  /** What stands at `path`: a value, a table, a list of tables, or a list or a table of criteria. */
   shape(path: string): Shape {
     if (this.find(path)) return "table";
     if (this.find(`${path}[0]`)) return "list";
-    // Tables whose keys are the user's own, such as limits by criterion.
-    return this.key(path)?.kind === "table" ? "table" : "value";
+    const { kind = "", wanted = "" } = this.key(path) ?? {};
+    // Tables whose keys are the user's own.
+    if (kind === "table") return wanted.includes("criteria") ? "limits" : "table";
+    return /^a list of (criteria|orders of loads)$/.test(wanted) ? "stages" : "value";
   }
 }
 
