@@ -30,7 +30,7 @@ test("the story", async ({ page, studio }) => {
     return answer.getByRole("button", { name: "Adopt" });
   };
   let adopt = await balance();
-  await into(page, page.getByRole("heading", { name: "Optimum found and proved" }));
+  await into(page.getByRole("heading", { name: "Optimum found and proved" }));
   await scene("Its counterweights and shafts at their best, with the proof");
   await adopt.click();
   await tab(page, "counterweight");
