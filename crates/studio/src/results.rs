@@ -120,7 +120,11 @@ pub(crate) fn questions(api: Api) -> Api {
         )
         .post("/api/torque", "Torque of gas and inertia: `lanchester torque`.", turning)
         .post("/api/bearings", "Loads of pistons, pins and bearings: `lanchester bearings`.", bearings)
-        .post("/api/mounts", "The block on its mounts: `lanchester mounts`, with a `--point` at each mount.", mounted)
+        .post(
+            "/api/mounts",
+            "The block on its mounts: `lanchester mounts`, with a `--point` at each mount.",
+            mounted,
+        )
         .post("/api/compare", "Engines side by side: `lanchester compare`.", compared)
 }
 
@@ -177,7 +181,8 @@ fn mounted(studio: &Studio, question: Mounted) -> Result<MountStudy, Problem> {
     let traces = studio.folder.traces(&engine)?;
     // The points are the mounts themselves: how far each of them moves is drawn.
     let points: Vec<[f64; 3]> = engine.mounts.iter().map(|mount| [mount.x, mount.y, mount.z]).collect();
-    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &points).map_err(Problem::refused)
+    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &points)
+        .map_err(Problem::refused)
 }
 
 fn compared(studio: &Studio, question: CompareQuestion) -> Result<Comparison, Problem> {
