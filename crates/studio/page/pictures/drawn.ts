@@ -40,14 +40,9 @@ export async function turned(page: Page, degrees: number) {
   await angle.fill(String(degrees));
 }
 
-/** Below the bar and the numbers that stay at the top. */
-export async function into(page: Page, first: Locator) {
-  await first.evaluate((element) => {
-    const kept = [...document.querySelectorAll("body *")]
-      .filter((one) => getComputedStyle(one).position === "sticky")
-      .reduce((sum, one) => sum + one.getBoundingClientRect().height, 0);
-    scrollBy(0, element.getBoundingClientRect().top - kept - 12);
-  });
+/** Scrolled to, below what stays at the top. */
+export async function into(first: Locator) {
+  await first.evaluate((element) => element.scrollIntoView({ block: "start" }));
 }
 
 /** What was scrolled by a click is seen from its top again. */

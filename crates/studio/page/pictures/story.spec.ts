@@ -2,7 +2,7 @@
 
 import { newEngine } from "../tests/page";
 import { expect, test } from "../tests/server";
-import { draw, FOLDER, into, start, tab, top } from "./drawn";
+import { FOLDER, into, start, tab, top } from "./drawn";
 
 test.use({ example: "" });
 
@@ -30,7 +30,7 @@ test("the story", async ({ page, studio }) => {
     return answer.getByRole("button", { name: "Adopt" });
   };
   let adopt = await balance();
-  await into(page, page.getByRole("heading", { name: "Optimum found and proved" }));
+  await into(page.getByRole("heading", { name: "Optimum found and proved" }));
   await scene("Its counterweights and shafts at their best, with the proof");
   await adopt.click();
   await tab(page, "counterweight");
@@ -46,7 +46,6 @@ test("the story", async ({ page, studio }) => {
   await expect(page.locator("path.part")).toBeVisible();
   await top(page);
   await scene("The lightest counterweight that fits the crankcase");
-  await draw(page, "outlines");
   await tab(page, "view");
   await expect(page.locator('[data-stage="drawn"]')).toBeVisible();
   await scene("And how it turns, with what is left of force and couple");

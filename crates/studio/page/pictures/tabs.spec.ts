@@ -30,7 +30,7 @@ for (const theme of THEMES) {
       await page.getByRole("button", { name: "Optimise", exact: true }).click();
       const answer = page.getByRole("region", { name: "Optimise" });
       await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
-      await into(page, answer);
+      await into(answer);
       await draw(page, `balance-${theme}`);
     });
 
@@ -73,7 +73,7 @@ for (const theme of THEMES) {
       await section(page, "Torque");
       await draw(page, `torque-${theme}`);
       await section(page, "Mounts");
-      await into(page, page.getByRole("heading", { name: "How the block moves" }));
+      await into(page.getByRole("heading", { name: "How the block moves" }));
       await draw(page, `mounts-${theme}`);
     });
   });
@@ -93,13 +93,13 @@ for (const theme of THEMES) {
       await tab(page, "view");
       await expect(page.locator('[data-stage="drawn"]')).toBeVisible();
       await turned(page, 40);
-      await into(page, page.locator("[data-stage]"));
+      await into(page.locator("[data-stage]"));
       await draw(page, `phone-view-${theme}`);
       await tab(page, "balance");
       await draw(page, `phone-balance-${theme}`);
       await tab(page, "results");
       await section(page, "Forces and couples");
-      await into(page, page.locator("figure[data-plot]").first());
+      await into(page.locator("figure[data-plot]").first());
       await draw(page, `phone-results-${theme}`);
     });
   });

@@ -234,6 +234,28 @@ test("the server goes and comes back, and nothing is lost", async ({ studio, pag
   expect(await studio.read()).toContain('mass = "1.2 kg"');
 });
 
+test("a server started anew has another token: its address opened once is enough", async ({
+  studio,
+  page,
+  context,
+}) => {
+  await type(page, "rod.length", "155 mm");
+  await studio.kill();
+  const notice = page.getByText("The studio's server does not answer.");
+  await expect(notice).toBeVisible();
+  await expect(page.getByText(`lanchester studio in-line-3.toml --port ${studio.port}`)).toBeVisible();
+  await studio.run("another-token");
+  await page.waitForTimeout(1500);
+  await expect(notice).toBeVisible();
+  const other = await context.newPage();
+  await other.goto(studio.address);
+  await expect(notice).toBeHidden();
+  await type(page, "piston.mass", "1.2 kg");
+  await page.keyboard.press("Control+s");
+  await expect(page.getByText("Saved in-line-3.toml")).toBeVisible();
+  expect(await studio.read()).toContain('length = "155 mm"');
+});
+
 test("a server that goes while it answers loses nothing either", async ({ studio, page }) => {
   const before = await figure(page, "Peak couple").textContent();
   await type(page, "rod.length", "155 mm");

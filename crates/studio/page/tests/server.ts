@@ -34,7 +34,7 @@ export class Studio {
     /** Name of the engine file in it; empty: the studio was started without a file. */
     readonly name: string,
     readonly port: number,
-    readonly token: string,
+    public token: string,
   ) {}
 
   /** A copy of `example` from the folder of examples in a new folder, and a server for it. */
@@ -47,8 +47,9 @@ export class Studio {
     return studio;
   }
 
-  /** Starts the program; after `kill` again, on the same port and with the same token. */
-  async run(): Promise<void> {
+  /** Starts the program; after `kill` again, on the same port, with the same token or another. */
+  async run(token = this.token): Promise<void> {
+    this.token = token;
     const file = this.name === "" ? [] : [this.name];
     const child = spawn(PROGRAM, ["studio", ...file, "--port", String(this.port), "--no-open"], {
       cwd: this.folder,

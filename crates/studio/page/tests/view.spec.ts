@@ -1,7 +1,8 @@
 // The 3-D view: that it draws, turns, names what is picked, and what is left without WebGL.
 
 import type { Page } from "@playwright/test";
-import { figure } from "./page";
+import { mkdir, writeFile } from "node:fs/promises";
+import { figure, opened } from "./page";
 import { expect, test } from "./server";
 
 test.use({ example: "in-line-3-counterweights.toml" });
@@ -80,6 +81,58 @@ test("the engine is drawn and turns", async ({ studio, page }, info) => {
   const still = await angle.textContent();
   await page.waitForTimeout(300);
   await expect(angle).toHaveText(still ?? "");
+});
+
+test.describe("a V8", () => {
+  test.use({ example: "" });
+
+  test("at 960 by 540 has its frames recorded", async ({ studio, page }, info) => {
+    await page.goto(studio.address);
+    await opened(page);
+    await page.getByRole("button", { name: "New", exact: true }).click();
+    const gallery = page.getByRole("dialog", { name: "New engine" });
+    await gallery.getByRole("searchbox").fill("V8");
+    await gallery.getByRole("button", { name: /V8/ }).first().click();
+    await expect(gallery).toBeHidden();
+    await page.getByRole("tab", { name: "3-D view" }).click();
+    await expect(stage(page)).toHaveAttribute("data-stage", "drawn");
+    await stage(page).evaluate((box) => {
+      box.style.width = "960px";
+      box.style.height = "540px";
+    });
+    await expect.poll(async () => (await picture(page).boundingBox())?.width).toBe(960);
+    await page.getByRole("button", { name: "Turn" }).click();
+    await expect.poll(() => stage(page).getAttribute("data-frame-time"), { timeout: 30_000 }).toMatch(/^\d/);
+    await page.waitForTimeout(4000);
+    const [frames, between, work] = await Promise.all(
+      ["data-frames", "data-frame-time", "data-frame-work"].map(async (name) =>
+        Number(await stage(page).getAttribute(name)),
+      ),
+    );
+    const record = { what: "3-D view of a V8 at 960 x 540", frames, between, work };
+    await mkdir("test-results", { recursive: true });
+    await writeFile("test-results/frames.json", `${JSON.stringify(record, null, 2)}\n`);
+    info.annotations.push({ type: "frames", description: JSON.stringify(record) });
+    console.log(
+      `${record.what}: ${frames} frames/s, ${between} ms between two, ${work} ms of it on the page`,
+    );
+  });
+});
+
+test("where less motion is asked for the crank turns only when it is told to", async ({ studio, page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await openView(page, studio.address);
+  await expect(stage(page)).toHaveAttribute("data-stage", "drawn");
+  const angle = page.getByRole("group", { name: "Crank angle" }).locator("output").first();
+  await page.waitForTimeout(500);
+  await expect(angle).toHaveText("0.0°");
+  const turn = page.getByRole("button", { name: "Turn" });
+  await expect(turn).toHaveAttribute("title", /less motion/);
+  await picture(page).focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(angle).toHaveText("719.0°");
+  await turn.click();
+  await expect(angle).not.toHaveText("719.0°");
 });
 
 test("arrows carry their numbers, apart from each other", async ({ studio, page }) => {

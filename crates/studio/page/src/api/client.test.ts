@@ -1,5 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { Gone, Refused, post, postForFile } from "./client";
+import { Gone, Refused, get, post, postForFile } from "./client";
 
 /** An answer that breaks off behind its head, as that of a server that is killed. */
 const broken = () =>
@@ -21,6 +21,19 @@ describe("client", () => {
     vi.stubGlobal("fetch", () => Promise.resolve(broken()));
     await expect(post("/api/loads", {})).rejects.toBeInstanceOf(Gone);
     await expect(postForFile("/api/report", {})).rejects.toBeInstanceOf(Gone);
+  });
+
+  it("takes the token that a server started anew has left, and asks once more", async () => {
+    const given: string[] = [];
+    vi.stubGlobal("fetch", (_: string, { headers }: { headers: Record<string, string> }) => {
+      given.push(headers["X-Lanchester-Token"] ?? "");
+      const fits = given.at(-1) === "new";
+      return Promise.resolve(new Response(fits ? "5" : '{"message":"no"}', { status: fits ? 200 : 401 }));
+    });
+    await expect(get("/api/session")).rejects.toBeInstanceOf(Refused);
+    localStorage.setItem("lanchester-token", "new");
+    await expect(get("/api/session")).resolves.toBe(5);
+    expect(given.slice(1)).toEqual([given[0], "new"]);
   });
 
   it("hands on what the server says", async () => {

@@ -19,7 +19,7 @@ export class Gone extends Error {
   }
 }
 
-const token = takeToken();
+let token = takeToken();
 /** Tells the server which requests replace each other. */
 const client = crypto.randomUUID();
 
@@ -33,6 +33,14 @@ function takeToken(): string {
     history.replaceState(null, "", address);
   }
   return given ?? localStorage.getItem("lanchester-token") ?? "";
+}
+
+/** A server that was started again has a new token; the window that it opened has left it for this one. */
+function renewed(): boolean {
+  const kept = localStorage.getItem("lanchester-token");
+  if (!kept || kept === token) return false;
+  token = kept;
+  return true;
 }
 
 async function send(
@@ -58,6 +66,7 @@ async function send(
     throw new Gone();
   }
   if (response.ok) return response;
+  if (response.status === 401 && renewed()) return send(method, path, body, lane, signal);
   let problem: Problem;
   try {
     problem = (await response.json()) as Problem;

@@ -64,6 +64,8 @@ export class Stage {
   #frame = 0;
   #still: ReturnType<typeof setTimeout> | undefined;
   #moving = false;
+  /** Of the canvas [px]. */
+  #size: [number, number] = [1, 1];
   #ratio = 1;
   /** The side that is looked from until the camera is moved by hand: it fits a picture of another size too. */
   #preset: Preset | undefined;
@@ -112,6 +114,7 @@ export class Stage {
 
   resize(width: number, height: number) {
     if (width < 1 || height < 1) return;
+    this.#size = [width, height];
     this.#camera.aspect = width / height;
     this.#camera.updateProjectionMatrix();
     this.#renderer.setPixelRatio(this.#ratio);
@@ -216,14 +219,14 @@ export class Stage {
 
   /** What stands at the tips of arrows, and where on the canvas [px]. */
   labels(): Label[] {
-    const { clientWidth, clientHeight } = this.#renderer.domElement;
+    const [width, height] = this.#size;
     const foot = this.#arrows.getWorldPosition(new Vector3()).project(this.#camera).x;
     return this.#arrows.labels().map(({ label, at }) => {
       const { x, y } = at.project(this.#camera);
       return {
         label,
-        x: ((1 + x) / 2) * clientWidth,
-        y: ((1 - y) / 2) * clientHeight,
+        x: ((1 + x) / 2) * width,
+        y: ((1 - y) / 2) * height,
         // On the side to which the arrow points.
         left: x < foot - 0.005,
       };

@@ -104,4 +104,8 @@ describe("labels", () => {
     expect(label(2e-9, 1e-9)).toBe("2e−9");
     expect(label(2.5e8, 5e7)).toBe("2.5e8");
   });
+  it("name a single whole number", () => {
+    const axis = { name: "Cylinder", measure: "none", whole: true } as const;
+    expect(axisTicks([0.4, 1.6], axis, 1, 4).map((tick) => tick.label)).toEqual(["1"]);
+  });
 });

@@ -150,7 +150,8 @@ export function axisTicks(range: Range, axis: Axis, unit: number, count: number)
       .domain([low, high])
       .ticks(axis.whole ? 2 * count : count);
     if (axis.whole) values = values.filter((value) => Math.abs(value - Math.round(value)) < 1e-9);
-    step = (values[1] ?? 1) - (values[0] ?? 0);
+    const [first, second] = values;
+    step = first === undefined || second === undefined ? 1 : second - first;
   }
   return values.map((value) => ({ value: value * unit, label: label(value, step) }));
 }
