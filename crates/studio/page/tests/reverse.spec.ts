@@ -96,5 +96,5 @@ test("results and the flat view point y to the left", async ({ page }) => {
   await expect(picture).toBeVisible();
   await expect.poll(() => middle(shaft())).toBeLessThan(right);
   await page.getByRole("tab", { name: "Results" }).click();
-  await expect(page.getByText(/y to the left/)).toBeVisible();
+  await expect(page.getByText(/y lateral, to the left/)).toBeVisible();
 });

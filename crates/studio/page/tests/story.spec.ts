@@ -96,3 +96,57 @@ test("from a new in-line three to a balanced engine with outlines of its counter
   expect(await readFile(report, "utf8")).toContain("The crankshaft");
   console.log(`from the gallery to the report in ${((Date.now() - start) / 1000).toFixed(1)} s`);
 });
+
+test("the way to outlines goes by keyboard alone", async ({ studio, page }) => {
+  await page.goto(studio.address);
+  await opened(page);
+  /** Tab by tab to a control, as without a mouse. */
+  const reach = async (name: RegExp) => {
+    const wanted = () =>
+      page.evaluate((source) => {
+        const at = document.activeElement;
+        const said = at?.getAttribute("aria-label") ?? at?.textContent ?? "";
+        return at !== document.body && new RegExp(source).test(said.trim());
+      }, name.source);
+    for (let steps = 0; steps < 80 && !(await wanted()); steps += 1) await page.keyboard.press("Tab");
+    expect(await wanted(), `${name} by Tab`).toBe(true);
+  };
+  const tab = async (name: string, steps: number) => {
+    await page.locator("[role=tab][aria-selected=true]").focus();
+    for (let step = 0; step < steps; step += 1) await page.keyboard.press("ArrowRight");
+    await expect(page.getByRole("tab", { name })).toBeFocused();
+  };
+  await reach(/^New$/);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("dialog", { name: "New engine" })).toBeVisible();
+  await reach(/in-line three$/);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("heading", { level: 1 })).toContainText("in-line 3");
+  await tab("Balance", 2);
+  await reach(/^Optimise$/);
+  await page.keyboard.press("Enter");
+  const answer = page.getByRole("region", { name: "Optimise" });
+  await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
+  await page.keyboard.press("Tab");
+  await reach(/^Adopt$/);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("tabpanel")).toBeFocused();
+  await tab("Counterweight", 1);
+  await reach(/^Add all to start from$/);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("region", { name: "Sections to start from" })).toHaveCount(0);
+  await expect(page.getByRole("tabpanel")).toBeFocused();
+  await reach(/^Find the best shape$/);
+  await page.keyboard.press("Enter");
+  const best = page.getByRole("region", { name: "Best shape" });
+  await expect(best).toContainText("the least mass is");
+  await reach(/^Adopt$/);
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("button", { name: /^web 1/ })).toContainText(/\d g/);
+  await page.keyboard.press("Control+s");
+  await expect(page.getByLabel("Name of the file")).toBeFocused();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type("by-keyboard");
+  await page.keyboard.press("Enter");
+  await expect(page.getByText("Saved by-keyboard.toml")).toBeVisible();
+});

@@ -25,7 +25,7 @@ export function aim(load: string, order = ""): Aim {
 }
 
 /** An aim as the server reads it: `force order 2`. */
-export function spoken(one: Aim): string {
+function spoken(one: Aim): string {
   return one.order === "" ? one.load : `${one.load} order ${one.order}`;
 }
 

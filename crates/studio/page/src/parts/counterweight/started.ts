@@ -18,7 +18,7 @@ export interface Started {
 const read = (ask: Ask, text: string) => ask<Reading>("/api/engine", { text, edits: [] });
 
 /** Sizes of the engine of a file; `undefined` where it names no bore. */
-export async function sizesOfFile(ask: Ask, text: string): Promise<Sizes | undefined> {
+async function sizesOfFile(ask: Ask, text: string): Promise<Sizes | undefined> {
   const general = await ask<{ text: string }>("/api/expanded", { text });
   const whole = shape((await read(ask, general.text)).entries);
   return whole && sizesOf(whole);

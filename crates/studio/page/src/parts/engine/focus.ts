@@ -22,6 +22,13 @@ export async function focusField(path: string): Promise<boolean> {
   return true;
 }
 
+/** The focus stays on the tab when what had it has done its work and is gone. */
+export async function keepFocus() {
+  await tick();
+  if (document.activeElement === document.body || document.activeElement === null)
+    document.getElementById("panel")?.focus({ preventScroll: true });
+}
+
 /** Attributes of a part of the sketch that leads to the field of `path`, by mouse and by keyboard. */
 export function leadsTo(path: string) {
   const go = () => void focusField(path);
