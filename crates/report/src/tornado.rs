@@ -34,14 +34,15 @@ fn chart(found: &Sensitivity, own: &OutputSensitivity) -> Panel {
     let order: Vec<usize> = strongest(own).into_iter().take(MOST).collect();
     let ends = |k: usize| [own.effects[k].below, own.effects[k].above];
     let all = order.iter().flat_map(|&k| ends(k)).flatten().chain([own.nominal]);
-    let (low, high) =
-        all.fold((f64::INFINITY, 0.0f64), |(low, high), value| (low.min(value), high.max(value)));
-    let scale = Scale::of(high, own.output.unit());
+    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (low.min(value), high.max(value))
+    });
+    let scale = Scale::of(low.abs().max(high.abs()), own.unit);
     let axis = Axis::of(low / scale.divisor, high / scale.divisor, 4);
     let bottom = HEAD + ROW * order.len() as f64;
     let mut svg = Svg::new(NAMES + BARS + 30.0, bottom + 26.0);
     let at = |value: f64| axis.place(value / scale.divisor, NAMES, NAMES + BARS);
-    let title = format!("{} [{}]", number::capital(&own.output.name()), scale.unit);
+    let title = format!("{} [{}]", number::capital(&own.name), scale.unit);
     svg.text("strong", (4.0, 15.0), Anchor::Start, &title);
     for &tick in &axis.ticks {
         let x = axis.place(tick, NAMES, NAMES + BARS);

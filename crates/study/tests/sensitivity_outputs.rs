@@ -1,0 +1,333 @@
+//! Derivatives of torque, energy, bearings and mounts against fourth-order differences of the closed forms that `torque`, `bearings` and
+//! `mounts` use.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use lanchester_mechanism::{
+    BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, Lever, MountSystem,
+    PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest, TurningInertia, bearing_loads, inertia_excitations, merged_orders, torque, vector_amplitude,
+};
+use lanchester_model::{Engine, MovingParts, read, template};
+use lanchester_study::sensitivity::*;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Highest order of mount forces, as the derivatives have it.
+const MOUNT_ORDERS: u32 = 8;
+
+/// Engine files of the repository and of the gallery.
+fn engine(name: &str) -> Engine {
+    let text = match name {
+        "in-line-4-mounts" => include_str!("../../../examples/in-line-4-mounts.toml"),
+        "single-gas" => include_str!("../../../examples/single-gas.toml"),
+        "in-line-4-production" => include_str!("../../../examples/in-line-4-production.toml"),
+        "twin-270-choices" => include_str!("../../../examples/twin-270-choices.toml"),
+        "v6-60" => include_str!("../../../examples/v6-60.toml"),
+        _ => template(name).unwrap().text,
+    };
+    let mut engine = read(text).engine.unwrap_or_else(|| panic!("{name}"));
+    let count = engine.cylinders.len();
+    let cycle = TAU * f64::from(engine.strokes.revolutions());
+    for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+        cylinder.bore.get_or_insert(0.08);
+        cylinder.firing_angle.get_or_insert(cycle * index as f64 / count as f64);
+    }
+    engine
+}
+
+/// A pressure that rises and falls smoothly about firing.
+fn smooth(cycle: f64) -> PeriodicCurve {
+    let knots: Vec<f64> = (0..240).map(|k| cycle * f64::from(k) / 240.0).collect();
+    let pressure = |angle: f64| {
+        let from_firing = (angle + cycle / 2.0).rem_euclid(cycle) - cycle / 2.0;
+        2e5 + 50e5 * (-((from_firing - 0.25) / 0.6).powi(2)).exp() + 0.4e5 * (TAU * angle / cycle + 0.4).cos()
+    };
+    let values: Vec<f64> = knots.iter().map(|knot| pressure(*knot)).collect();
+    PeriodicCurve::through(cycle, knots, &values).unwrap()
+}
+
+/// A pressure that jumps at firing and where the exhaust opens, and bends where the heat ends.
+fn jumping(cycle: f64) -> PeriodicCurve {
+    let end = |value: f64, slope: f64| End { value: value * 1e5, slope: slope * 1e5 };
+    let ends = [
+        [end(45.0, 3.0), end(40.0, -45.0)],
+        [end(40.0, -30.0), end(5.0, -3.0)],
+        [end(1.5, -0.2), end(1.2, 0.1)],
+        [end(1.2, 0.1), end(20.0, 25.0)],
+    ];
+    PeriodicCurve::from_ends(cycle, vec![0.0, 0.4, 2.6, cycle - 3.0], &ends).unwrap()
+}
+
+fn gas(engine: &Engine, curve: fn(f64) -> PeriodicCurve) -> Vec<CylinderGas> {
+    let cycle = TAU * f64::from(engine.strokes.revolutions());
+    let crankcase = PeriodicCurve::constant(cycle, 1.05e5).unwrap();
+    engine.cylinders.iter().map(|_| CylinderGas { cylinder: curve(cycle), crankcase: crankcase.clone() }).collect()
+}
+
+/// A step that changes an output by about a ten-thousandth.
+fn step(input: Input) -> f64 {
+    match input.quantity.measure() {
+        Measure::BodyMass => 1e-2,
+        Measure::Mass => 5e-5,
+        Measure::Length | Measure::Place => 2e-6,
+        Measure::Angle => 5e-5,
+        Measure::Unbalance => 5e-7,
+        Measure::Inertia => 5e-8,
+        Measure::BodyInertia => 1e-3,
+        Measure::Speed => 1e-2,
+        Measure::Factor => 5e-5,
+    }
+}
+
+/// An engine without symmetry, so that no peak has a twin.
+fn point(name: &str, curve: fn(f64) -> PeriodicCurve) -> OperatingPoint {
+    let engine = engine(name);
+    let gas = Some(gas(&engine, curve));
+    let speed = 0.7 * engine.speed.highest;
+    let turning = TurningInertia::default();
+    let mut point = OperatingPoint { engine, speed, gas, turning };
+    for (place, input) in Input::single(&point).into_iter().enumerate() {
+        let by = 60.0 * f64::from(1 + (place as u32 * 7) % 5) * step(input);
+        let is_of_engine = input.quantity.is_of_engine() || input.quantity.measure() == Measure::Factor;
+        if !is_of_engine {
+            input.deviate(&mut point, by);
+        }
+    }
+    point
+}
+
+fn off(point: &OperatingPoint, input: Input, by: f64) -> OperatingPoint {
+    let mut own = point.clone();
+    input.deviate(&mut own, by);
+    own
+}
+
+fn coefficient(samples: &[Complex64], order: f64, period: f64) -> f64 {
+    let step = period / samples.len() as f64;
+    let terms = samples.iter().enumerate().map(|(k, v)| v * Complex64::cis(-order * step * k as f64));
+    terms.sum::<Complex64>().norm() / samples.len() as f64
+}
+
+/// Results of the closed forms, each computed once.
+struct Ordinary {
+    torque: Option<Torque>,
+    bearings: Vec<BearingLoads>,
+    mounts: Vec<(BearingPart, SpeedResponse)>,
+}
+
+impl Ordinary {
+    /// All that `outputs` need.
+    fn of(point: &OperatingPoint, outputs: &[Output]) -> Ordinary {
+        let (engine, gas) = (&point.engine, point.gas.as_deref().unwrap());
+        let speed = Some(point.speed);
+        let is_torque = |output: &&Output| matches!(output.target, Target::Torque | Target::ExcessEnergy);
+        let is_mount = |output: &&Output| matches!(output.target, Target::MountForce(_));
+        let parts = |of: &dyn Fn(&&Output) -> bool| {
+            PARTS.into_iter().filter(|part| outputs.iter().filter(of).any(|own| own.part == *part)).collect()
+        };
+        let of_bearings: Vec<BearingPart> = parts(&|output| !is_torque(output) && !is_mount(output));
+        let of_mounts: Vec<BearingPart> = parts(&|output| is_mount(output));
+        let torque = outputs.iter().any(|output| is_torque(&output)).then(|| {
+            torque(engine, gas, &TorqueRequest { speed, samples: 1, ..TorqueRequest::default() }).unwrap()
+        });
+        let bearings = of_bearings.into_iter().map(|part| {
+            let request = BearingRequest { speed, part, counterweights: true, samples: 720 };
+            bearing_loads(engine, Some(gas), &request).unwrap()
+        });
+        let mounts = of_mounts.into_iter().map(|part| {
+            let mut excitation = inertia_excitations(engine, &[point.speed], MOUNT_ORDERS).unwrap().remove(0);
+            let gas = GasTrain::new(engine, gas, Lever::Exact).unwrap().orders(MOUNT_ORDERS);
+            excitation.orders = match part {
+                BearingPart::All => merged_orders(&excitation.orders, &gas),
+                BearingPart::Gas => gas,
+                BearingPart::Inertia => excitation.orders,
+            };
+            (part, MountSystem::new(engine).unwrap().response(&[excitation]).unwrap().speeds.remove(0))
+        });
+        Ordinary { torque, bearings: bearings.collect(), mounts: mounts.collect() }
+    }
+
+    fn value(&self, output: Output) -> f64 {
+        match output.target {
+            Target::Torque | Target::ExcessEnergy => self.of_torque(output),
+            Target::MountForce(mount) => {
+                let own = &self.mounts.iter().find(|(part, _)| *part == output.part).unwrap().1;
+                let forces = |order: f64| &own.orders.iter().find(|own| own.order == order).unwrap().forces;
+                let one = |mount: usize| match output.size {
+                    Size::Order(order) => vector_amplitude(&forces(order)[mount]),
+                    _ => own.peaks[mount].value,
+                };
+                mount.map_or_else(|| (0..own.peaks.len()).map(one).fold(0.0, f64::max), one)
+            }
+            _ => self.of_bearings(output),
+        }
+    }
+
+    fn of_torque(&self, output: Output) -> f64 {
+        let found = self.torque.as_ref().unwrap();
+        let (extremes, energy) = match output.part {
+            BearingPart::All => (found.total_extremes, found.energy),
+            BearingPart::Gas => (found.gas_extremes, found.gas_energy),
+            BearingPart::Inertia => (found.inertia_extremes, found.energy),
+        };
+        let harmonic = |order: f64| {
+            let own = found.harmonics.iter().find(|own| own.order == order).unwrap();
+            match output.part {
+                BearingPart::All => own.total(),
+                BearingPart::Gas => own.gas,
+                BearingPart::Inertia => own.inertia,
+            }
+        };
+        match output.size {
+            _ if output.target == Target::ExcessEnergy => energy.excess,
+            Size::Peak => extremes.max_abs(),
+            Size::Mean => harmonic(0.0).re,
+            Size::Order(order) => harmonic(order).norm(),
+        }
+    }
+
+    fn of_bearings(&self, output: Output) -> f64 {
+        let loads = self.bearings.iter().find(|loads| loads.part == output.part).unwrap();
+        let pin = |pin: &PinLoad| match output.size {
+            Size::Peak => pin.peak.value,
+            Size::Mean => pin.mean,
+            Size::Order(n) => [n, -n].map(|n| coefficient(&pin.load, n, loads.period)).iter().sum(),
+        };
+        let thrust = |own: &CylinderBearings| {
+            let thrust: Vec<Complex64> = own.side_thrust.iter().map(|t| (*t).into()).collect();
+            match output.size {
+                Size::Peak => own.largest_thrust.value.abs(),
+                Size::Mean => thrust.iter().map(|t| t.norm()).sum::<f64>() / thrust.len() as f64,
+                Size::Order(n) => 2.0 * coefficient(&thrust, n, loads.period),
+            }
+        };
+        let mains: Vec<f64> = loads.mains.iter().map(|main| pin(&main.load)).collect();
+        let of_rods = |of: &dyn Fn(&CylinderBearings) -> f64| loads.cylinders.iter().map(of).collect();
+        let (all, one): (Vec<f64>, Option<usize>) = match output.target {
+            Target::MainBearing(one) => (mains, one),
+            Target::Crankpin(one) => (of_rods(&|own| pin(&own.lower_pin)), one),
+            Target::PistonPin(one) => (of_rods(&|own| pin(&own.piston_pin)), one),
+            Target::SideThrust(one) => (of_rods(&thrust), one),
+            other => panic!("{other:?}"),
+        };
+        one.map_or_else(|| all.iter().copied().fold(0.0, f64::max), |one| all[one])
+    }
+}
+
+/// Derivatives of `outputs` by all inputs against differences, to a share of the derivative.
+fn compare(name: &str, point: &OperatingPoint, outputs: &[Output], tolerance: f64) {
+    let inputs: Vec<Input> = Input::common(point).into_iter().chain(Input::single(point)).collect();
+    let slopes = derivatives(point, outputs, &inputs).unwrap();
+    let nominal = Ordinary::of(point, outputs);
+    for (place, input) in inputs.iter().enumerate() {
+        let h = step(*input);
+        let off = [-2.0, -1.0, 1.0, 2.0].map(|steps| Ordinary::of(&off(point, *input, steps * h), outputs));
+        for (output, slopes) in outputs.iter().zip(&slopes) {
+            let value = nominal.value(*output);
+            let [far_back, back, front, far_front] = off.each_ref().map(|own| own.value(*output));
+            let difference = (8.0 * (front - back) - (far_front - far_back)) / (12.0 * h);
+            let Slope { up, down } = slopes[place];
+            let what = format!("{name} {} {input:?} of {value}", output.name(&point.engine));
+            assert_eq!(up, down, "{what}");
+            // Rounding of the closed forms.
+            let rounding = 1e-11 * value.abs() / h;
+            let error = (up - difference).abs();
+            assert!(error <= tolerance * up.abs() + rounding, "{what}: {up} {difference}, off by {error}");
+        }
+    }
+}
+
+const PARTS: [BearingPart; 3] = [BearingPart::All, BearingPart::Gas, BearingPart::Inertia];
+
+fn of_all_parts(targets: &[Target], sizes: &[Size]) -> Vec<Output> {
+    let with = |target: &Target| {
+        let target = *target;
+        sizes.iter().flat_map(move |size| PARTS.map(|part| Output { target, part, size: *size }))
+    };
+    targets.iter().flat_map(with).collect()
+}
+
+type Gas = fn(f64) -> PeriodicCurve;
+
+fn whole(target: Target, size: Size, part: BearingPart) -> Output {
+    Output { target, part, size }
+}
+
+#[test]
+fn torque_and_energy() {
+    let cases: [(&str, Gas); 6] = [
+        ("single-gas", jumping),
+        ("in-line-4-mounts", jumping),
+        ("twin-270-choices", smooth),
+        ("v6-60", jumping),
+        ("radial-7", smooth),
+        ("vr6-15", smooth),
+    ];
+    for (name, curve) in cases {
+        let point = point(name, curve);
+        let sizes = [Size::Peak, Size::Order(1.0), Size::Order(2.0)];
+        let mut outputs = of_all_parts(&[Target::Torque], &sizes);
+        outputs.push(whole(Target::Torque, Size::Mean, BearingPart::All));
+        outputs.push(whole(Target::Torque, Size::Order(0.5), BearingPart::Gas));
+        outputs.push(whole(Target::ExcessEnergy, Size::Peak, BearingPart::All));
+        outputs.push(whole(Target::ExcessEnergy, Size::Peak, BearingPart::Gas));
+        compare(name, &point, &outputs, 1e-6);
+    }
+}
+
+/// Pins, walls and main bearings: their numbers and the largest of all.
+fn bearings() -> [Target; 8] {
+    [
+        Target::MainBearing(Some(0)),
+        Target::MainBearing(Some(1)),
+        Target::MainBearing(None),
+        Target::Crankpin(Some(0)),
+        Target::Crankpin(None),
+        Target::PistonPin(Some(0)),
+        Target::SideThrust(Some(0)),
+        Target::SideThrust(None),
+    ]
+}
+
+#[test]
+fn peaks_of_bearings() {
+    let cases: [(&str, Gas); 5] = [
+        ("single-gas", jumping),
+        ("in-line-4-production", jumping),
+        ("v6-60", smooth),
+        ("radial-7", jumping),
+        ("square-4", smooth),
+    ];
+    for (name, curve) in cases {
+        compare(name, &point(name, curve), &of_all_parts(&bearings(), &[Size::Peak]), 1e-6);
+    }
+}
+
+#[test]
+fn means_and_orders_of_bearings() {
+    for name in ["single-gas", "v6-60", "radial-7"] {
+        let sizes = [Size::Mean, Size::Order(0.5), Size::Order(2.0)];
+        let outputs: Vec<Output> = of_all_parts(&bearings(), &sizes)
+            .into_iter()
+            // Inertia has no half orders.
+            .filter(|output| output.part != BearingPart::Inertia || output.size != Size::Order(0.5))
+            .collect();
+        // Means and orders of samples: those of sizes that nearly vanish bend between them.
+        compare(name, &point(name, smooth), &outputs, 2e-4);
+    }
+}
+
+#[test]
+fn forces_on_mounts() {
+    for moving_parts in [MovingParts::Included, MovingParts::Added] {
+        let mut point = point("in-line-4-mounts", jumping);
+        point.engine.block.as_mut().unwrap().moving_parts = moving_parts;
+        let targets = [Target::MountForce(Some(0)), Target::MountForce(Some(2)), Target::MountForce(None)];
+        let sizes = [Size::Peak, Size::Order(0.5), Size::Order(2.0)];
+        let outputs: Vec<Output> = of_all_parts(&targets, &sizes)
+            .into_iter()
+            .filter(|output| output.part != BearingPart::Inertia || output.size != Size::Order(0.5))
+            .collect();
+        compare("in-line-4-mounts", &point, &outputs, 1e-6);
+    }
+}
