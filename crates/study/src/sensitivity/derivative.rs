@@ -10,6 +10,7 @@ use super::output::{Output, Size, Target};
 use super::prepared::Prepared;
 use super::slope::{Grown, Slope};
 use super::stretch::{Stretch, stretches};
+use super::study::Amount;
 use super::train::{Side, Train};
 use super::value::{nothing, values};
 use super::wave::{Load, SAME_HEIGHT, Spot, Wave};
@@ -52,14 +53,17 @@ fn slopes(
             let stretches = stretches(&train);
             Sample { train: &train, stretches: &stretches, output, nothing }.slope(&spots)
         });
-        Slope { up: up.slope.up, down: down.slope.down }.joined(up.growth.max(down.growth))
+        // Over a usual range what is less than nothing of the output is rounding.
+        let usual = Amount::standard(input.quantity.measure()).half_width(input.nominal(point));
+        Slope { up: up.slope.up, down: down.slope.down }
+            .joined(up.growth.max(down.growth), nothing / usual)
     };
     Ok(inputs.par_iter().map(one).collect())
 }
 
 /// What of an output is differentiated: where it stands at the operating point.
 enum Spots {
-    /// Of the waves of these numbers, which are the largest, the peaks.
+    /// Of the waves of these numbers, which are the largest, the peaks; for a mean of sizes their narrow valleys.
     Waves(Vec<(usize, Vec<Spot>)>),
     /// Of the accumulated energy.
     Energy(EnergySpots),
@@ -89,7 +93,11 @@ impl<'a> Sample<'a> {
                 let of = |(number, wave): (usize, &Wave<'_>)| {
                     let (height, spots) = match self.output.size {
                         Size::Peak => wave.peaks(),
-                        _ => (self.integral(wave).0.abs(), Vec::new()),
+                        Size::Mean if !self.is_signed() => {
+                            let valleys = wave.valleys();
+                            (self.integral(wave, &valleys).0, valleys)
+                        }
+                        Size::Mean | Size::Order(_) => (self.integral(wave, &[]).0.abs(), Vec::new()),
                     };
                     (number, height, spots)
                 };
@@ -115,18 +123,23 @@ impl<'a> Sample<'a> {
             let place = numbers.iter().position(|own| own == number).unwrap_or(0);
             match self.output.size {
                 Size::Peak => waves[place].at_peaks(spots),
-                _ => self.integral(&waves[place]).1,
+                _ => self.integral(&waves[place], spots).1,
             }
         };
         Grown::of_largest(places.iter().map(of))
     }
 
-    /// Mean or order of a wave.
-    fn integral(&self, wave: &Wave<'_>) -> (f64, Grown) {
+    /// Whether a mean is one with its sign.
+    fn is_signed(&self) -> bool {
+        self.output.target == Target::Torque
+    }
+
+    /// Mean or order of a wave, whose size has these narrow valleys.
+    fn integral(&self, wave: &Wave<'_>, valleys: &[Spot]) -> (f64, Grown) {
         let period = self.train.prepared.period;
         match self.output.size {
             Size::Order(order) => wave.order(order, period),
-            Size::Peak | Size::Mean => wave.mean(period, self.output.target == Target::Torque),
+            Size::Peak | Size::Mean => wave.mean(period, self.is_signed(), valleys),
         }
     }
 

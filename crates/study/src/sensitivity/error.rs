@@ -78,7 +78,7 @@ pub enum SensitivityError {
         got: String,
     },
     /// A bearing, cylinder or mount that the engine does not have.
-    #[error("the engine has {count} of {of}, got number {got}\nhint: they are numbered from 1, crankshaft 1 first")]
+    #[error("the engine has no {of} {got}, the last one is {of} {count}\nhint: they are numbered from 1, crankshaft 1 first")]
     NoSuchNumber {
         /// Of what.
         of: &'static str,

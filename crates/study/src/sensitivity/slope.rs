@@ -31,9 +31,9 @@ impl Slope {
         Slope { up: slope, down: slope }
     }
 
-    /// One slope where both sides differ by no more than peaks can be placed.
-    pub(super) fn joined(self, growth: f64) -> Slope {
-        let close = (self.up - self.down).abs() <= ROUNDING * growth;
+    /// One slope where both sides differ by no more than peaks can be placed, or by no more than `rounding`.
+    pub(super) fn joined(self, growth: f64, rounding: f64) -> Slope {
+        let close = (self.up - self.down).abs() <= ROUNDING * growth + rounding;
         if close { Slope::of_both((self.up + self.down) / 2.0) } else { self }
     }
 }

@@ -40,6 +40,14 @@ impl Amount {
             Measure::Angle => Amount::Absolute(1f64.to_radians()),
         }
     }
+
+    /// How far it goes either way of `nominal`, in its SI unit; a share of what has no size is taken of 1.
+    pub(super) fn half_width(self, nominal: Option<f64>) -> f64 {
+        match self {
+            Amount::Absolute(amount) => amount,
+            Amount::Share(share) => share * nominal.filter(|size| *size != 0.0).unwrap_or(1.0).abs(),
+        }
+    }
 }
 
 /// What to vary, and what is asked for.

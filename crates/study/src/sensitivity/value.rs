@@ -243,10 +243,7 @@ fn of_bearings(loads: &BearingLoads, target: Target, size: Size) -> f64 {
             let Target::SideThrust(one) = target else { return 0.0 };
             one_or_largest(&loads.cylinders, one, |own| match size {
                 Size::Peak => own.largest_thrust.value.abs(),
-                Size::Mean => {
-                    own.side_thrust.iter().map(|thrust| thrust.abs()).sum::<f64>()
-                        / own.side_thrust.len() as f64
-                }
+                Size::Mean => mean_size(&own.side_thrust),
                 Size::Order(order) => {
                     let thrust: Vec<Complex64> = own.side_thrust.iter().map(|t| (*t).into()).collect();
                     2.0 * coefficient(&thrust, order, loads.period).norm()
@@ -254,6 +251,16 @@ fn of_bearings(loads: &BearingLoads, target: Target, size: Size) -> f64 {
             })
         }
     }
+}
+
+/// Mean of the size of what runs straight between equally spaced samples of a period.
+fn mean_size(samples: &[f64]) -> f64 {
+    let next = samples.iter().cycle().skip(1);
+    let parts = samples.iter().zip(next).map(|(from, to)| match from * to < 0.0 {
+        true => 0.5 * (from * from + to * to) / (from.abs() + to.abs()),
+        false => 0.5 * (from.abs() + to.abs()),
+    });
+    parts.sum::<f64>() / samples.len() as f64
 }
 
 /// Coefficient of `e^{i order theta}` of equally spaced samples of a period; 0 where the order has no whole cycles in it.

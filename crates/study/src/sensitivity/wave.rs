@@ -13,6 +13,12 @@ const HILL: f64 = 0.95;
 /// Halvings of an interval in which a root lies.
 const STEPS: usize = 60;
 
+/// Valleys below this share of the highest size are narrow.
+const VALLEY: f64 = 0.2;
+/// How close cuts draw to a valley [rad], and in how many steps they widen by four.
+const NEAREST: f64 = 1e-6;
+const FINER: i32 = 8;
+
 /// A load at one angle: up to three components, the rest zero.
 pub(super) type Load = [Dual64; 3];
 
@@ -120,11 +126,35 @@ impl Wave<'_> {
         end.fold(within, |best, end| if end.0 >= best.0 { end } else { best })
     }
 
-    /// Mean over the period with its slope: of a number with its sign where `signed`, else of the size.
-    pub fn mean(&self, period: f64, signed: bool) -> (f64, Grown) {
+    /// Places where its size has a narrow valley, such as one that touches zero: it bends there. No input may move the load.
+    pub fn valleys(&self) -> Vec<Spot> {
+        let mut valleys = Vec::new();
+        let mut depths = Vec::new();
+        let mut highest = 0.0f64;
+        for (number, stretch) in wide(self.stretches).enumerate() {
+            let angle = |share: f64| stretch.theta(share).re;
+            for pair in stretch.cuts.windows(2) {
+                let [from, to] = [angle(pair[0]), angle(pair[1])];
+                highest = highest.max(self.size(from, &stretch.windows));
+                let rise = |theta: f64| self.rise(theta, &stretch.windows);
+                if let Some(lowest) = crossing(&rise, from, to).filter(|_| rise(to) > 0.0) {
+                    valleys.push(Spot { stretch: number, at: SpotAt::Within(lowest) });
+                    depths.push(self.size(lowest, &stretch.windows));
+                }
+            }
+        }
+        let deep = |(spot, depth): (Spot, f64)| (depth < VALLEY * highest).then_some(spot);
+        valleys.into_iter().zip(depths).filter_map(deep).collect()
+    }
+
+    /// Mean over the period with its slope: of a number with its sign where `signed`, else of the size, which has these narrow valleys.
+    pub fn mean(&self, period: f64, signed: bool, valleys: &[Spot]) -> (f64, Grown) {
         let (mut value, mut grown) = (0.0, Grown::NONE);
+        let mut number = 0;
         for stretch in self.stretches {
-            let cuts = if self.is_number && !signed { self.crossings(stretch) } else { stretch.cuts.clone() };
+            let own = valleys.iter().filter(|spot| stretch.is_wide() && spot.stretch == number);
+            let cuts = cut_about(stretch, own.map(|spot| spot.theta(stretch).re));
+            number += usize::from(stretch.is_wide());
             for (theta, weight) in cuts.windows(2).flat_map(|pair| stretch.points(pair[0], pair[1])) {
                 let load = (self.at)(theta, &stretch.windows);
                 let (height, own) = match signed {
@@ -136,20 +166,6 @@ impl Wave<'_> {
             }
         }
         (value / period, grown.times(1.0 / period))
-    }
-
-    /// The cuts of a stretch, and between them the places where a number changes its sign.
-    fn crossings(&self, stretch: &Stretch) -> Vec<f64> {
-        let number =
-            |share: f64| (self.at)(Dual64::new(stretch.theta(share).re, 0.0), &stretch.windows)[0].re;
-        let mut cuts = vec![0.0];
-        for pair in stretch.cuts.windows(2) {
-            if let Some(crossing) = crossing(&number, pair[0], pair[1]) {
-                cuts.push(crossing);
-            }
-            cuts.push(pair[1]);
-        }
-        cuts
     }
 
     /// Slope of its size at places of one height; where it vanishes everywhere, of its largest growth.
@@ -210,6 +226,20 @@ impl Wave<'_> {
         let grown = parts.iter().map(|part| Grown::of_size(part, self.nothing));
         (value, grown.fold(Grown::NONE, Grown::plus))
     }
+}
+
+/// The cuts of a stretch, and others that draw closer and closer to the angles of narrow valleys.
+fn cut_about(stretch: &Stretch, valleys: impl Iterator<Item = f64>) -> Vec<f64> {
+    let width = stretch.to.re - stretch.from.re;
+    let mut cuts = stretch.cuts.clone();
+    for theta in valleys {
+        let share = (theta - stretch.from.re) / width;
+        let beside = (0..FINER).map(|k| NEAREST * 4f64.powi(k) / width);
+        cuts.extend(beside.flat_map(|by| [share - by, share + by]).filter(|cut| *cut > 0.0 && *cut < 1.0));
+        cuts.push(share);
+    }
+    cuts.sort_by(f64::total_cmp);
+    cuts
 }
 
 /// A root of a number between two places where it has different signs.
