@@ -109,9 +109,10 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
         columns.push(numbers("with others", "%", 3, &|k| Some(100.0 * sobol.indices[place][*k].total)));
     }
     let title = format!(
-        "{}: {} {output} at {} rpm",
+        "{}: {}{} at {} rpm",
         number::capital(&own.name),
-        number::terminal(own.nominal, number::decimals(own.nominal, 5)),
+        number::terminal(own.nominal, number::decimals(own.nominal.abs(), 5)),
+        if output.is_empty() { String::new() } else { format!(" {output}") },
         number::terminal(number::rpm(found.speed), 0)
     );
     Table::of_columns("sensitivity", title, idle_words(found, own), columns)

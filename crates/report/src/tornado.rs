@@ -34,9 +34,8 @@ fn chart(found: &Sensitivity, own: &OutputSensitivity) -> Panel {
     let order: Vec<usize> = strongest(own).into_iter().take(MOST).collect();
     let ends = |k: usize| [own.effects[k].below, own.effects[k].above];
     let all = order.iter().flat_map(|&k| ends(k)).flatten().chain([own.nominal]);
-    let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-        (low.min(value), high.max(value))
-    });
+    let (low, high) =
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
     let scale = Scale::of(low.abs().max(high.abs()), own.unit);
     let axis = Axis::of(low / scale.divisor, high / scale.divisor, 4);
     let bottom = HEAD + ROW * order.len() as f64;

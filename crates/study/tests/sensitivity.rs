@@ -19,7 +19,8 @@ fn outputs() -> Vec<Output> {
 
 /// Their values by the mechanism.
 fn loads(point: &OperatingPoint) -> Vec<f64> {
-    let request = LoadRequest { speed: Some(point.speed), samples: 1, max_order: 2, ..LoadRequest::default() };
+    let request =
+        LoadRequest { speed: Some(point.speed), samples: 1, max_order: 2, ..LoadRequest::default() };
     let loads = total_loads(&point.engine, &request).unwrap();
     let order = |n: f64| *loads.orders.iter().find(|own| own.order == n).unwrap();
     let peaks = [

@@ -4,8 +4,10 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use lanchester_mechanism::{
-    BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, Lever, MountSystem,
-    PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest, TurningInertia, bearing_loads, inertia_excitations, merged_orders, torque, vector_amplitude,
+    BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, InternalRequest,
+    Lever, MountSystem, PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest, TurningInertia,
+    bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple, torque,
+    vector_amplitude,
 };
 use lanchester_model::{Engine, MovingParts, read, template};
 use lanchester_study::sensitivity::*;
@@ -61,7 +63,11 @@ fn jumping(cycle: f64) -> PeriodicCurve {
 fn gas(engine: &Engine, curve: fn(f64) -> PeriodicCurve) -> Vec<CylinderGas> {
     let cycle = TAU * f64::from(engine.strokes.revolutions());
     let crankcase = PeriodicCurve::constant(cycle, 1.05e5).unwrap();
-    engine.cylinders.iter().map(|_| CylinderGas { cylinder: curve(cycle), crankcase: crankcase.clone() }).collect()
+    engine
+        .cylinders
+        .iter()
+        .map(|_| CylinderGas { cylinder: curve(cycle), crankcase: crankcase.clone() })
+        .collect()
 }
 
 /// A step that changes an output by about a ten-thousandth.
@@ -120,6 +126,8 @@ fn mean_size(samples: &[f64]) -> f64 {
 
 /// Results of the closed forms, each computed once.
 struct Ordinary {
+    fluctuation: f64,
+    bending: f64,
     torque: Option<Torque>,
     bearings: Vec<BearingLoads>,
     mounts: Vec<(BearingPart, SpeedResponse)>,
@@ -130,7 +138,17 @@ impl Ordinary {
     fn of(point: &OperatingPoint, outputs: &[Output]) -> Ordinary {
         let (engine, gas) = (&point.engine, point.gas.as_deref().unwrap());
         let speed = Some(point.speed);
-        let is_torque = |output: &&Output| matches!(output.target, Target::Torque | Target::ExcessEnergy);
+        let is_torque = |output: &&Output| {
+            let target = output.target;
+            matches!(target, Target::Torque | Target::ExcessEnergy | Target::SpeedFluctuation)
+                || matches!(target, Target::BendingMoment(_))
+        };
+        let request = InternalRequest { speed, samples: 1, ..InternalRequest::default() };
+        let bending = internal_moments(engine, &request).unwrap().crankshafts;
+        let bending = bending.iter().map(|own| own.free_beam.peak_moment.value).fold(0.0, f64::max);
+        let is_ripple = outputs.iter().any(|output| output.target == Target::SpeedFluctuation);
+        let ripple = || speed_ripple(engine, gas, point.speed, point.turning).unwrap().fluctuation;
+        let fluctuation = if is_ripple { ripple() } else { 0.0 };
         let is_mount = |output: &&Output| matches!(output.target, Target::MountForce(_));
         let parts = |of: &dyn Fn(&&Output) -> bool| {
             PARTS.into_iter().filter(|part| outputs.iter().filter(of).any(|own| own.part == *part)).collect()
@@ -156,12 +174,14 @@ impl Ordinary {
             };
             (part, MountSystem::new(engine).unwrap().response(&[excitation]).unwrap().speeds.remove(0))
         });
-        Ordinary { torque, bearings: bearings.collect(), mounts: mounts.collect() }
+        Ordinary { fluctuation, bending, torque, bearings: bearings.collect(), mounts: mounts.collect() }
     }
 
     fn value(&self, output: Output) -> f64 {
         match output.target {
             Target::Torque | Target::ExcessEnergy => self.of_torque(output),
+            Target::SpeedFluctuation => self.fluctuation,
+            Target::BendingMoment(_) => self.bending,
             Target::MountForce(mount) => {
                 let own = &self.mounts.iter().find(|(part, _)| *part == output.part).unwrap().1;
                 let forces = |order: f64| &own.orders.iter().find(|own| own.order == order).unwrap().forces;
@@ -229,7 +249,9 @@ impl Ordinary {
 /// Derivatives of `outputs` by all inputs against differences, to a share of the derivative.
 fn compare(name: &str, point: &OperatingPoint, outputs: &[Output], tolerance: f64) {
     let mut compared = vec![0; outputs.len()];
-    let inputs: Vec<Input> = Input::common(point).into_iter().chain(Input::single(point)).collect();
+    // All quantities, of all parts together, of the first and of the third.
+    let single = Input::single(point).into_iter().filter(|input| matches!(input.part, Some(0 | 2)));
+    let inputs: Vec<Input> = Input::common(point).into_iter().chain(single).collect();
     let slopes = derivatives(point, outputs, &inputs).unwrap();
     let nominal = Ordinary::of(point, outputs);
     for (place, input) in inputs.iter().enumerate() {
@@ -292,6 +314,25 @@ fn torque_and_energy() {
         outputs.push(whole(Target::ExcessEnergy, Size::Peak, BearingPart::All));
         outputs.push(whole(Target::ExcessEnergy, Size::Peak, BearingPart::Gas));
         compare(name, &point, &outputs, 1e-6);
+    }
+}
+
+#[test]
+fn fluctuations_of_the_speed() {
+    for (name, curve) in [("single-gas", smooth as Gas), ("in-line-4-mounts", smooth), ("radial-7", smooth)] {
+        let mut point = point(name, curve);
+        point.turning = TurningInertia { flywheel: 0.11, crankshaft: 0.03 };
+        let output = whole(Target::SpeedFluctuation, Size::Peak, BearingPart::All);
+        // Extremes of the closed form are those of parabolas through samples.
+        compare(name, &point, &[output], 1e-4);
+    }
+}
+
+#[test]
+fn bending_moments_of_crankshafts() {
+    for name in ["in-line-4-production", "v6-60", "square-4", "radial-7"] {
+        let output = whole(Target::BendingMoment(None), Size::Peak, BearingPart::Inertia);
+        compare(name, &point(name, smooth), &[output], 1e-6);
     }
 }
 
@@ -383,6 +424,9 @@ fn where_sides_differ_both_are_told() {
     // A counterweight in the plane of an inner main bearing leaves for one neighbour or for the other.
     let mut in_plane = even.clone();
     in_plane.engine.counterweights[2].z = in_plane.engine.main_planes(0)[1];
+    let mut unlike = even.clone();
+    unlike.engine.counterweights.clear();
+    let bent = Input { quantity: Quantity::ThrowPlane, part: Some(1) };
     let all = |target, size| whole(target, size, BearingPart::All);
     let plane = Input { quantity: Quantity::CounterweightPlane, part: Some(2) };
     let cases = [
@@ -390,10 +434,16 @@ fn where_sides_differ_both_are_told() {
         (&even, part(Varied::PistonMass, 0), all(Target::Crankpin(None), Size::Peak)),
         (&even, part(Varied::RodLength, 1), all(Target::SideThrust(None), Size::Peak)),
         (&even, part(Varied::PistonMass, 2), all(Target::ExcessEnergy, Size::Peak)),
-        (&even, Input { quantity: Quantity::GasPressure, part: Some(3) }, all(Target::ExcessEnergy, Size::Peak)),
+        (
+            &even,
+            Input { quantity: Quantity::GasPressure, part: Some(3) },
+            all(Target::ExcessEnergy, Size::Peak),
+        ),
         // A vanishing order grows either way.
         (&even, part(Varied::CrankRadius, 3), all(Target::Torque, Size::Order(1.0))),
         (&in_plane, plane, all(Target::MainBearing(Some(0)), Size::Peak)),
+        // A free weight beside throws where the moment is largest.
+        (&unlike, bent, whole(Target::BendingMoment(None), Size::Peak, BearingPart::Inertia)),
         (&in_plane, plane, all(Target::MainBearing(Some(2)), Size::Mean)),
     ];
     for (point, input, output) in cases {

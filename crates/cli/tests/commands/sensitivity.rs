@@ -62,7 +62,10 @@ fn mistakes_of_a_sensitivity_are_told() {
     refused(&["--output", "torque"], "peak torque needs the gas");
     refused(&["--output", "mount force"], "needs engine mounts, and there are none");
     refused(&["--output", "inertia main bearing 4"], "no main bearing 4, the last one is main bearing 3");
-    refused(&["--output", "inertia torque", "--vary", "gas pressure = 1 %"], "the engine has no gas pressure");
+    refused(
+        &["--output", "inertia torque", "--vary", "gas pressure = 1 %"],
+        "the engine has no gas pressure",
+    );
     refused(&["--sobol", "2"], "from 16 to 10 000 000 draws, got 2");
     refused(&["--only"], "--vary");
     assert_eq!(output_json(&folder, 0, &["sensitivity", &twin, "--format", "json"])["sobol"], Value::Null);
@@ -73,7 +76,8 @@ fn mistakes_of_a_sensitivity_are_told() {
 fn gas_alone_grows_with_its_pressure() {
     let folder = folder("sensitivity-gas");
     let four = example("in-line-4-mounts");
-    let arguments = ["--output", "gas torque", "--output", "gas torque mean", "--output", "mount force torque rod"];
+    let arguments =
+        ["--output", "gas torque", "--output", "gas torque mean", "--output", "mount force torque rod"];
     let only = ["--vary", "gas pressure = 1 %", "--vary", "bore = 1 %", "--only", "--speed", "2000 rpm"];
     let json = output_json(
         &folder,

@@ -1,20 +1,22 @@
 //! Exact derivatives of outputs.
 
+use super::bending::{BendingSpot, bending_slope, bending_spots};
 use super::energy::{Energy, EnergySpots};
 use super::error::SensitivityError;
 use super::input::Input;
+use super::jet::known;
 use super::mains::Mains;
 use super::mount_force::{MountForces, mount_orders};
 use super::operating_point::OperatingPoint;
 use super::output::{Output, Size, Target};
 use super::prepared::Prepared;
+use super::ripple::{Ripple, RippleSpots};
 use super::slope::{Grown, Slope};
 use super::stretch::{Stretch, stretches};
 use super::study::Amount;
 use super::train::{Side, Train};
 use super::value::{nothing, values};
 use super::wave::{Load, SAME_HEIGHT, Spot, Wave};
-use super::jet::known;
 use num_dual::Dual64;
 use rayon::prelude::*;
 
@@ -35,11 +37,7 @@ pub fn derivatives(
     outputs.iter().map(|output| slopes(point, *output, inputs)).collect()
 }
 
-fn slopes(
-    point: &OperatingPoint,
-    output: Output,
-    inputs: &[Input],
-) -> Result<Vec<Slope>, SensitivityError> {
+fn slopes(point: &OperatingPoint, output: Output, inputs: &[Input]) -> Result<Vec<Slope>, SensitivityError> {
     let prepared = Prepared::new(point, output)?;
     let nothing = nothing(point, output);
     let spots = {
@@ -55,8 +53,7 @@ fn slopes(
         });
         // Over a usual range what is less than nothing of the output is rounding.
         let usual = Amount::standard(input.quantity.measure()).half_width(input.nominal(point));
-        Slope { up: up.slope.up, down: down.slope.down }
-            .joined(up.growth.max(down.growth), nothing / usual)
+        Slope { up: up.slope.up, down: down.slope.down }.joined(up.growth.max(down.growth), nothing / usual)
     };
     Ok(inputs.par_iter().map(one).collect())
 }
@@ -67,6 +64,10 @@ enum Spots {
     Waves(Vec<(usize, Vec<Spot>)>),
     /// Of the accumulated energy.
     Energy(EnergySpots),
+    /// Of the speed.
+    Ripple(RippleSpots),
+    /// Of the bending moment along crankshafts.
+    Bending(Vec<BendingSpot>),
 }
 
 /// An output of a train.
@@ -79,8 +80,17 @@ struct Sample<'a> {
 
 impl<'a> Sample<'a> {
     fn spots(&self) -> Spots {
-        if self.output.target == Target::ExcessEnergy {
-            return Spots::Energy(Energy::of(self.train, self.stretches).spots(self.nothing).1);
+        match self.output.target {
+            Target::ExcessEnergy => {
+                return Spots::Energy(Energy::of(self.train, self.stretches).spots(self.nothing).1);
+            }
+            Target::SpeedFluctuation => {
+                return Spots::Ripple(Ripple::of(self.train, self.stretches).spots());
+            }
+            Target::BendingMoment(_) => {
+                return Spots::Bending(bending_spots(self.train, &self.numbers()).1);
+            }
+            _ => {}
         }
         let all: Vec<(usize, f64, Vec<Spot>)> = match self.mount_order() {
             Some(forces) => self
@@ -112,6 +122,8 @@ impl<'a> Sample<'a> {
     fn slope(&self, spots: &Spots) -> Grown {
         let places = match spots {
             Spots::Energy(spots) => return Energy::of(self.train, self.stretches).slope(spots),
+            Spots::Ripple(spots) => return Ripple::of(self.train, self.stretches).slope(spots),
+            Spots::Bending(spots) => return bending_slope(self.train, spots, self.nothing),
             Spots::Waves(places) => places,
         };
         if let Some(forces) = self.mount_order() {
@@ -162,6 +174,7 @@ impl<'a> Sample<'a> {
                 (one, engine.cylinders.len())
             }
             Target::MountForce(one) => (one, engine.mounts.len()),
+            Target::BendingMoment(one) => (one, engine.crankshafts.len()),
             _ => (Some(0), 1),
         };
         one.map_or_else(|| (0..count).collect(), |one| vec![one])
@@ -181,7 +194,7 @@ impl<'a> Sample<'a> {
             Target::Force => vec![wave(false, Box::new(|theta, _| plane(train.loads(theta).force)))],
             Target::Couple => vec![wave(false, Box::new(|theta, _| plane(train.loads(theta).couple)))],
             Target::RollMoment => vec![wave(true, Box::new(|theta, _| number(train.loads(theta).roll)))],
-            Target::Torque | Target::ExcessEnergy => {
+            Target::Torque | Target::ExcessEnergy | Target::SpeedFluctuation | Target::BendingMoment(_) => {
                 vec![wave(true, Box::new(|theta, windows| number(train.torque(theta, windows))))]
             }
             Target::MainBearing(_) => numbers

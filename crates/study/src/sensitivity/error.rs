@@ -55,7 +55,7 @@ pub enum SensitivityError {
     NoEngine,
     /// An output of another name.
     #[error(
-        "there is no output \"{got}\"\nhint: write force, couple, roll moment, torque, excess energy, main bearing 1, crankpin 1, piston pin 1, side thrust 1 or mount force NAME; behind it `order 2` or `mean`, before it `gas` or `inertia`"
+        "there is no output \"{got}\"\nhint: write force, couple, roll moment, torque, excess energy, speed fluctuation, main bearing 1, crankpin 1, piston pin 1, side thrust 1, bending moment or mount force NAME; behind it `order 2` or `mean`, before it `gas` or `inertia`"
     )]
     NoSuchOutput {
         /// The name.
@@ -70,7 +70,9 @@ pub enum SensitivityError {
         hint: String,
     },
     /// A number that is none.
-    #[error("the number of a {of} must be a whole number from 1 on, got \"{got}\"\nhint: write {of} 1, or {of} for the largest of all")]
+    #[error(
+        "the number of a {of} must be a whole number from 1 on, got \"{got}\"\nhint: write {of} 1, or {of} for the largest of all"
+    )]
     Number {
         /// Of what.
         of: &'static str,
@@ -78,7 +80,9 @@ pub enum SensitivityError {
         got: String,
     },
     /// A bearing, cylinder or mount that the engine does not have.
-    #[error("the engine has no {of} {got}, the last one is {of} {count}\nhint: they are numbered from 1, crankshaft 1 first")]
+    #[error(
+        "the engine has no {of} {got}, the last one is {of} {count}\nhint: they are numbered from 1, crankshaft 1 first"
+    )]
     NoSuchNumber {
         /// Of what.
         of: &'static str,
@@ -88,7 +92,9 @@ pub enum SensitivityError {
         count: usize,
     },
     /// A size that the load does not have.
-    #[error("the {load} has no such size\nhint: ask for the peak or for one order of a load, for the mean of a torque or of the force on a bearing, for the excess energy as it is")]
+    #[error(
+        "the {load} has no such size\nhint: ask for the peak or for one order of a load, for the mean of a torque or of the force on a bearing, for excess energy, speed fluctuation and bending moment as they are"
+    )]
     NoSuchSize {
         /// Its name.
         load: String,
@@ -106,6 +112,17 @@ pub enum SensitivityError {
     NoGas {
         /// Its name.
         output: String,
+    },
+    /// A fluctuation without a flywheel.
+    #[error(
+        "the speed fluctuation needs the flywheel, and the engine file says nothing of it\nhint: add [flywheel] with inertia = \"0.2 kg m2\""
+    )]
+    NoFlywheel,
+    /// A load of which gas and inertia have no part of their own.
+    #[error("there is no {load} of gas or inertia alone\nhint: leave `gas` or `inertia` out")]
+    NoSuchPartOf {
+        /// The load.
+        load: String,
     },
     /// Gas leaves the block in balance.
     #[error(

@@ -91,7 +91,7 @@ impl Row {
 
 /// Planes of the main bearings of a crankshaft: those of the file or midway between throws stretch with the spacing; those beside a lone
 /// throw without webs stand off by a multiple of its crank radius.
-fn planes(train: &Train<'_>, crankshaft: usize) -> Vec<Dual64> {
+pub(super) fn planes(train: &Train<'_>, crankshaft: usize) -> Vec<Dual64> {
     let engine = train.engine;
     let planes = engine.main_planes(crankshaft);
     let all_stretch = planes.len() != 2 || engine.crankshafts[crankshaft].mains.is_some();

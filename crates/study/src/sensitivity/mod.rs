@@ -3,6 +3,7 @@
 //! [`sensitivity`] gives the exact derivatives of peaks, means and orders by every number of the engine, the outputs at both ends of the
 //! range of each, and which part of the variance over all ranges comes from which.
 
+mod bending;
 mod derivative;
 mod energy;
 mod error;
@@ -17,6 +18,7 @@ mod output_name;
 mod pin_force;
 mod prepared;
 mod quantity;
+mod ripple;
 mod slope;
 mod sobol;
 mod stretch;

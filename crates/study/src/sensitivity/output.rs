@@ -20,6 +20,8 @@ pub enum Target {
     Torque,
     /// Largest excess energy of that torque at constant speed [J] (book, eq. 25.2).
     ExcessEnergy,
+    /// Fluctuation of the speed, `(w_max - w_min)/w_mean` [1], under a load that takes the mean torque (book, eq. 25.7).
+    SpeedFluctuation,
     /// Force of the journal on a main bearing [N], by index: those of crankshaft 1 first, each from the free end on; `None`: the
     /// largest of all.
     MainBearing(Option<usize>),
@@ -31,6 +33,8 @@ pub enum Target {
     SideThrust(Option<usize>),
     /// Force of the block on a mount [N], of orders up to 8.
     MountForce(Option<usize>),
+    /// Largest bending moment along a crankshaft under all that turns with it, as a free beam [N m], by index.
+    BendingMoment(Option<usize>),
 }
 
 /// Which number of a load over the cycle.
@@ -84,7 +88,7 @@ impl Output {
     pub fn needs(self) -> Needs {
         Needs {
             gas: self.part != BearingPart::Inertia,
-            flywheel: false,
+            flywheel: self.target == Target::SpeedFluctuation,
             mounts: matches!(self.target, Target::MountForce(_)),
         }
     }
@@ -112,29 +116,38 @@ impl Output {
             Target::RollMoment => "roll moment".to_owned(),
             Target::Torque => "torque".to_owned(),
             Target::ExcessEnergy => "excess energy".to_owned(),
+            Target::SpeedFluctuation => "speed fluctuation".to_owned(),
             Target::MainBearing(one) => format!("force on {}", of("main bearing", one, &plain)),
             Target::Crankpin(one) => format!("force on {}", of("crankpin", one, &plain)),
             Target::PistonPin(one) => format!("force on {}", of("piston pin", one, &plain)),
             Target::SideThrust(one) => format!("side thrust on {}", of("cylinder wall", one, &plain)),
             Target::MountForce(one) => format!("force on {}", of("mount", one, &mount)),
+            Target::BendingMoment(one) => format!("bending moment of {}", of("crankshaft", one, &plain)),
         };
         let name = match self.size {
-            _ if self.target == Target::ExcessEnergy => load,
+            _ if self.has_no_angle() => load,
             Size::Peak => format!("peak {load}"),
             Size::Mean => format!("mean {load}"),
             Size::Order(order) => format!("{load} of order {order}"),
         };
         match (self.part, self.target) {
-            (BearingPart::All, _) | (_, Target::Force | Target::Couple | Target::RollMoment) => name,
+            (BearingPart::All, _) => name,
+            (_, Target::Force | Target::Couple | Target::RollMoment | Target::BendingMoment(_)) => name,
             (part, _) => format!("{name} ({} alone)", part.name()),
         }
+    }
+
+    /// Whether it is one number of the cycle, without a peak, a mean or orders.
+    pub(super) fn has_no_angle(self) -> bool {
+        matches!(self.target, Target::ExcessEnergy | Target::SpeedFluctuation | Target::BendingMoment(_))
     }
 
     /// Its unit.
     pub fn unit(self) -> &'static str {
         match self.target {
-            Target::Couple | Target::RollMoment | Target::Torque => "N m",
+            Target::Couple | Target::RollMoment | Target::Torque | Target::BendingMoment(_) => "N m",
             Target::ExcessEnergy => "J",
+            Target::SpeedFluctuation => "",
             _ => "N",
         }
     }
@@ -149,6 +162,7 @@ impl Output {
             Target::PistonPin(one) => ("piston pin", one, engine.cylinders.len()),
             Target::SideThrust(one) => ("side thrust", one, engine.cylinders.len()),
             Target::MountForce(one) => ("mount force", one, engine.mounts.len()),
+            Target::BendingMoment(one) => ("bending moment", one, engine.crankshafts.len()),
             _ => ("", None, 0),
         };
         if let Some(index) = number.filter(|index| *index >= count) {
@@ -158,6 +172,9 @@ impl Output {
             && !(order > 0.0 && order <= LARGEST_ORDER)
         {
             return Err(SensitivityError::Order { got: order });
+        }
+        if self.needs().flywheel && point.turning.flywheel <= 0.0 {
+            return Err(SensitivityError::NoFlywheel);
         }
         if self.needs().gas && point.gas.is_none() {
             return Err(SensitivityError::NoGas { output: self.name(engine) });

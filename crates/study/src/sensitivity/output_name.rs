@@ -10,20 +10,22 @@ const ORDER: &str = " order ";
 const MEAN: &str = " mean";
 
 /// Loads without a number.
-const PLAIN: [(&str, Target); 5] = [
+const PLAIN: [(&str, Target); 6] = [
     ("force", Target::Force),
     ("couple", Target::Couple),
     ("roll moment", Target::RollMoment),
     ("torque", Target::Torque),
     ("excess energy", Target::ExcessEnergy),
+    ("speed fluctuation", Target::SpeedFluctuation),
 ];
 
 /// Loads with the number of their part behind them, or that of the largest.
-const NUMBERED: [(&str, fn(Option<usize>) -> Target); 4] = [
+const NUMBERED: [(&str, fn(Option<usize>) -> Target); 5] = [
     ("main bearing", Target::MainBearing),
     ("crankpin", Target::Crankpin),
     ("piston pin", Target::PistonPin),
     ("side thrust", Target::SideThrust),
+    ("bending moment", Target::BendingMoment),
 ];
 
 const MOUNT: &str = "mount force";
@@ -48,22 +50,25 @@ impl Output {
         let prefix = PARTS.iter().find_map(|(word, part)| Some((rest.strip_prefix(word)?, Some(*part))));
         let (load, part) = prefix.unwrap_or((rest, None));
         let target = target(load, engine)?.ok_or_else(unknown)?;
-        let part = match target {
-            Target::Force | Target::Couple | Target::RollMoment if part == Some(BearingPart::Gas) => {
+        let is_of_inertia =
+            matches!(target, Target::Force | Target::Couple | Target::RollMoment | Target::BendingMoment(_));
+        let part = match (target, part) {
+            (Target::BendingMoment(_), Some(BearingPart::Gas)) | (Target::SpeedFluctuation, Some(_)) => {
+                return Err(SensitivityError::NoSuchPartOf { load: load.to_owned() });
+            }
+            (_, Some(BearingPart::Gas)) if is_of_inertia => {
                 return Err(SensitivityError::NoGasForce { load: load.to_owned() });
             }
-            Target::Force | Target::Couple | Target::RollMoment => BearingPart::Inertia,
-            _ => part.unwrap_or(BearingPart::All),
+            _ if is_of_inertia => BearingPart::Inertia,
+            (_, part) => part.unwrap_or(BearingPart::All),
         };
-        let has_size = match target {
-            Target::ExcessEnergy => size == Size::Peak,
-            Target::Force | Target::Couple | Target::RollMoment | Target::MountForce(_) => size != Size::Mean,
-            _ => true,
-        };
-        if !has_size {
+        let output = Output { target, part, size };
+        let has_mean =
+            !matches!(target, Target::Force | Target::Couple | Target::RollMoment | Target::MountForce(_));
+        if size != Size::Peak && output.has_no_angle() || size == Size::Mean && !has_mean {
             return Err(SensitivityError::NoSuchSize { load: load.to_owned() });
         }
-        Ok(Output { target, part, size })
+        Ok(output)
     }
 }
 
@@ -83,8 +88,7 @@ fn target(load: &str, engine: &Engine) -> Result<Option<Target>, SensitivityErro
     if load.starts_with(MOUNT) {
         return mount(load, engine).map(Some);
     }
-    let numbered =
-        NUMBERED.iter().find_map(|(name, target)| Some((*name, load.strip_prefix(name)?, target)));
+    let numbered = NUMBERED.iter().find_map(|(name, target)| Some((*name, load.strip_prefix(name)?, target)));
     let Some((name, number, target)) = numbered else { return Ok(None) };
     match number.strip_prefix(' ').map(str::parse::<usize>) {
         None if number.is_empty() => Ok(Some(target(None))),

@@ -158,7 +158,9 @@ impl Quantity {
             Quantity::FlywheelInertia => "flywheel inertia",
             Quantity::CrankshaftInertia => "crankshaft inertia",
             Quantity::BlockMass => "block mass",
-            Quantity::BlockCentre(axis) => axis.choose(["block centre x", "block centre y", "block centre z"]),
+            Quantity::BlockCentre(axis) => {
+                axis.choose(["block centre x", "block centre y", "block centre z"])
+            }
             Quantity::BlockInertia(axis) => {
                 axis.choose(["block inertia about x", "block inertia about y", "block inertia about z"])
             }
@@ -336,17 +338,15 @@ impl Quantity {
             Quantity::BlockProduct(axis) => {
                 engine.block.iter_mut().map(|b| &mut b.products[axis.index()]).collect()
             }
-            Quantity::MountPlace(axis) => {
-                engine
-                    .mounts
-                    .iter_mut()
-                    .map(|mount| match axis {
-                        Axis::X => &mut mount.x,
-                        Axis::Y => &mut mount.y,
-                        Axis::Z => &mut mount.z,
-                    })
-                    .collect()
-            }
+            Quantity::MountPlace(axis) => engine
+                .mounts
+                .iter_mut()
+                .map(|mount| match axis {
+                    Axis::X => &mut mount.x,
+                    Axis::Y => &mut mount.y,
+                    Axis::Z => &mut mount.z,
+                })
+                .collect(),
         }
     }
 }

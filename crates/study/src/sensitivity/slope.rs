@@ -60,8 +60,7 @@ impl Grown {
 
     /// Of the sum of two outputs.
     pub fn plus(self, other: Grown) -> Grown {
-        let slope =
-            Slope { up: self.slope.up + other.slope.up, down: self.slope.down + other.slope.down };
+        let slope = Slope { up: self.slope.up + other.slope.up, down: self.slope.down + other.slope.down };
         Grown { slope, growth: self.growth + other.growth }
     }
 

@@ -13,7 +13,7 @@ const APART: f64 = 1e-7;
 /// Widest part of a quadrature [rad].
 const WIDEST: f64 = 0.05;
 /// Gauss-Legendre rule of four points on [0, 1].
-const GAUSS: [(f64, f64); 4] = [
+pub(super) const GAUSS: [(f64, f64); 4] = [
     (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
     (0.330_009_478_207_571_87, 0.326_072_577_431_273_1),
     (0.669_990_521_792_428_1, 0.326_072_577_431_273_1),
@@ -50,9 +50,9 @@ impl Stretch {
     /// Angles and weights of a quadrature from the share `from` of the stretch to the share `to`.
     pub fn points(&self, from: f64, to: f64) -> impl Iterator<Item = (Dual64, Dual64)> {
         let whole = self.to - self.from;
-        GAUSS.iter().map(move |(x, weight)| {
-            (self.theta(from + (to - from) * x), whole * ((to - from) * weight))
-        })
+        GAUSS
+            .iter()
+            .map(move |(x, weight)| (self.theta(from + (to - from) * x), whole * ((to - from) * weight)))
     }
 
     /// Integral over the stretch.

@@ -237,7 +237,8 @@ impl<'a> Train<'a> {
 
     /// Axis of the crankshaft of cylinder `index`.
     pub fn crank_axis(&self, index: usize) -> Vector {
-        let crank = &self.engine.crankshafts[self.engine.throws[self.engine.cylinders[index].throw].crankshaft];
+        let crank =
+            &self.engine.crankshafts[self.engine.throws[self.engine.cylinders[index].throw].crankshaft];
         [known(crank.x), known(crank.y)]
     }
 

@@ -6,9 +6,9 @@ use super::operating_point::OperatingPoint;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderGas, EnergyVariation, Excitation, Extremes, GasTrain,
-    Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, PeriodicCurve, PinLoad, SpeedResponse, Torque,
-    TorqueError, TorqueRequest, bearing_loads, inertia_excitations, merged_orders, total_loads, torque,
-    vector_amplitude,
+    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, PeriodicCurve, PinLoad,
+    SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
+    merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
 };
 use lanchester_model::Engine;
 use num_complex::Complex64;
@@ -44,9 +44,10 @@ pub(super) fn nothing(point: &OperatingPoint, output: Output) -> f64 {
         engine.cylinders.iter().map(|c| (c.reciprocating_mass() + c.rod.big_end_mass) * radius(c.throw));
     let throws = engine.throws.iter().map(|throw| throw.unbalance.abs());
     let weights = engine.counterweights.iter().map(|weight| weight.unbalance);
-    let shafts = engine.shafts.iter().flat_map(|shaft| {
-        shaft.weights.iter().map(|weight| weight.unbalance * shaft.ratio.value().powi(2))
-    });
+    let shafts = engine
+        .shafts
+        .iter()
+        .flat_map(|shaft| shaft.weights.iter().map(|weight| weight.unbalance * shaft.ratio.value().powi(2)));
     let inertia = cylinders.chain(throws).chain(weights).chain(shafts).sum::<f64>() * point.speed.powi(2);
     let gas = point.gas.as_ref().filter(|_| output.needs().gas);
     let pressed = gas.iter().flat_map(|gas| gas.iter().zip(&engine.cylinders)).map(|(gas, cylinder)| {
@@ -57,7 +58,12 @@ pub(super) fn nothing(point: &OperatingPoint, output: Output) -> f64 {
     });
     let force = NOTHING * (inertia + pressed.sum::<f64>());
     match output.target {
-        Target::Couple | Target::RollMoment | Target::Torque | Target::ExcessEnergy => {
+        Target::SpeedFluctuation => NOTHING,
+        Target::Couple
+        | Target::RollMoment
+        | Target::Torque
+        | Target::ExcessEnergy
+        | Target::BendingMoment(_) => {
             let planes = engine.cylinders.iter().map(|c| c.z.abs());
             force * planes.chain(engine.throws.iter().map(|t| t.radius)).fold(0.0f64, f64::max)
         }
@@ -100,6 +106,11 @@ impl Known {
                 }
                 Ok(self.torque.as_ref().map_or(0.0, |torque| of_torque(torque, output)))
             }
+            Target::SpeedFluctuation => {
+                let gas = point.gas.as_deref().unwrap_or_default();
+                Ok(speed_ripple(&point.engine, gas, point.speed, point.turning)?.fluctuation)
+            }
+            Target::BendingMoment(one) => bending_moment(point, one),
             Target::MountForce(one) => {
                 let place = self.mounts.iter().position(|(part, _)| *part == output.part);
                 let place = match place {
@@ -270,9 +281,16 @@ fn coefficient(samples: &[Complex64], order: f64, period: f64) -> Complex64 {
         return Complex64::ZERO;
     }
     let step = period / samples.len() as f64;
-    let terms =
-        samples.iter().enumerate().map(|(k, value)| value * Complex64::cis(-order * step * k as f64));
+    let terms = samples.iter().enumerate().map(|(k, value)| value * Complex64::cis(-order * step * k as f64));
     terms.sum::<Complex64>() / samples.len() as f64
+}
+
+/// Largest bending moment of a crankshaft, or of all, under what turns with it.
+fn bending_moment(point: &OperatingPoint, one: Option<usize>) -> Result<f64, SensitivityError> {
+    let request = InternalRequest { speed: Some(point.speed), samples: 1, ..InternalRequest::default() };
+    let found = internal_moments(&point.engine, &request)?.crankshafts;
+    let own = found.iter().filter(|own| one.is_none_or(|index| own.crankshaft == index + 1));
+    Ok(own.map(|own| own.free_beam.peak_moment.value).fold(0.0, f64::max))
 }
 
 fn on_mounts(

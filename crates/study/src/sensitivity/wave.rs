@@ -171,7 +171,8 @@ impl Wave<'_> {
     /// Slope of its size at places of one height; where it vanishes everywhere, of its largest growth.
     pub fn at_peaks(&self, spots: &[Spot]) -> Grown {
         let wide: Vec<&Stretch> = wide(self.stretches).collect();
-        let grown = |theta: Dual64, windows: &[Window]| Grown::of_size(&(self.at)(theta, windows), self.nothing);
+        let grown =
+            |theta: Dual64, windows: &[Window]| Grown::of_size(&(self.at)(theta, windows), self.nothing);
         if spots.is_empty() {
             let points = wide.iter().flat_map(|stretch| {
                 let parts = stretch.scanned();
