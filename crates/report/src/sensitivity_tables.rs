@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, push_csv_line, words};
-use lanchester_study::sensitivity::{Effect, Measure, OutputSensitivity, Sensitivity, VariedInput};
+use lanchester_study::sensitivity::{Effect, Measure, OutputSensitivity, Sensitivity, Slope, VariedInput};
 
 /// Effects below this share of the largest one of an output are none.
 const NOTHING: f64 = 1e-6;
@@ -54,6 +54,11 @@ pub(crate) fn strongest(own: &OutputSensitivity) -> Vec<usize> {
     places
 }
 
+/// Whether an output grows alike whichever way the input goes.
+fn is_either_way(slope: Slope) -> bool {
+    (slope.up + slope.down).abs() <= FLAT * slope.up.abs()
+}
+
 /// One table for each output that any input changes.
 pub fn sensitivity_tables(found: &Sensitivity) -> Vec<Table> {
     let outputs = found.outputs.iter().enumerate();
@@ -76,7 +81,7 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
         let slope = effect(k).slope;
         let sides = match () {
             () if slope.up == slope.down => "",
-            () if (slope.up + slope.down).abs() <= FLAT * slope.up.abs() => ", either way",
+            () if is_either_way(slope) => ", either way",
             () => ", upwards",
         };
         format!("per {unit}{sides}")
@@ -97,9 +102,18 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
             Some(if is_flat { 0.0 } else { slope / measure_unit(input(k).input.quantity.measure()).0 })
         }),
         words("", order.iter().map(per)),
+    ];
+    let parts = |k: &usize| effect(k).slope.up != effect(k).slope.down && !is_either_way(effect(k).slope);
+    if order.iter().any(parts) {
+        columns.push(numbers("downwards", output, 4, &|k| {
+            let factor = measure_unit(input(k).input.quantity.measure()).0;
+            parts(k).then(|| effect(k).slope.down / factor)
+        }));
+    }
+    columns.extend([
         numbers("at the lower end", output, 5, &|k| effect(k).below),
         numbers("at the upper end", output, 5, &|k| effect(k).above),
-    ];
+    ]);
     let worth_it = own.nominal.abs() > 1e-3 * order.first().map_or(0.0, |k| change(own, effect(k)));
     if worth_it {
         columns.push(numbers("change", "%", 3, &|k| percent(change(own, effect(k)))));
