@@ -22,7 +22,7 @@ pub fn tornado_figure(found: &Sensitivity) -> Figure {
         id: "sensitivity".to_owned(),
         title: "Sensitivities".to_owned(),
         caption: format!(
-            "What each input does to a load at {} rpm at the lower end of its range (above) and at the upper end (below), one at a time.",
+            "What each input does to an output at {} rpm at the lower end of its range (above) and at the upper end (below), one at a time.",
             number::short(number::rpm(found.speed), 4)
         ),
         panels: outputs.map(|own| chart(found, own)).collect(),

@@ -129,6 +129,8 @@ struct Ordinary {
     fluctuation: f64,
     bending: f64,
     torque: Option<Torque>,
+    /// Excess energy of inertia alone.
+    idle_energy: f64,
     bearings: Vec<BearingLoads>,
     mounts: Vec<(BearingPart, SpeedResponse)>,
 }
@@ -160,6 +162,17 @@ impl Ordinary {
         let torque = has_torque.then(|| {
             torque(engine, gas, &TorqueRequest { speed, samples: 1, ..TorqueRequest::default() }).unwrap()
         });
+        // One pressure on both sides of the pistons is none.
+        let is_idle =
+            |output: &Output| output.target == Target::ExcessEnergy && output.part == BearingPart::Inertia;
+        let idle_energy = outputs.iter().any(is_idle).then(|| {
+            let even = gas.iter().map(|own| own.crankcase.clone());
+            let even: Vec<CylinderGas> =
+                even.map(|curve| CylinderGas { cylinder: curve.clone(), crankcase: curve }).collect();
+            let request = TorqueRequest { speed, samples: 1, ..TorqueRequest::default() };
+            lanchester_mechanism::torque(engine, &even, &request).unwrap().energy.excess
+        });
+        let idle_energy = idle_energy.unwrap_or(0.0);
         let bearings = of_bearings.into_iter().map(|part| {
             let is_mean = outputs.iter().any(|output| output.size == Size::Mean);
             let samples = if is_mean { 92_160 } else { 720 };
@@ -176,7 +189,14 @@ impl Ordinary {
             };
             (part, MountSystem::new(engine).unwrap().response(&[excitation]).unwrap().speeds.remove(0))
         });
-        Ordinary { fluctuation, bending, torque, bearings: bearings.collect(), mounts: mounts.collect() }
+        Ordinary {
+            fluctuation,
+            bending,
+            torque,
+            idle_energy,
+            bearings: bearings.collect(),
+            mounts: mounts.collect(),
+        }
     }
 
     fn value(&self, output: Output) -> f64 {
@@ -213,6 +233,9 @@ impl Ordinary {
             }
         };
         match output.size {
+            _ if output.target == Target::ExcessEnergy && output.part == BearingPart::Inertia => {
+                self.idle_energy
+            }
             _ if output.target == Target::ExcessEnergy => energy.excess,
             Size::Peak => extremes.max_abs(),
             Size::Mean => harmonic(0.0).re,
@@ -323,8 +346,7 @@ fn torque_and_energy() {
         let mut outputs = of_all_parts(&[Target::Torque], &sizes);
         outputs.push(whole(Target::Torque, Size::Mean, BearingPart::All));
         outputs.push(whole(Target::Torque, Size::Order(0.5), BearingPart::Gas));
-        outputs.push(whole(Target::ExcessEnergy, Size::Peak, BearingPart::All));
-        outputs.push(whole(Target::ExcessEnergy, Size::Peak, BearingPart::Gas));
+        outputs.extend(PARTS.map(|part| whole(Target::ExcessEnergy, Size::Peak, part)));
         compare(name, &point, &outputs, 1e-6);
     }
 }

@@ -75,7 +75,8 @@ pub(super) fn nothing(point: &OperatingPoint, output: Output) -> f64 {
 #[derive(Default)]
 struct Known {
     loads: Option<LoadSet>,
-    torque: Option<Torque>,
+    /// With gas and without.
+    torques: Vec<(bool, Torque)>,
     bearings: Vec<BearingLoads>,
     mounts: Vec<(BearingPart, SpeedResponse)>,
 }
@@ -101,10 +102,15 @@ impl Known {
                 Ok(self.loads.as_ref().map_or(0.0, |loads| of_block(loads, output)))
             }
             Target::Torque | Target::ExcessEnergy => {
-                if self.torque.is_none() {
-                    self.torque = Some(of_point(point, highest(all, 1))?);
-                }
-                Ok(self.torque.as_ref().map_or(0.0, |torque| of_torque(torque, output)))
+                let gas = output.needs().gas;
+                let place = match self.torques.iter().position(|(own, _)| *own == gas) {
+                    Some(place) => place,
+                    None => {
+                        self.torques.push((gas, of_point(point, gas, highest(all, 1))?));
+                        self.torques.len() - 1
+                    }
+                };
+                Ok(of_torque(&self.torques[place].1, output))
             }
             Target::SpeedFluctuation => {
                 let gas = point.gas.as_deref().unwrap_or_default();
@@ -170,11 +176,11 @@ fn of_block(loads: &LoadSet, output: Output) -> f64 {
     })
 }
 
-/// Torque of an operating point; without gas that of inertia, as of an engine with one pressure on both sides of its pistons.
-fn of_point(point: &OperatingPoint, max_order: u32) -> Result<Torque, TorqueError> {
+/// Torque of an operating point; that of inertia alone as of an engine with one pressure on both sides of its pistons.
+fn of_point(point: &OperatingPoint, gas: bool, max_order: u32) -> Result<Torque, TorqueError> {
     let request =
         TorqueRequest { speed: Some(point.speed), max_order, samples: 1, ..TorqueRequest::default() };
-    match &point.gas {
+    match point.gas.as_ref().filter(|_| gas) {
         Some(gas) => torque(&point.engine, gas, &request),
         None => {
             let (engine, gas) = unloaded(&point.engine)?;
