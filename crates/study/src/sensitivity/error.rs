@@ -35,7 +35,9 @@ pub enum SensitivityError {
         got: f64,
     },
     /// A factor that would reach 0.
-    #[error("the {quantity} must vary by less than 100 % of itself, got {got} %")]
+    #[error(
+        "the {quantity} must vary by less than 100 % of itself, got {got} %\nhint: it is a factor on what the file says, and would reach 0"
+    )]
     Factor {
         /// Its name.
         quantity: &'static str,
