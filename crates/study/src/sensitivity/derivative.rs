@@ -16,7 +16,7 @@ use super::stretch::{Stretch, stretches};
 use super::study::Amount;
 use super::train::{Side, Train};
 use super::value::{nothing, values};
-use super::wave::{Load, SAME_HEIGHT, Spot, Wave};
+use super::wave::{Load, LoadAt, SAME_HEIGHT, Spot, Wave};
 use num_dual::Dual64;
 use rayon::prelude::*;
 
@@ -183,7 +183,7 @@ impl<'a> Sample<'a> {
     /// The load over the cycle, of each of [`Sample::numbers`].
     fn waves(&self) -> Vec<Wave<'a>> {
         let train = self.train;
-        let wave = |is_number: bool, at: Box<dyn Fn(Dual64, &[[f64; 2]]) -> Load + 'a>| Wave {
+        let wave = |is_number: bool, at: LoadAt<'a>| Wave {
             stretches: self.stretches,
             at,
             is_number,

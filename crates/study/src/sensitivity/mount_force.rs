@@ -268,7 +268,7 @@ fn forces(train: &Train<'_>, body: &Body, order: f64, load: &[DualComplex; 6]) -
         let yielding = (0..6).map(|i| motion[i] * real(spring.along[i])).fold(zero, |a, b| a + b);
         let force = spring.stiffness * yielding;
         for (sum, axis) in forces[spring.mount].iter_mut().zip(spring.axis) {
-            *sum = *sum + force * real(known(axis));
+            *sum += force * real(known(axis));
         }
     }
     forces
@@ -285,7 +285,7 @@ fn solved(mut rows: [[DualComplex; 7]; 6]) -> [DualComplex; 6] {
         for row in rows.iter_mut().skip(k + 1) {
             let factor = row[k] / above[k];
             for (value, above) in row.iter_mut().zip(above).skip(k) {
-                *value = *value - factor * above;
+                *value -= factor * above;
             }
         }
     }

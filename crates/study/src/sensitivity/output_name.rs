@@ -19,8 +19,11 @@ const PLAIN: [(&str, Target); 6] = [
     ("speed fluctuation", Target::SpeedFluctuation),
 ];
 
+/// A load of the part of an index, or of the largest of all.
+type OfPart = fn(Option<usize>) -> Target;
+
 /// Loads with the number of their part behind them, or that of the largest.
-const NUMBERED: [(&str, fn(Option<usize>) -> Target); 5] = [
+const NUMBERED: [(&str, OfPart); 5] = [
     ("main bearing", Target::MainBearing),
     ("crankpin", Target::Crankpin),
     ("piston pin", Target::PistonPin),

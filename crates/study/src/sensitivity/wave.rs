@@ -22,10 +22,13 @@ const FINER: i32 = 8;
 /// A load at one angle: up to three components, the rest zero.
 pub(super) type Load = [Dual64; 3];
 
+/// A load at an angle, its pressures read in these windows.
+pub(super) type LoadAt<'a> = Box<dyn Fn(Dual64, &[Window]) -> Load + 'a>;
+
 /// A load over the cycle.
 pub(super) struct Wave<'a> {
     pub stretches: &'a [Stretch],
-    pub at: Box<dyn Fn(Dual64, &[Window]) -> Load + 'a>,
+    pub at: LoadAt<'a>,
     /// Whether it is one number with its sign.
     pub is_number: bool,
     /// Sizes up to this are rounding.
