@@ -13,12 +13,13 @@ pub struct SensitivityArguments {
     /// Speed of crankshaft 1, with its unit; default: the highest of the file.
     #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
-    /// What it does something to: `force`, `couple`, `roll moment` (peaks), or one order, `force order 2`. May be given several times;
-    /// default: the three peaks.
-    #[arg(long, value_name = "CRITERION")]
+    /// What it does something to: the peak of `force`, `couple`, `roll moment`, `torque`, `main bearing 1`, `crankpin 1`, `piston pin 1`, `side thrust 1`
+    /// or `mount force NAME` (without a number or name: the largest of all), or `excess energy`; behind it `order 2` or `mean`, before it `gas` or
+    /// `inertia` where these alone count. May be given several times; default: force, couple and roll moment.
+    #[arg(long, value_name = "OUTPUT")]
     pub output: Vec<String>,
     /// How far a quantity goes either way: `rod length = 10 %`, `throw angle = 0.5 deg`. May be given several times; default: 1 % of
-    /// sizes, 1 mm of places, 1 deg of directions.
+    /// sizes and factors, 1 mm of places, 1 deg of directions.
     #[arg(long, value_name = "QUANTITY")]
     pub vary: Vec<String>,
     /// Vary nothing but what --vary names.

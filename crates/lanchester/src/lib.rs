@@ -28,6 +28,7 @@ mod layout_space;
 mod layout_study;
 mod measured_gas;
 mod mounted;
+mod operating_point;
 mod own_layout;
 mod pressure;
 pub mod run;
@@ -67,6 +68,7 @@ pub use layout_search::{LayoutSearchError, adopted_layout, given_engine, layout_
 pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
 pub use layout_study::{LayoutRows, LayoutStudy};
 pub use mounted::{MountSpeeds, MountedError, mounts};
+pub use operating_point::operating_point;
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,

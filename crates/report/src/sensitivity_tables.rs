@@ -1,8 +1,8 @@
 //! Sensitivities: derivatives, one input at a time, and shares of the variance, output by output.
 
 use crate::number;
-use crate::table::{Cell, Column, Table, words};
-use lanchester_study::sensitivity::{Effect, Measure, OutputSensitivity, Sensitivity, VariedInput};
+use crate::table::{Cell, Column, Table, push_csv_line, words};
+use lanchester_study::sensitivity::{Effect, Measure, OutputSensitivity, Sensitivity, Slope, VariedInput};
 
 /// Effects below this share of the largest one of an output are none.
 const NOTHING: f64 = 1e-6;
@@ -26,7 +26,10 @@ pub fn measure_unit(measure: Measure) -> (f64, &'static str) {
         Measure::Angle => (1f64.to_degrees(), "deg"),
         Measure::Unbalance => (1e6, "g mm"),
         Measure::Inertia => (1e6, "kg mm2"),
+        Measure::BodyMass => (1.0, "kg"),
+        Measure::BodyInertia => (1.0, "kg m2"),
         Measure::Speed => (number::rpm(1.0), "rpm"),
+        Measure::Factor => (100.0, "%"),
     }
 }
 
@@ -46,9 +49,14 @@ pub(crate) fn strongest(own: &OutputSensitivity) -> Vec<usize> {
     let changes: Vec<f64> = own.effects.iter().map(|effect| change(own, effect)).collect();
     let largest = changes.iter().copied().fold(0.0f64, f64::max);
     let mut places: Vec<usize> =
-        (0..changes.len()).filter(|&k| changes[k] > NOTHING * largest.max(own.nominal)).collect();
+        (0..changes.len()).filter(|&k| changes[k] > NOTHING * largest.max(own.nominal.abs())).collect();
     places.sort_by(|&a, &b| changes[b].total_cmp(&changes[a]));
     places
+}
+
+/// Whether an output grows alike whichever way the input goes.
+fn is_either_way(slope: Slope) -> bool {
+    (slope.up + slope.down).abs() <= FLAT * slope.up.abs()
 }
 
 /// One table for each output that any input changes.
@@ -73,13 +81,13 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
         let slope = effect(k).slope;
         let sides = match () {
             () if slope.up == slope.down => "",
-            () if (slope.up + slope.down).abs() <= FLAT * slope.up.abs() => ", either way",
+            () if is_either_way(slope) => ", either way",
             () => ", upwards",
         };
         format!("per {unit}{sides}")
     };
-    let output = own.output.unit();
-    let percent = |value: f64| Some(100.0 * value / own.nominal).filter(|share| share.is_finite());
+    let output = own.unit;
+    let percent = |value: f64| Some(100.0 * value / own.nominal.abs()).filter(|share| share.is_finite());
     let mut columns = vec![
         words("input", order.iter().map(|k| input_name(input(k)))),
         words(
@@ -94,10 +102,19 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
             Some(if is_flat { 0.0 } else { slope / measure_unit(input(k).input.quantity.measure()).0 })
         }),
         words("", order.iter().map(per)),
+    ];
+    let parts = |k: &usize| effect(k).slope.up != effect(k).slope.down && !is_either_way(effect(k).slope);
+    if order.iter().any(parts) {
+        columns.push(numbers("downwards", output, 4, &|k| {
+            let factor = measure_unit(input(k).input.quantity.measure()).0;
+            parts(k).then(|| effect(k).slope.down / factor)
+        }));
+    }
+    columns.extend([
         numbers("at the lower end", output, 5, &|k| effect(k).below),
         numbers("at the upper end", output, 5, &|k| effect(k).above),
-    ];
-    let worth_it = own.nominal > 1e-3 * order.first().map_or(0.0, |k| change(own, effect(k)));
+    ]);
+    let worth_it = own.nominal.abs() > 1e-3 * order.first().map_or(0.0, |k| change(own, effect(k)));
     if worth_it {
         columns.push(numbers("change", "%", 3, &|k| percent(change(own, effect(k)))));
     }
@@ -106,9 +123,10 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
         columns.push(numbers("with others", "%", 3, &|k| Some(100.0 * sobol.indices[place][*k].total)));
     }
     let title = format!(
-        "{}: {} {output} at {} rpm",
-        number::capital(&own.output.name()),
-        number::terminal(own.nominal, number::decimals(own.nominal, 5)),
+        "{}: {}{} at {} rpm",
+        number::capital(&own.name),
+        number::terminal(own.nominal, number::decimals(own.nominal.abs(), 5)),
+        if output.is_empty() { String::new() } else { format!(" {output}") },
         number::terminal(number::rpm(found.speed), 0)
     );
     Table::of_columns("sensitivity", title, idle_words(found, own), columns)
@@ -142,7 +160,7 @@ pub fn sensitivity_text(found: &Sensitivity) -> String {
         out += &format!("\n{}", table.noted_text());
     }
     let still: Vec<String> =
-        found.outputs.iter().filter(|own| strongest(own).is_empty()).map(|own| own.output.name()).collect();
+        found.outputs.iter().filter(|own| strongest(own).is_empty()).map(|own| own.name.clone()).collect();
     if !still.is_empty() {
         out += &format!("\nNo input changes: {}.\n", still.join(", "));
     }
@@ -164,8 +182,8 @@ pub fn sensitivity_csv(found: &Sensitivity) -> String {
             let index = found.sobol.as_ref().map(|sobol| sobol.indices[place][k]);
             let input = &found.inputs[k];
             let cells = [
-                own.output.name(),
-                own.output.unit().to_owned(),
+                own.name.clone(),
+                own.unit.to_owned(),
                 format!("{:e}", own.nominal),
                 input_name(input),
                 optional(input.nominal),
@@ -177,8 +195,7 @@ pub fn sensitivity_csv(found: &Sensitivity) -> String {
                 optional(index.map(|index| index.first)),
                 optional(index.map(|index| index.total)),
             ];
-            out += &cells.join(",");
-            out.push('\n');
+            push_csv_line(&mut out, cells);
         }
     }
     out

@@ -22,7 +22,7 @@ pub fn tornado_figure(found: &Sensitivity) -> Figure {
         id: "sensitivity".to_owned(),
         title: "Sensitivities".to_owned(),
         caption: format!(
-            "What each input does to a load at {} rpm at the lower end of its range (above) and at the upper end (below), one at a time.",
+            "What each input does to an output at {} rpm at the lower end of its range (above) and at the upper end (below), one at a time.",
             number::short(number::rpm(found.speed), 4)
         ),
         panels: outputs.map(|own| chart(found, own)).collect(),
@@ -35,13 +35,13 @@ fn chart(found: &Sensitivity, own: &OutputSensitivity) -> Panel {
     let ends = |k: usize| [own.effects[k].below, own.effects[k].above];
     let all = order.iter().flat_map(|&k| ends(k)).flatten().chain([own.nominal]);
     let (low, high) =
-        all.fold((f64::INFINITY, 0.0f64), |(low, high), value| (low.min(value), high.max(value)));
-    let scale = Scale::of(high, own.output.unit());
+        all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    let scale = Scale::of(low.abs().max(high.abs()), own.unit);
     let axis = Axis::of(low / scale.divisor, high / scale.divisor, 4);
     let bottom = HEAD + ROW * order.len() as f64;
     let mut svg = Svg::new(NAMES + BARS + 30.0, bottom + 26.0);
     let at = |value: f64| axis.place(value / scale.divisor, NAMES, NAMES + BARS);
-    let title = format!("{} [{}]", number::capital(&own.output.name()), scale.unit);
+    let title = format!("{} [{}]", number::capital(&own.name), scale.unit);
     svg.text("strong", (4.0, 15.0), Anchor::Start, &title);
     for &tick in &axis.ticks {
         let x = axis.place(tick, NAMES, NAMES + BARS);

@@ -12,15 +12,16 @@ fn engine(name: &str) -> Engine {
 
 /// Peaks, and orders 1 and 2, of all loads.
 fn outputs() -> Vec<Output> {
-    let loads = [BlockLoad::Force, BlockLoad::Couple, BlockLoad::RollMoment];
-    let orders = [None, Some(1.0), Some(2.0)];
-    orders.into_iter().flat_map(|order| loads.map(|load| Output { load, order })).collect()
+    let loads = [Target::Force, Target::Couple, Target::RollMoment];
+    let sizes = [Size::Peak, Size::Order(1.0), Size::Order(2.0)];
+    sizes.into_iter().flat_map(|size| loads.map(|load| Output::of_inertia(load, size))).collect()
 }
 
 /// Their values by the mechanism.
-fn loads(engine: &Engine, speed: f64) -> Vec<f64> {
-    let request = LoadRequest { speed: Some(speed), samples: 1, max_order: 2, ..LoadRequest::default() };
-    let loads = total_loads(engine, &request).unwrap();
+fn loads(point: &OperatingPoint) -> Vec<f64> {
+    let request =
+        LoadRequest { speed: Some(point.speed), samples: 1, max_order: 2, ..LoadRequest::default() };
+    let loads = total_loads(&point.engine, &request).unwrap();
     let order = |n: f64| *loads.orders.iter().find(|own| own.order == n).unwrap();
     let peaks = [
         loads.peaks.force.max.value,
@@ -34,21 +35,29 @@ fn loads(engine: &Engine, speed: f64) -> Vec<f64> {
     peaks.into_iter().chain(orders.into_iter().flatten()).collect()
 }
 
-fn off(engine: &Engine, speed: f64, input: Input, by: f64) -> Vec<f64> {
-    let (mut own, mut own_speed) = (engine.clone(), speed);
-    input.deviate(&mut own, &mut own_speed, by);
-    loads(&own, own_speed)
+fn off(point: &OperatingPoint, input: Input, by: f64) -> Vec<f64> {
+    let mut own = point.clone();
+    input.deviate(&mut own, by);
+    loads(&own)
+}
+
+/// An engine of the gallery at its highest speed.
+fn at_highest(name: &str) -> OperatingPoint {
+    let engine = engine(name);
+    let speed = engine.speed.highest;
+    OperatingPoint::of_inertia(engine, speed)
 }
 
 /// A step that changes an output by about a millionth.
 fn step(input: Input) -> f64 {
     match input.quantity.measure() {
-        Measure::Mass => 1e-6,
+        Measure::Mass | Measure::BodyMass => 1e-6,
         Measure::Length | Measure::Place => 1e-7,
         Measure::Angle => 1e-6,
         Measure::Unbalance => 1e-8,
-        Measure::Inertia => 1e-9,
+        Measure::Inertia | Measure::BodyInertia => 1e-9,
         Measure::Speed => 1e-3,
+        Measure::Factor => 1e-6,
     }
 }
 
@@ -68,24 +77,24 @@ fn derivatives_are_the_differences_of_the_loads() {
     ];
     let mut compared = 0;
     for name in names {
-        let mut engine = engine(name);
+        let mut point = at_highest(name);
         // Without symmetry no peak has a twin.
-        let mut speed = engine.speed.highest;
-        for (place, input) in Input::single(&engine).into_iter().enumerate() {
+        for (place, input) in Input::single(&point).into_iter().enumerate() {
             let by = 1500.0 * f64::from(1 + (place as u32 * 7) % 5) * step(input);
             if input.quantity != Quantity::Speed {
-                input.deviate(&mut engine, &mut speed, by);
+                input.deviate(&mut point, by);
             }
         }
-        let scale = loads(&engine, speed);
+        let scale = loads(&point);
+        let (engine, speed) = (&point.engine, point.speed);
         let pistons = engine.cylinders.iter().map(|c| c.reciprocating_mass() * engine.throws[c.throw].radius);
         let inertia = pistons.sum::<f64>() * speed * speed;
-        let inputs: Vec<Input> = Input::common(&engine).into_iter().chain(Input::single(&engine)).collect();
-        let slopes = derivatives(&engine, speed, &outputs(), &inputs).unwrap();
+        let inputs: Vec<Input> = Input::common(&point).into_iter().chain(Input::single(&point)).collect();
+        let slopes = derivatives(&point, &outputs(), &inputs).unwrap();
         for (place, input) in inputs.iter().enumerate() {
             let h = step(*input);
             let [far_back, back, front, far_front] =
-                [-2.0, -1.0, 1.0, 2.0].map(|steps| off(&engine, speed, *input, steps * h));
+                [-2.0, -1.0, 1.0, 2.0].map(|steps| off(&point, *input, steps * h));
             for (output, value) in scale.iter().enumerate() {
                 let [near, far] = [front[output] - back[output], far_front[output] - far_back[output]];
                 let difference = (8.0 * near - far) / (12.0 * h);
@@ -109,12 +118,11 @@ fn derivatives_are_the_differences_of_the_loads() {
 
 #[test]
 fn a_size_that_vanishes_grows_either_way() {
-    let engine = engine("in-line-4");
-    let speed = engine.speed.highest;
+    let point = at_highest("in-line-4");
     let heavier = Input { quantity: Quantity::Part(lanchester_model::Varied::PistonMass), part: Some(1) };
-    let output = [Output { load: BlockLoad::Force, order: Some(1.0) }];
-    let slope = derivatives(&engine, speed, &output, &[heavier]).unwrap()[0][0];
-    let [back, front] = [-1e-4, 1e-4].map(|by| off(&engine, speed, heavier, by)[3]);
+    let output = [Output::of_inertia(Target::Force, Size::Order(1.0))];
+    let slope = derivatives(&point, &output, &[heavier]).unwrap()[0][0];
+    let [back, front] = [-1e-4, 1e-4].map(|by| off(&point, heavier, by)[3]);
     assert!(
         (slope.up * 1e-4 - front).abs() < 1e-8 * front && (slope.down * -1e-4 - back).abs() < 1e-8 * back
     );
@@ -124,16 +132,16 @@ fn a_size_that_vanishes_grows_either_way() {
 /// Of a product `m w^2` of few percent the shares are those of its linear part: 1 to 4 for equal ranges.
 #[test]
 fn shares_of_the_variance_are_those_of_the_linear_part() {
-    let engine = engine("single");
+    let point = at_highest("single");
     let quantities = [Quantity::Speed, Quantity::Part(lanchester_model::Varied::PistonMass)];
     let request = SensitivityRequest {
-        outputs: vec![Output { load: BlockLoad::Force, order: Some(2.0) }],
+        outputs: vec![Output::of_inertia(Target::Force, Size::Order(2.0))],
         amounts: quantities.map(|quantity| (quantity, Amount::Share(0.01))).to_vec(),
         only: true,
         sobol: Some([4000, 7]),
         ..SensitivityRequest::default()
     };
-    let found = sensitivity(&engine, &request).unwrap();
+    let found = sensitivity(&point, &request).unwrap();
     let effects = &found.outputs[0].effects;
     let parts: Vec<f64> = found
         .inputs
@@ -150,15 +158,15 @@ fn shares_of_the_variance_are_those_of_the_linear_part() {
     }
     // The same whatever the number of threads.
     let again = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
-    let alone = again.install(|| sensitivity(&engine, &request)).unwrap();
+    let alone = again.install(|| sensitivity(&point, &request)).unwrap();
     assert_eq!(alone.sobol.unwrap(), shares);
 }
 
 #[test]
 fn impossible_requests_are_told() {
-    let engine = engine("single");
+    let point = at_highest("single");
     let refused = |request: SensitivityRequest, said: &str| {
-        let told = sensitivity(&engine, &request).unwrap_err().to_string();
+        let told = sensitivity(&point, &request).unwrap_err().to_string();
         assert!(told.contains(said), "{told}");
     };
     let only = |quantity, amount| SensitivityRequest {

@@ -1,11 +1,13 @@
-//! `lanchester sensitivity`: what matters most for the residual loads.
+//! `lanchester sensitivity`: what matters most for loads, torque, bearings and mounts.
 
 use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::sensitivity_arguments::SensitivityArguments;
-use lanchester::model::{criterion, option};
+use crate::trace_files::trace_files;
+use lanchester::model::option;
+use lanchester::operating_point;
 use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
 use lanchester::study::sensitivity::{Amount, Measure, Output, Quantity, SensitivityRequest, sensitivity};
 
@@ -13,24 +15,24 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     let amounts = arguments.vary.iter().map(|text| amount(text)).collect::<Result<_, _>>()?;
     let engine = open(&arguments.file, colour)?.engine;
-    let output = |text: &String| {
-        Output::of(criterion(text, &engine.mounts)?).ok_or_else(|| {
-            Failure::input(
-                format!("sensitivities are told of loads on the block, got `{}`", text.trim()),
-                "write force, couple or roll moment, or one order of it: `force order 2`",
-            )
-        })
-    };
-    let outputs: Vec<Output> = arguments.output.iter().map(output).collect::<Result<_, Failure>>()?;
+    let named = |text: &String| Output::named(text, &engine).map_err(Failure::refused);
+    let outputs: Vec<Output> = arguments.output.iter().map(named).collect::<Result<_, Failure>>()?;
+    let outputs = if outputs.is_empty() { Output::peaks() } else { outputs };
+    let needs = Output::needs_of(&outputs);
+    let traces = if needs.gas { trace_files(&engine, &arguments.file)? } else { Vec::new() };
+    let speed = speed.unwrap_or(engine.speed.highest);
+    let (point, warnings) = operating_point(&engine, &traces, speed, needs).map_err(Failure::refused)?;
+    for warning in &warnings {
+        eprintln!("warning: {warning}");
+    }
     let request = SensitivityRequest {
-        speed,
-        outputs: if outputs.is_empty() { Output::peaks() } else { outputs },
+        outputs,
         each: arguments.each,
         amounts,
         only: arguments.only,
         sobol: arguments.sobol.map(|draws| [draws, arguments.seed.unwrap_or(1)]),
     };
-    let found = sensitivity(&engine, &request).map_err(Failure::refused)?;
+    let found = sensitivity(&point, &request).map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &[tornado_figure(&found)])?;
     }
@@ -62,12 +64,13 @@ fn amount(text: &str) -> Result<(Quantity, Amount), Failure> {
         return Ok((quantity, Amount::Share(option::share(value, &name)?)));
     }
     let read = match quantity.measure() {
-        Measure::Mass => option::mass,
+        Measure::Mass | Measure::BodyMass => option::mass,
         Measure::Length | Measure::Place => option::length,
         Measure::Angle => option::angle,
         Measure::Unbalance => option::unbalance,
-        Measure::Inertia => option::inertia,
+        Measure::Inertia | Measure::BodyInertia => option::inertia,
         Measure::Speed => option::speed,
+        Measure::Factor => option::share,
     };
     Ok((quantity, Amount::Absolute(read(value, &name)?)))
 }

@@ -58,8 +58,48 @@ fn mistakes_of_a_sensitivity_are_told() {
     refused(&["--vary", "rod length"], "needs a quantity and how far it goes");
     refused(&["--vary", "rod length = 1 kg"], "rod length");
     refused(&["--vary", "pin offset in the piston = 10 %"], "no size of which a share could be taken");
-    refused(&["--output", "added mass"], "loads on the block, got `added mass`");
+    refused(&["--output", "added mass"], "there is no output \"added mass\"");
+    refused(&["--output", "torque"], "peak torque needs the gas");
+    refused(&["--output", "mount force"], "needs engine mounts, and there are none");
+    refused(&["--output", "inertia main bearing 4"], "no main bearing 4, the last one is main bearing 3");
+    refused(
+        &["--output", "inertia torque", "--vary", "gas pressure = 1 %"],
+        "the engine has no gas pressure",
+    );
     refused(&["--sobol", "2"], "from 16 to 10 000 000 draws, got 2");
     refused(&["--only"], "--vary");
     assert_eq!(output_json(&folder, 0, &["sensitivity", &twin, "--format", "json"])["sobol"], Value::Null);
+}
+
+/// The derivative by the pressure, against `torque` and `bearings` with the same engine: both grow in proportion where gas alone counts.
+#[test]
+fn gas_alone_grows_with_its_pressure() {
+    let folder = folder("sensitivity-gas");
+    let four = example("in-line-4-mounts");
+    let arguments =
+        ["--output", "gas torque", "--output", "gas torque mean", "--output", "mount force torque rod"];
+    let only = ["--vary", "gas pressure = 1 %", "--vary", "bore = 1 %", "--only", "--speed", "2000 rpm"];
+    let json = output_json(
+        &folder,
+        0,
+        &[&["sensitivity", &four, "--format", "json"], &arguments[..], &only[..]].concat(),
+    );
+    assert_eq!(json["version"], 2);
+    let torque = output_json(&folder, 0, &["torque", &four, "--speed", "2000 rpm", "--format", "json"]);
+    let mean = torque["torque"]["indicated"]["torque"].as_f64().expect("a torque");
+    let of = |place: usize| &json["outputs"][place];
+    let number = |value: &Value| value.as_f64().expect("a number");
+    assert_eq!(of(1)["name"], "mean torque (gas alone)");
+    assert!((number(&of(1)["nominal"]) - mean).abs() < 1e-9 * mean);
+    // Bore first: a factor on the area is a factor on the torque.
+    let bore = number(&json["inputs"][0]["nominal"]);
+    for place in [0, 1] {
+        let slope = number(&of(place)["effects"][0]["slope"]["up"]);
+        let nominal = number(&of(place)["nominal"]);
+        assert!((slope * bore / 2.0 - nominal).abs() < 1e-9 * nominal, "{slope} {nominal}");
+    }
+    let text = output(&folder, 0, &["sensitivity", &four, "--output", "mount force torque rod"]);
+    assert!(text.contains("mount stiffness") && text.contains("block mass"), "{text}");
+    let csv = output(&folder, 0, &["sensitivity", &four, "--output", "crankpin 2 mean", "--format", "csv"]);
+    assert!(csv.contains("mean force on crankpin 2,N,") && csv.contains("gas pressure"), "{csv}");
 }

@@ -1,175 +1,257 @@
-//! Exact derivatives of peaks and orders of the loads.
+//! Exact derivatives of outputs.
 
+use super::bending::{BendingSpot, bending_slope, bending_spots};
+use super::energy::{Energy, EnergySpots};
+use super::error::SensitivityError;
 use super::input::Input;
-use super::output::{Component, Output};
-use super::train::{DualLoads, Train};
-use lanchester_mechanism::{LoadError, LoadRequest, Mechanism};
-use lanchester_model::Engine;
+use super::jet::known;
+use super::mains::Mains;
+use super::mount_force::{MountForces, mount_orders};
+use super::operating_point::OperatingPoint;
+use super::output::{Output, Size, Target};
+use super::prepared::Prepared;
+use super::ripple::{Ripple, RippleSpots};
+use super::slope::{Grown, Slope};
+use super::stretch::{Stretch, stretches};
+use super::study::Amount;
+use super::train::{Side, Train};
+use super::value::{nothing, values};
+use super::wave::{Load, LoadAt, SAME_HEIGHT, Spot, Wave};
 use num_dual::Dual64;
-use serde::Serialize;
-use std::f64::consts::TAU;
+use rayon::prelude::*;
 
-/// Angles in one revolution at which orders are taken: the loads of the highest order that is left are rounding.
-const ANGLES: usize = 256;
-/// Angles in one revolution between which peaks are looked for.
-const SCAN: usize = 720;
-/// Peaks that differ by less than this share are one height.
-const SAME_HEIGHT: f64 = 1e-9;
-/// Share of the derivative of a vector by which its slope is off since its peak is: a place is known to the root of the last digit.
-const ROUNDING: f64 = 1e-6;
-/// Halvings of an interval around a peak by the golden section.
-const STEPS: usize = 60;
-
-/// Derivative of an output by an input, in SI units.
+/// Derivatives of `outputs` at an operating point by `inputs`: by output, then by input.
 ///
-/// A size that is zero grows whichever way the input goes, and of two equal peaks one may grow while the other falls: there the derivatives
-/// on both sides differ.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Slope {
-    /// For a larger input.
-    pub up: f64,
-    /// For a smaller input.
-    pub down: f64,
-}
-
-impl Slope {
-    /// Of the sum of two outputs.
-    fn plus(self, other: Slope) -> Slope {
-        Slope { up: self.up + other.up, down: self.down + other.down }
-    }
-
-    /// Of the size of a vector; of one that vanishes the size of its derivative.
-    fn of_size(parts: &[Dual64], nothing: f64) -> Slope {
-        let size = parts.iter().map(|part| part.re * part.re).sum::<f64>().sqrt();
-        if size <= nothing {
-            let growth = parts.iter().map(|part| part.eps * part.eps).sum::<f64>().sqrt();
-            return Slope { up: growth, down: -growth };
-        }
-        let slope = parts.iter().map(|part| part.re * part.eps).sum::<f64>() / size;
-        Slope { up: slope, down: slope }
-    }
-
-    /// Of the largest of outputs that are equal. Slopes that differ by no more than peaks can be placed are one.
-    fn of_largest(slopes: &[(Slope, f64)]) -> Slope {
-        let close = ROUNDING * slopes.iter().map(|(_, growth)| *growth).fold(0.0, f64::max);
-        let up = slopes.iter().map(|(slope, _)| slope.up).reduce(f64::max).unwrap_or(0.0);
-        let down = slopes.iter().map(|(slope, _)| slope.down).reduce(f64::min).unwrap_or(0.0);
-        if up - down <= close {
-            Slope { up: (up + down) / 2.0, down: (up + down) / 2.0 }
-        } else {
-            Slope { up, down }
-        }
-    }
-}
-
-/// Derivatives of `outputs` of an engine at `speed` [rad/s] by `inputs`: by output, then by input.
-///
-/// A peak is differentiated where it stands (book, eq. 32.2), an order through its integral (eq. 32.3).
+/// A peak is differentiated where it stands (book, eq. 32.2), a mean and an order through their integrals (eq. 32.3), all of them with the
+/// jumps of the pressures that move (eq. 32.6).
 ///
 /// # Errors
-/// [`LoadError`] where the loads cannot be computed.
+/// [`SensitivityError`] where an output cannot be computed.
 pub fn derivatives(
-    engine: &Engine,
-    speed: f64,
+    point: &OperatingPoint,
     outputs: &[Output],
     inputs: &[Input],
-) -> Result<Vec<Vec<Slope>>, LoadError> {
-    let request = LoadRequest { speed: Some(speed), samples: 1, ..LoadRequest::default() };
-    let period = Mechanism::new(engine, &request)?.period();
-    let Some(&first) = inputs.first() else { return Ok(vec![Vec::new(); outputs.len()]) };
-    let plain = Train::new(engine, speed, first);
-    let places: Vec<Places> =
-        outputs.iter().map(|output| Places::of(&plain, *output, engine, speed, period)).collect();
-    let count = ANGLES * (period / TAU).round() as usize;
-    let by_input: Vec<Vec<Slope>> = inputs
-        .iter()
-        .map(|&input| {
-            let train = Train::new(engine, speed, input);
-            let needs_all = places.iter().any(|places| places.peaks.is_empty());
-            let all: Vec<(f64, DualLoads)> = match needs_all {
-                true => (0..count)
-                    .map(|k| period * k as f64 / count as f64)
-                    .map(|theta| (theta, train.loads(theta)))
-                    .collect(),
-                false => Vec::new(),
-            };
-            outputs.iter().zip(&places).map(|(output, places)| slope(&train, *output, places, &all)).collect()
-        })
-        .collect();
-    Ok((0..outputs.len()).map(|place| by_input.iter().map(|slopes| slopes[place]).collect()).collect())
+) -> Result<Vec<Vec<Slope>>, SensitivityError> {
+    outputs.iter().try_for_each(|output| output.check(point))?;
+    values(point, outputs)?;
+    outputs.iter().map(|output| slopes(point, *output, inputs)).collect()
 }
 
-/// Where the peaks of an output stand, and what is nothing to it.
-struct Places {
-    /// Angles [rad]; none for an order, and for a load that vanishes.
-    peaks: Vec<f64>,
+fn slopes(point: &OperatingPoint, output: Output, inputs: &[Input]) -> Result<Vec<Slope>, SensitivityError> {
+    let prepared = Prepared::new(point, output)?;
+    let nothing = nothing(point, output);
+    let spots = {
+        let train = Train::new(&prepared, Input::idle(), Side::Up);
+        let stretches = stretches(&train);
+        Sample { train: &train, stretches: &stretches, output, nothing }.spots()
+    };
+    let one = |input: &Input| {
+        let [up, down] = [Side::Up, Side::Down].map(|side| {
+            let train = Train::new(&prepared, *input, side);
+            let stretches = stretches(&train);
+            Sample { train: &train, stretches: &stretches, output, nothing }.slope(&spots)
+        });
+        // Over a usual range what is less than nothing of the output is rounding.
+        let usual = Amount::standard(input.quantity.measure()).half_width(input.nominal(point));
+        Slope { up: up.slope.up, down: down.slope.down }.joined(up.growth.max(down.growth), nothing / usual)
+    };
+    Ok(inputs.par_iter().map(one).collect())
+}
+
+/// What of an output is differentiated: where it stands at the operating point.
+enum Spots {
+    /// Of the waves of these numbers, which are the largest, the peaks; for a mean of sizes their narrow valleys.
+    Waves(Vec<(usize, Vec<Spot>)>),
+    /// Of the accumulated energy.
+    Energy(EnergySpots),
+    /// Of the speed.
+    Ripple(RippleSpots),
+    /// Of the bending moment along crankshafts.
+    Bending(Vec<BendingSpot>),
+}
+
+/// An output of a train.
+struct Sample<'a> {
+    train: &'a Train<'a>,
+    stretches: &'a [Stretch],
+    output: Output,
     nothing: f64,
 }
 
-impl Places {
-    fn of(train: &Train<'_>, output: Output, engine: &Engine, speed: f64, period: f64) -> Places {
-        let nothing = output.nothing(engine, speed);
-        if output.order.is_some() {
-            return Places { peaks: Vec::new(), nothing };
+impl<'a> Sample<'a> {
+    fn spots(&self) -> Spots {
+        match self.output.target {
+            Target::ExcessEnergy => {
+                return Spots::Energy(Energy::of(self.train, self.stretches).spots(self.nothing).1);
+            }
+            Target::SpeedFluctuation => {
+                return Spots::Ripple(Ripple::of(self.train, self.stretches).spots());
+            }
+            Target::BendingMoment(_) => {
+                return Spots::Bending(bending_spots(self.train, &self.numbers()).1);
+            }
+            _ => {}
         }
-        let size = |theta: f64| {
-            output.load.parts(&train.loads(theta)).iter().map(|part| part.re * part.re).sum::<f64>().sqrt()
+        let all: Vec<(usize, f64, Vec<Spot>)> = match self.mount_order() {
+            Some(forces) => self
+                .numbers()
+                .into_iter()
+                .map(|mount| (mount, forces.order(mount, self.nothing).0, Vec::new()))
+                .collect(),
+            None => {
+                let waves = self.waves();
+                let of = |(number, wave): (usize, &Wave<'_>)| {
+                    let (height, spots) = match self.output.size {
+                        Size::Peak => wave.peaks(),
+                        Size::Mean if !self.is_signed() => {
+                            let valleys = wave.valleys();
+                            (self.integral(wave, &valleys).0, valleys)
+                        }
+                        Size::Mean | Size::Order(_) => (self.integral(wave, &[]).0.abs(), Vec::new()),
+                    };
+                    (number, height, spots)
+                };
+                self.numbers().into_iter().zip(&waves).map(of).collect()
+            }
         };
-        let count = SCAN * (period / TAU).round() as usize;
-        let step = period / count as f64;
-        let sizes: Vec<f64> = (0..count).map(|k| size(step * k as f64)).collect();
-        let highest = sizes.iter().copied().fold(0.0f64, f64::max);
-        if highest <= nothing {
-            return Places { peaks: Vec::new(), nothing };
+        let best = all.iter().map(|(_, height, _)| *height).fold(0.0, f64::max);
+        let largest = all.into_iter().filter(|(_, height, _)| *height >= best * (1.0 - SAME_HEIGHT));
+        Spots::Waves(largest.map(|(number, _, spots)| (number, spots)).collect())
+    }
+
+    fn slope(&self, spots: &Spots) -> Grown {
+        let places = match spots {
+            Spots::Energy(spots) => return Energy::of(self.train, self.stretches).slope(spots),
+            Spots::Ripple(spots) => return Ripple::of(self.train, self.stretches).slope(spots),
+            Spots::Bending(spots) => return bending_slope(self.train, spots, self.nothing),
+            Spots::Waves(places) => places,
+        };
+        if let Some(forces) = self.mount_order() {
+            let own = places.iter().map(|(mount, _)| forces.order(*mount, self.nothing).1);
+            return Grown::of_largest(own);
         }
-        let mut peaks: Vec<(f64, f64)> = (0..count)
-            .filter(|&k| {
-                let [before, after] = [sizes[(k + count - 1) % count], sizes[(k + 1) % count]];
-                sizes[k] >= before && sizes[k] >= after && sizes[k] >= 0.99 * highest
-            })
-            .map(|k| highest_within(&size, step * (k as f64 - 1.0), step * (k as f64 + 1.0)))
-            .collect();
-        let best = peaks.iter().map(|peak| peak.1).fold(0.0f64, f64::max);
-        peaks.retain(|peak| peak.1 >= best * (1.0 - SAME_HEIGHT));
-        Places { peaks: peaks.into_iter().map(|peak| peak.0).collect(), nothing }
+        let (numbers, waves) = (self.numbers(), self.waves());
+        let of = |(number, spots): &(usize, Vec<Spot>)| {
+            let place = numbers.iter().position(|own| own == number).unwrap_or(0);
+            match self.output.size {
+                Size::Peak => waves[place].at_peaks(spots),
+                _ => self.integral(&waves[place], spots).1,
+            }
+        };
+        Grown::of_largest(places.iter().map(of))
+    }
+
+    /// Whether a mean is one with its sign.
+    fn is_signed(&self) -> bool {
+        self.output.target == Target::Torque
+    }
+
+    /// Mean or order of a wave, whose size has these narrow valleys.
+    fn integral(&self, wave: &Wave<'_>, valleys: &[Spot]) -> (f64, Grown) {
+        let period = self.train.prepared.period;
+        match self.output.size {
+            Size::Order(order) => wave.order(order, period),
+            Size::Peak | Size::Mean => wave.mean(period, self.is_signed(), valleys),
+        }
+    }
+
+    /// Forces on mounts where one order of them is asked for.
+    fn mount_order(&self) -> Option<MountForces> {
+        match (self.output.target, self.output.size) {
+            (Target::MountForce(_), Size::Order(order)) => {
+                Some(MountForces::of(self.train, self.stretches, &[order]))
+            }
+            _ => None,
+        }
+    }
+
+    /// Numbers of the bearings, cylinders or mounts that are looked at.
+    fn numbers(&self) -> Vec<usize> {
+        let engine = self.train.engine;
+        let (one, count) = match self.output.target {
+            Target::MainBearing(one) => (one, Mains::of(self.train).count()),
+            Target::Crankpin(one) | Target::PistonPin(one) | Target::SideThrust(one) => {
+                (one, engine.cylinders.len())
+            }
+            Target::MountForce(one) => (one, engine.mounts.len()),
+            Target::BendingMoment(one) => (one, engine.crankshafts.len()),
+            _ => (Some(0), 1),
+        };
+        one.map_or_else(|| (0..count).collect(), |one| vec![one])
+    }
+
+    /// The load over the cycle, of each of [`Sample::numbers`].
+    fn waves(&self) -> Vec<Wave<'a>> {
+        let train = self.train;
+        let wave = |is_number: bool, at: LoadAt<'a>| Wave {
+            stretches: self.stretches,
+            at,
+            is_number,
+            nothing: self.nothing,
+        };
+        let numbers = self.numbers().into_iter();
+        match self.output.target {
+            Target::Force => vec![wave(false, Box::new(|theta, _| plane(train.loads(theta).force)))],
+            Target::Couple => vec![wave(false, Box::new(|theta, _| plane(train.loads(theta).couple)))],
+            Target::RollMoment => vec![wave(true, Box::new(|theta, _| number(train.loads(theta).roll)))],
+            Target::Torque | Target::ExcessEnergy | Target::SpeedFluctuation | Target::BendingMoment(_) => {
+                vec![wave(true, Box::new(|theta, windows| number(train.torque(theta, windows))))]
+            }
+            Target::MainBearing(_) => numbers
+                .map(|main| {
+                    let mains = Mains::of(train);
+                    wave(
+                        false,
+                        Box::new(move |theta, windows| plane(mains.force(main, train, theta, windows))),
+                    )
+                })
+                .collect(),
+            Target::Crankpin(_) => numbers
+                .map(|rod| {
+                    wave(
+                        false,
+                        Box::new(move |theta, windows| {
+                            plane(train.pin_forces(theta, windows)[rod].lower_pin)
+                        }),
+                    )
+                })
+                .collect(),
+            Target::PistonPin(_) => numbers
+                .map(|rod| {
+                    wave(
+                        false,
+                        Box::new(move |theta, windows| {
+                            plane(train.pin_forces(theta, windows)[rod].piston_pin)
+                        }),
+                    )
+                })
+                .collect(),
+            Target::SideThrust(_) => numbers
+                .map(|rod| {
+                    wave(
+                        true,
+                        Box::new(move |theta, windows| number(train.pin_forces(theta, windows)[rod].thrust)),
+                    )
+                })
+                .collect(),
+            Target::MountForce(_) => {
+                let orders = mount_orders(train.prepared.period);
+                let forces = std::sync::Arc::new(MountForces::of(train, self.stretches, &orders));
+                numbers
+                    .map(|mount| {
+                        let forces = forces.clone();
+                        wave(false, Box::new(move |theta, _| forces.at(mount, theta)))
+                    })
+                    .collect()
+            }
+        }
     }
 }
 
-/// Place and height of the highest point of a hill, by the golden section.
-fn highest_within(size: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> (f64, f64) {
-    let golden = 0.5 * (5f64.sqrt() - 1.0);
-    let mut inner = [to - golden * (to - from), from + golden * (to - from)];
-    let mut heights = inner.map(size);
-    for _ in 0..STEPS {
-        if heights[0] >= heights[1] {
-            to = inner[1];
-            inner = [to - golden * (to - from), inner[0]];
-            heights = [size(inner[0]), heights[0]];
-        } else {
-            from = inner[0];
-            inner = [inner[1], from + golden * (to - from)];
-            heights = [heights[1], size(inner[1])];
-        }
-    }
-    let middle = (from + to) / 2.0;
-    (middle, size(middle))
+fn plane([x, y]: [Dual64; 2]) -> Load {
+    [x, y, known(0.0)]
 }
 
-fn slope(train: &Train<'_>, output: Output, places: &Places, all: &[(f64, DualLoads)]) -> Slope {
-    let at = |loads: &DualLoads| {
-        let parts = output.load.parts(loads);
-        let growth = parts.iter().map(|part| part.eps * part.eps).sum::<f64>().sqrt();
-        (Slope::of_size(&parts, places.nothing), growth)
-    };
-    if let Some(order) = output.order {
-        let none = Slope { up: 0.0, down: 0.0 };
-        let components = output.load.components(order, all);
-        return components
-            .iter()
-            .map(|Component { re, im }| Slope::of_size(&[*re, *im], places.nothing))
-            .fold(none, Slope::plus);
-    }
-    let peaks = places.peaks.iter().map(|&theta| at(&train.loads(theta)));
-    let everywhere = all.iter().filter(|_| places.peaks.is_empty()).map(|(_, loads)| at(loads));
-    Slope::of_largest(&peaks.chain(everywhere).collect::<Vec<_>>())
+fn number(value: Dual64) -> Load {
+    [value, known(0.0), known(0.0)]
 }

@@ -1,21 +1,39 @@
-//! Sensitivities: what matters most for the residual loads.
+//! Sensitivities: what matters most for loads, torque, bearings and mounts.
 //!
-//! [`sensitivity`] gives the exact derivatives of peaks and orders by every number of the engine, the outputs at both ends of the range
-//! of each, and which part of the variance over all ranges comes from which.
+//! [`sensitivity`] gives the exact derivatives of peaks, means and orders by every number of the engine, the outputs at both ends of the
+//! range of each, and which part of the variance over all ranges comes from which.
 
+mod bending;
 mod derivative;
+mod energy;
 mod error;
+mod gas_force;
 mod input;
 mod jet;
+mod mains;
+mod mount_force;
+mod operating_point;
 mod output;
+mod output_name;
+mod pin_force;
+mod prepared;
+mod quantity;
+mod ripple;
+mod slope;
 mod sobol;
+mod stretch;
 mod study;
 mod train;
+mod value;
+mod wave;
 
-pub use derivative::{Slope, derivatives};
+pub use derivative::derivatives;
 pub use error::SensitivityError;
-pub use input::{Input, Measure, Quantity};
-pub use output::{BlockLoad, Output};
+pub use input::Input;
+pub use operating_point::OperatingPoint;
+pub use output::{Needs, Output, Size, Target};
+pub use quantity::{Axis, Measure, Quantity};
+pub use slope::Slope;
 pub use sobol::{Index, Sobol};
 pub use study::{
     Amount, Effect, OutputSensitivity, SENSITIVITY_VERSION, Sensitivity, SensitivityRequest, VariedInput,

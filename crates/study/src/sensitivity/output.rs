@@ -1,176 +1,187 @@
-//! Outputs: peaks and orders of the loads on the block.
+//! Outputs: what is asked how far it goes with the numbers of the engine.
 
-use super::train::DualLoads;
-use lanchester_mechanism::{Extremes, LoadError, LoadRequest, LoadSet, OrderLoads, total_loads};
-use lanchester_model::{Criterion, Engine, Load};
-use num_dual::Dual64;
+use super::error::SensitivityError;
+use super::operating_point::OperatingPoint;
+use lanchester_mechanism::BearingPart;
+use lanchester_model::Engine;
 use serde::Serialize;
 
-/// Loads below this share of all inertia forces are rounding.
-const NOTHING: f64 = 1e-10;
-
-/// A load on the block.
+/// A load or a result of loads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum BlockLoad {
-    /// Resultant force [N].
+pub enum Target {
+    /// Resultant inertia force on the block [N].
     Force,
-    /// Resultant couple about the origin [N m].
+    /// Resultant inertia couple on the block about the origin [N m].
     Couple,
     /// Roll moment of inertia [N m].
     RollMoment,
+    /// Torque at crankshaft 1 [N m].
+    Torque,
+    /// Largest excess energy of that torque at constant speed [J] (book, eq. 25.2).
+    ExcessEnergy,
+    /// Fluctuation of the speed, `(w_max - w_min)/w_mean` [1], under a load that takes the mean torque (book, eq. 25.7).
+    SpeedFluctuation,
+    /// Force of the journal on a main bearing [N], by index: those of crankshaft 1 first, each from the free end on; `None`: the
+    /// largest of all.
+    MainBearing(Option<usize>),
+    /// Force of a rod on its lower pin [N], by cylinder: the crankpin, or the knuckle pin of an articulated rod.
+    Crankpin(Option<usize>),
+    /// Force of a rod on its piston pin [N], by cylinder.
+    PistonPin(Option<usize>),
+    /// Force of a piston on its cylinder wall [N], by cylinder.
+    SideThrust(Option<usize>),
+    /// Force of the block on a mount [N], of orders up to 8.
+    MountForce(Option<usize>),
+    /// Largest bending moment along a crankshaft under all that turns with it, as a free beam [N m], by index.
+    BendingMoment(Option<usize>),
 }
 
-/// A size that depends on the inputs, 0 being best.
+/// Which number of a load over the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Size {
+    /// Largest size over the continuous angle; of what has no angle the size itself.
+    Peak,
+    /// Mean: of a torque with its sign, of forces the mean of their size.
+    Mean,
+    /// Size of one order [cycles per revolution of crankshaft 1]: the largest resultant of that order over the cycle.
+    Order(f64),
+}
+
+/// A number that depends on the inputs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Output {
-    /// Of which load.
-    pub load: BlockLoad,
-    /// Order [cycles per revolution of crankshaft 1] whose size it is; `None`: the peak over the continuous angle.
-    pub order: Option<f64>,
+    /// Of what.
+    pub target: Target,
+    /// Which loads count; force, couple and roll moment are those of inertia.
+    pub part: BearingPart,
+    /// Which number of it.
+    pub size: Size,
+}
+
+/// What outputs need beside the crank train.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Needs {
+    /// Pressures.
+    pub gas: bool,
+    /// Flywheel and crankshafts.
+    pub flywheel: bool,
+    /// Block and mounts.
+    pub mounts: bool,
 }
 
 impl Output {
-    /// The peaks of all loads.
+    /// An output of the inertia loads.
+    pub fn of_inertia(target: Target, size: Size) -> Output {
+        Output { target, part: BearingPart::Inertia, size }
+    }
+
+    /// The peaks of force, couple and roll moment.
     pub fn peaks() -> Vec<Output> {
-        [BlockLoad::Force, BlockLoad::Couple, BlockLoad::RollMoment]
-            .map(|load| Output { load, order: None })
+        [Target::Force, Target::Couple, Target::RollMoment]
+            .map(|target| Output::of_inertia(target, Size::Peak))
             .to_vec()
     }
 
-    /// The output that a criterion of the engine file stands for; `None` for one of something else.
-    pub fn of(criterion: Criterion) -> Option<Output> {
-        let (load, order) = match criterion {
-            Criterion::Peak(load) => (load, None),
-            Criterion::Order(load, order) => (load, Some(order)),
-            _ => return None,
-        };
-        let load = match load {
-            Load::Force => BlockLoad::Force,
-            Load::Couple => BlockLoad::Couple,
-            Load::RollMoment => BlockLoad::RollMoment,
-            _ => return None,
-        };
-        Some(Output { load, order })
+    /// What it needs beside the crank train.
+    pub fn needs(self) -> Needs {
+        Needs {
+            gas: self.part != BearingPart::Inertia,
+            flywheel: self.target == Target::SpeedFluctuation,
+            mounts: matches!(self.target, Target::MountForce(_)),
+        }
     }
 
-    /// Name for tables, in the words of criteria.
-    pub fn name(self) -> String {
-        let load = match self.load {
-            BlockLoad::Force => "force",
-            BlockLoad::Couple => "couple",
-            BlockLoad::RollMoment => "roll moment",
+    /// What `outputs` need together.
+    pub fn needs_of(outputs: &[Output]) -> Needs {
+        outputs.iter().map(|output| output.needs()).fold(Needs::default(), |all, own| Needs {
+            gas: all.gas || own.gas,
+            flywheel: all.flywheel || own.flywheel,
+            mounts: all.mounts || own.mounts,
+        })
+    }
+
+    /// Name for tables.
+    pub fn name(self, engine: &Engine) -> String {
+        let of = |what: &str, one: Option<usize>, number: &dyn Fn(usize) -> String| match one {
+            Some(index) => format!("{what} {}", number(index)),
+            None => format!("any {what}"),
         };
-        match self.order {
-            None => format!("peak {load}"),
-            Some(order) => format!("{load} of order {order}"),
+        let plain = |index: usize| (index + 1).to_string();
+        let mount = |index: usize| engine.mounts.get(index).map_or(plain(index), |mount| mount.name.clone());
+        let load = match self.target {
+            Target::Force => "force".to_owned(),
+            Target::Couple => "couple".to_owned(),
+            Target::RollMoment => "roll moment".to_owned(),
+            Target::Torque => "torque".to_owned(),
+            Target::ExcessEnergy => "excess energy".to_owned(),
+            Target::SpeedFluctuation => "speed fluctuation".to_owned(),
+            Target::MainBearing(one) => format!("force on {}", of("main bearing", one, &plain)),
+            Target::Crankpin(one) => format!("force on {}", of("crankpin", one, &plain)),
+            Target::PistonPin(one) => format!("force on {}", of("piston pin", one, &plain)),
+            Target::SideThrust(one) => format!("side thrust on {}", of("cylinder wall", one, &plain)),
+            Target::MountForce(one) => format!("force on {}", of("mount", one, &mount)),
+            Target::BendingMoment(one) => format!("bending moment of {}", of("crankshaft", one, &plain)),
+        };
+        let name = match self.size {
+            _ if self.has_no_angle() => load,
+            Size::Peak => format!("peak {load}"),
+            Size::Mean => format!("mean {load}"),
+            Size::Order(order) => format!("{load} of order {order}"),
+        };
+        match (self.part, self.target) {
+            (BearingPart::All, _) => name,
+            (_, Target::Force | Target::Couple | Target::RollMoment | Target::BendingMoment(_)) => name,
+            (part, _) => format!("{name} ({} alone)", part.name()),
         }
+    }
+
+    /// Whether it is one number of the cycle, without a peak, a mean or orders.
+    pub(super) fn has_no_angle(self) -> bool {
+        matches!(self.target, Target::ExcessEnergy | Target::SpeedFluctuation | Target::BendingMoment(_))
     }
 
     /// Its unit.
     pub fn unit(self) -> &'static str {
-        if self.load.is_force() { "N" } else { "N m" }
-    }
-
-    /// What is rounding, at `speed` [rad/s]: a small share of all inertia forces as if they pulled one way.
-    pub(super) fn nothing(self, engine: &Engine, speed: f64) -> f64 {
-        let radius = |throw: usize| engine.throws[throw].radius;
-        let cylinders =
-            engine.cylinders.iter().map(|c| (c.reciprocating_mass() + c.rod.big_end_mass) * radius(c.throw));
-        let throws = engine.throws.iter().map(|throw| throw.unbalance.abs());
-        let weights = engine.counterweights.iter().map(|weight| weight.unbalance);
-        let shafts = engine.shafts.iter().flat_map(|shaft| {
-            shaft.weights.iter().map(|weight| weight.unbalance * shaft.ratio.value().powi(2))
-        });
-        let force = cylinders.chain(throws).chain(weights).chain(shafts).sum::<f64>() * speed * speed;
-        let planes = engine.cylinders.iter().map(|c| c.z.abs()).chain(engine.throws.iter().map(|t| t.radius));
-        match self.load.is_force() {
-            true => NOTHING * force,
-            false => NOTHING * force * planes.fold(0.0f64, f64::max),
+        match self.target {
+            Target::Couple | Target::RollMoment | Target::Torque | Target::BendingMoment(_) => "N m",
+            Target::ExcessEnergy => "J",
+            Target::SpeedFluctuation => "",
+            _ => "N",
         }
     }
 
-    fn value(self, loads: &LoadSet) -> f64 {
-        let Some(order) = self.order else {
-            let Extremes { max, min } = match self.load {
-                BlockLoad::Force => loads.peaks.force,
-                BlockLoad::Couple => loads.peaks.couple,
-                BlockLoad::RollMoment => loads.peaks.roll_moment,
-            };
-            return max.value.abs().max(if self.load == BlockLoad::RollMoment {
-                min.value.abs()
-            } else {
-                0.0
-            });
+    /// Refuses what the engine does not have.
+    pub(super) fn check(self, point: &OperatingPoint) -> Result<(), SensitivityError> {
+        let engine = &point.engine;
+        let mains = || (0..engine.crankshafts.len()).map(|index| engine.main_planes(index).len()).sum();
+        let (of, number, count) = match self.target {
+            Target::MainBearing(one) => ("main bearing", one, mains()),
+            Target::Crankpin(one) => ("crankpin", one, engine.cylinders.len()),
+            Target::PistonPin(one) => ("piston pin", one, engine.cylinders.len()),
+            Target::SideThrust(one) => ("side thrust", one, engine.cylinders.len()),
+            Target::MountForce(one) => ("mount force", one, engine.mounts.len()),
+            Target::BendingMoment(one) => ("bending moment", one, engine.crankshafts.len()),
+            _ => ("", None, 0),
         };
-        let own = loads.orders.iter().find(|own| (own.order - order).abs() < 1e-9);
-        own.map_or(0.0, |own: &OrderLoads| match self.load {
-            BlockLoad::Force => own.force_peak(),
-            BlockLoad::Couple => own.couple_peak(),
-            BlockLoad::RollMoment => own.roll_moment.norm(),
-        })
-    }
-}
-
-/// Values of outputs of an engine at `speed` [rad/s].
-///
-/// # Errors
-/// As [`total_loads`].
-pub(super) fn values(engine: &Engine, speed: f64, outputs: &[Output]) -> Result<Vec<f64>, LoadError> {
-    let highest = outputs.iter().filter_map(|output| output.order).fold(1.0, f64::max);
-    let request = LoadRequest {
-        speed: Some(speed),
-        samples: 1,
-        max_order: highest.ceil() as u32,
-        ..LoadRequest::default()
-    };
-    let loads = total_loads(engine, &request)?;
-    let value = |output: &Output| {
-        let value = output.value(&loads);
-        if value <= output.nothing(engine, speed) { 0.0 } else { value }
-    };
-    Ok(outputs.iter().map(value).collect())
-}
-
-/// A complex number with its derivative.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Component {
-    pub re: Dual64,
-    pub im: Dual64,
-}
-
-impl BlockLoad {
-    pub(super) fn is_force(self) -> bool {
-        self == BlockLoad::Force
-    }
-
-    /// What its size is the root of the squares of.
-    pub(super) fn parts(self, loads: &DualLoads) -> Vec<Dual64> {
-        match self {
-            BlockLoad::Force => loads.force.to_vec(),
-            BlockLoad::Couple => loads.couple.to_vec(),
-            BlockLoad::RollMoment => vec![loads.roll],
+        if let Some(index) = number.filter(|index| *index >= count) {
+            return Err(SensitivityError::NoSuchNumber { of, got: index + 1, count });
         }
-    }
-
-    /// What the size of one order is the sum of: the parts that turn with the crank and against it; of the roll moment its amplitude.
-    pub(super) fn components(self, order: f64, all: &[(f64, DualLoads)]) -> Vec<Component> {
-        let share = 1.0 / all.len() as f64;
-        let coefficient = |order: f64, weight: f64| {
-            let zero = Dual64::new(0.0, 0.0);
-            all.iter().fold(Component { re: zero, im: zero }, |sum, (theta, loads)| {
-                let (sin, cos) = (order * theta).sin_cos();
-                let parts = self.parts(loads);
-                let (x, y) = (parts[0], parts.get(1).copied().unwrap_or(zero));
-                Component {
-                    re: sum.re + (x * cos + y * sin) * (weight * share),
-                    im: sum.im + (y * cos - x * sin) * (weight * share),
-                }
-            })
-        };
-        match self {
-            BlockLoad::RollMoment => vec![coefficient(order, 2.0)],
-            BlockLoad::Force | BlockLoad::Couple => vec![coefficient(order, 1.0), coefficient(-order, 1.0)],
+        if let Size::Order(order) = self.size
+            && !(order > 0.0 && order <= LARGEST_ORDER)
+        {
+            return Err(SensitivityError::Order { got: order });
         }
+        if self.needs().flywheel && point.turning.flywheel <= 0.0 {
+            return Err(SensitivityError::NoFlywheel);
+        }
+        if self.needs().gas && point.gas.is_none() {
+            return Err(SensitivityError::NoGas { output: self.name(engine) });
+        }
+        Ok(())
     }
 }
+
+/// Highest order: loads of higher ones are nothing but rounding.
+const LARGEST_ORDER: f64 = 1000.0;

@@ -1,9 +1,10 @@
 //! Variance-based indices: which input the scatter of an output over the ranges comes from, alone and with all others.
 
 use super::input::Input;
-use super::output::{Output, values};
+use super::operating_point::OperatingPoint;
+use super::output::Output;
+use super::value::possible;
 use crate::scatter::stream::Stream;
-use lanchester_model::Engine;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -44,8 +45,7 @@ struct Draw {
 
 /// The indices over ranges `half_widths` either way of the nominal values, in SI units.
 pub(super) fn sobol(
-    engine: &Engine,
-    speed: f64,
+    point: &OperatingPoint,
     outputs: &[Output],
     inputs: &[(Input, f64)],
     [samples, seed]: [u64; 2],
@@ -56,12 +56,12 @@ pub(super) fn sobol(
     let tables = [streams(0), streams(1)];
     let draw = |sample: u64| -> Option<Draw> {
         let at = |choose: &dyn Fn(usize) -> usize| {
-            let (mut own, mut own_speed) = (engine.clone(), speed);
+            let mut own = point.clone();
             for (place, (input, half)) in inputs.iter().enumerate() {
                 let uniform = tables[choose(place)][place].uniform(sample);
-                input.deviate(&mut own, &mut own_speed, half * (2.0 * uniform - 1.0));
+                input.deviate(&mut own, half * (2.0 * uniform - 1.0));
             }
-            possible(&own, own_speed, outputs)
+            possible(&own, outputs)
         };
         let mixed = (0..inputs.len()).map(|input| at(&|place| usize::from(place == input)));
         Some(Draw { first: at(&|_| 0)?, second: at(&|_| 1)?, mixed: mixed.collect::<Option<_>>()? })
@@ -99,15 +99,4 @@ fn estimate(draws: &[Draw], of: impl Fn(&Draw) -> f64) -> [f64; 2] {
     let mean = draws.iter().map(&of).sum::<f64>() / count;
     let variance = draws.iter().map(|draw| (of(draw) - mean).powi(2)).sum::<f64>() / count;
     [mean, (variance / count).sqrt()]
-}
-
-/// Outputs of an engine; none of one that cannot be.
-pub(super) fn possible(engine: &Engine, speed: f64, outputs: &[Output]) -> Option<Vec<f64>> {
-    let mut masses =
-        engine.cylinders.iter().flat_map(|c| [c.piston_mass, c.rod.big_end_mass, c.rod.small_end_mass]);
-    let sizes = engine.throws.iter().map(|throw| throw.radius).all(|radius| radius > 0.0);
-    if speed <= 0.0 || !sizes || masses.any(|mass| mass < 0.0) {
-        return None;
-    }
-    values(engine, speed, outputs).ok()
 }

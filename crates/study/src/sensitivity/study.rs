@@ -1,15 +1,19 @@
 //! Sensitivities of an engine: exact derivatives, one input at a time over ranges, and shares of the variance over all ranges.
 
-use super::derivative::{Slope, derivatives};
+use super::derivative::derivatives;
 use super::error::SensitivityError;
-use super::input::{Input, Measure, Quantity};
-use super::output::{Output, values};
-use super::sobol::{Sobol, possible, sobol};
-use lanchester_model::Engine;
+use super::input::Input;
+use super::operating_point::OperatingPoint;
+use super::output::Output;
+use super::quantity::{Measure, Quantity};
+use super::slope::Slope;
+use super::sobol::{Sobol, sobol};
+use super::value::{possible, values};
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// Version of [`Sensitivity`]; raised when a field changes its meaning or goes.
-pub const SENSITIVITY_VERSION: u32 = 1;
+pub const SENSITIVITY_VERSION: u32 = 2;
 
 /// How far an input goes either way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,14 +25,27 @@ pub enum Amount {
 }
 
 impl Amount {
-    /// Where nobody says: 1 % of a size, 1 mm of a place, 1 degree of a direction.
+    /// Where nobody says: 1 % of a size or a factor, 1 mm of a place, 1 degree of a direction.
     pub fn standard(measure: Measure) -> Amount {
         match measure {
-            Measure::Mass | Measure::Length | Measure::Unbalance | Measure::Inertia | Measure::Speed => {
-                Amount::Share(0.01)
-            }
+            Measure::Mass
+            | Measure::Length
+            | Measure::Unbalance
+            | Measure::Inertia
+            | Measure::BodyMass
+            | Measure::BodyInertia
+            | Measure::Speed
+            | Measure::Factor => Amount::Share(0.01),
             Measure::Place => Amount::Absolute(1e-3),
             Measure::Angle => Amount::Absolute(1f64.to_radians()),
+        }
+    }
+
+    /// How far it goes either way of `nominal`, in its SI unit; a share of what has no size is taken of 1.
+    pub(super) fn half_width(self, nominal: Option<f64>) -> f64 {
+        match self {
+            Amount::Absolute(amount) => amount,
+            Amount::Share(share) => share * nominal.filter(|size| *size != 0.0).unwrap_or(1.0).abs(),
         }
     }
 }
@@ -36,8 +53,6 @@ impl Amount {
 /// What to vary, and what is asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SensitivityRequest {
-    /// Speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
-    pub speed: Option<f64>,
     /// Outputs.
     pub outputs: Vec<Output>,
     /// Whether every part varies by itself, or all parts of a kind together.
@@ -51,10 +66,9 @@ pub struct SensitivityRequest {
 }
 
 impl Default for SensitivityRequest {
-    /// Peaks at the highest speed by all quantities, all parts of a kind together, without shares of the variance.
+    /// Peaks of the loads on the block by all quantities, all parts of a kind together, without shares of the variance.
     fn default() -> SensitivityRequest {
         SensitivityRequest {
-            speed: None,
             outputs: Output::peaks(),
             each: false,
             amounts: Vec::new(),
@@ -91,7 +105,12 @@ pub struct Effect {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OutputSensitivity {
     /// Which.
+    #[serde(flatten)]
     pub output: Output,
+    /// Its name.
+    pub name: String,
+    /// Its unit.
+    pub unit: &'static str,
     /// Of the nominal engine.
     pub nominal: f64,
     /// By input.
@@ -115,40 +134,44 @@ pub struct Sensitivity {
     pub sobol: Option<Sobol>,
 }
 
-/// The sensitivities of `engine`.
+/// The sensitivities of an engine at an operating point.
 ///
 /// # Errors
 /// [`SensitivityError`] where the loads cannot be computed, or the request is impossible.
 ///
 /// # Example
 /// ```
-/// use lanchester_study::sensitivity::{SensitivityRequest, sensitivity};
+/// use lanchester_study::sensitivity::{OperatingPoint, SensitivityRequest, sensitivity};
 ///
 /// let template = lanchester_model::template("single").expect("it is in the gallery");
 /// let engine = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
-/// let found = sensitivity(&engine, &SensitivityRequest::default())?;
+/// let point = OperatingPoint::of_inertia(engine, 400.0);
+/// let found = sensitivity(&point, &SensitivityRequest::default())?;
 /// let (force, speed) = (&found.outputs[0], &found.inputs[0]);
 /// // Forces grow with the square of the speed.
 /// let exact = 2.0 * force.nominal / found.speed;
 /// assert!((force.effects[0].slope.up - exact).abs() < 1e-9 * exact && speed.nominal == Some(found.speed));
 /// # Ok::<(), lanchester_study::sensitivity::SensitivityError>(())
 /// ```
-pub fn sensitivity(engine: &Engine, request: &SensitivityRequest) -> Result<Sensitivity, SensitivityError> {
-    let speed = request.speed.unwrap_or(engine.speed.highest);
+pub fn sensitivity(
+    point: &OperatingPoint,
+    request: &SensitivityRequest,
+) -> Result<Sensitivity, SensitivityError> {
     if request.outputs.is_empty() {
         return Err(SensitivityError::NoOutput);
     }
-    let inputs = varied(engine, speed, request)?;
+    request.outputs.iter().try_for_each(|output| output.check(point))?;
+    let inputs = varied(point, request)?;
     let list: Vec<Input> = inputs.iter().map(|varied| varied.input).collect();
-    let nominal = values(engine, speed, &request.outputs)?;
-    let slopes = derivatives(engine, speed, &request.outputs, &list)?;
+    let nominal = values(point, &request.outputs)?;
+    let slopes = derivatives(point, &request.outputs, &list)?;
     let ends: Vec<[Option<Vec<f64>>; 2]> = inputs
-        .iter()
+        .par_iter()
         .map(|varied| {
             [-varied.half_width, varied.half_width].map(|deviation| {
-                let (mut own, mut own_speed) = (engine.clone(), speed);
-                varied.input.deviate(&mut own, &mut own_speed, deviation);
-                possible(&own, own_speed, &request.outputs)
+                let mut own = point.clone();
+                varied.input.deviate(&mut own, deviation);
+                possible(&own, &request.outputs)
             })
         })
         .collect();
@@ -160,6 +183,8 @@ pub fn sensitivity(engine: &Engine, request: &SensitivityRequest) -> Result<Sens
         };
         OutputSensitivity {
             output: *output,
+            name: output.name(&point.engine),
+            unit: output.unit(),
             nominal,
             effects: slopes[place].iter().zip(&ends).map(effect).collect(),
         }
@@ -170,15 +195,15 @@ pub fn sensitivity(engine: &Engine, request: &SensitivityRequest) -> Result<Sens
         Some([samples, _]) if !(16..=10_000_000).contains(&samples) => {
             return Err(SensitivityError::Samples { got: samples });
         }
-        Some(draws) => Some(sobol(engine, speed, &request.outputs, &ranges, draws)),
+        Some(draws) => Some(sobol(point, &request.outputs, &ranges, draws)),
     };
     if shares.as_ref().is_some_and(|shares| shares.impossible == shares.samples) {
         return Err(SensitivityError::NoEngine);
     }
     Ok(Sensitivity {
         version: SENSITIVITY_VERSION,
-        engine: engine.name.clone(),
-        speed,
+        engine: point.engine.name.clone(),
+        speed: point.speed,
         outputs: request.outputs.iter().zip(nominal).enumerate().map(of_output).collect(),
         inputs,
         sobol: shares,
@@ -187,27 +212,28 @@ pub fn sensitivity(engine: &Engine, request: &SensitivityRequest) -> Result<Sens
 
 /// The inputs, and how far each goes.
 fn varied(
-    engine: &Engine,
-    speed: f64,
+    point: &OperatingPoint,
     request: &SensitivityRequest,
 ) -> Result<Vec<VariedInput>, SensitivityError> {
+    let needs = Output::needs_of(&request.outputs);
     for (quantity, amount) in &request.amounts {
         let (Amount::Share(size) | Amount::Absolute(size)) = amount;
         if !(*size > 0.0 && size.is_finite()) {
             return Err(SensitivityError::Amount { quantity: quantity.name(), got: *size });
         }
-        if quantity.parts(engine) == 0 {
+        if quantity.parts(point) == 0 {
             return Err(SensitivityError::NoSuchPart { quantity: quantity.name() });
         }
     }
-    let all = if request.each { Input::single(engine) } else { Input::common(engine) };
+    let all = if request.each { Input::single(point) } else { Input::common(point) };
     let mut found = Vec::new();
     for input in all {
         let given = request.amounts.iter().rfind(|(quantity, _)| *quantity == input.quantity);
-        if request.only && given.is_none() {
+        let is_idle = request.only || !input.quantity.matters_to(needs);
+        if is_idle && given.is_none() {
             continue;
         }
-        let nominal = input.nominal(engine, speed);
+        let nominal = input.nominal(point);
         let amount = given.map_or(Amount::standard(input.quantity.measure()), |(_, amount)| *amount);
         let half_width = match (amount, nominal) {
             (Amount::Absolute(amount), _) => amount,
@@ -218,6 +244,12 @@ fn varied(
             }
             (Amount::Share(_), _) => continue,
         };
+        if input.quantity.measure() == Measure::Factor && half_width >= 1.0 {
+            return Err(SensitivityError::Factor {
+                quantity: input.quantity.name(),
+                got: 100.0 * half_width,
+            });
+        }
         found.push(VariedInput { input, nominal, half_width });
     }
     if found.is_empty() {

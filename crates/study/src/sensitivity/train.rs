@@ -8,40 +8,89 @@
 //! M_z = (dE/dt)/W - dL/dt        dE/dt = SUM m (x' x'' + y' y'') + SUM J psi' psi''        (book, eq. 32.1)
 //!                                dL/dt = SUM m (x y'' - y x'') + SUM J psi''
 //! ```
-//! `J` is what two end masses miss of a rod's inertia, `psi` its direction.
+//! `J` is what two end masses miss of a rod's inertia, `psi` its direction. The angle is a dual number too: where a load is looked at an
+//! angle that moves with the input, such as that of a jump of the pressure, it carries the rate at which it moves.
 
-use super::input::{Input, Quantity};
+use super::input::Input;
 use super::jet::{Jet, known};
+use super::prepared::Prepared;
+use super::quantity::Quantity;
 use lanchester_model::{Engine, Ratio, RodJoint, Varied};
 use num_dual::{Dual64, DualNum};
 
-/// Loads on the block at one angle, each with its derivative by the input.
+/// Loads at one angle, each with its derivative by the input.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DualLoads {
-    /// Force along x and y [N].
+    /// Force on the block along x and y [N].
     pub force: [Dual64; 2],
-    /// Couple about x and y through the origin [N m].
+    /// Couple on the block about x and y through the origin [N m].
     pub couple: [Dual64; 2],
-    /// Roll moment [N m].
+    /// Roll moment of inertia [N m].
     pub roll: Dual64,
+    /// Torque of inertia at crankshaft 1 [N m], at constant speed.
+    pub torque: Dual64,
 }
 
-/// Point in the plane across the crank.
-type Place = [Jet; 2];
+/// Vector in the plane across the crank.
+pub(super) type Vector = [Dual64; 2];
+
+/// Point in the plane across the crank, over time.
+pub(super) type Place = [Jet; 2];
+
+/// Towards which side of the nominal input is differentiated, where the sides differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Up,
+    Down,
+}
+
+impl Side {
+    /// 1 or -1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Side::Up => 1.0,
+            Side::Down => -1.0,
+        }
+    }
+}
 
 /// An engine and the input by which is differentiated.
 pub(super) struct Train<'a> {
-    engine: &'a Engine,
-    speed: Dual64,
+    pub prepared: &'a Prepared<'a>,
+    pub engine: &'a Engine,
+    pub speed: Dual64,
+    pub side: Side,
     /// Derivative of the factor by which planes stretch.
     stretch: f64,
     input: Input,
+    /// `theta` at the firing top dead centres [rad], where gas counts.
+    pub firing: Vec<Dual64>,
+}
+
+/// A rod and its piston at one angle.
+pub(super) struct RodMotion {
+    /// Lower pin: the crankpin, or the knuckle pin of an articulated rod.
+    pub big_end: Place,
+    /// Piston pin.
+    pub pin: Place,
+    /// Place in the piston beside its pin, on the cylinder axis.
+    pub piston: Place,
+    /// Piston pin along the cylinder axis.
+    pub travel: Jet,
+    /// Direction of the cylinder axis.
+    pub axis: Vector,
+    /// Rate and second derivative of the rod's direction.
+    pub spin: [Dual64; 2],
+    /// Big end, small end, what they miss of the inertia, piston.
+    pub masses: [Dual64; 4],
+    /// Plane of the cylinder.
+    pub z: Dual64,
 }
 
 /// What is summed over masses and rods.
 struct Sums {
-    force: [Dual64; 2],
-    couple: [Dual64; 2],
+    force: Vector,
+    couple: Vector,
     power: Dual64,
     torque: Dual64,
 }
@@ -56,90 +105,121 @@ impl Sums {
         self.torque += mass * (x.value * y.bend - y.value * x.bend);
     }
 
-    /// A rod from one place to another at the distance `length`, with the moment of inertia `inertia` beside its end masses.
-    fn rod(&mut self, inertia: Dual64, [from, to]: [Place; 2], length: Dual64) {
-        let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-        let square = length * length;
-        let rate = (dx.value * dy.rate - dy.value * dx.rate) / square;
-        let bend = (dx.value * dy.bend - dy.value * dx.bend) / square;
+    /// What two end masses miss of a rod's moment of inertia.
+    fn rod(&mut self, inertia: Dual64, [rate, bend]: [Dual64; 2]) {
         self.power += inertia * rate * bend;
         self.torque += inertia * bend;
     }
 }
 
 impl<'a> Train<'a> {
-    pub fn new(engine: &'a Engine, speed: f64, input: Input) -> Train<'a> {
+    pub fn new(prepared: &'a Prepared<'a>, input: Input, side: Side) -> Train<'a> {
+        let engine = &prepared.point.engine;
         let eps = if input.quantity == Quantity::Speed { 1.0 } else { 0.0 };
         let spacing = engine.spacing().filter(|_| input.quantity == Quantity::Spacing);
         let stretch = spacing.map_or(0.0, |spacing| 1.0 / spacing);
-        Train { engine, speed: Dual64::new(speed, eps), stretch, input }
+        let speed = Dual64::new(prepared.point.speed, eps);
+        let mut train = Train { prepared, engine, speed, side, stretch, input, firing: Vec::new() };
+        train.firing = prepared.gas.iter().enumerate().map(|(c, gas)| train.top(c, gas.firing)).collect();
+        train
     }
 
     /// A number of part `index`, whose quantity is `quantity`.
-    fn of(&self, quantity: Quantity, index: usize, value: f64) -> Dual64 {
+    pub fn of(&self, quantity: Quantity, index: usize, value: f64) -> Dual64 {
         let is_input = self.input.quantity == quantity && self.input.is_of(index);
         Dual64::new(value, if is_input { 1.0 } else { 0.0 })
     }
 
     /// A plane of the crank train, `along` of which stretches with the spacing [m].
-    fn plane(&self, own: Dual64, along: f64) -> Dual64 {
+    pub fn plane(&self, own: Dual64, along: f64) -> Dual64 {
         own + Dual64::new(0.0, self.stretch * along)
     }
 
-    fn part(&self, varied: Varied, index: usize, value: f64) -> Dual64 {
+    pub fn part(&self, varied: Varied, index: usize, value: f64) -> Dual64 {
         self.of(Quantity::Part(varied), index, value)
     }
 
-    /// Direction of what turns at `ratio`, at the angle `own` of its shaft where crankshaft 1 stands at `theta`.
-    fn circle(&self, ratio: Ratio, theta: f64, own: Dual64) -> [Jet; 2] {
-        Jet::circle(own + ratio.value() * theta, self.speed * ratio.value())
+    /// A mass or an unbalance, where inertia counts.
+    fn weighed(&self, mass: Dual64) -> Dual64 {
+        if self.prepared.has_inertia { mass } else { known(0.0) }
     }
 
-    /// Loads where crankshaft 1 stands at `theta` [rad].
-    pub fn loads(&self, theta: f64) -> DualLoads {
+    /// The top dead centre near `theta` [rad]: where the piston has no rate (book, eq. 32.5).
+    fn top(&self, index: usize, theta: f64) -> Dual64 {
+        let travel = self.rod(known(theta), index).travel;
+        Dual64::new(theta, -travel.rate.eps * self.speed.re / travel.bend.re)
+    }
+
+    /// Direction of what turns at `ratio`, at the angle `own` of its shaft where crankshaft 1 stands at `theta`.
+    fn circle(&self, ratio: Ratio, theta: Dual64, own: Dual64) -> Place {
+        Jet::circle(own + theta * ratio.value(), self.speed * ratio.value())
+    }
+
+    /// Loads of inertia where crankshaft 1 stands at `theta` [rad].
+    pub fn loads(&self, theta: Dual64) -> DualLoads {
         let zero = known(0.0);
         let mut sums = Sums { force: [zero; 2], couple: [zero; 2], power: zero, torque: zero };
-        self.add_turning(theta, &mut sums);
-        for index in 0..self.engine.cylinders.len() {
-            self.add_cylinder(theta, index, &mut sums);
+        for turning in self.turning_on_cranks(theta) {
+            sums.mass(turning.unbalance, beside(turning.axis, turning.direction), turning.z);
         }
-        DualLoads { force: sums.force, couple: sums.couple, roll: sums.power / self.speed - sums.torque }
+        self.add_shafts(theta, &mut sums);
+        for index in 0..self.engine.cylinders.len() {
+            let rod = self.rod(theta, index);
+            let [big, small, inertia, piston] = rod.masses;
+            sums.mass(big, rod.big_end, rod.z);
+            sums.mass(small, rod.pin, rod.z);
+            sums.mass(piston, rod.piston, rod.z);
+            sums.rod(inertia, rod.spin);
+        }
+        let torque = -sums.power / self.speed;
+        DualLoads { force: sums.force, couple: sums.couple, roll: -torque - sums.torque, torque }
     }
 
-    fn add_turning(&self, theta: f64, sums: &mut Sums) {
+    /// Throws themselves and counterweights.
+    pub fn turning_on_cranks(&self, theta: Dual64) -> Vec<Turning> {
         let engine = self.engine;
-        for (index, throw) in engine.throws.iter().enumerate() {
-            let crank = &engine.crankshafts[throw.crankshaft];
-            let angle = self.part(Varied::ThrowAngle, index, throw.angle) + crank.phase;
+        let turning = |crankshaft: usize, angle: Dual64, unbalance: Dual64, z: Dual64| {
+            let crank = &engine.crankshafts[crankshaft];
+            Turning {
+                crankshaft,
+                axis: [known(crank.x), known(crank.y)],
+                direction: self.circle(crank.ratio, theta, angle + crank.phase),
+                unbalance: self.weighed(unbalance),
+                z,
+            }
+        };
+        let throws = engine.throws.iter().enumerate().map(|(index, throw)| {
+            let angle = self.part(Varied::ThrowAngle, index, throw.angle);
             let unbalance = self.part(Varied::ThrowUnbalance, index, throw.unbalance);
             let z = self.of(Quantity::ThrowPlane, index, throw.unbalance_plane());
-            let z = self.plane(z, throw.z);
-            let turning = self.circle(crank.ratio, theta, angle);
-            sums.mass(unbalance, beside([known(crank.x), known(crank.y)], turning), z);
-        }
-        for (index, weight) in engine.counterweights.iter().enumerate() {
-            let crank = &engine.crankshafts[weight.crankshaft];
-            let angle = self.part(Varied::CounterweightAngle, index, weight.angle) + crank.phase;
+            turning(throw.crankshaft, angle, unbalance, self.plane(z, throw.z))
+        });
+        let weights = engine.counterweights.iter().enumerate().map(|(index, weight)| {
+            let angle = self.part(Varied::CounterweightAngle, index, weight.angle);
             let unbalance = self.part(Varied::CounterweightUnbalance, index, weight.unbalance);
             let z = self.plane(self.of(Quantity::CounterweightPlane, index, weight.z), weight.z);
-            let turning = self.circle(crank.ratio, theta, angle);
-            sums.mass(unbalance, beside([known(crank.x), known(crank.y)], turning), z);
-        }
+            turning(weight.crankshaft, angle, unbalance, z)
+        });
+        throws.chain(weights).collect()
+    }
+
+    fn add_shafts(&self, theta: Dual64, sums: &mut Sums) {
         let mut number = 0;
-        for (index, shaft) in engine.shafts.iter().enumerate() {
+        for (index, shaft) in self.engine.shafts.iter().enumerate() {
             let axis = [self.of(Quantity::ShaftX, index, shaft.x), self.of(Quantity::ShaftY, index, shaft.y)];
             for weight in &shaft.weights {
                 let phase = self.part(Varied::ShaftPhase, index, weight.phase);
                 let unbalance = self.part(Varied::ShaftUnbalance, number, weight.unbalance);
                 let z = self.of(Quantity::ShaftWeightPlane, number, weight.z);
-                sums.mass(unbalance, beside(axis, self.circle(shaft.ratio, theta, phase)), z);
+                let direction = self.circle(shaft.ratio, theta, phase);
+                sums.mass(self.weighed(unbalance), beside(axis, direction), z);
                 number += 1;
             }
         }
     }
 
-    /// Rod ends and inertia of cylinder `index`: big end, small end, what they miss.
-    fn rod_masses(&self, index: usize) -> [Dual64; 3] {
+    /// Rod ends and inertia of cylinder `index`, whether inertia counts or not: big end, small end, what they miss.
+    pub fn rod_masses(&self, index: usize) -> [Dual64; 3] {
         let rod = &self.engine.cylinders[index].rod;
         let length = self.part(Varied::RodLength, index, rod.length);
         let moved = self.part(Varied::RodCentre, index, 0.0) * rod.mass() / length;
@@ -155,8 +235,15 @@ impl<'a> Train<'a> {
         [big, small, self.of(Quantity::RodInertia, index, inertia) - ends]
     }
 
+    /// Axis of the crankshaft of cylinder `index`.
+    pub fn crank_axis(&self, index: usize) -> Vector {
+        let crank =
+            &self.engine.crankshafts[self.engine.throws[self.engine.cylinders[index].throw].crankshaft];
+        [known(crank.x), known(crank.y)]
+    }
+
     /// Crankpin of a throw.
-    fn crankpin(&self, theta: f64, throw: usize) -> Place {
+    fn crankpin(&self, theta: Dual64, throw: usize) -> Place {
         let own = &self.engine.throws[throw];
         let crank = &self.engine.crankshafts[own.crankshaft];
         let radius = self.part(Varied::CrankRadius, throw, own.radius);
@@ -165,55 +252,79 @@ impl<'a> Train<'a> {
         beside([known(crank.x), known(crank.y)], [x * radius, y * radius])
     }
 
-    /// Piston pin of cylinder `index`, whose rod's big end stands at `big_end`, and a place beside the pin in its piston.
-    fn piston(&self, index: usize, big_end: Place) -> [Place; 2] {
+    /// Direction of the axis of cylinder `index`.
+    fn axis(&self, index: usize) -> Vector {
+        let axis = self.part(Varied::CylinderAngle, index, self.engine.cylinders[index].angle);
+        [axis.cos(), axis.sin()]
+    }
+
+    /// Travel of the piston pin of cylinder `index`, whose rod's big end stands at `big_end`; the pin, and a place beside it in its piston.
+    fn piston(&self, index: usize, big_end: Place) -> (Jet, [Place; 2]) {
         let cylinder = &self.engine.cylinders[index];
-        let crank = &self.engine.crankshafts[self.engine.throws[cylinder.throw].crankshaft];
-        let axis = self.part(Varied::CylinderAngle, index, cylinder.angle);
-        let (along, across) = (axis.cos(), axis.sin());
+        let centre = self.crank_axis(index);
+        let [along, across] = self.axis(index);
         let length = self.part(Varied::RodLength, index, cylinder.rod.length);
         let line = self.part(Varied::Offset, index, cylinder.offset);
         let net = line + self.of(Quantity::PinOffset, index, cylinder.pin_offset);
         // In the frame of the cylinder: u along its axis, v = i u.
-        let [x, y] = [big_end[0] - Jet::constant(known(crank.x)), big_end[1] - Jet::constant(known(crank.y))];
+        let [x, y] = [big_end[0] - Jet::constant(centre[0]), big_end[1] - Jet::constant(centre[1])];
         let (p, q) = (x * along + y * across, y * along - x * across - Jet::constant(net));
         let travel = p + (Jet::constant(length * length) - q * q).sqrt();
         let place = |offset: Dual64| {
             [
-                travel * along + Jet::constant(known(crank.x) - offset * across),
-                travel * across + Jet::constant(known(crank.y) + offset * along),
+                travel * along + Jet::constant(centre[0] - offset * across),
+                travel * across + Jet::constant(centre[1] + offset * along),
             ]
         };
-        [place(net), place(line)]
+        (travel, [place(net), place(line)])
     }
 
-    fn add_cylinder(&self, theta: f64, index: usize, sums: &mut Sums) {
+    /// Lower pin of the rod of cylinder `index`.
+    fn big_end(&self, theta: Dual64, index: usize) -> Place {
         let cylinder = &self.engine.cylinders[index];
-        let z = self.plane(self.part(Varied::CylinderPlane, index, cylinder.z), cylinder.z);
         let crankpin = self.crankpin(theta, cylinder.throw);
-        let big_end = match cylinder.rod.joint {
-            RodJoint::Articulated { master, knuckle_radius, knuckle_angle } => {
-                // K = A + (knuckle radius/master length) e^{i knuckle angle} (B - A)
-                let [pin, _] = self.piston(master, crankpin);
-                let length = self.part(Varied::RodLength, master, self.engine.cylinders[master].rod.length);
-                let [dx, dy] = [pin[0] - crankpin[0], pin[1] - crankpin[1]];
-                let (sin, cos) = knuckle_angle.sin_cos();
-                let [re, im] = [known(knuckle_radius * cos) / length, known(knuckle_radius * sin) / length];
-                [crankpin[0] + dx * re - dy * im, crankpin[1] + dx * im + dy * re]
-            }
-            RodJoint::Crankpin | RodJoint::Fork | RodJoint::Blade => crankpin,
+        let RodJoint::Articulated { master, knuckle_radius, knuckle_angle } = cylinder.rod.joint else {
+            return crankpin;
         };
-        let [big, small, inertia] = self.rod_masses(index);
-        let [pin, piston] = self.piston(index, big_end);
-        sums.mass(big, big_end, z);
-        sums.mass(small, pin, z);
-        sums.mass(self.part(Varied::PistonMass, index, cylinder.piston_mass), piston, z);
+        // K = A + (knuckle radius/master length) e^{i knuckle angle} (B - A)
+        let (_, [pin, _]) = self.piston(master, crankpin);
+        let length = self.part(Varied::RodLength, master, self.engine.cylinders[master].rod.length);
+        let [dx, dy] = [pin[0] - crankpin[0], pin[1] - crankpin[1]];
+        let (sin, cos) = knuckle_angle.sin_cos();
+        let [re, im] = [known(knuckle_radius * cos) / length, known(knuckle_radius * sin) / length];
+        [crankpin[0] + dx * re - dy * im, crankpin[1] + dx * im + dy * re]
+    }
+
+    /// Rod and piston of cylinder `index` where crankshaft 1 stands at `theta` [rad].
+    pub fn rod(&self, theta: Dual64, index: usize) -> RodMotion {
+        let cylinder = &self.engine.cylinders[index];
+        let along = self.plane(self.part(Varied::CylinderPlane, index, cylinder.z), cylinder.z);
+        let big_end = self.big_end(theta, index);
+        let (travel, [pin, piston]) = self.piston(index, big_end);
         let length = self.part(Varied::RodLength, index, cylinder.rod.length);
-        sums.rod(inertia, [big_end, pin], length);
+        let [dx, dy] = [pin[0] - big_end[0], pin[1] - big_end[1]];
+        let square = length * length;
+        let spin = [
+            (dx.value * dy.rate - dy.value * dx.rate) / square,
+            (dx.value * dy.bend - dy.value * dx.bend) / square,
+        ];
+        let [big, small, inertia] = self.rod_masses(index);
+        let piston_mass = self.part(Varied::PistonMass, index, cylinder.piston_mass);
+        let masses = [big, small, inertia, piston_mass].map(|mass| self.weighed(mass));
+        RodMotion { big_end, pin, piston, travel, axis: self.axis(index), spin, masses, z: along }
     }
 }
 
+/// An unbalance that turns with a crankshaft.
+pub(super) struct Turning {
+    pub crankshaft: usize,
+    pub axis: Vector,
+    pub direction: Place,
+    pub unbalance: Dual64,
+    pub z: Dual64,
+}
+
 /// A place beside an axis.
-fn beside(axis: [Dual64; 2], [x, y]: [Jet; 2]) -> Place {
+fn beside(axis: Vector, [x, y]: Place) -> Place {
     [x + Jet::constant(axis[0]), y + Jet::constant(axis[1])]
 }

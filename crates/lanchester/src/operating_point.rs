@@ -1,0 +1,30 @@
+//! An engine at one speed with the gas of its file, for sensitivities.
+
+use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::torque_report::crankshaft_inertia;
+use lanchester_mechanism::TurningInertia;
+use lanchester_model::Engine;
+use lanchester_study::sensitivity::{Needs, OperatingPoint};
+
+/// `engine` at a speed of crankshaft 1 [rad/s] with what is needed of its gas, flywheel and crankshafts; and what the user should know
+/// of the gas. `traces` holds the files that [`crate::trace_names`] names.
+///
+/// # Errors
+/// [`GasError`] where the pressures are needed and the file gives some that cannot be computed. A file that says nothing of gas makes a point
+/// without.
+pub fn operating_point(
+    engine: &Engine,
+    traces: &[TraceFile],
+    speed: f64,
+    needs: Needs,
+) -> Result<(OperatingPoint, Vec<String>), GasError> {
+    let report = match engine.gas.is_some() && needs.gas {
+        true => Some(cylinder_gas(engine, traces, speed)?),
+        false => None,
+    };
+    let (gas, warnings) = report.map(|report| (report.cylinders, report.warnings)).unzip();
+    let flywheel = engine.flywheel.as_ref().and_then(|wheel| wheel.inertia).unwrap_or(0.0);
+    let turning = TurningInertia { flywheel, crankshaft: crankshaft_inertia(engine) };
+    let point = OperatingPoint { engine: engine.clone(), speed, gas, turning };
+    Ok((point, warnings.unwrap_or_default()))
+}

@@ -1,0 +1,352 @@
+//! Quantities: the numbers of an engine that its loads depend on.
+
+use super::operating_point::OperatingPoint;
+use super::output::Needs;
+use lanchester_model::{Engine, Varied};
+use serde::Serialize;
+
+/// An axis of the frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Axis {
+    /// Up.
+    X,
+    /// Across.
+    Y,
+    /// Along the crank.
+    Z,
+}
+
+impl Axis {
+    /// All three.
+    pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
+
+    /// Its place in a vector.
+    pub(super) fn index(self) -> usize {
+        match self {
+            Axis::X => 0,
+            Axis::Y => 1,
+            Axis::Z => 2,
+        }
+    }
+
+    /// One of three names.
+    fn choose(self, names: [&'static str; 3]) -> &'static str {
+        names[self.index()]
+    }
+}
+
+/// A number of the engine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantity {
+    /// Speed of crankshaft 1 [rad/s]. The pressures over the angle stay.
+    Speed,
+    /// Distance of the cylinders along the crank [m]: planes of throws, main bearings, cylinders and counterweights stretch about the
+    /// origin, balance shafts stay.
+    Spacing,
+    /// What production varies too.
+    Part(Varied),
+    /// Moment of inertia of a rod about its own centre of gravity [kg m^2], where the file gives it.
+    RodInertia,
+    /// Offset of the piston pin in its piston [m].
+    PinOffset,
+    /// Plane of a throw's own unbalance [m].
+    ThrowPlane,
+    /// Plane of a counterweight [m].
+    CounterweightPlane,
+    /// Plane of a weight on a balance shaft [m].
+    ShaftWeightPlane,
+    /// Place of a balance shaft along x [m].
+    ShaftX,
+    /// Place of a balance shaft along y [m].
+    ShaftY,
+    /// Bore of a cylinder [m].
+    Bore,
+    /// Factor on the absolute pressure in a cylinder [1]; what is under the piston stays.
+    GasPressure,
+    /// Moment of inertia of the flywheel [kg m^2].
+    FlywheelInertia,
+    /// Moment of inertia of the crankshafts, as seen at crankshaft 1 [kg m^2].
+    CrankshaftInertia,
+    /// Mass of the block [kg].
+    BlockMass,
+    /// Place of the block's centre of mass [m].
+    BlockCentre(Axis),
+    /// Moment of inertia of the block about its centre [kg m^2].
+    BlockInertia(Axis),
+    /// Product of inertia of the block: that of an axis and the next, xy, yz, zx [kg m^2].
+    BlockProduct(Axis),
+    /// Place of a mount [m].
+    MountPlace(Axis),
+    /// Factor on the stiffness of a mount in all its directions, its table included [1]; loss factors stay.
+    MountStiffness,
+    /// Factor on loss factors and viscous damping of a mount [1].
+    MountDamping,
+}
+
+/// How a quantity is measured, and what a small change of it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Measure {
+    /// A mass [kg].
+    Mass,
+    /// A size, such as a length of a rod [m].
+    Length,
+    /// A place or an offset [m], which may be 0.
+    Place,
+    /// A direction [rad].
+    Angle,
+    /// An unbalance [kg m].
+    Unbalance,
+    /// A moment of inertia of a part [kg m^2].
+    Inertia,
+    /// A mass of the block [kg].
+    BodyMass,
+    /// A moment of inertia of the block or the flywheel [kg m^2].
+    BodyInertia,
+    /// A speed [rad/s].
+    Speed,
+    /// A factor on what the file says [1].
+    Factor,
+}
+
+impl Quantity {
+    /// All of them, in the order of tables.
+    pub fn all() -> impl Iterator<Item = Quantity> {
+        let of_train = [
+            Quantity::RodInertia,
+            Quantity::PinOffset,
+            Quantity::ThrowPlane,
+            Quantity::CounterweightPlane,
+            Quantity::ShaftWeightPlane,
+            Quantity::ShaftX,
+            Quantity::ShaftY,
+            Quantity::Bore,
+            Quantity::GasPressure,
+            Quantity::FlywheelInertia,
+            Quantity::CrankshaftInertia,
+            Quantity::BlockMass,
+        ];
+        let by_axis =
+            [Quantity::BlockCentre, Quantity::BlockInertia, Quantity::BlockProduct, Quantity::MountPlace]
+                .into_iter()
+                .flat_map(|of: fn(Axis) -> Quantity| Axis::ALL.map(of));
+        [Quantity::Speed, Quantity::Spacing]
+            .into_iter()
+            .chain(Varied::ALL.map(Quantity::Part))
+            .chain(of_train)
+            .chain(by_axis)
+            .chain([Quantity::MountStiffness, Quantity::MountDamping])
+    }
+
+    /// Name for tables, options and messages.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Speed => "speed",
+            Quantity::Spacing => "cylinder spacing",
+            Quantity::Part(varied) => varied.name(),
+            Quantity::RodInertia => "rod inertia",
+            Quantity::PinOffset => "pin offset in the piston",
+            Quantity::ThrowPlane => "throw plane",
+            Quantity::CounterweightPlane => "counterweight plane",
+            Quantity::ShaftWeightPlane => "balance-shaft weight plane",
+            Quantity::ShaftX => "balance-shaft x",
+            Quantity::ShaftY => "balance-shaft y",
+            Quantity::Bore => "bore",
+            Quantity::GasPressure => "gas pressure",
+            Quantity::FlywheelInertia => "flywheel inertia",
+            Quantity::CrankshaftInertia => "crankshaft inertia",
+            Quantity::BlockMass => "block mass",
+            Quantity::BlockCentre(axis) => {
+                axis.choose(["block centre x", "block centre y", "block centre z"])
+            }
+            Quantity::BlockInertia(axis) => {
+                axis.choose(["block inertia about x", "block inertia about y", "block inertia about z"])
+            }
+            Quantity::BlockProduct(axis) => {
+                axis.choose(["block product xy", "block product yz", "block product zx"])
+            }
+            Quantity::MountPlace(axis) => axis.choose(["mount x", "mount y", "mount z"]),
+            Quantity::MountStiffness => "mount stiffness",
+            Quantity::MountDamping => "mount damping",
+        }
+    }
+
+    /// How it is measured.
+    pub fn measure(self) -> Measure {
+        match self {
+            Quantity::Speed => Measure::Speed,
+            Quantity::Spacing | Quantity::Bore => Measure::Length,
+            Quantity::RodInertia => Measure::Inertia,
+            Quantity::FlywheelInertia
+            | Quantity::CrankshaftInertia
+            | Quantity::BlockInertia(_)
+            | Quantity::BlockProduct(_) => Measure::BodyInertia,
+            Quantity::Part(varied) => match varied {
+                Varied::PistonMass | Varied::BigEndMass | Varied::SmallEndMass => Measure::Mass,
+                Varied::RodLength | Varied::CrankRadius => Measure::Length,
+                Varied::RodCentre | Varied::Offset | Varied::CylinderPlane => Measure::Place,
+                Varied::ThrowAngle
+                | Varied::CylinderAngle
+                | Varied::CounterweightAngle
+                | Varied::ShaftPhase => Measure::Angle,
+                Varied::ThrowUnbalance | Varied::CounterweightUnbalance | Varied::ShaftUnbalance => {
+                    Measure::Unbalance
+                }
+            },
+            Quantity::PinOffset
+            | Quantity::ThrowPlane
+            | Quantity::CounterweightPlane
+            | Quantity::ShaftWeightPlane
+            | Quantity::ShaftX
+            | Quantity::ShaftY
+            | Quantity::BlockCentre(_)
+            | Quantity::MountPlace(_) => Measure::Place,
+            Quantity::BlockMass => Measure::BodyMass,
+            Quantity::GasPressure | Quantity::MountStiffness | Quantity::MountDamping => Measure::Factor,
+        }
+    }
+
+    /// Whether it is one number of the whole engine.
+    pub fn is_of_engine(self) -> bool {
+        matches!(
+            self,
+            Quantity::Speed
+                | Quantity::Spacing
+                | Quantity::FlywheelInertia
+                | Quantity::CrankshaftInertia
+                | Quantity::BlockMass
+                | Quantity::BlockCentre(_)
+                | Quantity::BlockInertia(_)
+                | Quantity::BlockProduct(_)
+        )
+    }
+
+    /// Whether outputs with these needs can depend on it.
+    pub(super) fn matters_to(self, needs: Needs) -> bool {
+        match self {
+            Quantity::Bore | Quantity::GasPressure => needs.gas,
+            Quantity::FlywheelInertia | Quantity::CrankshaftInertia => needs.flywheel,
+            Quantity::BlockMass
+            | Quantity::BlockCentre(_)
+            | Quantity::BlockInertia(_)
+            | Quantity::BlockProduct(_)
+            | Quantity::MountPlace(_)
+            | Quantity::MountStiffness
+            | Quantity::MountDamping => needs.mounts,
+            _ => true,
+        }
+    }
+
+    /// How many parts have it.
+    pub fn parts(self, point: &OperatingPoint) -> usize {
+        let engine = &point.engine;
+        match self {
+            Quantity::Speed => 1,
+            Quantity::Spacing => usize::from(engine.spacing().is_some()),
+            Quantity::Part(varied) => varied.parts(engine),
+            Quantity::RodInertia if engine.cylinders.iter().any(|c| c.rod.inertia.is_none()) => 0,
+            Quantity::RodInertia | Quantity::PinOffset => engine.cylinders.len(),
+            Quantity::ThrowPlane => engine.throws.len(),
+            Quantity::CounterweightPlane => engine.counterweights.len(),
+            Quantity::ShaftWeightPlane => engine.shafts.iter().map(|shaft| shaft.weights.len()).sum(),
+            Quantity::ShaftX | Quantity::ShaftY => engine.shafts.len(),
+            Quantity::Bore if engine.cylinders.iter().any(|c| c.bore.is_none()) => 0,
+            Quantity::Bore => engine.cylinders.len(),
+            Quantity::GasPressure => point.gas.as_ref().map_or(0, Vec::len),
+            Quantity::FlywheelInertia => usize::from(point.turning.flywheel > 0.0),
+            Quantity::CrankshaftInertia => usize::from(point.turning.crankshaft > 0.0),
+            Quantity::BlockMass
+            | Quantity::BlockCentre(_)
+            | Quantity::BlockInertia(_)
+            | Quantity::BlockProduct(_) => usize::from(engine.block.is_some()),
+            Quantity::MountPlace(_) => engine.mounts.len(),
+            Quantity::MountStiffness | Quantity::MountDamping
+                if engine.mounts.iter().any(|mount| mount.spring.is_none()) =>
+            {
+                0
+            }
+            Quantity::MountStiffness | Quantity::MountDamping => engine.mounts.len(),
+        }
+    }
+
+    /// The numbers that it is, part by part: to change one is to change the engine. None for what no single number holds: spacing,
+    /// [`Varied::RodCentre`], which moves mass between the ends of a rod, [`Varied::ShaftPhase`], which turns all weights of a shaft, and
+    /// factors.
+    pub(super) fn numbers(self, point: &mut OperatingPoint) -> Vec<&mut f64> {
+        let engine: &mut Engine = &mut point.engine;
+        match self {
+            Quantity::Speed => vec![&mut point.speed],
+            Quantity::Spacing
+            | Quantity::Part(Varied::RodCentre | Varied::ShaftPhase)
+            | Quantity::GasPressure
+            | Quantity::MountStiffness
+            | Quantity::MountDamping => Vec::new(),
+            Quantity::Part(Varied::PistonMass) => {
+                engine.cylinders.iter_mut().map(|c| &mut c.piston_mass).collect()
+            }
+            Quantity::Part(Varied::BigEndMass) => {
+                engine.cylinders.iter_mut().map(|c| &mut c.rod.big_end_mass).collect()
+            }
+            Quantity::Part(Varied::SmallEndMass) => {
+                engine.cylinders.iter_mut().map(|c| &mut c.rod.small_end_mass).collect()
+            }
+            Quantity::Part(Varied::RodLength) => {
+                engine.cylinders.iter_mut().map(|c| &mut c.rod.length).collect()
+            }
+            Quantity::Part(Varied::Offset) => engine.cylinders.iter_mut().map(|c| &mut c.offset).collect(),
+            Quantity::Part(Varied::CylinderPlane) => engine.cylinders.iter_mut().map(|c| &mut c.z).collect(),
+            Quantity::Part(Varied::CylinderAngle) => {
+                engine.cylinders.iter_mut().map(|c| &mut c.angle).collect()
+            }
+            Quantity::Part(Varied::CrankRadius) => engine.throws.iter_mut().map(|t| &mut t.radius).collect(),
+            Quantity::Part(Varied::ThrowAngle) => engine.throws.iter_mut().map(|t| &mut t.angle).collect(),
+            Quantity::Part(Varied::ThrowUnbalance) => {
+                engine.throws.iter_mut().map(|t| &mut t.unbalance).collect()
+            }
+            Quantity::Part(Varied::CounterweightUnbalance) => {
+                engine.counterweights.iter_mut().map(|w| &mut w.unbalance).collect()
+            }
+            Quantity::Part(Varied::CounterweightAngle) => {
+                engine.counterweights.iter_mut().map(|w| &mut w.angle).collect()
+            }
+            Quantity::Part(Varied::ShaftUnbalance) => {
+                engine.shafts.iter_mut().flat_map(|s| &mut s.weights).map(|w| &mut w.unbalance).collect()
+            }
+            Quantity::RodInertia => {
+                engine.cylinders.iter_mut().filter_map(|c| c.rod.inertia.as_mut()).collect()
+            }
+            Quantity::PinOffset => engine.cylinders.iter_mut().map(|c| &mut c.pin_offset).collect(),
+            Quantity::ThrowPlane => engine.throws.iter_mut().map(|t| &mut t.unbalance_offset).collect(),
+            Quantity::CounterweightPlane => engine.counterweights.iter_mut().map(|w| &mut w.z).collect(),
+            Quantity::ShaftWeightPlane => {
+                engine.shafts.iter_mut().flat_map(|s| &mut s.weights).map(|w| &mut w.z).collect()
+            }
+            Quantity::ShaftX => engine.shafts.iter_mut().map(|s| &mut s.x).collect(),
+            Quantity::ShaftY => engine.shafts.iter_mut().map(|s| &mut s.y).collect(),
+            Quantity::Bore => engine.cylinders.iter_mut().filter_map(|c| c.bore.as_mut()).collect(),
+            Quantity::FlywheelInertia => vec![&mut point.turning.flywheel],
+            Quantity::CrankshaftInertia => vec![&mut point.turning.crankshaft],
+            Quantity::BlockMass => engine.block.iter_mut().map(|b| &mut b.mass).collect(),
+            Quantity::BlockCentre(axis) => {
+                engine.block.iter_mut().map(|b| &mut b.centre[axis.index()]).collect()
+            }
+            Quantity::BlockInertia(axis) => {
+                engine.block.iter_mut().map(|b| &mut b.inertia[axis.index()]).collect()
+            }
+            Quantity::BlockProduct(axis) => {
+                engine.block.iter_mut().map(|b| &mut b.products[axis.index()]).collect()
+            }
+            Quantity::MountPlace(axis) => engine
+                .mounts
+                .iter_mut()
+                .map(|mount| match axis {
+                    Axis::X => &mut mount.x,
+                    Axis::Y => &mut mount.y,
+                    Axis::Z => &mut mount.z,
+                })
+                .collect(),
+        }
+    }
+}
