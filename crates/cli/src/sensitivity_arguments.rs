@@ -14,7 +14,7 @@ pub struct SensitivityArguments {
     #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
     /// What it does something to: the peak of `force`, `couple`, `roll moment`, `torque`, `main bearing 1`, `crankpin 1`, `piston pin 1`, `side thrust 1`
-    /// or `mount force NAME` (without a number or name: the largest of all), or `excess energy`; behind it `order 2` or `mean`, before it `gas` or
+    /// or `mount force NAME` (without a number or name: the largest of all), or `excess energy`, `speed fluctuation`, `bending moment`; behind it `order 2` or `mean`, before it `gas` or
     /// `inertia` where these alone count. May be given several times; default: force, couple and roll moment.
     #[arg(long, value_name = "OUTPUT")]
     pub output: Vec<String>,
