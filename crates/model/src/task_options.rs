@@ -85,7 +85,8 @@ impl TaskOptions {
     /// What is minimised, what must hold, what must vanish.
     fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
         let mounts = &engine.mounts;
-        if !self.cancel.is_empty() && !(self.minimise.is_empty() && self.limits.is_empty()) {
+        let wanted = self.minimise.len() + self.limits.len();
+        if !self.cancel.is_empty() && wanted > 0 {
             return Err(refused(
                 format!(
                     "orders that must vanish stand in place of what is minimised and of limits, got {} beside {} or {}",
