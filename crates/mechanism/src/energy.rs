@@ -19,6 +19,9 @@ const INSIDE: f64 = 1e-9;
 /// Torques that differ by less than this share of their range are the same.
 const SAME: f64 = 1e-9;
 
+/// Peaks that differ by less than this share of the range are equal.
+const EQUAL: f64 = 1e-12;
+
 /// Golden section: shrinks a bracket by this share a step.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -142,27 +145,38 @@ impl<'a, F: Fn(f64) -> f64> SampledTorque<'a, F> {
         self.stretches().map(|([from, to], values)| gauss_sum(to - from, &values.at_gauss)).sum()
     }
 
-    /// Largest and smallest value over the continuous angle.
+    /// Largest and smallest value over the continuous angle; of equal ones the first.
     pub fn extremes(&self) -> Extremes {
-        // Highest and lowest sample with its neighbours, in one pass.
-        let mut best = [(f64::NEG_INFINITY, [0.0; 2], 0.0); 2];
+        let values = self.values.iter().flat_map(|values| values.at_points);
+        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), v| (l.min(v), m.max(v)));
+        let range = most - least;
+        let highest = |sign: f64| self.highest(sign, sign * if sign > 0.0 { most } else { least }, range);
+        Extremes { max: highest(1.0), min: highest(-1.0) }
+    }
+
+    /// Largest value of `sign` times the torque, as a value of the torque; `coarse` is its largest sample. Every hill is climbed
+    /// that may reach higher than that: between two samples the torque rises by no more than it falls to the next.
+    fn highest(&self, sign: f64, coarse: f64, range: f64) -> Extreme {
+        let mut best = Extreme { value: f64::NEG_INFINITY, theta: 0.0 };
+        let mut take = |value: f64, theta: f64| {
+            if value > best.value + EQUAL * range {
+                best = Extreme { value, theta };
+            }
+        };
         for ([from, to], values) in self.stretches() {
-            let points = points(from, to);
-            for (k, (theta, here)) in points.iter().zip(values.at_points).enumerate() {
-                for (best, sign) in best.iter_mut().zip([1.0, -1.0]) {
-                    if sign * here > best.0 {
-                        let around = [points[k.saturating_sub(1)], points[(k + 1).min(points.len() - 1)]];
-                        *best = (sign * here, around, *theta);
-                    }
+            let (points, values) = (points(from, to), values.at_points.map(|value| sign * value));
+            for (k, here) in values.into_iter().enumerate() {
+                let (before, after) = (k.saturating_sub(1), (k + 1).min(values.len() - 1));
+                let fall = (here - values[before]).max(here - values[after]);
+                if here < values[before] || here < values[after] || here + fall < coarse {
+                    continue;
                 }
+                let (fine, theta) =
+                    peak([points[before], points[after]], &|theta| sign * (self.torque)(theta));
+                if fine > here { take(fine, theta) } else { take(here, points[k]) }
             }
         }
-        let refined = |(coarse, around, at): (f64, [f64; 2], f64), sign: f64| {
-            let (fine, theta) = peak(around, &|theta| sign * (self.torque)(theta));
-            let (value, theta) = if fine > coarse { (fine, theta) } else { (coarse, at) };
-            Extreme { value: sign * value, theta }
-        };
-        Extremes { max: refined(best[0], 1.0), min: refined(best[1], -1.0) }
+        Extreme { value: sign * best.value, theta: best.theta }
     }
 
     /// Energy that it stores and gives back, its mean given.
@@ -263,6 +277,19 @@ pub(crate) fn peak([mut from, mut to]: [f64; 2], value: &impl Fn(f64) -> f64) ->
 mod tests {
     use super::*;
     use std::f64::consts::{PI, TAU};
+
+    #[test]
+    fn of_two_hills_the_higher_is_found_where_samples_say_the_other() {
+        // Seven stretches with samples at fifths: the higher hill stands between two of them, the lower one on one.
+        let place = 0.3 * TAU / 7.0;
+        let breaks = Breaks::new(TAU, std::iter::empty(), 7);
+        let torque = |theta: f64| (2.0 * (theta - place)).cos() * (1.0 + 1e-3 * (theta - place).cos());
+        let extremes = breaks.sample(torque).extremes();
+        assert!((extremes.max.value - 1.001).abs() < 1e-13, "{extremes:?}");
+        assert!((extremes.max.theta - place).abs() < 1e-6, "{extremes:?}");
+        let valleys = breaks.sample(|theta: f64| -torque(theta)).extremes();
+        assert!((valleys.min.value + 1.001).abs() < 1e-13, "{valleys:?}");
+    }
 
     #[test]
     fn a_sine_torque_stores_twice_its_amplitude() {
