@@ -394,21 +394,19 @@ export type Cancellation = {
 };
 
 /** Whether the orders can vanish together. */
-export type CancellationVerdict =
-  | {
-      /** Whether the total is a mass. */
-      is_mass: boolean;
-      kind: "vanish";
-      /** No weights that make the orders vanish have a total below `lightest.value`. */
-      lightest: Functional;
-      /** Total unbalance [kg m], or mass [kg] where every weight has a radius. */
-      total: number;
-    }
-  | {
-      kind: "cannot-vanish";
-      /** At least one, each for orders that hang together through the devices. */
-      obstructions: Obstruction[];
-    };
+export type CancellationVerdict = {
+  /** Whether the total is a mass. */
+  is_mass: boolean;
+  kind: "vanish";
+  /** No weights that make the orders vanish have a total below `lightest.value`. */
+  lightest: Functional;
+  /** Total unbalance [kg m], or mass [kg] where every weight has a radius. */
+  total: number;
+} | {
+  kind: "cannot-vanish";
+  /** At least one, each for orders that hang together through the devices. */
+  obstructions: Obstruction[];
+};
 
 /** An order that had to vanish. */
 export type CancelledOrder = {
@@ -752,15 +750,11 @@ export type CrankshaftSection = {
 };
 
 /** What is judged. */
-export type Criterion =
-  | {
-      peak: Load;
-    }
-  | {
-      order: [Load, number];
-    }
-  | "added-mass"
-  | "added-unbalance";
+export type Criterion = {
+  peak: Load;
+} | {
+  order: [Load, number];
+} | "added-mass" | "added-unbalance";
 
 /** Piston, pins and rod of one cylinder. */
 export type CylinderBearings = {
@@ -871,14 +865,7 @@ export type DampedMode = {
   /** Root [1/s]: real part the rate of growth (negative), imaginary part the angular frequency [rad/s]. */
   root: [number, number];
   /** Shape at the centre; its largest component in the mass norm is real. */
-  shape: [
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-  ];
+  shape: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
 };
 
 /** Direction in which the depth of an overlap is measured. */
@@ -930,13 +917,11 @@ export type DesignLimits = {
 };
 
 /** How the search ended. */
-export type DesignOutcome =
-  | {
-      found: Optimum;
-    }
-  | {
-      infeasible: Infeasible;
-    };
+export type DesignOutcome = {
+  found: Optimum;
+} | {
+  infeasible: Infeasible;
+};
 
 /** Which weights get the best shape. */
 export type DesignQuestion = {
@@ -1540,12 +1525,9 @@ export type Gear = {
 };
 
 /** What a gear sits on. */
-export type GearSeat =
-  | "crank"
-  | {
-      shaft: number;
-    }
-  | "idler";
+export type GearSeat = "crank" | {
+  shaft: number;
+} | "idler";
 
 /** What a similar engine keeps of the original. */
 export type Held = "speed" | "piston-speed";
@@ -1674,19 +1656,9 @@ export type Limit = {
 };
 
 /** A load over the cycle whose largest amount is judged; about the origin. */
-export type Load =
-  | "force"
-  | "force-x"
-  | "force-y"
-  | "couple"
-  | "couple-x"
-  | "couple-y"
-  | "roll-moment"
-  | {
-      "mount-force": number;
-    }
-  | "largest-mount-force"
-  | "bending-moment";
+export type Load = "force" | "force-x" | "force-y" | "couple" | "couple-x" | "couple-y" | "roll-moment" | {
+  "mount-force": number;
+} | "largest-mount-force" | "bending-moment";
 
 /** Loads of the whole engine, of one kind of part, or of one cylinder. */
 export type LoadSet = {
@@ -1771,19 +1743,17 @@ export type MassProperties = {
 };
 
 /** How an optimum was found. */
-export type Method =
-  | {
-      kind: "convex";
-      /** Cone programmes solved until the angles were refined. */
-      solves: number;
-    }
-  | {
-      kind: "branch-and-bound";
-      /** Boxes of choices examined. */
-      nodes: number;
-      /** Cone programmes solved. */
-      solves: number;
-    };
+export type Method = {
+  kind: "convex";
+  /** Cone programmes solved until the angles were refined. */
+  solves: number;
+} | {
+  kind: "branch-and-bound";
+  /** Boxes of choices examined. */
+  nodes: number;
+  /** Cone programmes solved. */
+  solves: number;
+};
 
 /** Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`]. */
 export type MotionTrace = {
@@ -1965,30 +1935,25 @@ export type NewText = {
 export type Objective = "mass" | "swept-radius" | "inertia" | "thickness";
 
 /** What a counterweight or web must stay clear of. Cylinders count from 1. */
-export type Obstacle =
-  | {
-      kind: "crankcase";
-    }
-  | {
-      /** Its cylinder. */
-      cylinder: number;
-      kind: "piston";
-    }
-  | {
-      /** Its cylinder. */
-      cylinder: number;
-      kind: "liner";
-    }
-  | {
-      /** Its cylinder. */
-      cylinder: number;
-      kind: "rod";
-    }
-  | {
-      /** Its cylinder. */
-      cylinder: number;
-      kind: "big-end-side";
-    };
+export type Obstacle = {
+  kind: "crankcase";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "piston";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "liner";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "rod";
+} | {
+  /** Its cylinder. */
+  cylinder: number;
+  kind: "big-end-side";
+};
 
 /** Why orders cannot vanish. */
 export type Obstruction = {
@@ -2051,68 +2016,43 @@ export type OrderResponse = {
   /** Force of the block on each mount [N]. */
   forces: Array<[[number, number], [number, number], [number, number]]>;
   /** Load on the block: force [N] and moment about its centre [N m]. */
-  load: [
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-  ];
+  load: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
   /** Displacement of the centre [m] and rotation [rad]. */
-  motion: [
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-  ];
+  motion: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
   /** Order. */
   order: number;
   /** The same if the mounts were stiff, in the proportions of their static stiffness: the load shared as at rest [N]. */
   stiff_forces: Array<[[number, number], [number, number], [number, number]]>;
   /** All mounts together: force [N] and moment about the block's centre [N m]. */
-  transmitted: [
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-    [number, number],
-  ];
+  transmitted: [[number, number], [number, number], [number, number], [number, number], [number, number], [number, number]];
 };
 
 /** A part of one order of a load. */
 export type OrderSense = "forward" | "backward" | "alternating";
 
 /** Whether there is an optimum. */
-export type Outcome =
-  | {
-      kind: "optimal";
-    }
-  | {
-      /**
-       * The smallest value that each limited criterion can reach if the other limits are dropped, in the order of
-       * the task's limits.
-       */
-      closest: number[];
-      kind: "infeasible";
-      /** The reason in words, with numbers and units. */
-      reason: string;
-      /** How far every limit must be relaxed together, as a factor of it, until they can just be reached; above 1. */
-      relaxation: number;
-    }
-  | {
-      kind: "cannot-vanish";
-      /** The reason in words, with numbers and units. */
-      reason: string;
-    }
-  | {
-      kind: "stopped";
-      /** Why. */
-      reason: string;
-    };
+export type Outcome = {
+  kind: "optimal";
+} | {
+  /**
+   * The smallest value that each limited criterion can reach if the other limits are dropped, in the order of
+   * the task's limits.
+   */
+  closest: number[];
+  kind: "infeasible";
+  /** The reason in words, with numbers and units. */
+  reason: string;
+  /** How far every limit must be relaxed together, as a factor of it, until they can just be reached; above 1. */
+  relaxation: number;
+} | {
+  kind: "cannot-vanish";
+  /** The reason in words, with numbers and units. */
+  reason: string;
+} | {
+  kind: "stopped";
+  /** Why. */
+  reason: string;
+};
 
 /** Two bodies that overlap. */
 export type Overlap = {
@@ -2171,14 +2111,11 @@ export type Peaks = {
 };
 
 /** Direction of a free weight at `theta = 0`. */
-export type Phase =
-  | "free"
-  | {
-      line: number;
-    }
-  | {
-      direction: number;
-    };
+export type Phase = "free" | {
+  line: number;
+} | {
+  direction: number;
+};
 
 /** A load over the cycle. */
 export type PinLoad = {
@@ -2191,13 +2128,11 @@ export type PinLoad = {
 };
 
 /** A coordinate that is given or to be found. */
-export type Place =
-  | {
-      at: number;
-    }
-  | {
-      between: [number, number];
-    };
+export type Place = {
+  at: number;
+} | {
+  between: [number, number];
+};
 
 /** A diagnostic and the key that it is about. */
 export type PlacedDiagnostic = {
@@ -2335,16 +2270,7 @@ export type Ranking = {
 };
 
 /** What engines are compared by: less is better. */
-export type RankingCriterion =
-  | "force"
-  | "couple"
-  | "roll-moment"
-  | "mount-force"
-  | "firing-unevenness"
-  | "torque-unevenness"
-  | "flywheel"
-  | "added-unbalance"
-  | "shafts";
+export type RankingCriterion = "force" | "couple" | "roll-moment" | "mount-force" | "firing-unevenness" | "torque-unevenness" | "flywheel" | "added-unbalance" | "shafts";
 
 /** An engine in a ranking. */
 export type RankingPlace = {
@@ -2415,8 +2341,7 @@ export type Scene = {
 };
 
 /** What a part of the scene is. */
-export type SceneKind =
-  "journal" | "crankpin" | "web" | "counterweight" | "rod" | "piston" | "shaft" | "shaft-weight" | "bore";
+export type SceneKind = "journal" | "crankpin" | "web" | "counterweight" | "rod" | "piston" | "shaft" | "shaft-weight" | "bore";
 
 /** A closed surface of triangles in the frame of its parts. */
 export type SceneMesh = {
@@ -2429,59 +2354,55 @@ export type SceneMesh = {
 };
 
 /** How the frame of a part moves in the frame of the engine: a place, and a turn about z. Angles count from +x towards +y. */
-export type SceneMotion =
-  | {
-      /** Its turn [rad]. */
-      angle: number;
-      kind: "fixed";
-      /** Place [m]. */
-      x: number;
-      /** Place [m]. */
-      y: number;
-      /** Place [m]. */
-      z: number;
-    }
-  | {
-      /** Its turn at `theta = 0` [rad]. */
-      angle: number;
-      kind: "turn";
-      /** Speed over that of crankshaft 1, signed. */
-      ratio: number;
-      /** Axis [m]. */
-      x: number;
-      /** Axis [m]. */
-      y: number;
-      /** Place along the axis [m]. */
-      z: number;
-    }
-  | {
-      /** Direction in which it slides, and its turn [rad]. */
-      angle: number;
-      kind: "slide";
-      /** Angle of crankshaft 1 after which it repeats [rad]. */
-      period: number;
-      /** Travel at [`Scene::steps`] even steps of the period, the first at `theta = 0` [m]. */
-      travel: number[];
-      /** Place at no travel [m]. */
-      x: number;
-      /** Place at no travel [m]. */
-      y: number;
-      /** Place [m]. */
-      z: number;
-    }
-  | {
-      /** Its turns [rad]. */
-      angle: number[];
-      kind: "swing";
-      /** Angle of crankshaft 1 after which it repeats [rad]. */
-      period: number;
-      /** Places at [`Scene::steps`] even steps of the period, the first at `theta = 0` [m]. */
-      x: number[];
-      /** Places [m]. */
-      y: number[];
-      /** Place along the crank [m]. */
-      z: number;
-    };
+export type SceneMotion = {
+  /** Its turn [rad]. */
+  angle: number;
+  kind: "fixed";
+  /** Place [m]. */
+  x: number;
+  /** Place [m]. */
+  y: number;
+  /** Place [m]. */
+  z: number;
+} | {
+  /** Its turn at `theta = 0` [rad]. */
+  angle: number;
+  kind: "turn";
+  /** Speed over that of crankshaft 1, signed. */
+  ratio: number;
+  /** Axis [m]. */
+  x: number;
+  /** Axis [m]. */
+  y: number;
+  /** Place along the axis [m]. */
+  z: number;
+} | {
+  /** Direction in which it slides, and its turn [rad]. */
+  angle: number;
+  kind: "slide";
+  /** Angle of crankshaft 1 after which it repeats [rad]. */
+  period: number;
+  /** Travel at [`Scene::steps`] even steps of the period, the first at `theta = 0` [m]. */
+  travel: number[];
+  /** Place at no travel [m]. */
+  x: number;
+  /** Place at no travel [m]. */
+  y: number;
+  /** Place [m]. */
+  z: number;
+} | {
+  /** Its turns [rad]. */
+  angle: number[];
+  kind: "swing";
+  /** Angle of crankshaft 1 after which it repeats [rad]. */
+  period: number;
+  /** Places at [`Scene::steps`] even steps of the period, the first at `theta = 0` [m]. */
+  x: number[];
+  /** Places [m]. */
+  y: number[];
+  /** Place along the crank [m]. */
+  z: number;
+};
 
 /** A part of the scene. */
 export type ScenePart = {
@@ -2502,13 +2423,11 @@ export type ScenePart = {
 };
 
 /** What a free weight sits on. */
-export type Seat =
-  | {
-      crankshaft: number;
-    }
-  | {
-      shaft: number;
-    };
+export type Seat = {
+  crankshaft: number;
+} | {
+  shaft: number;
+};
 
 /** What a piece of a crankshaft is. */
 export type SectionKind = "journal" | "pin" | "web" | "counterweight";
@@ -2536,22 +2455,19 @@ export type Session = {
 export type Severity = "error" | "warning";
 
 /** The weights of a balance shaft. */
-export type ShaftLayout =
-  | {
-      kind: "single";
-      /** Plane [m]. */
-      z: number;
-    }
-  | {
-      kind: "double";
-      /** Planes [m]. */
-      z: [number, number];
-    }
-  | {
-      kind: "two-planes";
-      /** Planes [m]. */
-      z: [number, number];
-    };
+export type ShaftLayout = {
+  kind: "single";
+  /** Plane [m]. */
+  z: number;
+} | {
+  kind: "double";
+  /** Planes [m]. */
+  z: [number, number];
+} | {
+  kind: "two-planes";
+  /** Planes [m]. */
+  z: [number, number];
+};
 
 /** A balance shaft. */
 export type ShaftSummary = {
@@ -2642,13 +2558,11 @@ export type ShapeTask = {
 };
 
 /** How the flank between rectangle and arc is given. */
-export type Shoulder =
-  | {
-      Angle: Range;
-    }
-  | {
-      Height: Range;
-    };
+export type Shoulder = {
+  Angle: Range;
+} | {
+  Height: Range;
+};
 
 /** A similar engine: what its size and its speed are, over those of the original. */
 export type Similar = {
