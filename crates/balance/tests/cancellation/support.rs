@@ -80,7 +80,10 @@ pub fn order_of(engine: &Engine, which: usize, order: f64) -> [f64; 2] {
 /// What all moving masses would do if none cancelled another [N].
 pub fn all_masses(engine: &Engine) -> f64 {
     let one = |c: &Cylinder| (c.piston_mass + c.rod.mass()) * engine.throws[c.throw].radius;
-    engine.cylinders.iter().map(one).sum::<f64>() * engine.speed.highest.powi(2)
+    let moving: f64 = engine.cylinders.iter().map(one).sum();
+    let turning = engine.throws.iter().map(|throw| throw.unbalance);
+    let turning: f64 = turning.chain(engine.counterweights.iter().map(|weight| weight.unbalance)).sum();
+    (moving + turning) * engine.speed.highest.powi(2)
 }
 
 /// Longest lever of the engine [m].

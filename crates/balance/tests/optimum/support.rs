@@ -52,7 +52,10 @@ pub fn grid_peak(engine: &Engine, which: usize, count: usize) -> f64 {
 /// What all moving masses would do if none cancelled another [N]: rounding is measured against it.
 pub fn all_masses(engine: &Engine) -> f64 {
     let one = |c: &Cylinder| (c.piston_mass + c.rod.mass()) * engine.throws[c.throw].radius;
-    engine.cylinders.iter().map(one).sum::<f64>() * engine.speed.highest.powi(2)
+    let moving: f64 = engine.cylinders.iter().map(one).sum();
+    let turning = engine.throws.iter().map(|throw| throw.unbalance);
+    let turning: f64 = turning.chain(engine.counterweights.iter().map(|weight| weight.unbalance)).sum();
+    (moving + turning) * engine.speed.highest.powi(2)
 }
 
 /// Refuses an answer that is not proved to the promised gap, or to rounding where everything cancels.
