@@ -1,8 +1,8 @@
 // The crank angle of the whole studio, inside the period of a result.
 
-import { engine } from "../../state/engine.svelte";
-import { view } from "../../state/view.svelte";
-import type { Cursor } from "../plot/series";
+import { engine } from "../state/engine.svelte";
+import { view } from "../state/view.svelte";
+import type { Cursor } from "./plot/series";
 
 export function turned(period: number): Cursor {
   const value = view.theta % period;
