@@ -4,13 +4,16 @@
 //! E_kin = 1/2 J(theta) w^2
 //! J     = J_0 + SUM over pistons of n^2 ( m s'^2 + J_rod beta'^2 + m_K |K'|^2 )                          (25.6)
 //! 1/2 J w^2 = C + INTEGRAL from 0 to theta of (T_gas - T_mean)                                           (25.7)
+//! J w w'    = T_gas - T_mean - 1/2 J' w^2
 //! C:  2 pi R / w_mean = INTEGRAL over R revolutions of dtheta / w                                        (25.8)
 //! ```
 //! `J_0`: flywheel, crankshaft, the rods' big ends at their pins, each times the square of its speed ratio; constant. The rest
 //! as in [`crate::train`], with `m_K` the big-end mass on a knuckle pin less what it has on the crankpin. The torque of inertia is
 //! in `J(theta)`: only the gas does work. No friction and a load that takes the mean torque at every angle: the speed is periodic.
 
+use crate::curve::{End, PeriodicCurve};
 use crate::energy::Breaks;
+use crate::extremes::grid_extremes;
 use crate::gas::CylinderGas;
 use crate::gas_train::GasTrain;
 use crate::request::LoadError;
@@ -23,7 +26,7 @@ use serde::Serialize;
 /// Version of these structures; raised when a field changes its meaning or goes.
 pub const FLYWHEEL_VERSION: u32 = 1;
 
-/// Angles of a revolution at which the ripple is listed and its extremes are bracketed.
+/// Angles of a revolution at which the ripple is listed, and between which the square of its speed is taken as cubic.
 const SAMPLES: usize = 720;
 
 /// What turns, beside what pistons and rods bring.
@@ -209,6 +212,10 @@ fn inertia_over(train: &KineticTrain, theta: &[f64]) -> TrainInertia {
 struct RippleGrid {
     period: f64,
     theta: Vec<f64>,
+    /// Torque of gas less load [N m].
+    drive: Vec<f64>,
+    /// Torque of inertia at one rad/s [N m]: half the fall of the inertia, a radian.
+    braked: Vec<f64>,
     /// Twice the work of gas less load from 0 [J].
     work: Vec<f64>,
     load: f64,
@@ -226,7 +233,17 @@ impl RippleGrid {
         let square = speed * speed;
         let total = |theta: f64| gas.torque(theta) + square * train.mechanism.shaft_torque(theta);
         let excess = breaks.sample(total).energy(load).excess;
-        RippleGrid { period, theta, work: work.into_iter().map(|w| 2.0 * w).collect(), load, excess }
+        let drive = theta.iter().map(|theta| gas.torque(*theta) - load).collect();
+        let braked = theta.iter().map(|theta| train.mechanism.shaft_torque(*theta)).collect();
+        RippleGrid {
+            period,
+            theta,
+            drive,
+            braked,
+            work: work.into_iter().map(|w| 2.0 * w).collect(),
+            load,
+            excess,
+        }
     }
 
     /// Squares of the speed times inertia, less their lowest: `2 (C + W) = x + rise`.
@@ -261,6 +278,32 @@ impl RippleGrid {
         }
         rise.iter().zip(inertia).map(|(rise, j)| ((high + rise) / j).sqrt()).collect()
     }
+
+    /// Acceleration at the grid [rad/s^2]: `J w w' = T - T_load - w^2 J'/2`.
+    fn accelerations(&self, inertia: &[f64], speeds: &[f64]) -> Vec<f64> {
+        let torques = self.drive.iter().zip(&self.braked);
+        let states = inertia.iter().zip(speeds);
+        torques
+            .zip(states)
+            .map(|((drive, braked), (inertia, speed))| (drive + speed * speed * braked) / inertia)
+            .collect()
+    }
+
+    /// Extremes of the speed over the continuous angle: of cubics between the grid through the squares of the speed and their rates, which
+    /// stay smooth where it nearly stands still.
+    fn extremes(&self, inertia: &[f64], speeds: &[f64]) -> Extremes {
+        let accelerations = self.accelerations(inertia, speeds);
+        let at = |j: usize| End { value: speeds[j] * speeds[j], slope: 2.0 * accelerations[j] };
+        let count = speeds.len();
+        let ends: Vec<[End; 2]> = (0..count).map(|j| [at(j), at((j + 1) % count)]).collect();
+        let Ok(squares) = PeriodicCurve::from_ends(self.period, self.theta.clone(), &ends) else {
+            // Rates beyond all numbers.
+            return grid_extremes(speeds, self.period);
+        };
+        let [min, max] =
+            squares.extremes().map(|(square, theta)| Extreme { value: square.max(0.0).sqrt(), theta });
+        Extremes { max, min }
+    }
 }
 
 /// The periodic speed of `engine` under `gas` about the mean `speed` [rad/s], with `given` turning beside pistons and rods.
@@ -283,15 +326,9 @@ pub fn speed_ripple(
         return Err(refused("inertia of all that turns [kg m^2]", "positive", got));
     }
     let speeds = grid.speeds(&inertia.total, speed);
-    let extremes = ripple_extremes(&speeds, grid.period);
-    let step = grid.theta[1];
-    let count = speeds.len();
-    let acceleration = (0..count)
-        .map(|j| {
-            let rate = (speeds[(j + 1) % count] - speeds[(j + count - 1) % count]) / (2.0 * step);
-            (rate * speeds[j]).abs()
-        })
-        .fold(0.0, f64::max);
+    let extremes = grid.extremes(&inertia.total, &speeds);
+    let accelerations = grid.accelerations(&inertia.total, &speeds);
+    let acceleration = accelerations.into_iter().map(f64::abs).fold(0.0, f64::max);
     Ok(SpeedRipple {
         version: FLYWHEEL_VERSION,
         mean_speed: speed,
@@ -306,26 +343,6 @@ pub fn speed_ripple(
         speed: speeds,
         inertia,
     })
-}
-
-/// Extremes of samples, each refined by the parabola through its neighbours.
-fn ripple_extremes(speeds: &[f64], period: f64) -> Extremes {
-    let count = speeds.len();
-    let step = period / count as f64;
-    let refined = |sign: f64| {
-        let mut best = 0;
-        for j in 0..count {
-            if sign * speeds[j] > sign * speeds[best] {
-                best = j;
-            }
-        }
-        let [before, here, after] = [count - 1, 0, 1].map(|d| speeds[(best + d) % count]);
-        let bend = before - 2.0 * here + after;
-        let aside = if bend == 0.0 { 0.0 } else { (0.5 * (before - after) / bend).clamp(-0.5, 0.5) };
-        let value = here + 0.5 * aside * (after - before) + 0.5 * aside * aside * bend;
-        Extreme { value, theta: (step * (best as f64 + aside)).rem_euclid(period) }
-    };
-    Extremes { max: refined(1.0), min: refined(-1.0) }
 }
 
 /// Flywheel of `engine` under `gas` at `speed` [rad/s] for the fluctuation wanted; the flywheel in `given` does not count.
@@ -353,7 +370,7 @@ pub fn flywheel_need(
         if inertia.iter().any(|j| *j <= 0.0) {
             return f64::INFINITY;
         }
-        ripple_extremes(&grid.speeds(&inertia, speed), grid.period).range() / speed
+        grid.extremes(&inertia, &grid.speeds(&inertia, speed)).range() / speed
     };
     let unit = by_formula.max(own.mean).max(f64::MIN_POSITIVE);
     let flywheel = if ripple(0.0) <= fluctuation {

@@ -51,10 +51,10 @@ fn loads(train: &Train<'_>, crankshaft: usize) -> Vec<(Dual64, Vector)> {
     let turning = own.map(|turning| (turning.z, turning.direction.map(|jet| -turning.unbalance * jet.bend)));
     let rods = engine.cylinders.iter().enumerate().filter_map(|(index, cylinder)| {
         let throw = &engine.throws[cylinder.throw];
-        let crank = engine.crankshafts.get(throw.crankshaft).filter(|_| throw.crankshaft == crankshaft)?;
+        let crank = engine.crankshafts.get(crankshaft).filter(|_| throw.crankshaft == crankshaft)?;
         let [big, ..] = train.rod_masses(index);
         let radius = train.part(Varied::CrankRadius, cylinder.throw, throw.radius);
-        let angle = train.part(Varied::ThrowAngle, cylinder.throw, throw.angle) + crank.phase;
+        let angle = train.part(Varied::ThrowAngle, cylinder.throw, throw.angle) + train.phase(crankshaft);
         let speed = train.speed * crank.ratio.value();
         let force = big * radius * speed * speed;
         let z = train.plane(train.part(Varied::CylinderPlane, index, cylinder.z), cylinder.z);

@@ -1,9 +1,9 @@
 //! Gas on the pistons, with the derivative by one input (book, eq. 32.5 and 32.6).
 //!
 //! ```text
-//! f = ( c p(a) - p_c(a) ) pi/4 B^2        a = |n| (theta - theta_f)        T = -SUM f s'/W
+//! f = ( c p(a) - c_c p_c(a) ) pi/4 B^2    a = |n| (theta - theta_f) - d        T = -SUM f s'/W
 //! ```
-//! `c` is 1, the factor on the pressure; `s'` the rate of the travel. A pressure may jump: on either side of its jumps it goes on as the
+//! `c` and `c_c` are 1, the factors on the pressures, `d` is 0, the angle by which they come later; `s'` the rate of the travel. A pressure may jump: on either side of its jumps it goes on as the
 //! piece that it is there, so that the window of angles in which it is read is given.
 
 use super::quantity::Quantity;
@@ -33,8 +33,9 @@ impl Train<'_> {
         let [cylinder, crankcase] = [&gas.pressures.cylinder, &gas.pressures.crankcase]
             .map(|curve| beyond * curve.slope(within) + curve.at(within));
         let factor = self.of(Quantity::GasPressure, index, 1.0);
+        let beneath = self.of(Quantity::CrankcasePressure, index, 1.0);
         let bore = self.of(Quantity::Bore, index, self.engine.cylinders[index].bore.unwrap_or(0.0));
-        (factor * cylinder - crankcase) * bore * bore * (PI / 4.0)
+        (factor * cylinder - beneath * crankcase) * bore * bore * (PI / 4.0)
     }
 
     /// Torque of the gas at crankshaft 1 [N m]: the power of its forces over the speed.

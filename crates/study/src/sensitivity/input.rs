@@ -1,9 +1,9 @@
 //! Inputs: quantities of one part, or of all parts of a kind together.
 
 use super::operating_point::OperatingPoint;
-use super::quantity::Quantity;
-use lanchester_mechanism::PeriodicCurve;
-use lanchester_model::{Mount, MountSpring, Varied};
+use super::quantity::{Axis, Measure, Quantity};
+use lanchester_mechanism::{CylinderGas, PeriodicCurve};
+use lanchester_model::{MountSpring, Varied};
 use serde::Serialize;
 
 /// A quantity of one part, or of all parts together.
@@ -19,7 +19,7 @@ impl Input {
     /// The quantities of an engine, each for all parts together.
     pub fn common(point: &OperatingPoint) -> Vec<Input> {
         Quantity::all()
-            .filter(|quantity| quantity.parts(point) > 0)
+            .filter(|quantity| !quantity.parts(point).is_empty())
             .map(|quantity| Input { quantity, part: None })
             .collect()
     }
@@ -27,7 +27,7 @@ impl Input {
     /// The quantities of an engine, part by part; those of the whole engine once.
     pub fn single(point: &OperatingPoint) -> Vec<Input> {
         Quantity::all()
-            .flat_map(|quantity| (0..quantity.parts(point)).map(move |part| (quantity, part)))
+            .flat_map(|quantity| quantity.parts(point).into_iter().map(move |part| (quantity, part)))
             .map(|(quantity, part)| Input { quantity, part: (!quantity.is_of_engine()).then_some(part) })
             .collect()
     }
@@ -46,13 +46,13 @@ impl Input {
     pub fn nominal(self, point: &OperatingPoint) -> Option<f64> {
         match self.quantity {
             Quantity::Spacing => return point.engine.spacing(),
-            Quantity::GasPressure | Quantity::MountStiffness | Quantity::MountDamping => return Some(1.0),
+            quantity if quantity.measure() == Measure::Factor => return Some(1.0),
             _ => {}
         }
         let mut copy = point.clone();
         let values = self.quantity.numbers(&mut copy);
-        let mut own =
-            values.iter().enumerate().filter(|(index, _)| self.is_of(*index)).map(|(_, value)| **value);
+        let of_parts = self.quantity.parts(point).into_iter().zip(values);
+        let mut own = of_parts.filter(|(index, _)| self.is_of(*index)).map(|(_, value)| *value);
         let first = own.next()?;
         own.all(|value| (value - first).abs() <= 1e-12 * first.abs()).then_some(first)
     }
@@ -78,34 +78,68 @@ impl Input {
                 own.flat_map(|(_, shaft)| &mut shaft.weights).for_each(|weight| weight.phase += deviation);
             }
             Quantity::GasPressure => {
-                let gas = point.gas.iter_mut().flatten().enumerate();
-                for (_, gas) in gas.filter(|(index, _)| self.is_of(*index)) {
-                    gas.cylinder = PeriodicCurve::sum(&[(1.0 + deviation, &gas.cylinder)])
-                        .expect("invariant: a curve times a finite factor is a curve");
-                }
+                self.change_gas(point, |gas| gas.cylinder = scaled(&gas.cylinder, 1.0 + deviation));
             }
-            Quantity::MountStiffness => self.scale_springs(&mut point.engine.mounts, deviation, stiffen),
-            Quantity::MountDamping => self.scale_springs(&mut point.engine.mounts, deviation, damp),
+            Quantity::CrankcasePressure => {
+                self.change_gas(point, |gas| gas.crankcase = scaled(&gas.crankcase, 1.0 + deviation));
+            }
+            Quantity::PressureDelay => self.change_gas(point, |gas| {
+                gas.cylinder = gas.cylinder.delayed(deviation);
+                gas.crankcase = gas.crankcase.delayed(deviation);
+            }),
+            Quantity::MountTurn(axis) => {
+                self.change_springs(point, |spring| turn(&mut spring.axes, axis, deviation));
+            }
+            Quantity::MountStiffness => {
+                self.change_springs(point, |spring| stiffen(spring, &[0, 1, 2], 1.0 + deviation));
+            }
+            Quantity::MountStiffnessAlong(direction) => {
+                self.change_springs(point, |spring| stiffen(spring, &[direction.index()], 1.0 + deviation));
+            }
+            Quantity::MountLossFactor => self.change_springs(point, |spring| {
+                let of_table = spring.table.iter_mut().flat_map(|point| &mut point.loss_factor);
+                spring.loss_factor.iter_mut().chain(of_table).for_each(|value| *value *= 1.0 + deviation);
+            }),
+            Quantity::MountDamping => self.change_springs(point, |spring| {
+                spring.damping.iter_mut().for_each(|value| *value *= 1.0 + deviation);
+            }),
             quantity => {
-                let own = quantity.numbers(point).into_iter().enumerate();
+                let parts = quantity.parts(point);
+                let own = parts.into_iter().zip(quantity.numbers(point));
                 own.filter(|(index, _)| self.is_of(*index)).for_each(|(_, value)| *value += deviation);
             }
         }
     }
 
-    fn scale_springs(self, mounts: &mut [Mount], deviation: f64, scale: fn(&mut MountSpring, f64)) {
-        let own = mounts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
-        own.filter_map(|(_, mount)| mount.spring.as_mut()).for_each(|spring| scale(spring, 1.0 + deviation));
+    fn change_gas(self, point: &mut OperatingPoint, change: impl Fn(&mut CylinderGas)) {
+        let gas = point.gas.iter_mut().flatten().enumerate();
+        gas.filter(|(index, _)| self.is_of(*index)).for_each(|(_, gas)| change(gas));
+    }
+
+    fn change_springs(self, point: &mut OperatingPoint, change: impl Fn(&mut MountSpring)) {
+        let own = point.engine.mounts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
+        own.filter_map(|(_, mount)| mount.spring.as_mut()).for_each(change);
     }
 }
 
-fn stiffen(spring: &mut MountSpring, factor: f64) {
-    let of_table = spring.table.iter_mut().flat_map(|point| &mut point.stiffness);
-    spring.stiffness.iter_mut().chain(of_table).for_each(|value| *value *= factor);
+fn scaled(curve: &PeriodicCurve, factor: f64) -> PeriodicCurve {
+    PeriodicCurve::sum(&[(factor, curve)]).expect("invariant: a curve times a finite factor is a curve")
 }
 
-fn damp(spring: &mut MountSpring, factor: f64) {
-    let of_table = spring.table.iter_mut().flat_map(|point| &mut point.loss_factor);
-    let lost = spring.loss_factor.iter_mut().chain(of_table);
-    lost.chain(&mut spring.damping).for_each(|value| *value *= factor);
+/// Stiffens a mount in some of its directions, by their places.
+fn stiffen(spring: &mut MountSpring, directions: &[usize], factor: f64) {
+    let of_table = spring.table.iter_mut().map(|point| &mut point.stiffness);
+    for stiffness in std::iter::once(&mut spring.stiffness).chain(of_table) {
+        directions.iter().for_each(|direction| stiffness[*direction] *= factor);
+    }
+}
+
+/// Turns directions about an axis of the frame.
+fn turn(directions: &mut [[f64; 3]; 3], axis: Axis, angle: f64) {
+    let (sin, cos) = angle.sin_cos();
+    let [next, last] = [1, 2].map(|step| (axis.index() + step) % 3);
+    for direction in directions {
+        let [from, to] = [direction[next], direction[last]];
+        (direction[next], direction[last]) = (cos * from - sin * to, sin * from + cos * to);
+    }
 }

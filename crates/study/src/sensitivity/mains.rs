@@ -5,6 +5,7 @@
 
 use super::gas_force::Window;
 use super::jet::known;
+use super::quantity::Quantity;
 use super::train::{Train, Vector};
 use lanchester_model::{Throw, Varied};
 use num_dual::Dual64;
@@ -89,7 +90,7 @@ impl Row {
     }
 }
 
-/// Planes of the main bearings of a crankshaft: those of the file or midway between throws stretch with the spacing; those beside a lone
+/// Planes of the main bearings of a crankshaft, each an input itself: those of the file or midway between throws stretch with the spacing; those beside a lone
 /// throw without webs stand off by a multiple of its crank radius.
 pub(super) fn planes(train: &Train<'_>, crankshaft: usize) -> Vec<Dual64> {
     let engine = train.engine;
@@ -99,13 +100,15 @@ pub(super) fn planes(train: &Train<'_>, crankshaft: usize) -> Vec<Dual64> {
     let mut throws: Vec<(usize, &Throw)> = throws.collect();
     throws.sort_by(|a, b| a.1.z.total_cmp(&b.1.z));
     let ends = [throws.first(), throws.last()];
+    let before: usize = (0..crankshaft).map(|index| engine.main_planes(index).len()).sum();
+    let moved = |place: usize| train.of(Quantity::MainPlane, before + place, 0.0);
     let plane = |(place, z): (usize, f64)| match ends.get(place).copied().flatten() {
         Some((index, throw)) if !all_stretch && throw.webs.is_none() => {
             let radius = train.part(Varied::CrankRadius, *index, throw.radius);
             let beside = (z - throw.z) / throw.radius;
-            train.plane(known(throw.z), throw.z) + radius * beside
+            train.plane(moved(place) + throw.z, throw.z) + radius * beside
         }
-        _ => train.plane(known(z), z),
+        _ => train.plane(moved(place) + z, z),
     };
     planes.into_iter().enumerate().map(plane).collect()
 }

@@ -32,7 +32,7 @@ pub use error::SensitivityError;
 pub use input::Input;
 pub use operating_point::OperatingPoint;
 pub use output::{Needs, Output, Size, Target};
-pub use quantity::{Axis, Measure, Quantity};
+pub use quantity::{Axis, Direction, Measure, Quantity};
 pub use slope::Slope;
 pub use sobol::{Index, Sobol};
 pub use study::{

@@ -6,7 +6,7 @@
 //! ```
 
 use super::jet::known;
-use super::quantity::{Axis, Quantity};
+use super::quantity::{Axis, Direction, Quantity};
 use super::slope::Grown;
 use super::stretch::Stretch;
 use super::train::Train;
@@ -38,7 +38,7 @@ struct Body {
 
 /// A direction of a mount.
 struct Spring {
-    axis: [f64; 3],
+    axis: Triple,
     /// Displacement along it by a motion of the block.
     along: [Dual64; 6],
     /// Stiffness at the frequency.
@@ -201,25 +201,34 @@ fn springs(train: &Train<'_>, centre: &Triple, frequency: Dual64) -> Vec<Spring>
         let place = Axis::ALL.map(|axis| train.of(Quantity::MountPlace(axis), mount, places[axis.index()]));
         let [x, y, z] = [0, 1, 2].map(|k| place[k] - centre[k]);
         let stiffer = train.of(Quantity::MountStiffness, mount, 1.0);
+        let lossy = train.of(Quantity::MountLossFactor, mount, 1.0);
         let damped = train.of(Quantity::MountDamping, mount, 1.0);
         let values = dynamic(spring, frequency, train.side.sign());
-        let direction = |k: usize| {
-            let axis = spring.axes[k];
-            let [a, b, c] = axis.map(known);
+        let direction = |own: Direction| {
+            let k = own.index();
+            let axis = turned(train, mount, spring.axes[k]);
+            let [a, b, c] = axis;
             let [storage, lost] = values[k];
+            let stiffer = stiffer * train.of(Quantity::MountStiffnessAlong(own), mount, 1.0);
             Spring {
                 axis,
                 along: [a, b, c, y * c - z * b, z * a - x * c, x * b - y * a],
                 stiffness: Complex::new(
                     storage * stiffer,
-                    (lost * stiffer + frequency * spring.damping[k]) * damped,
+                    lost * stiffer * lossy + frequency * damped * spring.damping[k],
                 ),
                 mount,
             }
         };
-        [0, 1, 2].map(direction).into()
+        Direction::ALL.map(direction).into()
     };
     train.engine.mounts.iter().enumerate().flat_map(of_mount).collect()
+}
+
+/// A direction of a mount, with its derivative where the mount is turned about an axis of the frame.
+fn turned(train: &Train<'_>, mount: usize, [a, b, c]: [f64; 3]) -> Triple {
+    let [x, y, z] = Axis::ALL.map(|axis| train.of(Quantity::MountTurn(axis), mount, 0.0));
+    [y * c - z * b + a, z * a - x * c + b, x * b - y * a + c]
 }
 
 /// Storage and loss stiffness along the directions of a mount; at a point of its table those of the line on the side that is looked at.
@@ -268,7 +277,7 @@ fn forces(train: &Train<'_>, body: &Body, order: f64, load: &[DualComplex; 6]) -
         let yielding = (0..6).map(|i| motion[i] * real(spring.along[i])).fold(zero, |a, b| a + b);
         let force = spring.stiffness * yielding;
         for (sum, axis) in forces[spring.mount].iter_mut().zip(spring.axis) {
-            *sum += force * real(known(axis));
+            *sum += force * real(axis);
         }
     }
     forces

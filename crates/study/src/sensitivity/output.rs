@@ -69,6 +69,8 @@ pub struct Needs {
     pub flywheel: bool,
     /// Block and mounts.
     pub mounts: bool,
+    /// Planes of main bearings.
+    pub mains: bool,
 }
 
 impl Output {
@@ -90,6 +92,7 @@ impl Output {
             gas: self.part != BearingPart::Inertia,
             flywheel: self.target == Target::SpeedFluctuation,
             mounts: matches!(self.target, Target::MountForce(_)),
+            mains: matches!(self.target, Target::MainBearing(_) | Target::BendingMoment(_)),
         }
     }
 
@@ -99,6 +102,7 @@ impl Output {
             gas: all.gas || own.gas,
             flywheel: all.flywheel || own.flywheel,
             mounts: all.mounts || own.mounts,
+            mains: all.mains || own.mains,
         })
     }
 

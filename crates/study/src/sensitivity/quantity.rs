@@ -2,7 +2,7 @@
 
 use super::operating_point::OperatingPoint;
 use super::output::Needs;
-use lanchester_model::{Engine, Varied};
+use lanchester_model::{Engine, RodJoint, Varied};
 use serde::Serialize;
 
 /// An axis of the frame.
@@ -36,6 +36,32 @@ impl Axis {
     }
 }
 
+/// One of the three directions in which a mount yields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Direction {
+    /// The mount's own first one.
+    First,
+    /// At a right angle to it.
+    Second,
+    /// At a right angle to both.
+    Third,
+}
+
+impl Direction {
+    /// All three.
+    pub const ALL: [Direction; 3] = [Direction::First, Direction::Second, Direction::Third];
+
+    /// Its place in a list of three.
+    pub(super) fn index(self) -> usize {
+        match self {
+            Direction::First => 0,
+            Direction::Second => 1,
+            Direction::Third => 2,
+        }
+    }
+}
+
 /// A number of the engine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -57,6 +83,18 @@ pub enum Quantity {
     CounterweightPlane,
     /// Plane of a weight on a balance shaft [m].
     ShaftWeightPlane,
+    /// Place of the axis of a crankshaft along x [m]; its cylinders move with it.
+    CrankshaftX,
+    /// Place of the axis of a crankshaft along y [m]; its cylinders move with it.
+    CrankshaftY,
+    /// Angle at which a crankshaft is geared to the first [rad].
+    CrankshaftPhase,
+    /// Distance of the knuckle pin of an articulated rod from the big end of its master rod [m].
+    KnuckleRadius,
+    /// Angle of a knuckle pin from its master rod [rad].
+    KnuckleAngle,
+    /// Plane of a main bearing [m].
+    MainPlane,
     /// Place of a balance shaft along x [m].
     ShaftX,
     /// Place of a balance shaft along y [m].
@@ -65,6 +103,11 @@ pub enum Quantity {
     Bore,
     /// Factor on the absolute pressure in a cylinder [1]; what is under the piston stays.
     GasPressure,
+    /// Factor on the absolute pressure under a piston [1].
+    CrankcasePressure,
+    /// Angle of its crankshaft by which the pressures of a cylinder come later [rad]: an ignition that is late, or a top dead centre
+    /// that was measured at a wrong angle.
+    PressureDelay,
     /// Moment of inertia of the flywheel [kg m^2].
     FlywheelInertia,
     /// Moment of inertia of the crankshafts, as seen at crankshaft 1 [kg m^2].
@@ -79,9 +122,15 @@ pub enum Quantity {
     BlockProduct(Axis),
     /// Place of a mount [m].
     MountPlace(Axis),
+    /// Angle by which a mount with all its directions is turned about an axis of the frame [rad].
+    MountTurn(Axis),
     /// Factor on the stiffness of a mount in all its directions, its table included [1]; loss factors stay.
     MountStiffness,
-    /// Factor on loss factors and viscous damping of a mount [1].
+    /// The same in one of its directions.
+    MountStiffnessAlong(Direction),
+    /// Factor on the loss factors of a mount, its table included [1].
+    MountLossFactor,
+    /// Factor on the viscous damping of a mount [1].
     MountDamping,
 }
 
@@ -120,24 +169,37 @@ impl Quantity {
             Quantity::ThrowPlane,
             Quantity::CounterweightPlane,
             Quantity::ShaftWeightPlane,
+            Quantity::CrankshaftX,
+            Quantity::CrankshaftY,
+            Quantity::CrankshaftPhase,
+            Quantity::KnuckleRadius,
+            Quantity::KnuckleAngle,
+            Quantity::MainPlane,
             Quantity::ShaftX,
             Quantity::ShaftY,
             Quantity::Bore,
             Quantity::GasPressure,
+            Quantity::CrankcasePressure,
+            Quantity::PressureDelay,
             Quantity::FlywheelInertia,
             Quantity::CrankshaftInertia,
             Quantity::BlockMass,
         ];
-        let by_axis =
-            [Quantity::BlockCentre, Quantity::BlockInertia, Quantity::BlockProduct, Quantity::MountPlace]
-                .into_iter()
-                .flat_map(|of: fn(Axis) -> Quantity| Axis::ALL.map(of));
+        let by_axis: [fn(Axis) -> Quantity; 5] = [
+            Quantity::BlockCentre,
+            Quantity::BlockInertia,
+            Quantity::BlockProduct,
+            Quantity::MountPlace,
+            Quantity::MountTurn,
+        ];
         [Quantity::Speed, Quantity::Spacing]
             .into_iter()
             .chain(Varied::ALL.map(Quantity::Part))
             .chain(of_train)
-            .chain(by_axis)
-            .chain([Quantity::MountStiffness, Quantity::MountDamping])
+            .chain(by_axis.into_iter().flat_map(|of| Axis::ALL.map(of)))
+            .chain([Quantity::MountStiffness])
+            .chain(Direction::ALL.map(Quantity::MountStiffnessAlong))
+            .chain([Quantity::MountLossFactor, Quantity::MountDamping])
     }
 
     /// Name for tables, options and messages.
@@ -151,10 +213,18 @@ impl Quantity {
             Quantity::ThrowPlane => "throw plane",
             Quantity::CounterweightPlane => "counterweight plane",
             Quantity::ShaftWeightPlane => "balance-shaft weight plane",
+            Quantity::CrankshaftX => "crankshaft x",
+            Quantity::CrankshaftY => "crankshaft y",
+            Quantity::CrankshaftPhase => "crankshaft phase",
+            Quantity::KnuckleRadius => "knuckle radius",
+            Quantity::KnuckleAngle => "knuckle angle",
+            Quantity::MainPlane => "main-bearing plane",
             Quantity::ShaftX => "balance-shaft x",
             Quantity::ShaftY => "balance-shaft y",
             Quantity::Bore => "bore",
             Quantity::GasPressure => "gas pressure",
+            Quantity::CrankcasePressure => "crankcase pressure",
+            Quantity::PressureDelay => "pressure delay",
             Quantity::FlywheelInertia => "flywheel inertia",
             Quantity::CrankshaftInertia => "crankshaft inertia",
             Quantity::BlockMass => "block mass",
@@ -168,7 +238,14 @@ impl Quantity {
                 axis.choose(["block product xy", "block product yz", "block product zx"])
             }
             Quantity::MountPlace(axis) => axis.choose(["mount x", "mount y", "mount z"]),
+            Quantity::MountTurn(axis) => {
+                axis.choose(["mount turned about x", "mount turned about y", "mount turned about z"])
+            }
             Quantity::MountStiffness => "mount stiffness",
+            Quantity::MountStiffnessAlong(Direction::First) => "first mount stiffness",
+            Quantity::MountStiffnessAlong(Direction::Second) => "second mount stiffness",
+            Quantity::MountStiffnessAlong(Direction::Third) => "third mount stiffness",
+            Quantity::MountLossFactor => "mount loss factor",
             Quantity::MountDamping => "mount damping",
         }
     }
@@ -177,7 +254,7 @@ impl Quantity {
     pub fn measure(self) -> Measure {
         match self {
             Quantity::Speed => Measure::Speed,
-            Quantity::Spacing | Quantity::Bore => Measure::Length,
+            Quantity::Spacing | Quantity::KnuckleRadius | Quantity::Bore => Measure::Length,
             Quantity::RodInertia => Measure::Inertia,
             Quantity::FlywheelInertia
             | Quantity::CrankshaftInertia
@@ -199,12 +276,24 @@ impl Quantity {
             | Quantity::ThrowPlane
             | Quantity::CounterweightPlane
             | Quantity::ShaftWeightPlane
+            | Quantity::CrankshaftX
+            | Quantity::CrankshaftY
+            | Quantity::MainPlane
             | Quantity::ShaftX
             | Quantity::ShaftY
             | Quantity::BlockCentre(_)
             | Quantity::MountPlace(_) => Measure::Place,
+            Quantity::CrankshaftPhase
+            | Quantity::KnuckleAngle
+            | Quantity::PressureDelay
+            | Quantity::MountTurn(_) => Measure::Angle,
             Quantity::BlockMass => Measure::BodyMass,
-            Quantity::GasPressure | Quantity::MountStiffness | Quantity::MountDamping => Measure::Factor,
+            Quantity::GasPressure
+            | Quantity::CrankcasePressure
+            | Quantity::MountStiffness
+            | Quantity::MountStiffnessAlong(_)
+            | Quantity::MountLossFactor
+            | Quantity::MountDamping => Measure::Factor,
         }
     }
 
@@ -226,21 +315,39 @@ impl Quantity {
     /// Whether outputs with these needs can depend on it.
     pub(super) fn matters_to(self, needs: Needs) -> bool {
         match self {
-            Quantity::Bore | Quantity::GasPressure => needs.gas,
+            Quantity::Bore
+            | Quantity::GasPressure
+            | Quantity::CrankcasePressure
+            | Quantity::PressureDelay => needs.gas,
+            Quantity::MainPlane => needs.mains,
             Quantity::FlywheelInertia | Quantity::CrankshaftInertia => needs.flywheel,
             Quantity::BlockMass
             | Quantity::BlockCentre(_)
             | Quantity::BlockInertia(_)
             | Quantity::BlockProduct(_)
             | Quantity::MountPlace(_)
+            | Quantity::MountTurn(_)
             | Quantity::MountStiffness
+            | Quantity::MountStiffnessAlong(_)
+            | Quantity::MountLossFactor
             | Quantity::MountDamping => needs.mounts,
             _ => true,
         }
     }
 
-    /// How many parts have it.
-    pub fn parts(self, point: &OperatingPoint) -> usize {
+    /// The parts that have it, by their index: articulated rods by that of their cylinder.
+    pub fn parts(self, point: &OperatingPoint) -> Vec<usize> {
+        if matches!(self, Quantity::KnuckleRadius | Quantity::KnuckleAngle) {
+            let rods = point.engine.cylinders.iter().enumerate();
+            let articulated =
+                rods.filter(|(_, cylinder)| matches!(cylinder.rod.joint, RodJoint::Articulated { .. }));
+            return articulated.map(|(index, _)| index).collect();
+        }
+        (0..self.count(point)).collect()
+    }
+
+    /// How many parts have it, the first ones of their list.
+    fn count(self, point: &OperatingPoint) -> usize {
         let engine = &point.engine;
         match self {
             Quantity::Speed => 1,
@@ -248,13 +355,24 @@ impl Quantity {
             Quantity::Part(varied) => varied.parts(engine),
             Quantity::RodInertia if engine.cylinders.iter().any(|c| c.rod.inertia.is_none()) => 0,
             Quantity::RodInertia | Quantity::PinOffset => engine.cylinders.len(),
+            Quantity::KnuckleRadius | Quantity::KnuckleAngle => 0,
             Quantity::ThrowPlane => engine.throws.len(),
             Quantity::CounterweightPlane => engine.counterweights.len(),
             Quantity::ShaftWeightPlane => engine.shafts.iter().map(|shaft| shaft.weights.len()).sum(),
+            // The first is where angles count from.
+            Quantity::CrankshaftPhase if engine.crankshafts.len() == 1 => 0,
+            Quantity::CrankshaftX | Quantity::CrankshaftY | Quantity::CrankshaftPhase => {
+                engine.crankshafts.len()
+            }
+            Quantity::MainPlane => {
+                (0..engine.crankshafts.len()).map(|index| engine.main_planes(index).len()).sum()
+            }
             Quantity::ShaftX | Quantity::ShaftY => engine.shafts.len(),
             Quantity::Bore if engine.cylinders.iter().any(|c| c.bore.is_none()) => 0,
             Quantity::Bore => engine.cylinders.len(),
-            Quantity::GasPressure => point.gas.as_ref().map_or(0, Vec::len),
+            Quantity::GasPressure | Quantity::CrankcasePressure | Quantity::PressureDelay => {
+                point.gas.as_ref().map_or(0, Vec::len)
+            }
             Quantity::FlywheelInertia => usize::from(point.turning.flywheel > 0.0),
             Quantity::CrankshaftInertia => usize::from(point.turning.crankshaft > 0.0),
             Quantity::BlockMass
@@ -262,18 +380,27 @@ impl Quantity {
             | Quantity::BlockInertia(_)
             | Quantity::BlockProduct(_) => usize::from(engine.block.is_some()),
             Quantity::MountPlace(_) => engine.mounts.len(),
-            Quantity::MountStiffness | Quantity::MountDamping
+            Quantity::MountTurn(_)
+            | Quantity::MountStiffness
+            | Quantity::MountStiffnessAlong(_)
+            | Quantity::MountLossFactor
+            | Quantity::MountDamping
                 if engine.mounts.iter().any(|mount| mount.spring.is_none()) =>
             {
                 0
             }
-            Quantity::MountStiffness | Quantity::MountDamping => engine.mounts.len(),
+            Quantity::MountTurn(_)
+            | Quantity::MountStiffness
+            | Quantity::MountStiffnessAlong(_)
+            | Quantity::MountLossFactor
+            | Quantity::MountDamping => engine.mounts.len(),
         }
     }
 
-    /// The numbers that it is, part by part: to change one is to change the engine. None for what no single number holds: spacing,
-    /// [`Varied::RodCentre`], which moves mass between the ends of a rod, [`Varied::ShaftPhase`], which turns all weights of a shaft, and
-    /// factors.
+    /// The numbers that it is, those of [`Quantity::parts`] in their order: to change one is to change the engine. None for what no single
+    /// number holds: spacing, [`Varied::RodCentre`], which moves mass between the ends of a rod, [`Varied::ShaftPhase`], which turns all
+    /// weights of a shaft, pressures that come later, mounts that are turned, and factors. Main bearings stay where they are when the rest
+    /// moves from then on.
     pub(super) fn numbers(self, point: &mut OperatingPoint) -> Vec<&mut f64> {
         let engine: &mut Engine = &mut point.engine;
         match self {
@@ -281,7 +408,12 @@ impl Quantity {
             Quantity::Spacing
             | Quantity::Part(Varied::RodCentre | Varied::ShaftPhase)
             | Quantity::GasPressure
+            | Quantity::CrankcasePressure
+            | Quantity::PressureDelay
+            | Quantity::MountTurn(_)
             | Quantity::MountStiffness
+            | Quantity::MountStiffnessAlong(_)
+            | Quantity::MountLossFactor
             | Quantity::MountDamping => Vec::new(),
             Quantity::Part(Varied::PistonMass) => {
                 engine.cylinders.iter_mut().map(|c| &mut c.piston_mass).collect()
@@ -323,6 +455,17 @@ impl Quantity {
             Quantity::ShaftWeightPlane => {
                 engine.shafts.iter_mut().flat_map(|s| &mut s.weights).map(|w| &mut w.z).collect()
             }
+            Quantity::CrankshaftX => engine.crankshafts.iter_mut().map(|c| &mut c.x).collect(),
+            Quantity::CrankshaftY => engine.crankshafts.iter_mut().map(|c| &mut c.y).collect(),
+            Quantity::CrankshaftPhase => engine.crankshafts.iter_mut().map(|c| &mut c.phase).collect(),
+            Quantity::KnuckleRadius => knuckles(engine).map(|[radius, _]| radius).collect(),
+            Quantity::KnuckleAngle => knuckles(engine).map(|[_, angle]| angle).collect(),
+            Quantity::MainPlane => {
+                for index in 0..engine.crankshafts.len() {
+                    engine.crankshafts[index].mains = Some(engine.main_planes(index));
+                }
+                engine.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten().collect()
+            }
             Quantity::ShaftX => engine.shafts.iter_mut().map(|s| &mut s.x).collect(),
             Quantity::ShaftY => engine.shafts.iter_mut().map(|s| &mut s.y).collect(),
             Quantity::Bore => engine.cylinders.iter_mut().filter_map(|c| c.bore.as_mut()).collect(),
@@ -349,4 +492,12 @@ impl Quantity {
                 .collect(),
         }
     }
+}
+
+/// Radii and angles of the knuckle pins of articulated rods.
+fn knuckles(engine: &mut Engine) -> impl Iterator<Item = [&mut f64; 2]> {
+    engine.cylinders.iter_mut().filter_map(|cylinder| match &mut cylinder.rod.joint {
+        RodJoint::Articulated { knuckle_radius, knuckle_angle, .. } => Some([knuckle_radius, knuckle_angle]),
+        _ => None,
+    })
 }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 /// Version of [`Sensitivity`]; raised when a field changes its meaning or goes.
-pub const SENSITIVITY_VERSION: u32 = 2;
+pub const SENSITIVITY_VERSION: u32 = 3;
 
 /// How far an input goes either way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -221,7 +221,7 @@ fn varied(
         if !(*size > 0.0 && size.is_finite()) {
             return Err(SensitivityError::Amount { quantity: quantity.name(), got: *size });
         }
-        if quantity.parts(point) == 0 {
+        if quantity.parts(point).is_empty() {
             return Err(SensitivityError::NoSuchPart { quantity: quantity.name() });
         }
     }

@@ -13,7 +13,7 @@
 
 use super::input::Input;
 use super::jet::{Jet, known};
-use super::prepared::Prepared;
+use super::prepared::{PistonGas, Prepared};
 use super::quantity::Quantity;
 use lanchester_model::{Engine, Ratio, RodJoint, Varied};
 use num_dual::{Dual64, DualNum};
@@ -63,7 +63,7 @@ pub(super) struct Train<'a> {
     /// Derivative of the factor by which planes stretch.
     stretch: f64,
     input: Input,
-    /// `theta` at the firing top dead centres [rad], where gas counts.
+    /// `theta` [rad] from which the pressures of the cylinders count, where gas counts: their firing top dead centres.
     pub firing: Vec<Dual64>,
 }
 
@@ -120,7 +120,10 @@ impl<'a> Train<'a> {
         let stretch = spacing.map_or(0.0, |spacing| 1.0 / spacing);
         let speed = Dual64::new(prepared.point.speed, eps);
         let mut train = Train { prepared, engine, speed, side, stretch, input, firing: Vec::new() };
-        train.firing = prepared.gas.iter().enumerate().map(|(c, gas)| train.top(c, gas.firing)).collect();
+        let firing = |(index, gas): (usize, &PistonGas<'_>)| {
+            train.top(index, gas.firing) + train.of(Quantity::PressureDelay, index, 0.0) / gas.rate
+        };
+        train.firing = prepared.gas.iter().enumerate().map(firing).collect();
         train
     }
 
@@ -179,11 +182,11 @@ impl<'a> Train<'a> {
     pub fn turning_on_cranks(&self, theta: Dual64) -> Vec<Turning> {
         let engine = self.engine;
         let turning = |crankshaft: usize, angle: Dual64, unbalance: Dual64, z: Dual64| {
-            let crank = &engine.crankshafts[crankshaft];
+            let ratio = engine.crankshafts[crankshaft].ratio;
             Turning {
                 crankshaft,
-                axis: [known(crank.x), known(crank.y)],
-                direction: self.circle(crank.ratio, theta, angle + crank.phase),
+                axis: self.crankshaft_axis(crankshaft),
+                direction: self.circle(ratio, theta, angle + self.phase(crankshaft)),
                 unbalance: self.weighed(unbalance),
                 z,
             }
@@ -235,21 +238,33 @@ impl<'a> Train<'a> {
         [big, small, self.of(Quantity::RodInertia, index, inertia) - ends]
     }
 
+    /// Axis of a crankshaft.
+    fn crankshaft_axis(&self, crankshaft: usize) -> Vector {
+        let crank = &self.engine.crankshafts[crankshaft];
+        [
+            self.of(Quantity::CrankshaftX, crankshaft, crank.x),
+            self.of(Quantity::CrankshaftY, crankshaft, crank.y),
+        ]
+    }
+
+    /// Angle of a crankshaft where the first stands at 0.
+    pub fn phase(&self, crankshaft: usize) -> Dual64 {
+        self.of(Quantity::CrankshaftPhase, crankshaft, self.engine.crankshafts[crankshaft].phase)
+    }
+
     /// Axis of the crankshaft of cylinder `index`.
     pub fn crank_axis(&self, index: usize) -> Vector {
-        let crank =
-            &self.engine.crankshafts[self.engine.throws[self.engine.cylinders[index].throw].crankshaft];
-        [known(crank.x), known(crank.y)]
+        self.crankshaft_axis(self.engine.throws[self.engine.cylinders[index].throw].crankshaft)
     }
 
     /// Crankpin of a throw.
     fn crankpin(&self, theta: Dual64, throw: usize) -> Place {
         let own = &self.engine.throws[throw];
-        let crank = &self.engine.crankshafts[own.crankshaft];
+        let ratio = self.engine.crankshafts[own.crankshaft].ratio;
         let radius = self.part(Varied::CrankRadius, throw, own.radius);
-        let angle = self.part(Varied::ThrowAngle, throw, own.angle) + crank.phase;
-        let [x, y] = self.circle(crank.ratio, theta, angle);
-        beside([known(crank.x), known(crank.y)], [x * radius, y * radius])
+        let angle = self.part(Varied::ThrowAngle, throw, own.angle) + self.phase(own.crankshaft);
+        let [x, y] = self.circle(ratio, theta, angle);
+        beside(self.crankshaft_axis(own.crankshaft), [x * radius, y * radius])
     }
 
     /// Direction of the axis of cylinder `index`.
@@ -290,8 +305,9 @@ impl<'a> Train<'a> {
         let (_, [pin, _]) = self.piston(master, crankpin);
         let length = self.part(Varied::RodLength, master, self.engine.cylinders[master].rod.length);
         let [dx, dy] = [pin[0] - crankpin[0], pin[1] - crankpin[1]];
-        let (sin, cos) = knuckle_angle.sin_cos();
-        let [re, im] = [known(knuckle_radius * cos) / length, known(knuckle_radius * sin) / length];
+        let share = self.of(Quantity::KnuckleRadius, index, knuckle_radius) / length;
+        let angle = self.of(Quantity::KnuckleAngle, index, knuckle_angle);
+        let [re, im] = [share * angle.cos(), share * angle.sin()];
         [crankpin[0] + dx * re - dy * im, crankpin[1] + dx * im + dy * re]
     }
 
