@@ -9,6 +9,9 @@ const CANDIDATE: f64 = 0.95;
 /// Share of a stretch by which its ends are avoided: the load may jump there.
 const INSIDE: f64 = 1e-9;
 
+/// Jumps closer than this are at one angle [rad]: what would stand between them is their rounding.
+const SAME: f64 = 1e-11;
+
 /// Largest value of `value`, which is not negative, and its angle. `samples` are its values at equal steps of `period` from 0; it is
 /// smooth but at the angles `jumps` (from 0 to the period, rising) and its peaks are wider than a step.
 pub(crate) fn true_peak(samples: &[f64], period: f64, jumps: &[f64], value: impl Fn(f64) -> f64) -> Extreme {
@@ -34,8 +37,10 @@ pub(crate) fn true_peak(samples: &[f64], period: f64, jumps: &[f64], value: impl
             .filter(|jump| *jump > from && *jump < to);
         let mut cuts: Vec<f64> = within.chain([from, to]).collect();
         cuts.sort_by(f64::total_cmp);
+        cuts.dedup_by(|next, kept| *next - *kept <= SAME);
         for pair in cuts.windows(2) {
-            let margin = INSIDE * (pair[1] - pair[0]);
+            let width = pair[1] - pair[0];
+            let margin = (INSIDE * width).max(SAME).min(width / 4.0);
             let bracket = [pair[0] + margin, pair[1] - margin];
             let (found, theta) = peak(bracket, &value);
             take(found, theta);
@@ -58,6 +63,19 @@ mod tests {
         let samples: Vec<f64> = (0..12).map(|k| value(TAU * f64::from(k) / 12.0)).collect();
         let found = true_peak(&samples, TAU, &[], value);
         assert!((found.value - 3.0).abs() < 1e-14 && (found.theta - 1.234).abs() < 1e-7, "{found:?}");
+    }
+
+    #[test]
+    fn nothing_stands_between_jumps_at_one_angle() {
+        // One load comes as another goes.
+        let jump = 2.0 * TAU / 90.0;
+        for apart in [-1e-15, 0.0, 1e-15] {
+            let comes = |theta: f64| if theta >= jump { 1.0 } else { 0.0 };
+            let goes = |theta: f64| if theta < jump + apart { 1.0 } else { 0.0 };
+            let value = |theta: f64| comes(theta) + goes(theta);
+            let found = true_peak(&[1.0; 90], TAU, &[jump.min(jump + apart), jump.max(jump + apart)], value);
+            assert_eq!(found.value, 1.0, "{apart}");
+        }
     }
 
     #[test]

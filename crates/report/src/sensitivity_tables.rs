@@ -56,7 +56,7 @@ pub(crate) fn strongest(own: &OutputSensitivity) -> Vec<usize> {
 
 /// Whether an output grows alike whichever way the input goes.
 fn is_either_way(slope: Slope) -> bool {
-    (slope.up + slope.down).abs() <= FLAT * slope.up.abs()
+    slope.up == -slope.down || (slope.up + slope.down).abs() <= FLAT * slope.up.abs().min(f64::MAX)
 }
 
 /// One table for each output that any input changes.
@@ -73,7 +73,11 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
     let input = |k: &usize| &found.inputs[*k];
     let effect = |k: &usize| &own.effects[*k];
     let numbers = |header: &str, unit: &'static str, digits: i32, value: &dyn Fn(&usize) -> Option<f64>| {
-        let cells = order.iter().map(|k| value(k).map_or(Cell::Empty, |value| Cell::number(value, digits)));
+        let cell = |value: f64| match value.is_finite() {
+            true => Cell::number(value, digits),
+            false => Cell::Text("leaps".to_owned()),
+        };
+        let cells = order.iter().map(|k| value(k).map_or(Cell::Empty, cell));
         (Column::numbers(header, unit), cells.collect::<Vec<_>>())
     };
     let per = |k: &usize| {

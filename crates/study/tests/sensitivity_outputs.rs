@@ -495,6 +495,37 @@ fn where_sides_differ_both_are_told() {
     }
 }
 
+/// Where cylinder 1 burns before the exhaust of its neighbour opens, both press on the bearing between them, for however short a time.
+#[test]
+fn a_peak_between_jumps_that_part_leaps() {
+    let even = even_four();
+    let output = whole(Target::MainBearing(Some(1)), Size::Peak, BearingPart::Gas);
+    let point = OperatingPoint {
+        gas: even.gas.map(|gas| {
+            // The third piece begins half a turn after firing: at the jump of the neighbour.
+            let cycle = gas[0].cylinder.period();
+            let end = |value: f64| End { value: value * 1e5, slope: 0.0 };
+            let ends = [[end(40.0), end(30.0)], [end(1.0), end(1.0)]];
+            let cylinder = PeriodicCurve::from_ends(cycle, vec![0.0, TAU / 2.0], &ends).unwrap();
+            gas.into_iter().map(|gas| CylinderGas { cylinder: cylinder.clone(), ..gas }).collect()
+        }),
+        ..even
+    };
+    let delay = |part| Input { quantity: Quantity::PressureDelay, part };
+    // All together part no jumps.
+    let inputs = [delay(Some(0)), delay(Some(1)), delay(Some(2)), delay(None)];
+    let slopes = derivatives(&point, &[output], &inputs).unwrap().swap_remove(0);
+    let here = Ordinary::of(&point, &[output]).value(output);
+    assert_eq!(slopes.iter().filter(|slope| slope.up.is_infinite() != slope.down.is_infinite()).count(), 2);
+    for (input, slope) in inputs.into_iter().zip(slopes) {
+        let [below, above] =
+            [-1e-6, 1e-6].map(|by| Ordinary::of(&off(&point, input, by), &[output]).value(output));
+        let leaps = [below, above].map(|value| value > 1.05 * here);
+        let what = format!("{input:?}: {below} {here} {above} {slope:?}");
+        assert_eq!([slope.down, slope.up].map(f64::is_infinite), leaps, "{what}");
+    }
+}
+
 #[test]
 fn names_and_what_is_not_there() {
     let point = even_four();

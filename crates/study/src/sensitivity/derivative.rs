@@ -46,13 +46,13 @@ fn slopes(point: &OperatingPoint, output: Output, inputs: &[Input]) -> Result<Ve
         Sample { train: &train, stretches: &stretches, output, nothing }.spots()
     };
     let one = |input: &Input| {
+        // Over a usual range what is less than nothing of the output is rounding.
+        let usual = Amount::standard(input.quantity.measure()).half_width(input.nominal(point));
         let [up, down] = [Side::Up, Side::Down].map(|side| {
             let train = Train::new(&prepared, *input, side);
             let stretches = stretches(&train);
-            Sample { train: &train, stretches: &stretches, output, nothing }.slope(&spots)
+            Sample { train: &train, stretches: &stretches, output, nothing }.slope(&spots, usual)
         });
-        // Over a usual range what is less than nothing of the output is rounding.
-        let usual = Amount::standard(input.quantity.measure()).half_width(input.nominal(point));
         Slope { up: up.slope.up, down: down.slope.down }.joined(up.growth.max(down.growth), nothing / usual)
     };
     Ok(inputs.par_iter().map(one).collect())
@@ -60,8 +60,8 @@ fn slopes(point: &OperatingPoint, output: Output, inputs: &[Input]) -> Result<Ve
 
 /// What of an output is differentiated: where it stands at the operating point.
 enum Spots {
-    /// Of the waves of these numbers, which are the largest, the peaks; for a mean of sizes their narrow valleys.
-    Waves(Vec<(usize, Vec<Spot>)>),
+    /// The largest height, and of the waves of these numbers, which have it, the peaks; for a mean of sizes their narrow valleys.
+    Waves(f64, Vec<(usize, Vec<Spot>)>),
     /// Of the accumulated energy.
     Energy(EnergySpots),
     /// Of the speed.
@@ -116,21 +116,26 @@ impl<'a> Sample<'a> {
         };
         let best = all.iter().map(|(_, height, _)| *height).fold(0.0, f64::max);
         let largest = all.into_iter().filter(|(_, height, _)| *height >= best * (1.0 - SAME_HEIGHT));
-        Spots::Waves(largest.map(|(number, _, spots)| (number, spots)).collect())
+        Spots::Waves(best, largest.map(|(number, _, spots)| (number, spots)).collect())
     }
 
-    fn slope(&self, spots: &Spots) -> Grown {
-        let places = match spots {
+    /// Its slope, where the input goes as far as `usual`.
+    fn slope(&self, spots: &Spots, usual: f64) -> Grown {
+        let (best, places) = match spots {
             Spots::Energy(spots) => return Energy::of(self.train, self.stretches).slope(spots),
             Spots::Ripple(spots) => return Ripple::of(self.train, self.stretches).slope(spots),
             Spots::Bending(spots) => return bending_slope(self.train, spots, self.nothing),
-            Spots::Waves(places) => places,
+            Spots::Waves(best, places) => (*best, places),
         };
         if let Some(forces) = self.mount_order() {
             let own = places.iter().map(|(mount, _)| forces.order(*mount, self.nothing).1);
             return Grown::of_largest(own);
         }
         let (numbers, waves) = (self.numbers(), self.waves());
+        let range = self.train.side.sign() * usual;
+        if self.output.size == Size::Peak && waves.iter().any(|wave| wave.leaps(best, range)) {
+            return Grown::LEAP;
+        }
         let of = |(number, spots): &(usize, Vec<Spot>)| {
             let place = numbers.iter().position(|own| own == number).unwrap_or(0);
             match self.output.size {

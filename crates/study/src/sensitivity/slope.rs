@@ -9,7 +9,8 @@ const ROUNDING: f64 = 1e-6;
 /// Derivative of an output by an input, in SI units.
 ///
 /// A size that is zero grows whichever way the input goes, and of two equal peaks one may grow while the other falls: there the derivatives
-/// on both sides differ.
+/// on both sides differ. Infinite (`null` in JSON) where the output leaps: a peak between jumps of several pressures at one angle, which part
+/// when the input goes however little.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Slope {
     /// For a larger input.
@@ -39,6 +40,10 @@ impl Slope {
 }
 
 impl Grown {
+    /// Of what leaps up whichever way the input goes.
+    pub const LEAP: Grown =
+        Grown { slope: Slope { up: f64::INFINITY, down: f64::NEG_INFINITY }, growth: 0.0 };
+
     /// Of what does not change.
     pub const NONE: Grown = Grown { slope: Slope { up: 0.0, down: 0.0 }, growth: 0.0 };
 

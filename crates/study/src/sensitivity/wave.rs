@@ -13,6 +13,9 @@ const HILL: f64 = 0.95;
 /// Halvings of an interval in which a root lies.
 const STEPS: usize = 60;
 
+/// Jumps that part by no more than this are at one angle still [rad].
+const PARTED: f64 = 1e-9;
+
 /// Valleys below this share of the highest size are narrow.
 const VALLEY: f64 = 0.2;
 /// How close cuts draw to a valley [rad], and in how many steps they widen by four.
@@ -187,6 +190,15 @@ impl Wave<'_> {
             let stretch = wide[spot.stretch];
             grown(spot.theta(stretch), &stretch.windows)
         }))
+    }
+
+    /// Whether more than `best` stands between jumps at one angle that part when the input goes by `range`.
+    pub fn leaps(&self, best: f64, range: f64) -> bool {
+        let is_parted = |stretch: &&Stretch| range * (stretch.to.eps - stretch.from.eps) > PARTED;
+        let mut parted = self.stretches.iter().filter(|stretch| !stretch.is_wide()).filter(is_parted);
+        parted.any(|stretch| {
+            self.size(stretch.from.re, &stretch.windows) > best * (1.0 + SAME_HEIGHT) + self.nothing
+        })
     }
 
     /// Coefficients of `e^{i order theta}` of its components, as cosine and sine parts: `(1/T) INTEGRAL of f e^{-i order theta}`.
