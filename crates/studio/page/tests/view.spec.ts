@@ -104,19 +104,36 @@ test.describe("a V8", () => {
     await page.getByRole("button", { name: "Turn" }).click();
     await expect.poll(() => stage(page).getAttribute("data-frame-time"), { timeout: 30_000 }).toMatch(/^\d/);
     await page.waitForTimeout(4000);
-    const [frames, between, work] = await Promise.all(
-      ["data-frames", "data-frame-time", "data-frame-work"].map(async (name) =>
+    const [frames, between, work, ratio] = await Promise.all(
+      ["data-frames", "data-frame-time", "data-frame-work", "data-frame-ratio"].map(async (name) =>
         Number(await stage(page).getAttribute(name)),
       ),
     );
-    const record = { what: "3-D view of a V8 at 960 x 540", frames, between, work };
+    const record = { what: "3-D view of a V8 at 960 x 540", frames, between, work, ratio };
     await mkdir("test-results", { recursive: true });
     await writeFile("test-results/frames.json", `${JSON.stringify(record, null, 2)}\n`);
     info.annotations.push({ type: "frames", description: JSON.stringify(record) });
     console.log(
-      `${record.what}: ${frames} frames/s, ${between} ms between two, ${work} ms of it on the page`,
+      `${record.what}: ${frames} frames/s, ${between} ms between two, ${work} ms of it on the page, ` +
+        `${ratio} pixels for each of the screen along each side`,
     );
   });
+});
+
+test("the ground of the picture follows the theme", async ({ studio, page }) => {
+  await keepPictures(page);
+  await openView(page, studio.address);
+  await expect(stage(page)).toHaveAttribute("data-stage", "drawn");
+  await page.getByRole("button", { name: "Use the dark theme" }).click();
+  const corner = () =>
+    picture(page).evaluate(async (canvas) => {
+      const copy = new OffscreenCanvas(1, 1).getContext("2d");
+      if (!copy) throw new Error("no context");
+      copy.drawImage(await createImageBitmap(canvas as HTMLCanvasElement, 0, 0, 1, 1), 0, 0);
+      return `rgb(${[...copy.getImageData(0, 0, 1, 1).data].slice(0, 3).join(", ")})`;
+    });
+  const ground = await stage(page).evaluate((box) => getComputedStyle(box).backgroundColor);
+  await expect.poll(corner).toBe(ground);
 });
 
 test("where less motion is asked for the crank turns only when it is told to", async ({ studio, page }) => {

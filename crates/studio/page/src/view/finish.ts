@@ -8,7 +8,6 @@ import {
   LineSegments,
   type Material,
   Mesh,
-  MeshMatcapMaterial,
   type Object3D,
   SrcColorFactor,
   type Texture,
@@ -17,6 +16,7 @@ import {
 import type { Body } from "./bodies";
 import type { Group } from "./groups";
 import { glass, metal } from "./metal";
+import { Sheen } from "./sheen";
 
 export interface Look {
   dark: boolean;
@@ -67,9 +67,7 @@ export class Finish {
 
   #metal(group: Group): Material {
     const isWeight = group.id === "weight" || group.id === "shaft-weight";
-    return new MeshMatcapMaterial({
-      matcap: this.#steel,
-      color: this.look.dark ? group.dark : group.light,
+    return new Sheen(this.#steel, this.look.dark ? group.dark : group.light, {
       // Where a weight and its web share a face the weight is seen; edges are seen on both.
       polygonOffset: true,
       polygonOffsetFactor: isWeight ? 1 : 2,
@@ -79,8 +77,7 @@ export class Finish {
 
   /** Added to a dark ground, multiplied with a light one: no order of drawing is needed. */
   #glass(): Material {
-    return new MeshMatcapMaterial({
-      matcap: this.#clear,
+    return new Sheen(this.#clear, "white", {
       depthWrite: false,
       transparent: true,
       ...(this.look.dark

@@ -4,7 +4,12 @@
 export class FrameClock {
   #begun: number[] = [];
   #took: number[] = [];
-  #start = 0;
+  #start = -Infinity;
+
+  /** When the last frame began [ms]. */
+  get last(): number {
+    return this.#start;
+  }
 
   /** A frame begins [ms]. */
   begin(now: number) {

@@ -1,6 +1,6 @@
-// Looks of the parts: pictures of a lit ball ("matcaps"), which cost one look-up a pixel, also where a processor draws.
+// Looks of the parts: pictures of a lit ball ("matcaps"), which cost one look-up a pixel.
 
-import { CanvasTexture, type Texture } from "three";
+import { CanvasTexture, LinearFilter, type Texture } from "three";
 
 const SIZE = 256;
 
@@ -9,7 +9,11 @@ function ball(paint: (context: CanvasRenderingContext2D) => void): Texture {
   canvas.width = canvas.height = SIZE;
   const context = canvas.getContext("2d");
   if (context) paint(context);
-  return new CanvasTexture(canvas);
+  const texture = new CanvasTexture(canvas);
+  // Nothing in these pictures is finer than a part's pixels: smaller copies to choose from would only take time.
+  texture.minFilter = LinearFilter;
+  texture.generateMipmaps = false;
+  return texture;
 }
 
 function light(

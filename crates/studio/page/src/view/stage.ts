@@ -22,6 +22,7 @@ import { Finish, type Look } from "./finish";
 import { FrameClock } from "./frames";
 import type { Label } from "./labels";
 import { Mark } from "./mark";
+import { Sharpness } from "./sharpness";
 import { isSoftware } from "./software";
 import { type Pose, pose } from "./pose";
 import { type Preset, fit, lookFrom, orbit } from "./camera";
@@ -54,6 +55,7 @@ export class Stage {
   readonly #raycaster = new Raycaster();
   readonly #box = new Box3();
   readonly #arrows = new Arrows();
+  readonly #sharpness = new Sharpness();
   #scene: Scene | undefined;
   #drawn: Drawn[] = [];
   #hidden = new Set<string>();
@@ -95,7 +97,9 @@ export class Stage {
     if (this.#frame !== 0) return;
     this.#frame = requestAnimationFrame(() => {
       this.#frame = 0;
-      this.#draw(this.software ? 1 : Math.min(devicePixelRatio, 2));
+      // Asked for only when the crank has turned, in the next frame, every other frame would pass without a picture.
+      if (this.#moving) this.#changed();
+      this.#draw(this.software ? this.#sharpness.ratio : Math.min(devicePixelRatio, 2));
       clearTimeout(this.#still);
       if (this.software && !this.#moving) this.#still = setTimeout(() => this.#draw(2), STILL);
     });
@@ -106,10 +110,19 @@ export class Stage {
       this.#ratio = ratio;
       this.#renderer.setPixelRatio(ratio);
     }
-    this.clock.begin(performance.now());
+    const now = performance.now();
+    const between = now - this.clock.last;
+    // Moved by hand, frames come as the hand moves; after a pause none was slow.
+    if (this.#moving && between < STILL) this.#sharpness.frame(between);
+    this.clock.begin(now);
     this.#renderer.render(this.#world, this.#camera);
     this.clock.end(performance.now());
     this.onframe(this.#camera);
+  }
+
+  /** Pixels of the last picture for each one of the screen, along each side. */
+  get ratio(): number {
+    return this.#ratio;
   }
 
   resize(width: number, height: number) {
