@@ -163,6 +163,24 @@ fn shares_of_the_variance_are_those_of_the_linear_part() {
 }
 
 #[test]
+fn main_bearings_stay_in_their_order() {
+    let point = at_highest("in-line-3");
+    let apart = point.engine.main_planes(0)[1] - point.engine.main_planes(0)[0];
+    let end = |share: f64| {
+        let request = SensitivityRequest {
+            outputs: vec![Output::of_inertia(Target::MainBearing(Some(0)), Size::Peak)],
+            amounts: vec![(Quantity::MainPlane, Amount::Absolute(share * apart))],
+            only: true,
+            each: true,
+            sobol: None,
+        };
+        sensitivity(&point, &request).unwrap().outputs[0].effects[0].above
+    };
+    assert!(end(0.9).is_some());
+    assert_eq!(end(1.1), None);
+}
+
+#[test]
 fn impossible_requests_are_told() {
     let point = at_highest("single");
     let refused = |request: SensitivityRequest, said: &str| {

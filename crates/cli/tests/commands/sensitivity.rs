@@ -84,7 +84,7 @@ fn gas_alone_grows_with_its_pressure() {
         0,
         &[&["sensitivity", &four, "--format", "json"], &arguments[..], &only[..]].concat(),
     );
-    assert_eq!(json["version"], 2);
+    assert_eq!(json["version"], 3);
     let torque = output_json(&folder, 0, &["torque", &four, "--speed", "2000 rpm", "--format", "json"]);
     let mean = torque["torque"]["indicated"]["torque"].as_f64().expect("a torque");
     let of = |place: usize| &json["outputs"][place];
@@ -100,6 +100,21 @@ fn gas_alone_grows_with_its_pressure() {
     }
     let text = output(&folder, 0, &["sensitivity", &four, "--output", "mount force torque rod"]);
     assert!(text.contains("mount stiffness") && text.contains("block mass"), "{text}");
+    // Jumps of ideal pressures part: no number is the slope.
+    let leap = [
+        "sensitivity",
+        &four,
+        "--output",
+        "main bearing 2",
+        "--vary",
+        "throw angle = 1 deg",
+        "--only",
+        "--each",
+    ];
+    let text = output(&folder, 0, &leap);
+    assert!(text.contains("leaps  per deg, upwards"), "{text}");
+    let json = output(&folder, 0, &[&leap[..], &["--format", "json"]].concat());
+    assert!(json.contains("\"up\": null"), "{json}");
     let csv = output(&folder, 0, &["sensitivity", &four, "--output", "crankpin 2 mean", "--format", "csv"]);
     assert!(csv.contains("mean force on crankpin 2,N,") && csv.contains("gas pressure"), "{csv}");
 }

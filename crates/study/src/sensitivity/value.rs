@@ -336,7 +336,11 @@ pub(super) fn possible(point: &OperatingPoint, outputs: &[Output]) -> Option<Vec
         engine.cylinders.iter().flat_map(|c| [c.piston_mass, c.rod.big_end_mass, c.rod.small_end_mass]);
     let radii = engine.throws.iter().map(|throw| throw.radius);
     let bores = engine.cylinders.iter().filter_map(|cylinder| cylinder.bore);
+    let mut mains = engine.crankshafts.iter().filter_map(|crankshaft| crankshaft.mains.as_ref());
     if point.speed <= 0.0 || radii.chain(bores).any(|size| size <= 0.0) || masses.any(|mass| mass < 0.0) {
+        return None;
+    }
+    if mains.any(|planes| !planes.is_sorted_by(|front, rear| front < rear)) {
         return None;
     }
     values(point, outputs).ok()
