@@ -5,9 +5,12 @@ use super::element::{Element, SectionKind, elements, shape};
 use super::slab::{Group, Slab, slabs};
 use crate::export::PlacedPart;
 use lanchester_model::Engine;
-use lanchester_shape::{Insert, MassMoments, MassProperties, Outline, Part, Point};
+use lanchester_shape::{GeometryError, Insert, MassMoments, MassProperties, Outline, Part, Point};
 use serde::Serialize;
 use std::ops::Add;
+
+/// Inserts that share no more than this along the crank [m] touch: it is rounding.
+const TOUCHING: f64 = 1e-12;
 
 /// Unbalance of something that turns with the crankshaft, as a force and as a couple.
 ///
@@ -128,6 +131,7 @@ impl CrankshaftBody {
 /// Where the file does not say enough ([`CrankshaftError::NoBody`], [`CrankshaftError::NoWebs`]), or a shape cannot be.
 pub fn crankshaft(engine: &Engine, index: usize) -> Result<CrankshaftBody, CrankshaftError> {
     let elements = elements(engine, index)?;
+    check_inserts(&elements)?;
     let slabs = slabs(&elements)?;
     let mut moments: Vec<MassMoments> = elements.iter().map(Element::inserts_and_chamfers).collect();
     let mut twice = MassMoments::default();
@@ -161,6 +165,35 @@ pub fn crankshaft(engine: &Engine, index: usize) -> Result<CrankshaftBody, Crank
         counted_twice: CrankUnbalance::of(&twice),
         parts: parts(&elements, &slabs)?,
     })
+}
+
+/// Refuses inserts of two pieces in one place: a slug of metal is there once, of whatever material the pieces around it are.
+fn check_inserts(elements: &[Element]) -> Result<(), CrankshaftError> {
+    let mut before: Vec<(Insert, [f64; 2])> = Vec::new();
+    for element in elements {
+        let Some((part, turn)) = &element.part else { continue };
+        let own: Vec<(Insert, [f64; 2])> = part
+            .inserts()
+            .iter()
+            .map(|insert| {
+                let placed = Insert { centre: insert.centre.turned(*turn), ..*insert };
+                (placed, [insert.from, insert.to].map(|end| element.faces[0] + end))
+            })
+            .collect();
+        for (insert, [from, to]) in &own {
+            let meets = |(other, [start, end]): &(Insert, [f64; 2])| {
+                (other.centre - insert.centre).norm() < other.radius + insert.radius
+                    && from.max(*start) + TOUCHING < to.min(*end)
+            };
+            if before.iter().any(meets) {
+                let (at, radius) = (insert.centre, insert.radius);
+                let source = GeometryError::InsertOutside { at, radius, what: "overlaps another insert" };
+                return Err(shape(&element.name, source));
+            }
+        }
+        before.extend(own);
+    }
+    Ok(())
 }
 
 fn sections(elements: &[Element], moments: &[MassMoments]) -> Vec<CrankshaftSection> {
@@ -238,11 +271,7 @@ fn joined(names: &[&str]) -> String {
 }
 
 /// A group between two planes, with the inserts of its members as far as they lie there.
-fn solid(
-    elements: &[Element],
-    group: &Group,
-    [from, to]: [f64; 2],
-) -> Result<Part, lanchester_shape::GeometryError> {
+fn solid(elements: &[Element], group: &Group, [from, to]: [f64; 2]) -> Result<Part, GeometryError> {
     let density = elements[group.members[0]].density;
     let mut part = Part::new(group.outline.clone(), to - from, density)?.at((from + to) / 2.0);
     for element in group.members.iter().map(|member| &elements[*member]) {
