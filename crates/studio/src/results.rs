@@ -6,7 +6,7 @@ use crate::problem::Problem;
 use crate::reading::engine;
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
-    MountStudy, TorqueRequest, internal_cases, loads,
+    MotionTrace, MountStudy, TorqueRequest, Trace, internal_cases, loads,
 };
 use lanchester::study::compare::{Comparison, Equal, Held};
 use lanchester::{
@@ -39,20 +39,49 @@ pub(crate) struct AtSpeed {
     /// Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out.
     #[serde(default)]
     speed: Option<f64>,
-    /// Angles of the curves in a revolution; as many as `lanchester loads` has where it is left out.
-    #[serde(default)]
-    samples: Option<usize>,
 }
 
 impl AtSpeed {
     fn speed(&self) -> Result<Option<f64>, Problem> {
-        match self.speed {
-            Some(speed) if !(speed > 0.0 && speed.is_finite()) => Err(Problem::refused(format!(
-                "the speed must be positive, got {speed} rad/s\nhint: leave it out for the highest"
-            ))),
-            speed => Ok(speed),
-        }
+        positive(self.speed)
     }
+}
+
+fn positive(speed: Option<f64>) -> Result<Option<f64>, Problem> {
+    match speed {
+        Some(speed) if !(speed > 0.0 && speed.is_finite()) => Err(Problem::refused(format!(
+            "the speed must be positive, got {speed} rad/s\nhint: leave it out for the highest"
+        ))),
+        speed => Ok(speed),
+    }
+}
+
+/// An engine at a speed, and which curves are wanted.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct LoadsQuestion {
+    /// The engine file.
+    text: String,
+    /// Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out.
+    #[serde(default)]
+    speed: Option<f64>,
+    /// Angles of the curves in a revolution; as many as `lanchester loads` has where it is left out.
+    #[serde(default)]
+    samples: Option<usize>,
+    /// Whose curves over the crank angle are in the answer; all of them where it is left out.
+    #[serde(default)]
+    curves: Curves,
+}
+
+/// Whose curves over the crank angle are in the answer.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Curves {
+    /// Of the whole engine, of its parts and cylinders, and of the motion of its pistons.
+    #[default]
+    All,
+    /// Of the whole engine alone: the others are empty, an answer a tenth as long.
+    Whole,
 }
 
 /// An engine on its mounts.
@@ -132,15 +161,22 @@ pub(crate) fn questions(api: Api) -> Api {
         .post("/api/compare", "Engines side by side: `lanchester compare`.", compared)
 }
 
-fn shaking(_: &Asker, question: AtSpeed) -> Result<Loads, Problem> {
+fn shaking(_: &Asker, question: LoadsQuestion) -> Result<Loads, Problem> {
     let samples = question.samples.unwrap_or(LoadRequest::default().samples);
     if !(1..=MOST_ANGLES).contains(&samples) {
         return Err(Problem::refused(format!(
             "curves have 1 to {MOST_ANGLES} angles a revolution, got {samples}\nhint: leave `samples` out"
         )));
     }
-    let request = LoadRequest { speed: question.speed()?, samples, ..LoadRequest::default() };
-    loads(&engine(&question.text)?, &request).map_err(Problem::refused)
+    let request = LoadRequest { speed: positive(question.speed)?, samples, ..LoadRequest::default() };
+    let mut found = loads(&engine(&question.text)?, &request).map_err(Problem::refused)?;
+    if question.curves == Curves::Whole {
+        let parts = found.parts.iter_mut().map(|part| &mut part.loads);
+        let cylinders = found.cylinders.iter_mut().map(|cylinder| &mut cylinder.loads);
+        parts.chain(cylinders).for_each(|set| set.trace = Trace::default());
+        found.motion.iter_mut().for_each(|motion| motion.trace = MotionTrace::default());
+    }
+    Ok(found)
 }
 
 fn internal(_: &Asker, question: AtSpeed) -> Result<Vec<InternalMoments>, Problem> {

@@ -93,6 +93,17 @@ fn the_answers_are_those_of_the_commands() {
     let mut loads = of_command(&["loads", "three.toml", "--format", "json"]);
     loads.as_object_mut().unwrap().remove("internal");
     assert_eq!(server.post("/api/loads", &json!({ "text": text })), loads);
+    let short = server.post("/api/loads", &json!({ "text": text, "curves": "whole" }));
+    assert_eq!(short["total"], loads["total"]);
+    for of in ["parts", "cylinders"] {
+        let [own, found] = [&loads, &short].map(|answer| answer[of].as_array().expect("a list"));
+        for (own, found) in own.iter().zip(found).map(|(own, found)| (&own["loads"], &found["loads"])) {
+            assert_eq!((&found["peaks"], &found["orders"]), (&own["peaks"], &own["orders"]));
+            assert_eq!(found["trace"]["force_x"], json!([]));
+        }
+    }
+    assert_eq!(short["motion"][0]["stroke"], loads["motion"][0]["stroke"]);
+    assert_eq!(short["motion"][0]["trace"]["velocity"], json!([]));
     let bearings = of_command(&["bearings", "three.toml", "--format", "json"]);
     assert_eq!(server.post("/api/bearings", &json!({ "text": text })), bearings);
     let balance = of_command(&["balance", "three.toml", "--format", "json"]);

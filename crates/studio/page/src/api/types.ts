@@ -183,8 +183,6 @@ export type Articulation = {
 
 /** An engine at a speed. */
 export type AtSpeed = {
-  /** Angles of the curves in a revolution; as many as `lanchester loads` has where it is left out. */
-  samples: number | null;
   /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
   speed: number | null;
   /** The engine file. */
@@ -755,6 +753,9 @@ export type Criterion = {
 } | {
   order: [Load, number];
 } | "added-mass" | "added-unbalance";
+
+/** Whose curves over the crank angle are in the answer. */
+export type Curves = "all" | "whole";
 
 /** Piston, pins and rod of one cylinder. */
 export type CylinderBearings = {
@@ -1697,6 +1698,18 @@ export type Loads = {
   total: LoadSet;
   /** [`RESULT_VERSION`]. */
   version: number;
+};
+
+/** An engine at a speed, and which curves are wanted. */
+export type LoadsQuestion = {
+  /** Whose curves over the crank angle are in the answer; all of them where it is left out. */
+  curves: Curves;
+  /** Angles of the curves in a revolution; as many as `lanchester loads` has where it is left out. */
+  samples: number | null;
+  /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
+  speed: number | null;
+  /** The engine file. */
+  text: string;
 };
 
 /** A main bearing. */

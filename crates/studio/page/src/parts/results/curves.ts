@@ -16,8 +16,12 @@ export const PARTS: Record<PartLoads["part"], string> = {
 
 export const WHOLE = "whole engine";
 
-/** The whole, then what it is split into: name, colour, loads. */
+/** The whole, then what it is split into, once its curves are there: name, colour, loads. */
 export function sets(loads: Loads, by: By): { name: string; colour: number; set: LoadSet }[] {
+  return split(loads, by).filter(({ set }) => set.trace.theta.length > 0);
+}
+
+function split(loads: Loads, by: By): { name: string; colour: number; set: LoadSet }[] {
   const whole = { name: WHOLE, colour: 1, set: loads.total };
   if (by === "parts") {
     const numbers = Object.keys(PARTS);
