@@ -134,13 +134,16 @@ export function toSi(value: number, measure: Measure): number {
   return value * UNITS[units.system][measure].si;
 }
 
-/** So many digits that count, without an exponent as long as the number stays readable. */
+/** So many digits that count, with a true minus sign, without an exponent as long as the number stays readable: for people alone. */
 export function digits(value: number, significant = 4): string {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.floor(Math.log10(Math.abs(value)));
-  if (size >= 6 || size < -4) return value.toExponential(significant - 1).replace("e+", "e");
-  return value.toFixed(Math.max(0, Math.min(8, significant - 1 - size)));
+  const plain =
+    size >= 6 || size < -4
+      ? value.toExponential(significant - 1).replace("e+", "e")
+      : value.toFixed(Math.max(0, Math.min(8, significant - 1 - size)));
+  return plain.replaceAll("-", "−");
 }
 
 /** An SI value with its unit, as text. */

@@ -26,15 +26,18 @@ const SEEN = 1e-5;
 
 const size = ([re, im]: readonly [number, number]) => Math.hypot(re, im);
 
-function sides(order: OrderLoads | undefined, what: "force" | "couple"): Sides {
+function sides(order: OrderLoads | undefined, what: "force" | "couple", least: number): Sides {
   if (!order) return { backward: 0, forward: 0 };
-  const forward = what === "force" ? order.force_forward : order.couple_forward;
-  const backward = what === "force" ? order.force_backward : order.couple_backward;
-  return { forward: size(forward), backward: size(backward) };
+  const clean = (amount: readonly [number, number]) => (size(amount) > least ? size(amount) : 0);
+  return { forward: clean(order[`${what}_forward`]), backward: clean(order[`${what}_backward`]) };
 }
 
-/** The orders that are there, now or before; order 1 and 2 always. */
-export function spectrum(now: LoadSet, before: LoadSet | undefined): Spectrum {
+/** The orders that are there, now or before; order 1 and 2 always. What is not above `least` is rounding and counts as nothing. */
+export function spectrum(
+  now: LoadSet,
+  before: LoadSet | undefined,
+  least: { force: number; couple: number },
+): Spectrum {
   const orders = [...new Set([...now.orders, ...(before?.orders ?? [])].map((one) => one.order))];
   orders.sort((a, b) => a - b);
   const find = (set: LoadSet | undefined, order: number) => set?.orders.find((one) => one.order === order);
@@ -42,8 +45,8 @@ export function spectrum(now: LoadSet, before: LoadSet | undefined): Spectrum {
     .filter((order) => order > 0)
     .map((order): Row => {
       const of = (what: "force" | "couple") => ({
-        now: sides(find(now, order), what),
-        before: before && sides(find(before, order), what),
+        now: sides(find(now, order), what, least[what]),
+        before: before && sides(find(before, order), what, least[what]),
       });
       return { order, force: of("force"), couple: of("couple") };
     });
@@ -58,12 +61,8 @@ export function spectrum(now: LoadSet, before: LoadSet | undefined): Spectrum {
   const seen = (row: Row) =>
     row.order === 1 ||
     row.order === 2 ||
-    [row.force.now, row.force.before].some(
-      (one) => one && largest(one) > SEEN * force && largest(one) > 1e-3,
-    ) ||
-    [row.couple.now, row.couple.before].some(
-      (one) => one && largest(one) > SEEN * couple && largest(one) > 1e-3,
-    );
+    [row.force.now, row.force.before].some((one) => one && largest(one) > SEEN * force) ||
+    [row.couple.now, row.couple.before].some((one) => one && largest(one) > SEEN * couple);
   return { rows: rows.filter(seen), force, couple };
 }
 

@@ -17,7 +17,7 @@ export function nameOf(axis: Axis): string {
 export function bare(value: number, axis: Axis): string {
   if (axis.whole) return String(Number(value.toFixed(3))).replace("-", "−");
   const inUnit = shown(quiet(value, axis), axis.measure);
-  return (axis.measure === "angle" ? inUnit.toFixed(1) : digits(inUnit)).replaceAll("-", "−");
+  return axis.measure === "angle" ? inUnit.toFixed(1).replace("-", "−") : digits(inUnit);
 }
 
 export function written(value: number, axis: Axis): string {
