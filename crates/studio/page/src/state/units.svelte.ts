@@ -9,6 +9,8 @@ export type Measure =
   | "area"
   | "volume"
   | "mass"
+  // Of the whole engine.
+  | "body-mass"
   | "force"
   | "moment"
   | "unbalance"
@@ -57,6 +59,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     area: { name: "m²", si: 1 },
     volume: { name: "m³", si: 1 },
     mass: { name: "kg", si: 1 },
+    "body-mass": { name: "kg", si: 1 },
     force: { name: "N", si: 1 },
     moment: { name: "N m", si: 1 },
     unbalance: { name: "kg m", si: 1 },
@@ -75,6 +78,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     area: { name: "mm²", si: 1e-6 },
     volume: { name: "cm³", si: 1e-6 },
     mass: { name: "g", si: 1e-3 },
+    "body-mass": { name: "kg", si: 1 },
     force: { name: "N", si: 1 },
     moment: { name: "N m", si: 1 },
     unbalance: { name: "g mm", si: 1e-6 },
@@ -93,6 +97,7 @@ const UNITS: Record<System, Record<Measure, Unit>> = {
     area: { name: "in²", si: INCH * INCH },
     volume: { name: "in³", si: INCH ** 3 },
     mass: { name: "lb", si: POUND },
+    "body-mass": { name: "lb", si: POUND },
     force: { name: "lbf", si: POUND_FORCE },
     moment: { name: "lbf ft", si: POUND_FORCE * 12 * INCH },
     unbalance: { name: "oz in", si: (POUND / 16) * INCH },
