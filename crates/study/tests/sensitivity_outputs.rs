@@ -285,9 +285,19 @@ fn compare_resolved(
     [tolerance, resolution]: [f64; 2],
 ) {
     let mut compared = vec![0; outputs.len()];
-    // All quantities, of all parts together, of the first and of the third.
-    let single = Input::single(point).into_iter().filter(|input| matches!(input.part, Some(0 | 2)));
-    let inputs: Vec<Input> = Input::common(point).into_iter().chain(single).collect();
+    // All quantities that count, of all parts together, and of the first or the third.
+    let has_mounts = outputs.iter().any(|output| matches!(output.target, Target::MountForce(_)));
+    let is_of_block = |input: &Input| {
+        let name = input.quantity.name();
+        name.contains("mount") || name.starts_with("block")
+    };
+    let common = Input::common(point).into_iter().enumerate().flat_map(|(place, all)| {
+        let parts = all.quantity.parts(point);
+        let one = parts[if place % 2 == 0 { 0 } else { 2.min(parts.len() - 1) }];
+        let single = (!all.quantity.is_of_engine()).then_some(Input { part: Some(one), ..all });
+        std::iter::once(all).chain(single)
+    });
+    let inputs: Vec<Input> = common.filter(|input| has_mounts || !is_of_block(input)).collect();
     let slopes = derivatives(point, outputs, &inputs).unwrap();
     let nominal = Ordinary::of(point, outputs);
     for (place, input) in inputs.iter().enumerate() {
