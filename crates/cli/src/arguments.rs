@@ -148,7 +148,7 @@ pub enum Command {
                             --part 2/2\n  lanchester merge part-1.parquet part-2.parquet --output cases.parquet"
     )]
     Merge(MergeArguments),
-    /// What matters most for the residual loads: exact derivatives by every number of the engine, one at a time over ranges, and
+    /// What matters most for loads, torque, bearings and mounts: exact derivatives by every number of the engine, one at a time over ranges, and
     /// shares of the variance.
     #[command(
         after_help = "Examples:\n  lanchester sensitivity four.toml\n  lanchester sensitivity four.toml --output 'force order 2' --vary 'rod length = 10 %' --figures figures\n  \

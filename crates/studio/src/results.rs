@@ -80,7 +80,7 @@ enum Curves {
     /// Of the whole engine, of its parts and cylinders, and of the motion of its pistons.
     #[default]
     All,
-    /// Of the whole engine alone: the others are empty, an answer a tenth as long.
+    /// Of the whole engine alone: the others are empty, an answer a seventh as long.
     Whole,
 }
 

@@ -169,29 +169,18 @@ pub fn crankshaft(engine: &Engine, index: usize) -> Result<CrankshaftBody, Crank
 
 /// Refuses inserts of two pieces in one place: a slug of metal is there once, of whatever material the pieces around it are.
 fn check_inserts(elements: &[Element]) -> Result<(), CrankshaftError> {
-    let mut before: Vec<(Insert, [f64; 2])> = Vec::new();
-    for element in elements {
-        let Some((part, turn)) = &element.part else { continue };
-        let own: Vec<(Insert, [f64; 2])> = part
-            .inserts()
-            .iter()
-            .map(|insert| {
-                let placed = Insert { centre: insert.centre.turned(*turn), ..*insert };
-                (placed, [insert.from, insert.to].map(|end| element.faces[0] + end))
-            })
-            .collect();
-        for (insert, [from, to]) in &own {
-            let meets = |(other, [start, end]): &(Insert, [f64; 2])| {
-                (other.centre - insert.centre).norm() < other.radius + insert.radius
-                    && from.max(*start) + TOUCHING < to.min(*end)
-            };
-            if before.iter().any(meets) {
+    let meet = |one: &Insert, other: &Insert| {
+        (one.centre - other.centre).norm() < one.radius + other.radius
+            && one.from.max(other.from) + TOUCHING < one.to.min(other.to)
+    };
+    for (place, element) in elements.iter().enumerate() {
+        for insert in element.inserts() {
+            if elements[..place].iter().flat_map(Element::inserts).any(|other| meet(&insert, &other)) {
                 let (at, radius) = (insert.centre, insert.radius);
                 let source = GeometryError::InsertOutside { at, radius, what: "overlaps another insert" };
                 return Err(shape(&element.name, source));
             }
         }
-        before.extend(own);
     }
     Ok(())
 }
@@ -275,12 +264,10 @@ fn solid(elements: &[Element], group: &Group, [from, to]: [f64; 2]) -> Result<Pa
     let density = elements[group.members[0]].density;
     let mut part = Part::new(group.outline.clone(), to - from, density)?.at((from + to) / 2.0);
     for element in group.members.iter().map(|member| &elements[*member]) {
-        let Some((own, turn)) = &element.part else { continue };
-        for insert in own.inserts() {
-            let ends = [insert.from, insert.to].map(|end| (element.faces[0] + end).clamp(from, to) - from);
-            if ends[1] - ends[0] > 1e-12 * own.thickness() {
-                let centre = insert.centre.turned(*turn);
-                part = part.with_insert(Insert { centre, from: ends[0], to: ends[1], ..*insert })?;
+        for insert in element.inserts() {
+            let ends = [insert.from, insert.to].map(|end| end.clamp(from, to) - from);
+            if ends[1] - ends[0] > TOUCHING {
+                part = part.with_insert(Insert { from: ends[0], to: ends[1], ..insert })?;
             }
         }
     }

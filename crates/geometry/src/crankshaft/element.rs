@@ -2,7 +2,7 @@
 
 use super::CrankshaftError;
 use lanchester_model::{CounterweightForm, CounterweightPart, CrankBody, Engine, Throw};
-use lanchester_shape::{Contour, GeometryError, MassMoments, Outline, Part, Point};
+use lanchester_shape::{Contour, GeometryError, Insert, MassMoments, Outline, Part, Point};
 use serde::Serialize;
 
 /// What a piece of a crankshaft is.
@@ -42,6 +42,18 @@ impl Element {
         let plate = MassMoments::prism(&part.outline().moments(), part.faces()) * part.density();
         let middle = (self.faces[0] + self.faces[1]) / 2.0 - (part.faces()[0] + part.faces()[1]) / 2.0;
         (part.moments() - plate).turned(*turn).moved([0.0, 0.0, middle])
+    }
+
+    /// Its inserts in the frame of the crankshaft: their ends are planes along it, from the origin of the engine.
+    pub fn inserts(&self) -> impl Iterator<Item = Insert> {
+        self.part.iter().flat_map(|(part, turn)| {
+            part.inserts().iter().map(|insert| Insert {
+                centre: insert.centre.turned(*turn),
+                from: self.faces[0] + insert.from,
+                to: self.faces[0] + insert.to,
+                ..*insert
+            })
+        })
     }
 
     /// Whether chamfers make it something else than a prism.

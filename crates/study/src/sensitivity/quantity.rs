@@ -337,16 +337,13 @@ impl Quantity {
 
     /// The parts that have it, by their index: articulated rods by that of their cylinder.
     pub fn parts(self, point: &OperatingPoint) -> Vec<usize> {
-        if matches!(self, Quantity::KnuckleRadius | Quantity::KnuckleAngle) {
-            let rods = point.engine.cylinders.iter().enumerate();
-            let articulated =
-                rods.filter(|(_, cylinder)| matches!(cylinder.rod.joint, RodJoint::Articulated { .. }));
-            return articulated.map(|(index, _)| index).collect();
+        match self {
+            Quantity::KnuckleRadius | Quantity::KnuckleAngle => articulated(&point.engine).collect(),
+            _ => (0..self.count(point)).collect(),
         }
-        (0..self.count(point)).collect()
     }
 
-    /// How many parts have it, the first ones of their list.
+    /// How many parts have it.
     fn count(self, point: &OperatingPoint) -> usize {
         let engine = &point.engine;
         match self {
@@ -355,7 +352,7 @@ impl Quantity {
             Quantity::Part(varied) => varied.parts(engine),
             Quantity::RodInertia if engine.cylinders.iter().any(|c| c.rod.inertia.is_none()) => 0,
             Quantity::RodInertia | Quantity::PinOffset => engine.cylinders.len(),
-            Quantity::KnuckleRadius | Quantity::KnuckleAngle => 0,
+            Quantity::KnuckleRadius | Quantity::KnuckleAngle => articulated(engine).count(),
             Quantity::ThrowPlane => engine.throws.len(),
             Quantity::CounterweightPlane => engine.counterweights.len(),
             Quantity::ShaftWeightPlane => engine.shafts.iter().map(|shaft| shaft.weights.len()).sum(),
@@ -384,16 +381,10 @@ impl Quantity {
             | Quantity::MountStiffness
             | Quantity::MountStiffnessAlong(_)
             | Quantity::MountLossFactor
-            | Quantity::MountDamping
-                if engine.mounts.iter().any(|mount| mount.spring.is_none()) =>
-            {
-                0
+            | Quantity::MountDamping => {
+                let all_yield = engine.mounts.iter().all(|mount| mount.spring.is_some());
+                if all_yield { engine.mounts.len() } else { 0 }
             }
-            Quantity::MountTurn(_)
-            | Quantity::MountStiffness
-            | Quantity::MountStiffnessAlong(_)
-            | Quantity::MountLossFactor
-            | Quantity::MountDamping => engine.mounts.len(),
         }
     }
 
@@ -492,6 +483,13 @@ impl Quantity {
                 .collect(),
         }
     }
+}
+
+/// Cylinders whose rods are articulated.
+fn articulated(engine: &Engine) -> impl Iterator<Item = usize> {
+    let rods = engine.cylinders.iter().enumerate();
+    rods.filter(|(_, cylinder)| matches!(cylinder.rod.joint, RodJoint::Articulated { .. }))
+        .map(|(index, _)| index)
 }
 
 /// Radii and angles of the knuckle pins of articulated rods.
