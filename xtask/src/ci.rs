@@ -2,7 +2,7 @@
 
 use crate::command::{cargo, in_view, quiet};
 use crate::workspace::{program, root};
-use crate::{book, browser, documents, engines, generate, page, tidy};
+use crate::{book, browser, documents, engines, generate, hostile, notices, page, supply, tidy};
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
 
@@ -18,6 +18,8 @@ pub fn run() -> Result<()> {
     steps.run("rules of the house", tidy::sources)?;
     steps.run("page of the studio: types, lint, format, unit tests", page::check)?;
     steps.run("built page is fresh", page::check_built)?;
+    steps.run("licences, sources and advisories of others", || supply::check(true))?;
+    steps.run("notices of third parties are fresh", notices::check)?;
     steps.run("clippy, all targets, no warning", || {
         let mut clippy = cargo();
         clippy.args(["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"]);
@@ -30,6 +32,7 @@ pub fn run() -> Result<()> {
     })?;
     let program = program().context("the program does not build")?;
     steps.run("every example and template: check, loads, balance, report", || engines::run(&program))?;
+    steps.run("mutated files, kills, laws, attacks: a short round", || hostile::short(&program))?;
     steps.run("engine files of the README and the book", || documents::engines(&program))?;
     steps.run("published numbers", || {
         let text = quiet(std::process::Command::new(&program).arg("validate").current_dir(root()))?;

@@ -1,5 +1,6 @@
 //! Tasks of the workspace: `cargo xtask <task>`.
 
+mod advisories;
 mod book;
 mod browser;
 mod ci;
@@ -8,8 +9,13 @@ mod documents;
 mod engines;
 mod fuzz;
 mod generate;
+mod hostile;
+mod licence;
+mod notices;
+mod packages;
 mod page;
 mod stress;
+mod supply;
 mod tidy;
 mod workspace;
 
@@ -25,8 +31,12 @@ tasks of the workspace
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
   cargo xtask pictures                          draw the pictures of the studio's guide anew, in a browser
+  cargo xtask notices                           write the notices of third parties anew
+  cargo xtask supply                            licences, sources and advisories of what comes from others
+  cargo xtask advisories CLONE                  take the advisories of our crates from a clone of the RustSec database
   cargo xtask book                              build the book into docs/book
   cargo xtask stress [--seconds N] [--only T]   draw new cases for the properties over random engines
+  cargo xtask hostile [--seconds N] [--seed N]  mutated files, kills, laws over random engines, attacks on the studio; --short as in CI
   cargo xtask fuzz [--seconds N] [--target T]   fuzz reader, loads, workshop and optimum (nightly, cargo-fuzz)
 ";
 
@@ -54,7 +64,24 @@ fn task(arguments: &[String]) -> Result<()> {
         Some("page") if rest.is_empty() => page::build(),
         Some("pictures") if rest.is_empty() => page::draw(&workspace::program()?),
         Some("book") if rest.is_empty() => book::build(),
+        Some("notices") if rest.is_empty() => {
+            page::install()?;
+            println!("{}", notices::write()?);
+            Ok(())
+        }
+        Some("supply") if rest.is_empty() => {
+            println!("{}", supply::check(false)?);
+            Ok(())
+        }
+        Some("advisories") => {
+            let [clone] = rest else {
+                bail!("`advisories` needs the folder of a clone of the RustSec database")
+            };
+            println!("{}", advisories::write(clone.as_ref())?);
+            Ok(())
+        }
         Some("stress") => stress::run(rest),
+        Some("hostile") => hostile::run(rest),
         Some("fuzz") => fuzz::run(rest),
         None | Some("help" | "--help" | "-h") => {
             print!("{HELP}");

@@ -187,6 +187,9 @@ pub enum Command {
                             lanchester schema --sheet > sheet.schema.json\n  \
                             lanchester schema --markdown > engine-file.md")]
     Schema(SchemaArguments),
+    /// Print the licences and notices of everything by others that the program and its page contain.
+    #[command(after_help = "Examples:\n  lanchester licences > third-party.txt")]
+    Licences,
     /// Balance a real crank or engine from measurements, described by a workshop sheet.
     Workshop(WorkshopArguments),
 }

@@ -1,8 +1,9 @@
 //! The only place that touches the file system: engine files in, results out.
 
 use crate::failure::Failure;
-use lanchester_studio::replace_file;
-use std::fs::{self, File, OpenOptions};
+use lanchester_files::{NewFile, Over, PutError, shown};
+use std::fmt::Display;
+use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::Path;
 
@@ -14,7 +15,7 @@ const LONGEST_DRAWING: u64 = 64 << 20;
 
 /// A text and the name that messages call it by.
 pub struct Source {
-    /// File name as given, or `<stdin>`.
+    /// File name as a terminal may show it, or `<stdin>`.
     pub name: String,
     /// Its text.
     pub text: String,
@@ -25,9 +26,9 @@ pub fn read_bytes(path: &Path, hint: &str) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(LONGEST_DRAWING + 1).read_to_end(&mut bytes));
     match read {
-        Err(error) => Err(Failure::input(format_args!("cannot read {}: {error}", path.display()), hint)),
+        Err(error) => Err(Failure::input(format_args!("cannot read {}: {error}", shown(path)), hint)),
         Ok(length) if length as u64 > LONGEST_DRAWING => Err(Failure::input(
-            format_args!("{} is longer than {} MiB", path.display(), LONGEST_DRAWING >> 20),
+            format_args!("{} is longer than {} MiB", shown(path), LONGEST_DRAWING >> 20),
             hint,
         )),
         Ok(_) => Ok(bytes),
@@ -37,7 +38,7 @@ pub fn read_bytes(path: &Path, hint: &str) -> Result<Vec<u8>, Failure> {
 /// Read an engine file; `-` is standard input.
 pub fn read_source(path: &Path) -> Result<Source, Failure> {
     let mut bytes = Vec::new();
-    let name = if path == Path::new("-") { "<stdin>".to_string() } else { path.display().to_string() };
+    let name = if path == Path::new("-") { "<stdin>".to_string() } else { shown(path) };
     let outcome = if path == Path::new("-") {
         io::stdin().lock().take(LONGEST_INPUT + 1).read_to_end(&mut bytes)
     } else {
@@ -76,6 +77,13 @@ pub fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
+/// Say something on standard error. What it quotes, of an engine file for example, acts on no terminal.
+pub fn tell(words: impl Display) {
+    let words = words.to_string();
+    let lines: Vec<String> = words.split('\n').map(shown).collect();
+    eprintln!("{}", lines.join("\n"));
+}
+
 /// Write a result, making its folder; an earlier result is written over, an engine file never.
 pub fn write_result(
     path: &Path,
@@ -86,54 +94,62 @@ pub fn write_result(
         fs::canonicalize(path).is_ok_and(|path| fs::canonicalize(engine_file).is_ok_and(|file| file == path));
     if same || path.extension().is_some_and(|extension| extension == "toml") {
         return Err(Failure::input(
-            format_args!("{} looks like an engine file and is not overwritten", path.display()),
+            format_args!("{} looks like an engine file and is not overwritten", shown(path)),
             "choose another name for the result",
         ));
     }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    folder.map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(path, content)).map_err(|error| {
-        Failure::input(format_args!("cannot write {}: {error}", path.display()), "choose another place")
+    let outcome = folder.map_or(Ok(()), fs::create_dir_all).map_err(PutError::from).and_then(|()| {
+        // A pipe or a device takes what comes.
+        if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+            return Ok(fs::write(path, content)?);
+        }
+        put(path, Over::Anything, content.as_ref())
+    });
+    outcome.map_err(|error| {
+        Failure::input(format_args!("cannot write {}: {error}", shown(path)), "choose another place")
     })
 }
 
 /// Write an engine file that does not exist yet: a user's file is never overwritten.
 pub fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    let outcome = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(path)
-        .and_then(|mut file| file.write_all(text.as_bytes()));
-    outcome.map_err(|error| match error.kind() {
-        io::ErrorKind::AlreadyExists => Failure::input(
-            format_args!("{} exists and is not overwritten", path.display()),
+    put(path, Over::Nothing, text.as_bytes()).map_err(|error| match error {
+        PutError::Exists => Failure::input(
+            format_args!("{} exists and is not overwritten", shown(path)),
             "choose another name with --output, or remove it first",
         ),
         _ => Failure::input(
-            format_args!("cannot write {}: {error}", path.display()),
+            format_args!("cannot write {}: {error}", shown(path)),
             "choose another place with --output",
         ),
     })
 }
 
-/// Put `text` in the place of an engine file that still reads `before`: whole or not at all, links and permissions
+/// Put `text` in the place of an engine file that still reads `before`: whole or not at all, links, owner and permissions
 /// kept.
 pub fn rewrite(path: &Path, before: &str, text: &str) -> Result<(), Failure> {
-    let name = path.display();
-    let cannot = |error: io::Error| {
-        Failure::input(
-            format_args!("cannot write {name}: {error}"),
-            "the file is as it was; --dry-run shows the change",
-        )
-    };
-    let target = fs::canonicalize(path).map_err(cannot)?;
-    if fs::read(&target).map_err(cannot)? != before.as_bytes() {
-        return Err(Failure::input(
+    let name = shown(path);
+    put(path, Over::Text(before.as_bytes()), text.as_bytes()).map_err(|error| match error {
+        PutError::Changed => Failure::input(
             format_args!("{name} has changed since it was read, and is left alone"),
             "save it elsewhere or run the command again",
-        ));
-    }
-    if fs::metadata(&target).map_err(cannot)?.permissions().readonly() {
-        return Err(Failure::input(format_args!("{name} may not be written to"), "change its permissions"));
-    }
-    replace_file(&target, text).map_err(cannot)
+        ),
+        PutError::Removed => Failure::input(
+            format_args!("{name} has been removed since it was read"),
+            "run the command again with a file that exists",
+        ),
+        PutError::ReadOnly => {
+            Failure::input(format_args!("{name} may not be written to"), "change its permissions")
+        }
+        _ => Failure::input(
+            format_args!("cannot write {name}: {error}"),
+            "the file is as it was; --dry-run shows the change",
+        ),
+    })
+}
+
+fn put(path: &Path, over: Over, content: &[u8]) -> Result<(), PutError> {
+    let file = NewFile::beside(path, over)?;
+    file.file().write_all(content)?;
+    file.put()
 }

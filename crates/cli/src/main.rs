@@ -62,13 +62,14 @@ fn main() -> ExitCode {
         Command::Studio(arguments) => commands::studio::run(&arguments),
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
+        Command::Licences => commands::licences::run(),
         Command::Workshop(arguments) => commands::workshop::run(&arguments, colour),
     };
     match outcome {
         Ok(status) => ExitCode::from(status),
         Err(failure) => {
             if !failure.message.is_empty() {
-                eprintln!("{}", failure.message);
+                files::tell(&failure.message);
             }
             failure.exit_code()
         }

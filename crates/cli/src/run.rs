@@ -14,6 +14,7 @@ use crate::failure::{Failure, NOT_AS_EXPECTED};
 use folder::Folder;
 use lanchester::run::{Study, part, stretch};
 use lanchester::table::{Form, Rows};
+use lanchester_files::shown;
 use progress::Progress;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -85,11 +86,11 @@ pub fn run_into<S: Study>(
     }
     if let Some(held) = table_file::held(path)? {
         if held.head == *head && held.blocks == blocks {
-            eprintln!("{} holds this already; nothing is computed again", path.display());
+            eprintln!("{} holds this already; nothing is computed again", shown(path));
             return held.kept();
         }
         return Err(Failure::input(
-            format_args!("{} holds something else and is not overwritten", path.display()),
+            format_args!("{} holds something else and is not overwritten", shown(path)),
             "choose another name, or remove it first",
         ));
     }
@@ -98,46 +99,50 @@ pub fn run_into<S: Study>(
     let heard = Arc::clone(&stop);
     // Where signals cannot be heard, a stop costs what is not yet on the disk: no more than seconds.
     let _ = ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed));
-    let mut next = folder.next();
-    let first = blocks.start;
-    let progress = Progress::new(study.cases(blocks.clone()), study.cases(first..next));
-    if next > first {
-        progress.say(&format!("going on after {} of {} blocks", next - first, blocks.end - first));
+    let total = blocks.end - blocks.start;
+    let mut done: u64 = folder.done().iter().map(|blocks| blocks.end - blocks.start).sum();
+    let mut cases: u128 = folder.done().iter().map(|blocks| study.cases(blocks.clone())).sum();
+    let progress = Progress::new(study.cases(blocks.clone()), cases);
+    if done > 0 {
+        progress.say(&format!("going on after {done} of {total} blocks"));
     }
     let began = Instant::now();
     let width = study.columns().len();
-    while next < blocks.end {
-        let started = Instant::now();
-        let patience = (began.elapsed() / 10).clamp(PATIENCE[0], PATIENCE[1]);
-        let from = next;
-        let mut kept = study.nothing();
-        let mut rows = Rows::empty(&study.columns());
-        while next < blocks.end {
-            let batch = next..blocks.end.min(next + batch());
-            let (more, found) = stretch(study, batch.clone()).map_err(Failure::refused)?;
-            kept = study.join(kept, more).map_err(Failure::refused)?;
-            rows.append(found);
-            next = batch.end;
-            progress.at(study.cases(first..next));
-            if stop.load(Ordering::Relaxed)
-                || started.elapsed() > patience
-                || rows.len() * width >= MOST_VALUES
-            {
-                break;
+    for missing in folder.missing() {
+        let mut next = missing.start;
+        while next < missing.end {
+            let started = Instant::now();
+            let patience = (began.elapsed() / 10).clamp(PATIENCE[0], PATIENCE[1]);
+            let from = next;
+            let mut kept = study.nothing();
+            let mut rows = Rows::empty(&study.columns());
+            while next < missing.end {
+                let batch = next..missing.end.min(next + batch());
+                let (more, found) = stretch(study, batch.clone()).map_err(Failure::refused)?;
+                kept = study.join(kept, more).map_err(Failure::refused)?;
+                rows.append(found);
+                next = batch.end;
+                progress.at(cases + study.cases(from..next));
+                if stop.load(Ordering::Relaxed)
+                    || started.elapsed() > patience
+                    || rows.len() * width >= MOST_VALUES
+                {
+                    break;
+                }
             }
-        }
-        folder.put(head, &study.columns(), from..next, &kept, rows)?;
-        if stop.load(Ordering::Relaxed) && next < blocks.end {
-            progress.done();
-            return Err(Failure {
-                status: NOT_AS_EXPECTED,
-                message: format!(
-                    "stopped after {} of {} blocks; what is done lies in {}\nhint: the same command goes on from there",
-                    next - first,
-                    blocks.end - first,
-                    folder.path().display()
-                ),
-            });
+            folder.put(head, &study.columns(), from..next, &kept, rows)?;
+            done += next - from;
+            cases += study.cases(from..next);
+            if stop.load(Ordering::Relaxed) && done < total {
+                progress.done();
+                return Err(Failure {
+                    status: NOT_AS_EXPECTED,
+                    message: format!(
+                        "stopped after {done} of {total} blocks; what is done lies in {}\nhint: the same command goes on from there",
+                        shown(folder.path())
+                    ),
+                });
+            }
         }
     }
     progress.done();
@@ -157,7 +162,7 @@ pub fn is_free(path: &Path) -> Result<(), Failure> {
     match table_file::held(path)? {
         None => Ok(()),
         Some(_) => Err(Failure::input(
-            format_args!("{} exists and is not overwritten", path.display()),
+            format_args!("{} exists and is not overwritten", shown(path)),
             "choose another name, or remove it first",
         )),
     }

@@ -168,7 +168,7 @@ pub use speed_table::speed_table;
 pub use star::{couple_stars, force_stars};
 pub use story::{Told, story};
 pub use swept_text::{sweep_steps_table, swept_table, swept_text};
-pub use table::{Cell, Column, Table};
+pub use table::{Cell, Column, Table, csv_text};
 pub use terminal::loads_text;
 pub use tornado::tornado_figure;
 pub use torque_figures::{power_figure, ripple_figure, torque_figures};

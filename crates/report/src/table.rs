@@ -292,15 +292,21 @@ pub(crate) fn push_csv_line(out: &mut String, fields: impl IntoIterator<Item = S
         if k > 0 {
             out.push(',');
         }
-        if field.contains([',', '"', '\n', '\r']) {
-            out.push('"');
-            out.push_str(&field.replace('"', "\"\""));
-            out.push('"');
-        } else {
-            out.push_str(&field);
-        }
+        out.push_str(&csv_text(&field));
     }
     out.push_str("\r\n");
+}
+
+/// A word for CSV, quoted where needed. One that a spreadsheet would take for a formula gets an apostrophe before it; a number does not.
+pub fn csv_text(text: &str) -> String {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    let is_number = text.parse::<f64>().is_ok_and(f64::is_finite);
+    let guard = if is_formula && !is_number { "'" } else { "" };
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{guard}{}\"", text.replace('"', "\"\""))
+    } else {
+        format!("{guard}{text}")
+    }
 }
 
 /// Escaped text with `F_x` as an index.
@@ -352,6 +358,25 @@ mod tests {
         assert_eq!(csv_number(-0.0), "0");
         assert_eq!(csv_number(f64::NAN), "");
         assert_eq!(csv_number(1e-17), "1e-17");
+    }
+
+    #[test]
+    fn no_word_of_csv_is_a_formula_and_numbers_stay_numbers() {
+        let formula = "=HYPERLINK(\"http://evil.example\",\"a\")";
+        assert_eq!(csv_text(formula), "\"'=HYPERLINK(\"\"http://evil.example\"\",\"\"a\"\")\"");
+        for (word, guarded) in [
+            ("+1 -1", "'+1 -1"),
+            ("@SUM(A1)", "'@SUM(A1)"),
+            ("-cmd", "'-cmd"),
+            ("\t=1", "'\t=1"),
+            ("-1.5", "-1.5"),
+            ("+2e-3", "+2e-3"),
+            ("-inf", "'-inf"),
+            ("web 1=2", "web 1=2"),
+            ("", ""),
+        ] {
+            assert_eq!(csv_text(word), guarded);
+        }
     }
 
     #[test]

@@ -190,11 +190,15 @@ async fn work(
         .filter(|(client, lane)| client.len() + lane.len() < 200)
         .map(|(client, lane)| studio.lanes.enter(client, lane));
     let (asker, _waiting) = Asker::new(studio.clone(), place);
-    let Ok(_permit) = studio.processors.acquire().await else { return superseded().into_response() };
-    if !asker.waits() {
+    let Ok(permit) = studio.processors.clone().acquire_owned().await else {
         return superseded().into_response();
-    }
-    match tokio::task::spawn_blocking(move || answer(&asker)).await {
+    };
+    let computed = tokio::task::spawn_blocking(move || {
+        // What is computed holds its processor, whether or not somebody still waits for it.
+        let _permit = permit;
+        if asker.waits() { answer(&asker) } else { Err(superseded()) }
+    });
+    match computed.await {
         Ok(Ok(response)) => response,
         Ok(Err(problem)) => problem.into_response(),
         Err(_) => Problem::new(StatusCode::INTERNAL_SERVER_ERROR, "the computation broke off", REPORT)

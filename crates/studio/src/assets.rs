@@ -7,6 +7,12 @@ use axum::response::{IntoResponse, Response};
 #[folder = "dist"]
 struct Page;
 
+/// Licences and notices of everything by others that the program and its page contain.
+pub const THIRD_PARTY: &str = include_str!("../third-party.txt");
+
+/// Where the page has them.
+const NOTICES: &str = "third-party.txt";
+
 /// Everything that the page may load stands on this server; three.js sets styles of its canvas by script.
 const POLICY: &str = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; \
                       worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -15,6 +21,9 @@ const POLICY: &str = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-
 pub(crate) async fn asset(uri: Uri) -> Response {
     let path = uri.path().trim_start_matches('/');
     let path = if path.is_empty() { "index.html" } else { path };
+    if path == NOTICES {
+        return THIRD_PARTY.into_response();
+    }
     let Some(file) = Page::get(path) else {
         return (StatusCode::NOT_FOUND, "the studio has no such page").into_response();
     };
@@ -27,11 +36,7 @@ pub(crate) async fn asset(uri: Uri) -> Response {
     };
     let headers = [
         (header::CONTENT_TYPE, HeaderValue::from_static(kind)),
-        // A newer program brings a newer page at the same address.
-        (header::CACHE_CONTROL, HeaderValue::from_static("no-cache")),
         (header::CONTENT_SECURITY_POLICY, HeaderValue::from_static(POLICY)),
-        (header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff")),
-        (header::REFERRER_POLICY, HeaderValue::from_static("no-referrer")),
     ];
     (headers, file.data.into_owned()).into_response()
 }

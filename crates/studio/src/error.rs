@@ -24,7 +24,7 @@ pub enum StudioError {
         error: std::io::Error,
     },
     /// The folder of the files.
-    #[error("cannot use the folder {}: {error}\nhint: give an engine file, or a folder that is there", .folder.display())]
+    #[error("cannot use the folder {}: {error}\nhint: give an engine file, or a folder that is there", lanchester_files::shown(.folder))]
     Folder {
         /// The folder.
         folder: PathBuf,

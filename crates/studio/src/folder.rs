@@ -1,13 +1,13 @@
 //! The folder of engine files: the only place that the studio reads from and writes to.
 
 use crate::problem::{Found, Problem};
-use crate::replace_file::replace_file;
 use axum::http::StatusCode;
 use lanchester::model::Engine;
 use lanchester::{TraceFile, fnv1a, trace_names};
+use lanchester_files::{NewFile, Over, PutError, open_regular};
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::fs::{self, File, OpenOptions};
+use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 
@@ -50,7 +50,9 @@ impl Folder {
     /// Engine files in it, sorted.
     pub(crate) fn names(&self) -> Vec<String> {
         let entries = fs::read_dir(&self.root).into_iter().flatten().flatten();
-        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        // Links are followed; a named pipe would let whoever opens it wait for ever.
+        let files = entries.filter(|entry| entry.path().is_file());
+        let names = files.filter_map(|entry| entry.file_name().into_string().ok());
         let mut names: Vec<String> = names.filter(|name| is_engine_file(name)).collect();
         names.sort();
         names.truncate(MOST_NAMES);
@@ -70,40 +72,41 @@ impl Folder {
         if text.len() as u64 > LONGEST_FILE {
             return Err(too_long(name, LONGEST_FILE));
         }
-        let cannot = |error: io::Error| {
-            let hint = "the text is still here: save it under another name, or download it";
-            Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot write {name}: {error}"), hint)
-        };
-        let saved = || FileState { name: name.to_string(), revision: revision(text), text: text.to_string() };
-        let Some(over) = over else {
-            let outcome = OpenOptions::new().write(true).create_new(true).open(&path);
-            let mut file = outcome.map_err(|error| match error.kind() {
-                io::ErrorKind::AlreadyExists => conflict(Found::Exists, format!("{name} exists already")),
-                _ => cannot(error),
-            })?;
-            return file
-                .write_all(text.as_bytes())
-                .and_then(|()| file.sync_all())
-                .map(|()| saved())
-                .map_err(cannot);
-        };
-        // A link stays a link: what it leads to is written.
-        let target = path.canonicalize().map_err(|error| match error.kind() {
-            io::ErrorKind::NotFound => {
+        let refused = |error: PutError| match error {
+            PutError::Exists => conflict(Found::Exists, format!("{name} exists already")),
+            PutError::Changed => {
+                conflict(Found::Changed, format!("another program changed {name} since it was opened here"))
+            }
+            PutError::Removed => {
                 conflict(Found::Removed, format!("another program removed {name} since it was opened here"))
             }
-            _ => cannot(error),
-        })?;
-        let target = self.within(&target, name)?;
-        let before = self.read(&target, name, LONGEST_FILE)?;
-        if revision(&before) != over {
-            return Err(conflict(
-                Found::Changed,
-                format!("another program changed {name} since it was opened here"),
-            ));
+            _ => {
+                let hint = "the text is still here: save it under another name, or download it";
+                Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot write {name}: {error}"), hint)
+            }
+        };
+        let put = |path: &Path, over: Over| {
+            let file = NewFile::beside(path, over)?;
+            file.file().write_all(text.as_bytes())?;
+            file.put()
+        };
+        match over {
+            None => put(&path, Over::Nothing).map_err(refused)?,
+            Some(over) => {
+                // A link stays a link: what it leads to is written.
+                let target = path.canonicalize().map_err(|error| match error.kind() {
+                    io::ErrorKind::NotFound => refused(PutError::Removed),
+                    _ => refused(error.into()),
+                })?;
+                let target = self.within(&target, name)?;
+                let before = self.read(&target, name, LONGEST_FILE)?;
+                if revision(&before) != over {
+                    return Err(refused(PutError::Changed));
+                }
+                put(&target, Over::Text(before.as_bytes())).map_err(refused)?;
+            }
         }
-        replace_file(&target, text).map_err(cannot)?;
-        Ok(saved())
+        Ok(FileState { name: name.to_string(), revision: revision(text), text: text.to_string() })
     }
 
     /// The files of pressure that an engine names; they stand in this folder.
@@ -152,7 +155,7 @@ impl Folder {
     fn read(&self, path: &Path, name: &str, longest: u64) -> Result<String, Problem> {
         let path = self.within(&path.canonicalize().unwrap_or_else(|_| path.to_path_buf()), name)?;
         let mut bytes = Vec::new();
-        let outcome = File::open(path).and_then(|file| file.take(longest + 1).read_to_end(&mut bytes));
+        let outcome = open_regular(&path).and_then(|file| file.take(longest + 1).read_to_end(&mut bytes));
         outcome.map_err(|error| {
             Problem::new(
                 StatusCode::UNPROCESSABLE_ENTITY,
@@ -239,6 +242,23 @@ mod tests {
         ] {
             assert!(folder.open(name).is_err() && folder.save(name, "x", None).is_err(), "{name}");
         }
+        fs::remove_dir_all(&folder.root).unwrap();
+    }
+
+    /// A named pipe holds up whoever opens it until somebody writes: it is neither listed nor opened.
+    #[cfg(unix)]
+    #[test]
+    fn a_named_pipe_is_no_engine_file() {
+        let folder = folder("pipe");
+        folder.save("a.toml", "one", None).unwrap();
+        let pipe = folder.root.join("pipe.toml");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
+        assert!(made.success());
+        fs::create_dir(folder.root.join("folder.toml")).unwrap();
+        assert_eq!(folder.names(), ["a.toml"]);
+        let refused = folder.open("pipe.toml").unwrap_err();
+        assert!(refused.message.contains("no regular file"), "{refused:?}");
+        assert!(folder.save("pipe.toml", "x", Some("y")).is_err());
         fs::remove_dir_all(&folder.root).unwrap();
     }
 

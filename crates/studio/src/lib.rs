@@ -22,7 +22,6 @@ mod lanes;
 mod openapi;
 mod problem;
 mod reading;
-mod replace_file;
 mod results;
 mod server;
 mod session;
@@ -32,8 +31,8 @@ mod typescript;
 mod watch;
 
 pub use api::Api;
+pub use assets::THIRD_PARTY;
 pub use error::StudioError;
 pub use openapi::openapi;
-pub use replace_file::replace_file;
 pub use server::{Options, serve};
 pub use typescript::typescript;

@@ -17,6 +17,8 @@ pub fn openapi() -> Value {
         "responses": { "200": { "description": "A stream of events.", "content": { "text/event-stream": {} } } },
     });
     paths.insert("/api/events".into(), json!({ "get": events }));
+    let mut schemas = Value::Object(api.schemas.take_definitions(true));
+    leave_defaults_out(&mut schemas);
     json!({
         "openapi": "3.1.0",
         "info": {
@@ -27,10 +29,34 @@ pub fn openapi() -> Value {
         "security": [{ "token": [] }],
         "paths": paths,
         "components": {
-            "schemas": api.schemas.take_definitions(true),
+            "schemas": schemas,
             "securitySchemes": { "token": { "type": "apiKey", "in": "header", "name": "X-Lanchester-Token" } },
         },
     })
+}
+
+/// A question may leave out what has a default; the schemas are those of answers, which have all of it.
+fn leave_defaults_out(schema: &mut Value) {
+    match schema {
+        Value::Object(keys) => {
+            let has_default: Vec<String> = match keys.get("properties") {
+                Some(Value::Object(properties)) => {
+                    let with = properties.iter().filter(|(_, property)| property.get("default").is_some());
+                    with.map(|(name, _)| name.clone()).collect()
+                }
+                _ => Vec::new(),
+            };
+            if let Some(Value::Array(required)) = keys.get_mut("required") {
+                required.retain(|name| !has_default.iter().any(|other| name == other));
+                if required.is_empty() {
+                    keys.remove("required");
+                }
+            }
+            keys.values_mut().for_each(leave_defaults_out);
+        }
+        Value::Array(list) => list.iter_mut().for_each(leave_defaults_out),
+        _ => {}
+    }
 }
 
 fn operation(endpoint: &Endpoint) -> Value {
@@ -63,6 +89,34 @@ mod tests {
         let mut count = 0;
         check(&description, &description, &mut count);
         assert!(count > 100, "{count} references");
+    }
+
+    #[test]
+    fn nothing_that_has_a_default_is_required() {
+        let description = openapi();
+        let question = description.pointer("/components/schemas/BalanceQuestion").unwrap();
+        assert_eq!(question["required"], json!(["text"]));
+        let mut defaults = 0;
+        look(&description, &mut defaults);
+        assert!(defaults > 15, "{defaults} defaults");
+    }
+
+    fn look(value: &Value, defaults: &mut usize) {
+        if let (Some(Value::Object(properties)), required) = (value.get("properties"), value.get("required"))
+        {
+            for (name, property) in properties {
+                if property.get("default").is_some() {
+                    *defaults += 1;
+                    let required = required.and_then(Value::as_array);
+                    assert!(!required.is_some_and(|all| all.iter().any(|other| other == name)), "{name}");
+                }
+            }
+        }
+        match value {
+            Value::Object(keys) => keys.values().for_each(|value| look(value, defaults)),
+            Value::Array(list) => list.iter().for_each(|value| look(value, defaults)),
+            _ => {}
+        }
     }
 
     fn check(value: &Value, root: &Value, count: &mut usize) {

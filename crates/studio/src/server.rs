@@ -9,19 +9,31 @@ use crate::lanes::Lanes;
 use crate::problem::Problem;
 use crate::watch::events;
 use axum::Router;
+use axum::body::{Body, to_bytes};
 use axum::extract::{DefaultBodyLimit, Request, State};
-use axum::http::StatusCode;
-use axum::middleware::{Next, from_fn_with_state};
+use axum::http::{HeaderValue, StatusCode, header};
+use axum::middleware::{Next, from_fn_with_state, map_response};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
 /// A question may be this long [bytes]: an engine file of the largest kind, some others beside it to compare with, and what is asked.
 const LONGEST_QUESTION: usize = 24 << 20;
+
+/// Most connections at a time: a window has half a dozen.
+const MOST_CONNECTIONS: usize = 256;
+
+/// Who asks has so long for the head of a question, and as long again for its body: both come from this machine.
+const PATIENCE: Duration = Duration::from_secs(20);
 
 /// How the studio is started.
 #[derive(Debug, Clone)]
@@ -44,7 +56,7 @@ pub(crate) struct Studio {
     pub(crate) open: Mutex<Option<String>>,
     pub(crate) lanes: Lanes,
     /// Computations at a time: as many as there are processors.
-    pub(crate) processors: Semaphore,
+    pub(crate) processors: Arc<Semaphore>,
 }
 
 /// Serves until the process is asked to stop (Ctrl-C); `announce` gets the address once it answers.
@@ -78,7 +90,7 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
         folder,
         open: Mutex::new(open),
         lanes: Lanes::default(),
-        processors: Semaphore::new(processors),
+        processors: Arc::new(Semaphore::new(processors)),
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();
     let runtime = runtime.map_err(|error| system(&error))?;
@@ -92,14 +104,46 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
         let app = router(Arc::new(studio), Gate::new(token.clone(), address.port()));
         announce(&format!("http://{address}/?token={token}"));
         tokio::select! {
-            ended = axum::serve(listener, app) => ended.map_err(|error| system(&error)),
+            never = answer(listener, app) => match never {},
             // Streams of events never end by themselves: nobody waits for them.
             _ = tokio::signal::ctrl_c() => Ok(()),
+            () = terminated() => Ok(()),
         }
     });
     // Nor does anybody wait for an answer that is still computed.
     runtime.shutdown_background();
     ended
+}
+
+/// Takes connections for ever, so many at a time, and none that is silent for long.
+async fn answer(listener: TcpListener, app: Router) -> Infallible {
+    let room = Arc::new(Semaphore::new(MOST_CONNECTIONS));
+    loop {
+        let place = room.clone().acquire_owned().await;
+        let Ok((stream, _)) = listener.accept().await else {
+            // As a rule too many open files: some will be closed.
+            tokio::time::sleep(Duration::from_millis(50)).await;
+            continue;
+        };
+        let service = TowerToHyperService::new(app.clone());
+        tokio::spawn(async move {
+            let _place = place;
+            let mut http = http1::Builder::new();
+            http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
+            // Who breaks off has gone: there is nobody to tell.
+            let _ = http.serve_connection(TokioIo::new(stream), service).await;
+        });
+    }
+}
+
+/// Until the system asks the process to end.
+async fn terminated() {
+    #[cfg(unix)]
+    if let Ok(mut signal) = tokio::signal::unix::signal(tokio::signal::unix::SignalKind::terminate()) {
+        signal.recv().await;
+        return;
+    }
+    std::future::pending().await
 }
 
 fn router(studio: Arc<Studio>, gate: Gate) -> Router {
@@ -108,18 +152,42 @@ fn router(studio: Arc<Studio>, gate: Gate) -> Router {
     let questions = questions
         .layer(DefaultBodyLimit::max(LONGEST_QUESTION))
         .layer(from_fn_with_state(gate.clone(), with_token));
-    Router::new().merge(questions).fallback(asset).layer(from_fn_with_state(gate, in_place))
+    let all = Router::new().merge(questions).fallback(asset).layer(from_fn_with_state(gate, in_place));
+    all.layer(map_response(guarded))
+}
+
+/// No answer is kept by a browser or taken for something else than it says; a newer program brings a newer page at the same address.
+async fn guarded(mut response: Response) -> Response {
+    let headers = response.headers_mut();
+    headers.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
+    headers.insert(header::X_CONTENT_TYPE_OPTIONS, HeaderValue::from_static("nosniff"));
+    headers.insert(header::REFERRER_POLICY, HeaderValue::from_static("no-referrer"));
+    response
 }
 
 async fn with_token(State(gate): State<Gate>, request: Request, next: Next) -> Response {
-    match gate.check_token(request.headers(), request.uri()) {
-        Ok(()) => next.run(request).await,
-        Err(problem) => problem.into_response(),
+    if let Err(problem) = gate.check_token(request.headers(), request.uri()) {
+        return problem.into_response();
+    }
+    let (parts, body) = request.into_parts();
+    let refused = |status, message: String, hint: &str| Problem::new(status, message, hint).into_response();
+    match tokio::time::timeout(PATIENCE, to_bytes(body, LONGEST_QUESTION)).await {
+        Ok(Ok(bytes)) => next.run(Request::from_parts(parts, Body::from(bytes))).await,
+        Ok(Err(_)) => refused(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            format!("a question has at most {} MiB, got a longer one", LONGEST_QUESTION >> 20),
+            "ask about fewer files at a time",
+        ),
+        Err(_) => refused(
+            StatusCode::REQUEST_TIMEOUT,
+            format!("a question comes whole within {} s, got a part of it", PATIENCE.as_secs()),
+            "ask again",
+        ),
     }
 }
 
 async fn in_place(State(gate): State<Gate>, request: Request, next: Next) -> Response {
-    match gate.check_place(request.headers()) {
+    match gate.check_place(request.headers(), request.uri()) {
         Ok(()) => next.run(request).await,
         Err(problem) => problem.into_response(),
     }

@@ -4,13 +4,18 @@ use crate::column::{Column, Rows, Values};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-/// A word, quoted where needed.
+/// A word, quoted where needed; an apostrophe stands before one that a spreadsheet would take for a formula (`csv_text` of the report
+/// is the same rule).
 fn push_word(line: &mut String, word: &str) {
+    let is_formula = word.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    let guard = if is_formula && !word.parse::<f64>().is_ok_and(f64::is_finite) { "'" } else { "" };
     if word.contains([',', '"', '\n', '\r']) {
         line.push('"');
+        line.push_str(guard);
         line.push_str(&word.replace('"', "\"\""));
         line.push('"');
     } else {
+        line.push_str(guard);
         line.push_str(word);
     }
 }

@@ -15,6 +15,12 @@ pub enum TableError {
         /// Why.
         reason: String,
     },
+    /// The bytes are not those that were written: a disk or a copy changed them.
+    #[error("its bytes are not those that were written (SHA-256 differs)")]
+    Altered,
+    /// It has no hash to be verified by: an older version wrote it, or the place of the hash is damaged.
+    #[error("it has no valid hash of its bytes: it is damaged, or an older version wrote it")]
+    Unsealed,
     /// The columns are not those that were expected.
     #[error("the table has other columns: needed {needed}, got {got}")]
     Columns {

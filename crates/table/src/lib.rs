@@ -1,6 +1,7 @@
 //! Columns of results as Parquet and CSV, and back from Parquet.
 //!
-//! A table is a function of its rows and metadata alone: the bytes do not depend on the pieces in which the rows came. Nothing here
+//! A table is a function of its rows and metadata alone: the bytes do not depend on the pieces in which the rows came. It keeps the SHA-256
+//! of its bytes, which is verified before anything is read from it. Nothing here
 //! opens a file; tables are written into any sink and read from any source of bytes.
 //!
 //! ```
@@ -21,10 +22,12 @@ mod column;
 mod csv;
 mod error;
 mod reader;
+mod seal;
 mod writer;
 
 pub use column::{Column, Kind, Rows, Values};
 pub use error::TableError;
 pub use parquet::file::reader::ChunkReader as Source;
 pub use reader::{Bytes, TableReader};
+pub use seal::{SEAL, csv_seal};
 pub use writer::{Form, TableWriter};

@@ -2,6 +2,7 @@
 
 use crate::column::{Column, Kind, Rows, Values};
 use crate::error::TableError;
+use crate::seal::verify;
 use parquet::basic::Type as Physical;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, DataType};
@@ -17,11 +18,12 @@ pub struct TableReader<R: ChunkReader + 'static> {
 }
 
 impl<R: ChunkReader + 'static> TableReader<R> {
-    /// Reads head and metadata.
+    /// Verifies every byte by the hash of the table, then reads head and metadata.
     ///
     /// # Errors
-    /// [`TableError`] where it is no table, or one that was not ended.
+    /// [`TableError`] where it is no table, one that was not ended, or not what was written.
     pub fn open(source: R) -> Result<TableReader<R>, TableError> {
+        verify(&source)?;
         Ok(TableReader { reader: SerializedFileReader::new(source)?, next: 0 })
     }
 

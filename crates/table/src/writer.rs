@@ -3,6 +3,7 @@
 use crate::column::{Column, Kind, Rows, Values};
 use crate::csv;
 use crate::error::TableError;
+use crate::seal::{OPEN, SEAL, Sealing};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::metadata::KeyValue;
@@ -33,8 +34,8 @@ pub struct TableWriter<W: Write + Send> {
 
 /// Where the rows go.
 enum Sink<W: Write + Send> {
-    Parquet(Box<SerializedFileWriter<W>>),
-    Csv(W),
+    Parquet(Box<SerializedFileWriter<Sealing<W>>>),
+    Csv(Sealing<W>),
 }
 
 impl<W: Write + Send> TableWriter<W> {
@@ -42,7 +43,8 @@ impl<W: Write + Send> TableWriter<W> {
     ///
     /// # Errors
     /// [`TableError`] where the sink fails.
-    pub fn new(form: Form, mut sink: W, columns: &[Column]) -> Result<TableWriter<W>, TableError> {
+    pub fn new(form: Form, sink: W, columns: &[Column]) -> Result<TableWriter<W>, TableError> {
+        let mut sink = Sealing::new(sink);
         let sink = match form {
             Form::Parquet => {
                 let properties = WriterProperties::builder()
@@ -78,11 +80,12 @@ impl<W: Write + Send> TableWriter<W> {
         Ok(())
     }
 
-    /// Ends the table; Parquet keeps `metadata` in its footer, CSV drops it.
+    /// Ends the table and gives its hash. Parquet keeps `metadata` and the hash of all its bytes in its footer; CSV drops them, and the
+    /// hash is that of its bytes and of `metadata` ([`crate::csv_seal`]).
     ///
     /// # Errors
     /// [`TableError`] where the sink fails.
-    pub fn finish(mut self, metadata: &[(String, String)]) -> Result<(), TableError> {
+    pub fn finish(mut self, metadata: &[(String, String)]) -> Result<String, TableError> {
         let rest = std::mem::take(&mut self.waiting);
         if !rest.is_empty() {
             self.write(&rest)?;
@@ -92,13 +95,17 @@ impl<W: Write + Send> TableWriter<W> {
                 for (key, value) in metadata {
                     writer.append_key_value_metadata(KeyValue::new(key.clone(), value.clone()));
                 }
+                // The last of them, where it is looked for.
+                writer.append_key_value_metadata(KeyValue::new(SEAL.to_owned(), OPEN.to_owned()));
+                writer.inner_mut().hold();
                 writer.finish()?;
+                writer.inner_mut().seal()
             }
             Sink::Csv(mut sink) => {
                 sink.flush()?;
+                Ok(sink.with_metadata(metadata))
             }
         }
-        Ok(())
     }
 
     fn write(&mut self, rows: &Rows) -> Result<(), TableError> {

@@ -1,7 +1,9 @@
 //! Tables: bytes that depend on the rows alone, read back as they were written, and sinks that fail.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester_table::{Bytes, Column, Form, Rows, TableError, TableReader, TableWriter, Values};
+use lanchester_table::{
+    Bytes, Column, Form, Rows, SEAL, TableError, TableReader, TableWriter, Values, csv_seal,
+};
 use std::io::{self, Write};
 
 fn columns() -> Vec<Column> {
@@ -70,17 +72,57 @@ fn csv_is_plain() {
 }
 
 #[test]
+fn no_word_of_csv_is_a_formula() {
+    let columns = [Column::text("shafts"), Column::real("force_N")];
+    let words = ["=1+1", "+1 -1", "-2", "@A1", "web 1"].map(str::to_owned).to_vec();
+    let mut bytes = Vec::new();
+    let mut writer = TableWriter::new(Form::Csv, &mut bytes, &columns).unwrap();
+    writer.push(Rows::of(vec![Values::Text(words), Values::Real(vec![-1.0, 0.0, 1.0, -2.5, 3.0])])).unwrap();
+    writer.finish(&[]).unwrap();
+    assert_eq!(
+        String::from_utf8(bytes).unwrap(),
+        "shafts,force_N\r\n'=1+1,-1\r\n'+1 -1,0\r\n-2,1\r\n'@A1,-2.5\r\nweb 1,3\r\n"
+    );
+}
+
+#[test]
 fn what_is_no_table_or_not_ended_is_told() {
     for bytes in [Vec::new(), b"case,force\n".to_vec(), table(Form::Parquet, &[0, 10])[..200].to_vec()] {
         assert!(matches!(TableReader::open(Bytes::from(bytes)), Err(TableError::Damaged { .. })));
     }
-    // Damage within.
-    let mut bytes = table(Form::Parquet, &[0, MANY]);
-    for k in (100..5000).step_by(3) {
-        bytes[k] ^= 0x5a;
+}
+
+/// Every bit of a table is under its hash: data, footer and the hash itself.
+#[test]
+fn one_flipped_bit_anywhere_is_found() {
+    let whole = table(Form::Parquet, &[0, 500]);
+    TableReader::open(Bytes::from(whole.clone())).unwrap();
+    for byte in 0..whole.len() {
+        let mut bytes = whole.clone();
+        bytes[byte] ^= 1 << (byte % 8);
+        let Err(error) = TableReader::open(Bytes::from(bytes)) else { panic!("byte {byte}") };
+        assert!(
+            matches!(error, TableError::Altered | TableError::Unsealed | TableError::Damaged { .. }),
+            "{error}"
+        );
     }
-    let mut reader = TableReader::open(Bytes::from(bytes)).unwrap();
-    assert!(reader.next(&columns()).is_err());
+}
+
+/// The hash is that of the bytes with sixty-four zeros in its place: anybody can compute it.
+#[test]
+fn the_hash_is_what_is_said_of_it() {
+    let bytes = table(Form::Parquet, &[0, 500]);
+    let reader = TableReader::open(Bytes::from(bytes.clone())).unwrap();
+    let hash = reader.metadata(SEAL).unwrap();
+    let place = bytes.windows(64).position(|some| some == hash.as_bytes()).unwrap();
+    let mut open = bytes.clone();
+    open[place..place + 64].fill(b'0');
+    assert_eq!(csv_seal(&open[..], &[]).unwrap(), hash);
+    // The published value for "abc" (FIPS 180-2, appendix B.1).
+    assert_eq!(
+        csv_seal(&b"abc"[..], &[]).unwrap(),
+        "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+    );
 }
 
 /// A disk with room for so many bytes.
@@ -109,7 +151,7 @@ fn a_full_disk_is_told_wherever_it_fills() {
             let write = || -> Result<(), TableError> {
                 let mut writer = TableWriter::new(form, Disk(room), &columns())?;
                 writer.push(rows(0, MANY))?;
-                writer.finish(&[("key".to_owned(), "value".to_owned())])
+                writer.finish(&[("key".to_owned(), "value".to_owned())]).map(drop)
             };
             match write() {
                 Ok(()) => assert_eq!(room, size, "{form:?}"),

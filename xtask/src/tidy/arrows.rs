@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("lanchester-shape", &[]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
@@ -36,8 +36,9 @@ const ARROWS: [(&str, &[&str]); 13] = [
             "lanchester-table",
         ],
     ),
-    ("lanchester-studio", &["lanchester"]),
-    ("lanchester-cli", &["lanchester", "lanchester-studio"]),
+    ("lanchester-files", &[]),
+    ("lanchester-studio", &["lanchester", "lanchester-files"]),
+    ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio"]),
     ("xtask", &[]),
 ];
 

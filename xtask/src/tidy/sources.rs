@@ -6,8 +6,15 @@ use anyhow::Result;
 /// Longest source file [lines].
 const MAX_LINES: usize = 700;
 
-/// The front ends; every other crate knows no file, network, clock or printing.
-const FRONT_ENDS: [&str; 2] = ["crates/cli/", "crates/studio/"];
+/// The front ends and what they share; every other crate knows no file, network, clock or printing.
+const FRONT_ENDS: [&str; 3] = ["crates/cli/", "crates/files/", "crates/studio/"];
+/// Where a file name would reach a terminal as it is: `shown` writes out what acts on it.
+const SHOWN: &str = "crates/cli/src/";
+const RAW_NAME: &str = ".display()";
+/// What writes files: one module does, for all front ends.
+const WRITES: [&str; 3] = ["File::create", "OpenOptions", "fs::write"];
+/// Pipes, devices and the lock of a run are no files that somebody's text could be lost in.
+const WRITERS: [&str; 3] = ["crates/files/src/", "crates/cli/src/run/", "crates/cli/src/files.rs"];
 const IMPURE: [&str; 12] = [
     "std::fs",
     "std::net",
@@ -61,6 +68,8 @@ fn check_text(file: &str, text: &str) -> Vec<String> {
     }
     let below = file.starts_with("crates/") && !FRONT_ENDS.iter().any(|folder| file.starts_with(folder));
     let pure = below && file.ends_with(".rs") && !is_test(file);
+    let front = FRONT_ENDS.iter().any(|folder| file.starts_with(folder)) && file.contains("/src/");
+    let writes = front && !WRITERS.iter().any(|place| file.starts_with(place));
     let mut in_tests = false;
     let mut after_cfg_test = false;
     for (index, line) in text.lines().enumerate() {
@@ -72,6 +81,14 @@ fn check_text(file: &str, text: &str) -> Vec<String> {
         if pure && !in_tests {
             for word in IMPURE.iter().filter(|word| holds(code, word)) {
                 breaches.push(format!("{place}: `{word}` below the front ends"));
+            }
+        }
+        if file.starts_with(SHOWN) && code.contains(RAW_NAME) {
+            breaches.push(format!("{place}: `{RAW_NAME}` shows a name as it is; `shown` cleans it"));
+        }
+        if writes && !in_tests {
+            for word in WRITES.iter().filter(|word| holds(code, word)) {
+                breaches.push(format!("{place}: `{word}`; `lanchester_files::NewFile` is the one writer"));
             }
         }
         for word in REMINDERS.iter().filter(|word| holds(line, word)) {
@@ -111,6 +128,16 @@ mod tests {
         assert!(check_text("crates/cli/src/a.rs", text).is_empty());
         assert!(check_text("crates/model/src/a.rs", "#[cfg(test)]\nmod tests {\nprintln!()\n}").is_empty());
         assert!(check_text("crates/model/src/a.rs", "// println! is not for us\n").is_empty());
+    }
+
+    #[test]
+    fn front_ends_have_one_writer_and_show_no_raw_name() {
+        let write = "fn f() {\n    std::fs::write(path, text);\n}\n";
+        assert_eq!(check_text("crates/cli/src/a.rs", write).len(), 1);
+        assert_eq!(check_text("crates/studio/src/a.rs", write).len(), 1);
+        assert!(check_text("crates/files/src/a.rs", write).is_empty());
+        assert!(check_text("crates/cli/tests/a.rs", write).is_empty());
+        assert_eq!(check_text("crates/cli/src/a.rs", "let x = path.display();").len(), 1);
     }
 
     #[test]

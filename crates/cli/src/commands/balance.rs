@@ -5,7 +5,7 @@ use crate::balance_request::balance_task;
 use crate::commands::found::{csv, loads_of, put_into_file};
 use crate::commands::{json, open, published, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
-use crate::files::{print, write_result};
+use crate::files::{print, tell, write_result};
 use crate::format::Format;
 use lanchester::balance::{Answer, Outcome, fitted, optimise};
 use lanchester::model::Engine;
@@ -67,7 +67,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         return Ok(status(&answer));
     }
     if status(&answer) != DONE && arguments.format != Format::Text {
-        eprintln!("{}", headline(engine, &answer));
+        tell(headline(engine, &answer));
     }
     let as_parts = if found { as_parts(&answer, &after) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
@@ -94,7 +94,7 @@ struct Found<'a> {
 fn as_parts(answer: &Answer, after: &Engine) -> Vec<WeightAsPart> {
     weights_as_parts(answer, after).unwrap_or_else(|error| {
         let message = error.to_string().replace("\nhint:", ";");
-        eprintln!("warning: the mass of the weights as parts is left out: {message}");
+        tell(format_args!("warning: the mass of the weights as parts is left out: {message}"));
         Vec::new()
     })
 }

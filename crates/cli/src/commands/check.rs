@@ -3,11 +3,12 @@
 use crate::arguments::CheckArguments;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, WRONG_INPUT};
-use crate::files::{print, read_source};
+use crate::files::{print, read_source, tell};
 use crate::format::Format;
 use crate::trace_files::trace_files;
 use lanchester::cylinder_gas;
 use lanchester::model::{Diagnostic, Engine, Severity, read, render};
+use lanchester::report::csv_text;
 use serde::Serialize;
 use std::path::Path;
 
@@ -31,7 +32,7 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
             Ok(source) => source,
             // One unreadable file must not hide the mistakes of the others.
             Err(failure) => {
-                eprintln!("{}", failure.message);
+                tell(failure.message);
                 status = failure.status;
                 continue;
             }
@@ -52,7 +53,7 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         }
         if arguments.format == Format::Text {
             for message in &gas {
-                eprintln!("{message}\n");
+                tell(format_args!("{message}\n"));
             }
         }
         checked.push(Checked {
@@ -115,18 +116,14 @@ fn csv(checked: &[Checked]) -> String {
             let severity = if diagnostic.severity == Severity::Error { "error" } else { "warning" };
             out += &format!(
                 "{},{severity},{},{},{},{},{}\n",
-                quoted(&file.file),
+                csv_text(&file.file),
                 diagnostic.code,
                 diagnostic.line,
                 diagnostic.column,
-                quoted(&diagnostic.message),
-                quoted(diagnostic.hint.as_deref().unwrap_or_default()),
+                csv_text(&diagnostic.message),
+                csv_text(diagnostic.hint.as_deref().unwrap_or_default()),
             );
         }
     }
     out
-}
-
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
 }

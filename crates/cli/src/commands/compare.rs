@@ -3,7 +3,7 @@
 use crate::commands::{json, open, write_figures};
 use crate::compare_arguments::{CompareArguments, EqualOption, HeldOption};
 use crate::failure::{DONE, Failure};
-use crate::files::print;
+use crate::files::{print, tell};
 use crate::format::Format;
 use crate::share_option::share;
 use crate::trace_files::trace_files;
@@ -36,7 +36,7 @@ pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
     }
     let comparison = compare(&entries, &request).map_err(Failure::refused)?;
     for warning in &comparison.warnings {
-        eprintln!("warning: {warning}");
+        tell(format_args!("warning: {warning}"));
     }
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.files[0], &[comparison_figure(&comparison)])?;

@@ -11,6 +11,7 @@ use lanchester::model::{Engine, expanded, read, render};
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
 use lanchester::study::explore::{Exploration, ExploreAnswer, ExploreRequest, Explorer};
 use lanchester::{LayoutRows, LayoutStudy, adopted_layout, given_engine};
+use lanchester_files::shown;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -102,6 +103,6 @@ fn adopt(
     }
     let path = arguments.output.as_deref().unwrap_or(Path::new("-"));
     write_new(path, &text)?;
-    eprintln!("layout {number} written into {}", path.display());
+    eprintln!("layout {number} written into {}", shown(path));
     Ok(())
 }

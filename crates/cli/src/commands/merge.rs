@@ -10,6 +10,7 @@ use clap::Args;
 use lanchester::LayoutStudy;
 use lanchester::model::{Engine, read};
 use lanchester::study::explore::Explorer;
+use lanchester_files::shown;
 use serde::de::DeserializeOwned;
 use std::path::PathBuf;
 
@@ -42,7 +43,7 @@ pub fn run(arguments: &MergeArguments) -> Result<u8, Failure> {
     for (held, path) in &parts {
         if held.head != head || held.of != of {
             return Err(Failure::input(
-                format_args!("{} and {} are not parts of one run", first_path.display(), path.display()),
+                format_args!("{} and {} are not parts of one run", shown(first_path), shown(path)),
                 "parts have one engine file, the same options and one version of lanchester",
             ));
         }
@@ -107,7 +108,7 @@ fn all_there(parts: &[(Held, PathBuf)], of: u64) -> Result<(), Failure> {
     for (held, path) in parts {
         if held.blocks.start < next {
             return Err(Failure::input(
-                format_args!("{} holds blocks that another part holds too", path.display()),
+                format_args!("{} holds blocks that another part holds too", shown(path)),
                 "name every part once",
             ));
         }

@@ -7,6 +7,7 @@ pub mod compare;
 pub mod counterweight;
 pub mod explore;
 mod found;
+pub mod licences;
 pub mod loads;
 pub mod merge;
 pub mod mounts;

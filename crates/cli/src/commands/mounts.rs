@@ -2,7 +2,7 @@
 
 use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
-use crate::files::print;
+use crate::files::{print, tell};
 use crate::format::Format;
 use crate::mounts_arguments::{MountsArguments, MountsTable};
 use crate::request::point;
@@ -36,7 +36,7 @@ pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
     let study = mounts(&opened.engine, &speeds, arguments.orders, traces.as_deref(), &points)
         .map_err(Failure::refused)?;
     for warning in &study.warnings {
-        eprintln!("warning: {warning}");
+        tell(format_args!("warning: {warning}"));
     }
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &mount_figures(&opened.engine, &study))?;

@@ -6,6 +6,8 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_new};
 use crate::format::Format;
 use lanchester::model::{nearest_template, template, templates};
+use lanchester::report::csv_text;
+use lanchester_files::shown;
 
 pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
     let Some(name) = &arguments.name else { return list(arguments.format) };
@@ -20,7 +22,7 @@ pub fn run(arguments: &NewArguments) -> Result<u8, Failure> {
     match &arguments.output {
         Some(path) => {
             write_new(path, template.text)?;
-            print(&format!("{}\n", path.display()))?;
+            print(&format!("{}\n", shown(path)))?;
         }
         None => print(template.text)?,
     }
@@ -39,7 +41,7 @@ fn list(format: Format) -> Result<u8, Failure> {
         Format::Csv => {
             out += "name,title\n";
             for template in templates() {
-                out += &format!("{},\"{}\"\n", template.name, template.title.replace('"', "\"\""));
+                out += &format!("{},{}\n", template.name, csv_text(template.title));
             }
         }
         Format::Json => {

@@ -3,7 +3,7 @@
 use crate::arguments::ReportArguments;
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
-use crate::files::{Source, print, write_result};
+use crate::files::{Source, print, tell, write_result};
 use crate::format::Format;
 use crate::program::PROGRAM;
 use crate::request::{internal_request, load_request};
@@ -13,6 +13,7 @@ use lanchester::report::{
     ArrangementsInput, Figure, Provenance, arrangements_report, figures, internal_figures,
 };
 use lanchester::{EngineReport, arrangements, is_running};
+use lanchester_files::shown;
 use std::path::{Path, PathBuf};
 
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
@@ -39,7 +40,7 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         let report =
             EngineReport::new(engine, &request, &internal, traces, &opened.warnings).map_err(refused)?;
         for warning in &report.warnings[report.told..] {
-            eprintln!("warning: {warning}");
+            tell(format_args!("warning: {warning}"));
         }
         (report.page(&provenance(&opened.source, &report.loads, &request)), report.figures())
     };
@@ -70,7 +71,7 @@ fn provenance(source: &Source, loads: &Loads, request: &LoadRequest) -> Provenan
 }
 
 fn listed(head: &str, written: &[PathBuf]) -> String {
-    written.iter().fold(head.to_string(), |list, path| list + &path.display().to_string() + "\n")
+    written.iter().fold(head.to_string(), |list, path| list + &shown(path) + "\n")
 }
 
 fn write_figures(folder: &Path, engine_file: &Path, figures: &[Figure]) -> Result<Vec<PathBuf>, Failure> {

@@ -2,7 +2,7 @@
 
 use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
-use crate::files::print;
+use crate::files::{print, tell};
 use crate::format::Format;
 use crate::sensitivity_arguments::SensitivityArguments;
 use crate::trace_files::trace_files;
@@ -23,7 +23,7 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
     let speed = speed.unwrap_or(engine.speed.highest);
     let (point, warnings) = operating_point(&engine, &traces, speed, needs).map_err(Failure::refused)?;
     for warning in &warnings {
-        eprintln!("warning: {warning}");
+        tell(format_args!("warning: {warning}"));
     }
     let request = SensitivityRequest {
         outputs,

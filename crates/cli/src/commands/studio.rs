@@ -5,6 +5,7 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::program::PROGRAM;
 use crate::studio_arguments::{Description, StudioArguments};
+use lanchester_files::SecretFile;
 use lanchester_studio::{Options, openapi, serve, typescript};
 use std::process::{Command, Stdio};
 
@@ -19,6 +20,7 @@ pub fn run(arguments: &StudioArguments) -> Result<u8, Failure> {
             let token = std::env::var(TOKEN).ok().filter(|token| !token.is_empty());
             let (path, port) = (arguments.path.clone(), arguments.port);
             let options = Options { path, port, token, program: PROGRAM.to_owned() };
+            let mut way_in = None;
             let announce = |address: &str| {
                 // Without a reader of this line the address is lost, and with it the studio: it stands on both.
                 if print(&format!("{address}\n")).is_err() {
@@ -26,30 +28,44 @@ pub fn run(arguments: &StudioArguments) -> Result<u8, Failure> {
                 }
                 eprintln!("The studio answers at this address until Ctrl-C.");
                 if !arguments.no_open {
-                    open(address);
+                    way_in = open(address);
                 }
             };
-            serve(&options, announce).map_err(Failure::refused)?;
+            let ended = serve(&options, announce).map_err(Failure::refused);
+            drop(way_in);
+            ended?;
             Ok(DONE)
         }
     }
 }
 
-/// Opens the address with what the system has for that; where it has nothing, the printed address is enough.
-fn open(address: &str) {
-    let programs: &[(&str, &[&str])] = match std::env::consts::OS {
-        "macos" => &[("open", &[])],
-        "windows" => &[("explorer", &[])],
-        _ => &[("xdg-open", &[])],
+/// Opens the address with what the system has for that; where it has nothing, the printed address is enough. Every user of the machine
+/// sees the arguments of a program: the browser gets the name of a page that only its user can read, which leads to the address.
+fn open(address: &str) -> Option<SecretFile> {
+    let page = SecretFile::new("html", &leading_to(address)).ok()?;
+    let program = match std::env::consts::OS {
+        "macos" => "open",
+        "windows" => "explorer",
+        _ => "xdg-open",
     };
-    for (program, arguments) in programs {
-        let silent = || Stdio::null();
-        let _ = Command::new(program)
-            .args(*arguments)
-            .arg(address)
-            .stdin(silent())
-            .stdout(silent())
-            .stderr(silent())
-            .spawn();
+    let silent = || Stdio::null();
+    let command =
+        Command::new(program).arg(page.path()).stdin(silent()).stdout(silent()).stderr(silent()).spawn();
+    command.ok().map(|_| page)
+}
+
+/// A page that leads to an address at once.
+fn leading_to(address: &str) -> String {
+    let mut escaped = String::new();
+    for letter in address.chars() {
+        match letter {
+            '&' | '<' | '>' | '"' | '\'' => escaped += &format!("&#{};", u32::from(letter)),
+            _ => escaped.push(letter),
+        }
     }
+    format!(
+        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Lanchester studio</title>\n\
+         <meta name=\"referrer\" content=\"no-referrer\">\n<meta http-equiv=\"refresh\" content=\"0; url={escaped}\">\n\
+         <p><a href=\"{escaped}\">Lanchester studio</a></p>\n</html>\n"
+    )
 }

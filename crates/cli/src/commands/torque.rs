@@ -2,7 +2,7 @@
 
 use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
-use crate::files::print;
+use crate::files::{print, tell};
 use crate::format::Format;
 use crate::torque_arguments::{LeverOption, TorqueArguments};
 use crate::trace_files::trace_files;
@@ -20,7 +20,7 @@ pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
     let traces = trace_files(&opened.engine, &arguments.file)?;
     let report = torque_report(&opened.engine, &traces, &request).map_err(Failure::refused)?;
     for warning in &report.warnings {
-        eprintln!("warning: {warning}");
+        tell(format_args!("warning: {warning}"));
     }
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &figures(&report))?;

@@ -3,7 +3,8 @@
 use super::head::{Head, Held};
 use super::table_file;
 use crate::failure::Failure;
-use lanchester::table::{Column, Form, Rows};
+use lanchester::table::{Column, Form, Rows, TableError, TableReader};
+use lanchester_files::shown;
 use serde::Serialize;
 use std::fs::{self, File, TryLockError};
 use std::ops::Range;
@@ -14,7 +15,8 @@ pub struct Folder {
     path: PathBuf,
     blocks: Range<u64>,
     of: u64,
-    next: u64,
+    /// What is done, in order.
+    done: Vec<Range<u64>>,
     _lock: File,
 }
 
@@ -23,7 +25,7 @@ impl Folder {
     pub fn open(table: &Path, head: &Head, blocks: Range<u64>, of: u64) -> Result<Folder, Failure> {
         let path = table_file::beside(table, ".run");
         let cannot = |error: std::io::Error| {
-            Failure::input(format_args!("cannot write {}: {error}", path.display()), "choose another place")
+            Failure::input(format_args!("cannot write {}: {error}", shown(&path)), "choose another place")
         };
         fs::create_dir_all(&path).map_err(cannot)?;
         let lock = File::create(path.join("lock")).map_err(cannot)?;
@@ -31,22 +33,27 @@ impl Folder {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
                 return Err(Failure::input(
-                    format_args!("another run is at work on {}", path.display()),
+                    format_args!("another run is at work on {}", shown(&path)),
                     "wait for it, or choose another name for the table",
                 ));
             }
             Err(TryLockError::Error(error)) => return Err(cannot(error)),
         }
-        let mut folder = Folder { next: blocks.start, path, blocks, of, _lock: lock };
+        let mut folder = Folder { path, blocks, of, done: Vec::new(), _lock: lock };
+        let mut next = folder.blocks.start;
         for table in folder.tables()? {
-            let held = Held::of(&table_file::open(&table)?, &table)?;
-            if held.head != *head || held.blocks.start != folder.next || held.of != folder.of {
+            let held = held(&table)?;
+            let fits = next <= held.blocks.start
+                && held.blocks.start < held.blocks.end
+                && held.blocks.end <= folder.blocks.end;
+            if held.head != *head || !fits || held.of != folder.of {
                 return Err(Failure::input(
-                    format_args!("{} holds what another run has begun", folder.path.display()),
+                    format_args!("{} holds what another run has begun", shown(&folder.path)),
                     "run that one to its end, choose another name for the table, or remove the folder",
                 ));
             }
-            folder.next = held.blocks.end;
+            next = held.blocks.end;
+            folder.done.push(held.blocks);
         }
         Ok(folder)
     }
@@ -55,15 +62,22 @@ impl Folder {
         &self.path
     }
 
-    /// The first block that is not yet done.
-    pub fn next(&self) -> u64 {
-        self.next
+    /// The blocks that were done when it was opened, in order.
+    pub fn done(&self) -> &[Range<u64>] {
+        &self.done
+    }
+
+    /// The blocks that were not.
+    pub fn missing(&self) -> Vec<Range<u64>> {
+        let starts = std::iter::once(self.blocks.start).chain(self.done.iter().map(|done| done.end));
+        let ends = self.done.iter().map(|done| done.start).chain(std::iter::once(self.blocks.end));
+        starts.zip(ends).map(|(start, end)| start..end).filter(|gap| !gap.is_empty()).collect()
     }
 
     /// The tables that are done, in the order of their blocks.
     pub fn tables(&self) -> Result<Vec<PathBuf>, Failure> {
         let cannot = |error: std::io::Error| {
-            Failure::input(format_args!("cannot read {}: {error}", self.path.display()), "may it be read?")
+            Failure::input(format_args!("cannot read {}: {error}", shown(&self.path)), "may it be read?")
         };
         let mut tables = Vec::new();
         for entry in fs::read_dir(&self.path).map_err(cannot)? {
@@ -95,12 +109,28 @@ impl Folder {
 
     /// Removes the folder once its table stands.
     pub fn remove(self) -> Result<(), Failure> {
-        debug_assert!(self.next <= self.blocks.end);
         fs::remove_dir_all(&self.path).map_err(|error| {
             Failure::input(
-                format_args!("the table stands, but {} cannot be removed: {error}", self.path.display()),
+                format_args!("the table stands, but {} cannot be removed: {error}", shown(&self.path)),
                 "remove it by hand",
             )
         })
+    }
+}
+
+/// What a table of the folder holds, every byte of it verified.
+fn held(table: &Path) -> Result<Held, Failure> {
+    let file = File::open(table).map_err(TableError::from);
+    match file.and_then(TableReader::open) {
+        Ok(reader) => Held::of(&reader, table),
+        Err(error) => {
+            let name = table.file_stem().unwrap_or_default().to_string_lossy();
+            let first = name.trim_start_matches('0');
+            let first = if first.is_empty() { "0" } else { first };
+            Err(Failure::input(
+                format_args!("the blocks from {first} on cannot be read from {}: {error}", shown(table)),
+                "remove this file: the same command computes its blocks again, and no others",
+            ))
+        }
     }
 }

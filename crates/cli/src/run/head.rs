@@ -2,6 +2,7 @@
 
 use crate::failure::{Failure, WRONG_INPUT};
 use lanchester::table::{Source, TableReader};
+use lanchester_files::shown;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::ops::Range;
@@ -95,7 +96,7 @@ impl Held {
         };
         held().ok_or_else(|| {
             Failure::input(
-                format_args!("{} does not say what it holds: lanchester has not written it", path.display()),
+                format_args!("{} does not say what it holds: lanchester has not written it", shown(path)),
                 "choose another name, or remove it first",
             )
         })

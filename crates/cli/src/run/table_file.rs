@@ -2,7 +2,8 @@
 
 use super::head::Held;
 use crate::failure::Failure;
-use lanchester::table::{Column, Form, TableError, TableReader, TableWriter};
+use lanchester::table::{Column, Form, SEAL, TableError, TableReader, TableWriter, csv_seal};
+use lanchester_files::{NewFile, Over, PutError, shown};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::Write;
@@ -14,28 +15,29 @@ pub fn form(path: &Path) -> Result<Form, Failure> {
         Some("parquet") => Ok(Form::Parquet),
         Some("csv") => Ok(Form::Csv),
         _ => Err(Failure::input(
-            format_args!("a table is written as .parquet or .csv, got {}", path.display()),
+            format_args!("a table is written as .parquet or .csv, got {}", shown(path)),
             "give the file one of these endings",
         )),
     }
 }
 
-/// Opens a table in Parquet.
+/// Opens a table in Parquet, every byte of it verified.
 pub fn open(path: &Path) -> Result<TableReader<File>, Failure> {
     let file = File::open(path).map_err(|error| cannot_read(path, error.into()))?;
     TableReader::open(file).map_err(|error| cannot_read(path, error))
 }
 
 pub fn cannot_read(path: &Path, error: TableError) -> Failure {
-    Failure::input(
-        format_args!("cannot read {}: {error}", path.display()),
-        "give a table that lanchester has written to its end",
-    )
+    let hint = match error {
+        TableError::Altered | TableError::Unsealed => "run again what made it, into another file",
+        _ => "give a table that lanchester has written to its end",
+    };
+    Failure::input(format_args!("cannot read {}: {error}", shown(path)), hint)
 }
 
 pub fn cannot_write(path: &Path, error: impl std::fmt::Display) -> Failure {
     Failure::input(
-        format_args!("cannot write {}: {error}", path.display()),
+        format_args!("cannot write {}: {error}", shown(path)),
         "is the disk full, or the folder missing? what is done stays as it is, and the same command goes on from there",
     )
 }
@@ -54,24 +56,34 @@ pub fn held(path: &Path) -> Result<Option<Held>, Failure> {
     }
     let unknown = || {
         Failure::input(
-            format_args!("{} exists and is not overwritten", path.display()),
+            format_args!("{} exists and is not overwritten", shown(path)),
             "choose another name, or remove it first",
         )
     };
     match form(path)? {
         Form::Parquet => {
-            let reader = open(path).map_err(|_| unknown())?;
-            Held::of(&reader, path).map(Some)
+            let file = File::open(path).map_err(|error| cannot_read(path, error.into()))?;
+            match TableReader::open(file) {
+                Ok(reader) => Held::of(&reader, path).map(Some),
+                Err(error @ (TableError::Altered | TableError::Unsealed)) => Err(cannot_read(path, error)),
+                Err(_) => Err(unknown()),
+            }
         }
         Form::Csv => {
             let text = fs::read_to_string(beside(path, ".json")).map_err(|_| unknown())?;
-            let entries: BTreeMap<String, String> = serde_json::from_str(&text).map_err(|_| unknown())?;
+            let mut entries: BTreeMap<String, String> = serde_json::from_str(&text).map_err(|_| unknown())?;
+            let kept = entries.remove(SEAL).ok_or_else(|| cannot_read(path, TableError::Unsealed))?;
+            let rest: Vec<_> = entries.clone().into_iter().collect();
+            let found = File::open(path).map_err(TableError::from).and_then(|file| csv_seal(file, &rest));
+            if found.map_err(|error| cannot_read(path, error))? != kept {
+                return Err(cannot_read(path, TableError::Altered));
+            }
             Held::found(|key| entries.get(key).cloned(), path).map(Some)
         }
     }
 }
 
-/// Writes a table: what `fill` pushes, then the metadata, into the footer or, for CSV, into a file `TABLE.json` beside it.
+/// Writes a table: what `fill` pushes, then the metadata and the hash, into the footer or, for CSV, into a file `TABLE.json` beside it.
 pub fn write(
     path: &Path,
     form: Form,
@@ -79,31 +91,28 @@ pub fn write(
     metadata: &[(String, String)],
     fill: impl FnOnce(&mut TableWriter<&File>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    // A pipe or a device is written as it is; a file is put in its place when it is whole.
-    let is_file = fs::metadata(path).map_or(true, |file| file.is_file());
-    let target = if is_file { beside(path, ".new") } else { path.to_owned() };
-    let outcome = File::create(&target).map_err(|error| cannot_write(path, error)).and_then(|file| {
+    // The metadata in the order in which they are read back.
+    let mut entries: BTreeMap<_, _> = metadata.iter().cloned().collect();
+    let in_order: Vec<_> = entries.clone().into_iter().collect();
+    let whole = |file: &File| {
         let table = |error: TableError| cannot_write(path, error);
-        let mut writer = TableWriter::new(form, &file, columns).map_err(table)?;
+        let mut writer = TableWriter::new(form, file, columns).map_err(table)?;
         fill(&mut writer)?;
-        writer.finish(metadata).map_err(table)?;
-        let put = || {
-            if is_file {
-                file.sync_all()?;
-                if form == Form::Csv {
-                    let entries: BTreeMap<_, _> = metadata.iter().cloned().collect();
-                    let mut beside = File::create(beside(path, ".json"))?;
-                    beside.write_all(&serde_json::to_vec_pretty(&entries)?)?;
-                }
-                fs::rename(&target, path)?;
-            }
-            Ok(())
-        };
-        put().map_err(|error: std::io::Error| cannot_write(path, error))
-    });
-    if outcome.is_err() && is_file {
-        // What could not be put in place is of no use; if it cannot be removed either, the first error says enough.
-        let _ = fs::remove_file(&target);
+        writer.finish(if form == Form::Csv { &in_order } else { metadata }).map_err(table)
+    };
+    let put = |error: PutError| cannot_write(path, error);
+    // A pipe or a device is written as it is; a file is put in its place when it is whole.
+    if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        let file = File::create(path).map_err(|error| cannot_write(path, error))?;
+        return whole(&file).map(drop);
     }
-    outcome
+    let file = NewFile::beside(path, Over::Anything).map_err(put)?;
+    entries.insert(SEAL.to_owned(), whole(file.file())?);
+    if form == Form::Csv {
+        let beside = NewFile::beside(&beside(path, ".json"), Over::Anything).map_err(put)?;
+        let text = serde_json::to_vec_pretty(&entries).map_err(Failure::own)?;
+        beside.file().write_all(&text).map_err(|error| cannot_write(path, error))?;
+        beside.put().map_err(put)?;
+    }
+    file.put().map_err(put)
 }

@@ -204,12 +204,16 @@ fn long_search() -> Value {
 
 /// Sends a question and does not wait for the answer.
 fn send(server: &Server, lane: &str, question: &Value) -> TcpStream {
+    send_to(server, "/api/balance", lane, question)
+}
+
+fn send_to(server: &Server, path: &str, lane: &str, question: &Value) -> TcpStream {
     let body = serde_json::to_vec(question).unwrap();
     let mut stream = TcpStream::connect(&server.host).unwrap();
     stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
     write!(
         stream,
-        "POST /api/balance HTTP/1.1\r\nhost: {}\r\nconnection: close\r\nx-lanchester-token: {}\r\n\
+        "POST {path} HTTP/1.1\r\nhost: {}\r\nconnection: close\r\nx-lanchester-token: {}\r\n\
          x-lanchester-client: window\r\nx-lanchester-lane: {lane}\r\ncontent-length: {}\r\n\r\n",
         server.host,
         server.token,
@@ -298,6 +302,11 @@ fn nobody_else_gets_in() {
     assert_eq!(status(&[token, ("origin", "http://evil.example")], "/api/session"), 403);
     assert_eq!(status(&[token, ("origin", &format!("http://{}", server.host))], "/api/session"), 200);
     assert_eq!(status(&[], "/../../etc/passwd"), 404);
+    // One host, one origin, one token: a second one is not the one that somebody checked.
+    assert_eq!(status(&[token, ("host", &server.host), ("host", "evil.example")], "/api/session"), 403);
+    assert_eq!(status(&[token, ("host", &server.host), ("host", &server.host)], "/api/session"), 403);
+    assert_eq!(status(&[token, ("x-lanchester-token", "guess")], "/api/session"), 401);
+    assert_eq!(status(&[token], "http://evil.example/api/session"), 403);
     let (status, head, _) = server.ask("GET", "/", &[], b"");
     assert!(status == 200 && head.contains("content-security-policy: default-src 'self'"), "{head}");
     for name in ["../outside.toml", "/etc/passwd", "..\\outside.toml", "three.txt", ""] {
@@ -308,6 +317,147 @@ fn nobody_else_gets_in() {
     let gas = text.clone() + "\n[gas]\n[[gas.trace]]\nfile = \"../outside.toml\"\nspeed = \"1000 rpm\"\n";
     let refused = server.json(403, "POST", "/api/torque", &json!({ "text": gas }));
     assert!(refused["message"].as_str().unwrap().contains("outside of the folder"), "{refused}");
+}
+
+/// Every answer, refusals and pages included, is kept by nobody and is nothing but what it says.
+#[test]
+fn every_answer_is_guarded() {
+    let (folder, text) = three("studio-headers");
+    let server = Server::start(&folder, "three.toml");
+    let token = ("x-lanchester-token", server.token.as_str());
+    let question = serde_json::to_vec(&json!({ "text": text, "name": "three.toml" })).unwrap();
+    for (method, path, headers, body) in [
+        ("GET", "/", &[][..], &b""[..]),
+        ("GET", "/nothing", &[], b""),
+        ("GET", "/api/session", &[], b""),
+        ("GET", "/api/session", &[token], b""),
+        ("GET", "/api/session", &[token, ("host", "evil.example")], b""),
+        ("POST", "/api/report", &[token], &question),
+        ("POST", "/api/loads", &[token], b"{"),
+        ("POST", "/api/session", &[token], b""),
+    ] {
+        let (status, head, _) = server.ask(method, path, headers, body);
+        for header in
+            ["x-content-type-options: nosniff", "cache-control: no-store", "referrer-policy: no-referrer"]
+        {
+            assert!(head.contains(header), "{method} {path} {status}: {head}");
+        }
+        assert_eq!(head.matches("cache-control").count(), 1, "{head}");
+    }
+}
+
+/// The licences of others that are in program and page: printed, and served to whoever has the page.
+#[test]
+fn notices_of_third_parties_come_with_program_and_page() {
+    let (folder, _) = three("studio-notices");
+    let printed = output(&folder, 0, &["licences"]);
+    for part in [
+        "  parquet 60",
+        "  axum 0.8",
+        "  three 0.187.0: MIT",
+        "  svelte 5",
+        "  @codemirror/view 6",
+        "Copyright",
+    ] {
+        assert!(printed.contains(part), "{part}");
+    }
+    assert!(!printed.contains("lanchester-cli") && printed.len() > 50_000);
+    let server = Server::start(&folder, "three.toml");
+    let (status, head, body) = server.ask("GET", "/third-party.txt", &[], b"");
+    assert!(status == 200 && head.contains("text/plain"), "{head}");
+    assert_eq!(String::from_utf8(body).unwrap(), printed);
+}
+
+/// Who connects and says nothing, or half of something, is not waited for.
+#[test]
+fn silence_is_not_waited_for() {
+    let (folder, _) = three("studio-slow");
+    let server = Server::start(&folder, "three.toml");
+    let begun = |text: &str| {
+        let mut stream = TcpStream::connect(&server.host).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(50))).unwrap();
+        stream.write_all(text.as_bytes()).unwrap();
+        stream
+    };
+    let head = format!(
+        "POST /api/loads HTTP/1.1\r\nhost: {}\r\nx-lanchester-token: {}\r\ncontent-length: 900\r\n\r\n{{",
+        server.host, server.token
+    );
+    let slow = [begun(""), begun("GET / HTTP/1.1\r\nhost: x"), begun(&head)];
+    let since = std::time::Instant::now();
+    let ends = slow.map(|mut stream| {
+        let mut said = String::new();
+        stream.read_to_string(&mut said).expect("the connection ends");
+        said
+    });
+    assert!(since.elapsed() < Duration::from_secs(45), "{:?}", since.elapsed());
+    assert!(ends[2].contains("408"), "{ends:?}");
+}
+
+/// Questions whose windows have gone do not pile up: no more are computed than there are processors.
+#[cfg(target_os = "linux")]
+#[test]
+fn nothing_is_computed_for_windows_that_have_gone() {
+    let (folder, text) = three("studio-gone");
+    let server = Server::start(&folder, "three.toml");
+    server.post("/api/loads", &json!({ "text": text }));
+    let tasks = || fs::read_dir(format!("/proc/{}/task", server.child.id())).unwrap().count();
+    let processors = std::thread::available_parallelism().unwrap().get();
+    let before = tasks();
+    let mut most = before;
+    for round in 0..40 {
+        // Questions of no lane, each left at once.
+        let question = json!({ "text": text, "against": "inertia", "count": 60 });
+        let stream = send_to(&server, "/api/counterweight/front", &format!("{round}"), &question);
+        std::thread::sleep(Duration::from_millis(10));
+        drop(stream);
+        most = most.max(tasks());
+    }
+    std::thread::sleep(Duration::from_millis(100));
+    most = most.max(tasks());
+    // Those that compute, and one or two that read files meanwhile.
+    assert!(most <= before + processors + 2, "{before} threads became {most}");
+    server.post("/api/loads", &json!({ "text": text }));
+}
+
+/// The token is in no argument list, which every user of a machine can read: the browser gets a page of its user alone.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_browser_is_led_by_a_page_of_its_own_user() {
+    use std::os::unix::fs::PermissionsExt;
+    let (folder, _) = three("studio-browser");
+    let script =
+        "#!/bin/sh\necho \"$@\" > arguments\nstat -c %a \"$1\" > mode\ncp \"$1\" page && mv page seen\n";
+    fs::write(folder.join("xdg-open"), script).unwrap();
+    fs::set_permissions(folder.join("xdg-open"), fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", folder.display(), std::env::var("PATH").unwrap());
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
+        .args(["studio", "three.toml"])
+        .env("PATH", path)
+        .env("TMPDIR", &folder)
+        .current_dir(&folder)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    let since = std::time::Instant::now();
+    while !folder.join("seen").exists() {
+        assert!(since.elapsed() < Duration::from_secs(30), "no browser was opened");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let read = |name: &str| fs::read_to_string(folder.join(name)).unwrap();
+    let (arguments, page) = (read("arguments"), read("seen"));
+    let token = line.trim().split_once("token=").unwrap().1;
+    assert!(!arguments.contains(token) && arguments.trim().ends_with(".html"), "{arguments}");
+    assert_eq!(read("mode").trim(), "600");
+    assert!(page.contains(&format!("url={}", line.trim())), "{page}");
+    // It goes with the studio.
+    assert!(Path::new(arguments.trim()).exists());
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(child.wait().unwrap().success());
+    assert!(!Path::new(arguments.trim()).exists());
 }
 
 #[test]

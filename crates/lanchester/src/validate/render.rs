@@ -1,6 +1,7 @@
 //! The validation as text for a terminal, as CSV and as the book's page.
 
 use super::{Counts, RowResult, SourceResult, TableResult, Validation, Verdict};
+use lanchester_report::csv_text;
 use std::fmt::Write;
 
 /// Text for a terminal: a line a table, then every row that is no plain match; all rows with `verbose`.
@@ -72,19 +73,11 @@ pub fn csv(validation: &Validation) -> String {
                     optional(&row.reason),
                     row.how.clone(),
                 ];
-                let _ = write!(out, "{}\r\n", fields.map(|f| quoted(&f)).join(","));
+                let _ = write!(out, "{}\r\n", fields.map(|f| csv_text(&f)).join(","));
             }
         }
     }
     out
-}
-
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_string()
-    }
 }
 
 /// The page of the book.

@@ -8,6 +8,7 @@ use lanchester::geometry::drawing::{dxf, svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
 use lanchester::model::{Engine, option};
 use lanchester::{crankshaft_parts, engine_parts, shaft_parts};
+use lanchester_files::shown;
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
@@ -37,7 +38,7 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
             return Err(Failure::input(
                 format_args!(
                     "--output must end in step, stl, glb, dxf or svg, got {}",
-                    arguments.output.display()
+                    shown(&arguments.output)
                 ),
                 "the ending says what is written",
             ));
@@ -45,7 +46,7 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     };
     write_result(&arguments.output, &arguments.file, &content)?;
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
-    eprintln!("{} written: {}", arguments.output.display(), names.join(", "));
+    eprintln!("{} written: {}", shown(&arguments.output), names.join(", "));
     Ok(DONE)
 }
 

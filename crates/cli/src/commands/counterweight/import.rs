@@ -10,7 +10,9 @@ use lanchester::geometry::drawing::{Drawing, DrawingOptions, read_dxf, read_svg}
 use lanchester::geometry::{MassProperties, Part, counterweight_properties};
 use lanchester::model::option;
 use lanchester::model::{CounterweightForm, Engine};
+use lanchester::report::csv_text;
 use lanchester::with_outline;
+use lanchester_files::shown;
 use serde::Serialize;
 
 /// An outline that was read, and what it makes of its counterweight.
@@ -47,8 +49,8 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
         Format::Text => text(&imported),
         Format::Json => json(&imported)?,
         Format::Csv => format!(
-            "weight,mass [kg],unbalance [kg m],swept radius [m]\n\"{}\",{},{},{}\n",
-            imported.weight.replace('"', "\"\""),
+            "weight,mass [kg],unbalance [kg m],swept radius [m]\n{},{},{},{}\n",
+            csv_text(imported.weight),
             properties.mass,
             properties.unbalance.norm(),
             part.part.outline().swept_radius()
@@ -93,7 +95,7 @@ fn drawing(arguments: &ImportArguments) -> Result<Drawing, Failure> {
         "dxf" => read_dxf(&bytes, &options).map_err(Failure::refused),
         "svg" => read_svg(&bytes, &options).map_err(Failure::refused),
         _ => Err(Failure::input(
-            format_args!("a drawing must end in dxf or svg, got {}", arguments.drawing.display()),
+            format_args!("a drawing must end in dxf or svg, got {}", shown(&arguments.drawing)),
             "save it as one of the two in the CAD program",
         )),
     }

@@ -10,6 +10,7 @@ use lanchester::balance::workshop::{
 };
 use lanchester::model::workshop::{Rotor, Sheet};
 use lanchester::model::{Engine, option};
+use lanchester_files::shown;
 use std::path::Path;
 
 /// What the commands about a crank work on.
@@ -86,9 +87,9 @@ fn warn_of_another_engine(path: &Path, sheet: &Sheet, given: &Path) {
     if whole(&named) != whole(given) {
         eprintln!(
             "warning: the sheet {} is about {}, and the engine given is {}\nhint: the engine given is used",
-            path.display(),
-            named.display(),
-            given.display()
+            shown(path),
+            shown(named),
+            shown(given)
         );
     }
 }
