@@ -135,6 +135,11 @@ impl Ground {
     }
 }
 
+/// The first letters of a text, for a message.
+fn start(text: &str) -> String {
+    text.chars().take(2000).collect()
+}
+
 /// What a run said.
 struct Said {
     /// Exit status; `None` after a signal.
@@ -151,7 +156,8 @@ impl Said {
             self.err.chars().any(|letter| letter.is_control() && !matches!(letter, '\n' | '\r' | '\t'));
         match self.status {
             Some(0 | 1) => !panicked && !acts,
-            Some(2) => !panicked && !acts && self.err.contains("error"),
+            // As text on standard error; as JSON among the data.
+            Some(2) => !panicked && !acts && (self.err.contains("error") || self.out.contains("\"error\"")),
             _ => false,
         }
     }

@@ -42,6 +42,8 @@ pub struct Api {
     router: Router<Arc<Studio>>,
     pub(crate) endpoints: Vec<Endpoint>,
     pub(crate) schemas: SchemaGenerator,
+    /// Questions as they are read: what may be left out is not required.
+    pub(crate) asked: SchemaGenerator,
 }
 
 impl Default for Api {
@@ -53,11 +55,19 @@ impl Default for Api {
 impl Api {
     /// The list.
     pub fn new() -> Api {
-        let settings = SchemaSettings::draft2020_12().for_serialize().with(|settings| {
-            settings.definitions_path = "/components/schemas".into();
-            settings.meta_schema = None;
-        });
-        let api = Api { router: Router::new(), endpoints: Vec::new(), schemas: settings.into_generator() };
+        let generator = |settings: SchemaSettings| {
+            let settings = settings.with(|settings| {
+                settings.definitions_path = "/components/schemas".into();
+                settings.meta_schema = None;
+            });
+            settings.into_generator()
+        };
+        let api = Api {
+            router: Router::new(),
+            endpoints: Vec::new(),
+            schemas: generator(SchemaSettings::draft2020_12().for_serialize()),
+            asked: generator(SchemaSettings::draft2020_12().for_deserialize()),
+        };
         let api = session::questions(api);
         let api = files::questions(api);
         let api = reading::questions(api);
@@ -121,6 +131,7 @@ impl Api {
         answer: fn(&Asker, Q) -> Result<T, Problem>,
     ) -> Api {
         let question = Some(self.schemas.subschema_for::<Q>());
+        self.asked.subschema_for::<Q>();
         let schema = Answer::Json(self.schemas.subschema_for::<T>());
         self.endpoints.push(Endpoint { method, path, doc, question, answer: schema });
         let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap, body: Bytes| async move {
@@ -139,6 +150,7 @@ impl Api {
         answer: fn(&Asker, Q) -> Result<Made, Problem>,
     ) -> Api {
         let question = Some(self.schemas.subschema_for::<Q>());
+        self.asked.subschema_for::<Q>();
         self.endpoints.push(Endpoint { method: "post", path, doc, question, answer: Answer::File(kind) });
         let handler = move |state: axum::extract::State<Arc<Studio>>, headers: HeaderMap, body: Bytes| async move {
             work(state.0, &headers, move |asker| {

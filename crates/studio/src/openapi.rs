@@ -18,6 +18,7 @@ pub fn openapi() -> Value {
     });
     paths.insert("/api/events".into(), json!({ "get": events }));
     let mut schemas = Value::Object(api.schemas.take_definitions(true));
+    leave_out(&mut schemas, &Value::Object(api.asked.take_definitions(true)));
     leave_defaults_out(&mut schemas);
     json!({
         "openapi": "3.1.0",
@@ -35,7 +36,31 @@ pub fn openapi() -> Value {
     })
 }
 
-/// A question may leave out what has a default; the schemas are those of answers, which have all of it.
+/// Schemas of answers require all of their fields; those of questions only what the same schemas require when they are read.
+fn leave_out(schema: &mut Value, asked: &Value) {
+    match (schema, asked) {
+        (Value::Object(keys), Value::Object(asked)) => {
+            let needed = asked.get("required").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+            if let Some(Value::Array(required)) = keys.get_mut("required") {
+                required.retain(|name| needed.contains(name));
+                if required.is_empty() {
+                    keys.remove("required");
+                }
+            }
+            for (key, schema) in keys.iter_mut() {
+                if let Some(asked) = asked.get(key) {
+                    leave_out(schema, asked);
+                }
+            }
+        }
+        (Value::Array(list), Value::Array(asked)) => {
+            list.iter_mut().zip(asked).for_each(|(schema, asked)| leave_out(schema, asked));
+        }
+        _ => {}
+    }
+}
+
+/// Nor is anything required, in types that answers alone have, that has a default.
 fn leave_defaults_out(schema: &mut Value) {
     match schema {
         Value::Object(keys) => {
@@ -96,6 +121,11 @@ mod tests {
         let description = openapi();
         let question = description.pointer("/components/schemas/BalanceQuestion").unwrap();
         assert_eq!(question["required"], json!(["text"]));
+        let answer = description.pointer("/components/schemas/Session/required").unwrap();
+        assert!(
+            answer.as_array().is_some_and(|all| all.len() == 6),
+            "an answer has all its fields: {answer}"
+        );
         let mut defaults = 0;
         look(&description, &mut defaults);
         assert!(defaults > 15, "{defaults} defaults");

@@ -32,6 +32,9 @@ const LONGEST_QUESTION: usize = 24 << 20;
 /// Most connections at a time: a window has half a dozen.
 const MOST_CONNECTIONS: usize = 256;
 
+/// The head of a question may be this long [bytes]: that of a browser has one or two thousand.
+const LONGEST_HEAD: usize = 64 << 10;
+
 /// Who asks has so long for the head of a question, and as long again for its body: both come from this machine.
 const PATIENCE: Duration = Duration::from_secs(20);
 
@@ -129,7 +132,7 @@ async fn answer(listener: TcpListener, app: Router) -> Infallible {
         tokio::spawn(async move {
             let _place = place;
             let mut http = http1::Builder::new();
-            http.timer(TokioTimer::new()).header_read_timeout(PATIENCE);
+            http.timer(TokioTimer::new()).header_read_timeout(PATIENCE).max_buf_size(LONGEST_HEAD);
             // Who breaks off has gone: there is nobody to tell.
             let _ = http.serve_connection(TokioIo::new(stream), service).await;
         });

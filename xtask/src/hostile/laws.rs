@@ -35,7 +35,8 @@ impl Engine {
             rod: stroke * random.between(1.2, 2.5),
             piston: random.between(0.1, 3.0),
             rod_mass: random.between(0.1, 3.0),
-            angles: (0..cylinders).map(|_| random.between(0.0, 360.0)).collect(),
+            // The first throw stands at 0.
+            angles: (0..cylinders).map(|k| if k == 0 { 0.0 } else { random.between(0.0, 360.0) }).collect(),
         }
     }
 
@@ -99,16 +100,23 @@ pub fn run(ground: &mut Ground) -> Result<u64> {
                 ("forces grow with the lengths, couples with their square", factor, Some(factor * factor))
             }
             3 => {
-                other.angles.iter_mut().for_each(|angle| *angle += 100.0 * factor);
-                ("where angles are counted from changes no amplitude", 1.0, Some(1.0))
+                other.angles.iter_mut().for_each(|angle| *angle = (360.0 - *angle) % 360.0);
+                ("a mirrored crank exchanges the senses", 1.0, Some(1.0))
             }
             // Couples are about the origin, which is another place then, as seen from the engine.
             _ => {
                 other.angles.reverse();
+                let first = other.angles[0];
+                other.angles.iter_mut().for_each(|angle| *angle = (*angle - first + 360.0) % 360.0);
                 ("an engine turned end for end has the same forces", 1.0, None)
             }
         };
-        let [force_then, couple_then] = amplitudes(ground, &other)?;
+        let [mut force_then, mut couple_then] = amplitudes(ground, &other)?;
+        if law == 3 {
+            for load in [&mut force_then, &mut couple_then] {
+                load.chunks_exact_mut(2).for_each(|senses| senses.swap(0, 1));
+            }
+        }
         let same = |a: &[f64], b: &[f64], factor: f64| {
             let scale = a.iter().copied().fold(f64::MIN_POSITIVE, f64::max) * factor;
             let close = a.iter().zip(b).all(|(a, b)| (a * factor - b).abs() <= TOLERANCE * scale);

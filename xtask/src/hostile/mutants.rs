@@ -1,7 +1,7 @@
 //! Engine files and workshop sheets with mistakes that nobody makes on purpose.
 
 use super::random::Random;
-use super::{Ground, Said};
+use super::{Ground, Said, start};
 use crate::workspace::{files, root};
 use anyhow::{Context, Result, ensure};
 
@@ -97,6 +97,7 @@ fn mutate_all(ground: &mut Ground, sources: &[String], commands: &[&[&str]]) -> 
             let kept = crate::workspace::target()?.join("xtask").join("hostile-mutant.toml");
             std::fs::write(&kept, &bytes)?;
             let Said { status, out, err } = said;
+            let (out, err) = (start(&out), start(&err));
             anyhow::bail!("`{}` of {}: {status:?}\n{out}{err}", arguments.join(" "), kept.display());
         }
         count += 1;
