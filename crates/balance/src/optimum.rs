@@ -6,6 +6,7 @@ use crate::cancellation::cancel;
 use crate::check::check;
 use crate::convex::Failure;
 use crate::convex::curve::length;
+use crate::convex::dense::{RowFactors, add_scaled, dot};
 use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
@@ -330,11 +331,18 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
     let vanishes = value <= proof.target.max(VANISHES * unbalanced);
     // Both are exact to rounding; the bound may end above the value by that much.
     let lower_bound = proof.bound.min(value);
+    let term_weights: Vec<f64> = terms.iter().map(|(weight, _)| *weight).collect();
+    let unit = match (&term_weights[..], &values[..]) {
+        ([1.0], [(criterion, _)]) => criterion_unit(criterion),
+        _ => "1",
+    };
     FoundStage {
         value,
         lower_bound,
         gap: value - lower_bound,
+        unit: unit.into(),
         terms: values,
+        term_weights,
         active: if vanishes { Vec::new() } else { active(problem, terms, proof) },
     }
 }
@@ -342,6 +350,9 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
 /// An angle with less than this share of a criterion's multipliers holds nothing up: an interior-point method leaves such
 /// shares at every angle that it was given.
 const HELD_UP: f64 = 1e-9;
+
+/// A limit with a smaller multiplier, in natural units, is not active: an interior-point method leaves such multipliers.
+const ACTIVE: f64 = 1e-9;
 
 /// Angles that hold a stage up.
 fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec<Active> {
@@ -427,26 +438,44 @@ fn found_limits(
     let mut found = Vec::new();
     for (row, &(rule, unit)) in problem.rules.iter().enumerate() {
         // The first stage that it holds up; a price is the stage's unit over the limit's.
-        let price =
-            reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
+        let is_active = |proof: &StageProof| proof.prices[row] > ACTIVE * proof.scale;
+        let priced = reached.stages.iter().position(is_active);
+        let priced = priced.map(|stage| (stage, reached.stages[stage].prices[row] / unit));
+        let (stage, price) = priced.unzip();
+        let price = price.unwrap_or(0.0);
+        let of_amount = |what: &str, index: usize, side: LimitSide, most: f64| FoundLimit {
+            what: format!("{what} amount of `{}`", task.weights[index].name),
+            criterion: None,
+            side,
+            unit: "kg m".into(),
+            most,
+            value: answer.weights[index].unbalance.norm(),
+            price,
+            price_unit: String::new(),
+            stage,
+        };
         let limit = match rule {
             Rule::Limit(index) => {
                 let judged = &problem.limits[index];
                 FoundLimit {
                     what: criterion_name(&judged.criterion, engine),
                     criterion: Some(judged.criterion),
+                    side: LimitSide::AtMost,
+                    unit: criterion_unit(&judged.criterion).into(),
                     most: task.limits[index].most,
                     value: problem.value(judged, &reached.x),
                     price,
+                    price_unit: String::new(),
+                    stage,
                 }
             }
-            Rule::MostAmount(index) => FoundLimit {
-                what: format!("largest amount of `{}`", task.weights[index].name),
-                criterion: None,
-                most: task.weights[index].most.unwrap_or(f64::INFINITY),
-                value: answer.weights[index].unbalance.norm(),
-                price,
-            },
+            Rule::MostAmount(index) => {
+                let most = task.weights[index].most.unwrap_or(f64::INFINITY);
+                of_amount("largest", index, LimitSide::AtMost, most)
+            }
+            Rule::LeastAmount(index) => {
+                of_amount("least", index, LimitSide::AtLeast, task.weights[index].least)
+            }
             Rule::MostInertia => {
                 let Some(index) = stand.inertia else { continue };
                 let inertia = &task.inertias[index];
@@ -458,16 +487,77 @@ fn found_limits(
                 FoundLimit {
                     what: format!("largest inertia of `{}`", inertia.name),
                     criterion: None,
+                    side: LimitSide::AtMost,
+                    unit: "kg m^2".into(),
                     most,
                     value: answer.inertias[index].inertia,
                     price: price * slope,
+                    price_unit: String::new(),
+                    stage,
                 }
             }
             Rule::Plain => continue,
         };
         found.push(limit);
     }
+    found.extend(given_amounts(problem, task, reached, answer));
+    for limit in &mut found {
+        if let Some(stage) = limit.stage {
+            limit.price_unit = format!("{} per {}", answer.stages[stage].unit, limit.unit);
+        }
+    }
     found
+}
+
+/// Given amounts in a given direction, where the first stage depends on them: by how much it would fall if they were smaller. Of
+/// later stages nothing is stated, as the first one moves with such an amount too.
+fn given_amounts(
+    problem: &Problem,
+    task: &BalanceTask,
+    reached: &Reached,
+    answer: &Answer,
+) -> Vec<FoundLimit> {
+    let Some(proof) = reached.stages.first() else { return Vec::new() };
+    let slopes = equality_slopes(problem, proof);
+    let mut found = Vec::new();
+    for &(weight, row) in &problem.given {
+        if slopes[row].abs() <= ACTIVE * proof.scale {
+            continue;
+        }
+        let price = slopes[row] / problem.operator.weights[weight].unit;
+        found.push(FoundLimit {
+            what: format!("given amount of `{}`", task.weights[weight].name),
+            criterion: None,
+            side: LimitSide::Given,
+            unit: "kg m".into(),
+            most: task.weights[weight].least,
+            value: answer.weights[weight].unbalance.norm(),
+            price,
+            price_unit: String::new(),
+            stage: Some(0),
+        });
+    }
+    found
+}
+
+/// How fast the first stage grows with the right side of every equality, in the unit of the stage: its multipliers' slope along the
+/// shortest step that changes this right side alone, the same along every such step.
+fn equality_slopes(problem: &Problem, proof: &StageProof) -> Vec<f64> {
+    let mut slope = vec![0.0; problem.programme.variables];
+    for one in &proof.solution.support {
+        let member = &problem.programme.groups[one.group].members[one.member];
+        member.directions(one.angle).add_transposed(&one.y, proof.scale, &mut slope);
+    }
+    for (row, price) in problem.programme.rows.iter().zip(&proof.prices) {
+        add_scaled(&mut slope, *price, &row.directions);
+    }
+    let equalities = RowFactors::of(&problem.operator.equalities, 1e-12);
+    let step = |row: usize| {
+        let mut right = vec![0.0; problem.operator.equalities.rows];
+        right[row] = 1.0;
+        dot(&slope, &equalities.shortest(&right))
+    };
+    (0..problem.operator.equalities.rows).map(step).collect()
 }
 
 /// Criteria without the free devices, as the file stands, and with the answer.

@@ -2,13 +2,13 @@
 
 use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stages_table,
+    limits_table, stage_name, stages_table,
 };
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::number;
 use crate::terminal::push_wrapped;
-use lanchester_balance::{Answer, Method, Outcome};
-use lanchester_model::{Engine, criterion_name, criterion_unit};
+use lanchester_balance::{Answer, FoundStage, Method, Outcome};
+use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
@@ -59,29 +59,17 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
 /// The answer in a sentence or two.
 pub fn headline(engine: &Engine, answer: &Answer) -> String {
     let reached = || {
-        let terms = answer.stages.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
-            let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
-            // What is rounding noise beside the file's own is nothing.
-            let noise = 1e-9 * before.map_or(0.0, f64::abs).max(1e-3);
-            let value = if value.abs() <= noise { 0.0 } else { *value };
-            let unit = criterion_unit(criterion);
-            let name = criterion_name(criterion, engine);
-            match before {
-                Some(before) => format!(
-                    "{name} {} {unit} ({} {unit} as the file stands)",
-                    number::short(value, 5),
-                    number::short(before, 5)
-                ),
-                None => format!("{name} {} {unit}", number::short(value, 5)),
-            }
-        });
-        terms.collect::<Vec<_>>().join(", then ")
+        let stages = answer.stages.iter().map(|stage| reached_words(engine, answer, stage));
+        stages.collect::<Vec<_>>().join(", then ")
     };
     if let Some(cancellation) = &answer.cancellation {
         return cancellation_headline(engine, answer, cancellation);
     }
     match &answer.outcome {
         Outcome::CannotVanish { reason } => format!("{reason}."),
+        Outcome::Optimal if answer.stages.first().is_some_and(FoundStage::is_weighted_sum) => {
+            format!("{}.", number::capital(&reached()))
+        }
         Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
         Outcome::Stopped { reason } if answer.stages.is_empty() => format!("No answer was found: {reason}."),
@@ -89,6 +77,36 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
             format!("The search stopped early ({reason}); the best so far: {}.", reached())
         }
     }
+}
+
+/// What a stage reached: `force 120 N (340 N as the file stands)`, or the least weighted sum and what it leaves of each term.
+fn reached_words(engine: &Engine, answer: &Answer, stage: &FoundStage) -> String {
+    let term = |(criterion, value): &(Criterion, f64)| {
+        let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
+        // What is rounding noise beside the file's own is nothing.
+        let noise = 1e-9 * before.map_or(0.0, f64::abs).max(1e-3);
+        let value = if value.abs() <= noise { 0.0 } else { *value };
+        let unit = criterion_unit(criterion);
+        let name = criterion_name(criterion, engine);
+        match before {
+            Some(before) => format!(
+                "{name} {} {unit} ({} {unit} as the file stands)",
+                number::short(value, 5),
+                number::short(before, 5)
+            ),
+            None => format!("{name} {} {unit}", number::short(value, 5)),
+        }
+    };
+    let terms: Vec<String> = stage.terms.iter().map(term).collect();
+    if !stage.is_weighted_sum() {
+        return terms.join(", ");
+    }
+    format!(
+        "least weighted sum {} ({}); it leaves {}",
+        number::short(stage.value, 5),
+        stage_name(engine, stage),
+        terms.join(" and ")
+    )
 }
 
 /// What decided among answers that are equally good; empty where nothing but the weights did.
@@ -157,9 +175,9 @@ pub(crate) fn method_words(answer: &Answer) -> String {
             );
             let bounds = answer.stages.iter().map(|stage| {
                 let bound = number::short(stage.lower_bound, 6);
-                match stage.terms[..] {
-                    [(criterion, _)] => format!("{bound} {}", criterion_unit(&criterion)),
-                    _ => format!("{bound} (weighted sum)"),
+                match stage.is_weighted_sum() {
+                    true => format!("{bound} (weighted sum)"),
+                    false => format!("{bound} {}", stage.unit),
                 }
             });
             let bounds: Vec<String> = bounds.collect();

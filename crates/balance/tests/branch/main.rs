@@ -9,4 +9,5 @@ mod choices;
 mod example;
 mod limits;
 mod places;
+mod prices;
 mod properties;
