@@ -1,6 +1,7 @@
 //! What balancing answers: plain data, SI units and radians, the same for every front end.
 
 use crate::cancellation::answer::Cancellation;
+use crate::settings::{BalanceSettings, StopCause};
 use lanchester_model::{BalanceTask, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
@@ -23,6 +24,8 @@ pub struct Answer {
     pub outcome: Outcome,
     /// How it was found.
     pub method: Method,
+    /// How far the search went, where it was one over choices.
+    pub settings: BalanceSettings,
     /// Every free weight. Empty where there is no optimum.
     pub weights: Vec<FoundWeight>,
     /// Where the free shafts stand.
@@ -66,10 +69,13 @@ pub enum Outcome {
         /// The reason in words, with numbers and units.
         reason: String,
     },
-    /// The search stopped before its gap was closed; what is given is feasible and the gaps stand.
+    /// The search stopped before its gap was closed; what is given is feasible and the gaps stand. Without stages: no
+    /// feasible point was found.
     Stopped {
-        /// Why.
+        /// Why, in words.
         reason: String,
+        /// Why.
+        cause: StopCause,
     },
 }
 

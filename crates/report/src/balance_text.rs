@@ -7,7 +7,7 @@ use crate::balance_tables::{
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::number;
 use crate::terminal::push_wrapped;
-use lanchester_balance::{Answer, FoundStage, Method, Outcome};
+use lanchester_balance::{Answer, BalanceSettings, FoundStage, Method, Outcome, SearchState};
 use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
@@ -24,7 +24,9 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
         push_wrapped(&mut out, "", &equals);
     }
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
-        let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
+        if !closest.is_empty() {
+            let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
+        }
         return out;
     }
     let mut tables = Vec::new();
@@ -68,14 +70,29 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
     match &answer.outcome {
         Outcome::CannotVanish { reason } => format!("{reason}."),
         Outcome::Optimal if answer.stages.first().is_some_and(FoundStage::is_weighted_sum) => {
-            format!("{}.", number::capital(&reached()))
+            format!("{}.{}", number::capital(&reached()), gap_words(answer))
         }
-        Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
+        Outcome::Optimal => {
+            format!("The least that these devices allow: {}.{}", reached(), gap_words(answer))
+        }
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
-        Outcome::Stopped { reason } if answer.stages.is_empty() => format!("No answer was found: {reason}."),
-        Outcome::Stopped { reason } => {
+        Outcome::Stopped { reason, .. } if answer.stages.is_empty() => {
+            format!("No answer was found: {reason}.")
+        }
+        Outcome::Stopped { reason, .. } => {
             format!("The search stopped early ({reason}); the best so far: {}.", reached())
         }
+    }
+}
+
+/// How far the search went, where a wider gap than usual was asked for; empty elsewhere.
+fn gap_words(answer: &Answer) -> String {
+    let gap = answer.settings.gap;
+    match answer.method {
+        Method::BranchAndBound { .. } if gap > BalanceSettings::default().gap => {
+            format!(" The search ended within the gap of {} % that was asked for.", 100.0 * gap)
+        }
+        _ => String::new(),
     }
 }
 
@@ -109,6 +126,30 @@ fn reached_words(engine: &Engine, answer: &Answer, stage: &FoundStage) -> String
     )
 }
 
+/// Where a search stands: its stage, best value, bound, gap and nodes.
+pub fn search_state_words(engine: &Engine, state: &SearchState) -> String {
+    let nodes = format!("{} node{}", state.nodes, if state.nodes == 1 { "" } else { "s" });
+    let Some(stage) = state.stage else {
+        return format!("how far the limits must be relaxed: {nodes}");
+    };
+    let (name, unit) = match stage.terms[..] {
+        [(1.0, criterion)] => {
+            (criterion_name(&criterion, engine), format!(" {}", criterion_unit(&criterion)))
+        }
+        _ => ("weighted sum".to_owned(), String::new()),
+    };
+    let bound = number::terminal(state.bound, number::decimals(state.bound, 6));
+    let reached = match state.value {
+        Some(value) => {
+            let gap = 100.0 * (value - state.bound) / value.abs().max(f64::MIN_POSITIVE);
+            let value = number::terminal(value, number::decimals(value, 6));
+            format!("best {value}{unit}, bound {bound}{unit}, gap {gap:.2e} %")
+        }
+        None => format!("no feasible point yet, bound {bound}{unit}"),
+    };
+    format!("stage {} of {} ({name}): {reached}, {nodes}", state.index + 1, state.stages)
+}
+
 /// What decided among answers that are equally good; empty where nothing but the weights did.
 pub fn equals_words(engine: &Engine, answer: &Answer) -> String {
     let terms = answer.among_equals.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
@@ -127,8 +168,11 @@ pub fn equals_words(engine: &Engine, answer: &Answer) -> String {
 /// Why limits cannot hold, and what would let them.
 fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64]) -> String {
     let limits = &answer.task.limits;
-    if let (true, Outcome::Infeasible { reason, .. }) = (limits.is_empty(), &answer.outcome) {
-        return format!("What is asked for contradicts itself: {reason}.");
+    if let (true, Outcome::Infeasible { reason, .. }) = (closest.is_empty(), &answer.outcome) {
+        return match limits.is_empty() {
+            true => format!("What is asked for contradicts itself: {reason}."),
+            false => format!("{}.", number::capital(reason)),
+        };
     }
     let mut out: String = limits
         .iter()

@@ -19,6 +19,7 @@ use crate::convex::programme::{Group, Row};
 use crate::error::BalanceError;
 use crate::operator::{AxisArea, Corner, EngineLoads, Operator};
 use crate::problem::{Problem, Rule};
+use crate::settings::{BalanceSettings, Watch};
 use lanchester_model::{BalanceTask, Engine, Phase, Place, Seat};
 use num_complex::Complex64;
 
@@ -32,8 +33,10 @@ pub(super) struct Ground<'a> {
     pub bare: Engine,
     pub loads: EngineLoads,
     pub task: &'a BalanceTask,
-    /// Whether anybody still waits for the answer.
-    pub go_on: &'a dyn Fn() -> bool,
+    /// How far the search goes.
+    pub settings: BalanceSettings,
+    /// Asked before each node.
+    pub watch: &'a Watch<'a>,
 }
 
 impl Ground<'_> {

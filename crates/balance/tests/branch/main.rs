@@ -11,3 +11,4 @@ mod limits;
 mod places;
 mod prices;
 mod properties;
+mod stops;

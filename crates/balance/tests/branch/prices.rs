@@ -121,10 +121,8 @@ fn a_price_names_the_stage_that_it_belongs_to() {
 #[test]
 fn the_price_of_a_weighted_sum_is_that_of_the_sum() {
     let engine = stripped("twin-270");
-    let terms = vec![
-        (1.0 / 3000.0, Criterion::Peak(Load::Force)),
-        (1.0 / 200.0, Criterion::Peak(Load::Couple)),
-    ];
+    let terms =
+        vec![(1.0 / 3000.0, Criterion::Peak(Load::Force)), (1.0 / 200.0, Criterion::Peak(Load::Couple))];
     let mut task = BalanceTask {
         weights: vec![on_crank("front", -0.07), on_crank("rear", 0.08)],
         stages: vec![Stage { terms }],
