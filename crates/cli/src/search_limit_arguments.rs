@@ -21,6 +21,19 @@ pub struct SearchLimitArguments {
 }
 
 impl SearchLimitArguments {
+    /// Refuses them where nothing is searched over: `what` is asked for.
+    pub fn refuse_with(&self, what: &str) -> Result<(), Failure> {
+        if self.gap.is_none() && self.max_nodes.is_none() && self.time_limit.is_none() {
+            return Ok(());
+        }
+        Err(Failure::input(
+            format_args!(
+                "--gap, --max-nodes and --time-limit end a search over choices, and {what} has none"
+            ),
+            "leave them out",
+        ))
+    }
+
     /// The settings behind the options.
     pub fn settings(&self) -> Result<BalanceSettings, Failure> {
         let usual = BalanceSettings::default();

@@ -29,6 +29,15 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "give the path of the engine file",
         ));
     }
+    for (is_asked, what) in [
+        (arguments.search.search, "--search"),
+        (arguments.method != BalanceMethod::Optimum, "--method"),
+        (!arguments.cancel.is_empty(), "--cancel"),
+    ] {
+        if is_asked {
+            arguments.limits.refuse_with(what)?;
+        }
+    }
     if arguments.search.search {
         return search::run(arguments, colour);
     }

@@ -84,6 +84,10 @@ fn limits_of_a_search_without_a_meaning_are_refused() {
         let said = message(&folder, 2, &["balance", "v8.toml", option, value]);
         assert!(said.contains(needed), "{option} {value}: {said}");
     }
+    for other in ["--search", "--method=half", "--cancel=force order 1"] {
+        let said = message(&folder, 2, &["balance", "v8.toml", other, "--max-nodes", "9"]);
+        assert!(said.contains("end a search over choices"), "{other}: {said}");
+    }
 }
 
 /// Progress is said without a terminal too, and the first Ctrl-C after it gives the best so far with its bound.
