@@ -66,12 +66,16 @@ describe("proofs", () => {
       stage: 0,
     };
     const answer = { stages: [stage, sum] } as unknown as Answer;
-    expect(priceWords(limit, answer)).toBe("made larger, it lowers the force by 12.35 N per kg m (shadow price).");
+    expect(priceWords(limit, answer)).toBe(
+      "made larger, it lowers the force by 12.35 N per kg m (shadow price).",
+    );
     expect(priceWords({ ...limit, stage: 1, price_unit: "1 per kg m" }, answer)).toContain(
       "the weighted sum by 12.35 per kg m",
     );
     expect(priceWords({ ...limit, side: "at-least" }, answer)).toContain("made smaller");
-    expect(priceWords({ ...limit, side: "given", price: -2 }, answer)).toContain("made larger, it lowers the force by 2 ");
+    expect(priceWords({ ...limit, side: "given", price: -2 }, answer)).toContain(
+      "made larger, it lowers the force by 2 ",
+    );
   });
 
   it("name each angle once", () => {
