@@ -1,6 +1,7 @@
 //! What balancing answers: plain data, SI units and radians, the same for every front end.
 
 use crate::cancellation::answer::Cancellation;
+use crate::settings::{BalanceSettings, StopCause};
 use lanchester_model::{BalanceTask, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
@@ -23,6 +24,8 @@ pub struct Answer {
     pub outcome: Outcome,
     /// How it was found.
     pub method: Method,
+    /// How far the search went, where it was one over choices.
+    pub settings: BalanceSettings,
     /// Every free weight. Empty where there is no optimum.
     pub weights: Vec<FoundWeight>,
     /// Where the free shafts stand.
@@ -66,10 +69,13 @@ pub enum Outcome {
         /// The reason in words, with numbers and units.
         reason: String,
     },
-    /// The search stopped before its gap was closed; what is given is feasible and the gaps stand.
+    /// The search stopped before its gap was closed; what is given is feasible and the gaps stand. Without stages: no
+    /// feasible point was found.
     Stopped {
-        /// Why.
+        /// Why, in words.
         reason: String,
+        /// Why.
+        cause: StopCause,
     },
 }
 
@@ -140,8 +146,12 @@ pub struct FoundStage {
     pub lower_bound: f64,
     /// `value - lower_bound`.
     pub gap: f64,
+    /// SI unit of the value: that of the criterion, or `1` for a weighted sum, whose terms are shares of given values.
+    pub unit: String,
     /// Each term's criterion and true value.
     pub terms: Vec<(Criterion, f64)>,
+    /// Weight of each term: 1 for a criterion that is minimised alone.
+    pub term_weights: Vec<f64>,
     /// The parts of the cycle that hold the optimum up; none where the stage vanishes.
     pub active: Vec<Active>,
 }
@@ -158,21 +168,49 @@ pub struct Active {
     pub multiplier: f64,
 }
 
+impl FoundStage {
+    /// Whether several criteria are added, each as a share of the value given for it.
+    pub fn is_weighted_sum(&self) -> bool {
+        !matches!(self.term_weights[..], [1.0])
+    }
+}
+
+/// On which side of its value a limit lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LimitSide {
+    /// No more than the value.
+    AtMost,
+    /// No less than the value.
+    AtLeast,
+    /// The value itself.
+    Given,
+}
+
 /// A limit of the answer.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundLimit {
-    /// What is limited: a criterion, the largest amount of a weight, a position.
+    /// What is limited: a criterion, the largest, least or given amount of a weight, the largest inertia.
     pub what: String,
     /// Its criterion, if it is one.
     pub criterion: Option<Criterion>,
+    /// On which side of its value it lies.
+    pub side: LimitSide,
+    /// SI unit of the limit and of what was reached.
+    pub unit: String,
     /// The limit, in SI units.
     pub most: f64,
     /// What was reached.
     pub value: f64,
-    /// Price: how much the first stage that this limit holds up would fall if the limit were one SI unit wider, e.g.
-    /// N per kg m; 0 for a limit that does not matter. Of a choice that was searched for it is the price with that
+    /// Shadow price: how much the first stage that this limit holds up would fall if the limit were relaxed by one SI unit: a
+    /// largest value made larger, a least one smaller, e.g. N per kg m; 0 for a limit that is not active. Of a given amount it is
+    /// that of a smaller one, negative where a larger one helps. Of a choice that was searched for it is the price with that
     /// choice kept: devices used, places, directions of given and least amounts.
     pub price: f64,
+    /// Unit of the price, such as `N per kg m`; `1 per N m` for a weighted sum; empty for a limit that is not active.
+    pub price_unit: String,
+    /// The stage that the price belongs to, by index.
+    pub stage: Option<usize>,
 }
 
 /// A criterion before and after.

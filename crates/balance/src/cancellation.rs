@@ -20,6 +20,7 @@ use crate::fitted::{bare, fitted};
 use crate::operator::{Operator, middle};
 use crate::optimum::{optimise_with, with_devices};
 use crate::problem::Problem;
+use crate::settings::StopCause;
 use equations::Equations;
 use functional::Weighed;
 use lanchester_mechanism::Kinematics;
@@ -140,7 +141,8 @@ impl Question<'_> {
             _ => problem.operator.natural_moment,
         };
         if let Some(order) = orders.iter().find(|order| order.left > VANISHED * natural(order)) {
-            answer.outcome = Outcome::Stopped { reason: words::not_vanished(engine, order) };
+            let reason = words::not_vanished(engine, order);
+            answer.outcome = Outcome::Stopped { reason, cause: StopCause::Rounding };
         }
         let verdict = CancellationVerdict::Vanish {
             total: total.unit * found.value,
@@ -169,7 +171,8 @@ impl Question<'_> {
             })
             .collect();
         answer.outcome = if obstructions.is_empty() {
-            Outcome::Stopped { reason: "too close between vanishing and not for a proof of either".into() }
+            let reason = "too close between vanishing and not for a proof of either".into();
+            Outcome::Stopped { reason, cause: StopCause::Rounding }
         } else {
             let mut reasons: Vec<&str> = obstructions.iter().map(|o| o.reason.as_str()).collect();
             reasons.dedup();

@@ -80,7 +80,17 @@ pub enum BalanceError {
         /// What to do.
         hint: &'static str,
     },
-    /// Whoever asked said that the answer is not wanted any more ([`crate::optimise_while`]).
+    /// A setting of the search is outside its range.
+    #[error("the {setting} must be {needed}, got {got}")]
+    Setting {
+        /// Which setting.
+        setting: &'static str,
+        /// What is possible.
+        needed: &'static str,
+        /// What was given.
+        got: f64,
+    },
+    /// Whoever asked said that the answer is not wanted any more ([`crate::Next::Abandon`]).
     #[error("the search was broken off\nhint: ask again for the whole of it")]
     BrokenOff,
 }

@@ -18,12 +18,14 @@ mod criterion;
 mod error;
 mod fitted;
 mod infeasible;
+mod limits;
 mod mounts;
 mod operator;
 mod optimum;
 mod problem;
 pub mod published;
 mod rounding;
+mod settings;
 mod stages;
 mod swept;
 mod twin_arrangement;
@@ -38,7 +40,8 @@ pub use cancellation::*;
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
-pub use optimum::{optimise, optimise_while, optimise_with};
+pub use optimum::{optimise, optimise_watched, optimise_with};
+pub use settings::{BalanceSettings, Next, SearchState, StopCause};
 pub use swept::{SWEPT_VERSION, Swept, swept};
 pub use twin_arrangement::{
     ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,

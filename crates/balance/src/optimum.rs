@@ -10,8 +10,10 @@ use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
 use crate::infeasible::obstacle;
+use crate::limits::found_limits;
 use crate::operator::{Operator, WeightColumns, inertia_of, middle};
-use crate::problem::{Problem, Rule};
+use crate::problem::Problem;
+use crate::settings::{BalanceSettings, Next, SearchState, StopCause, Watch};
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
@@ -43,34 +45,38 @@ pub fn optimise_with(
     task: &BalanceTask,
     kinematics: Kinematics,
 ) -> Result<Answer, BalanceError> {
-    found(engine, task, kinematics, &|| true)
+    found(engine, task, kinematics, &BalanceSettings::default(), &|_| Next::Continue)
 }
 
-/// As [`optimise`], for an asker who may lose interest: a search over choices asks `go_on` before each of its boxes, and ends
-/// where it says no. Convex programmes take milliseconds and are always finished.
+/// As [`optimise`], with settings, for a caller who watches: a search over choices tells `watch` where it stands before each of its
+/// nodes, and does what it says. Stopped, it answers with the best so far and the bound that is proved by then
+/// ([`Outcome::Stopped`]). Convex programmes take milliseconds and are always finished.
 ///
 /// # Errors
-/// As [`optimise`], and [`BalanceError::BrokenOff`].
-pub fn optimise_while(
+/// As [`optimise`], [`BalanceError::Setting`], and [`BalanceError::BrokenOff`] where `watch` abandons the search.
+pub fn optimise_watched(
     engine: &Engine,
     task: &BalanceTask,
-    go_on: &dyn Fn() -> bool,
+    settings: &BalanceSettings,
+    watch: &dyn Fn(&SearchState<'_>) -> Next,
 ) -> Result<Answer, BalanceError> {
-    found(engine, task, Kinematics::Exact, go_on)
+    settings.check()?;
+    found(engine, task, Kinematics::Exact, settings, watch)
 }
 
 fn found(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
-    go_on: &dyn Fn() -> bool,
+    settings: &BalanceSettings,
+    watch: &Watch,
 ) -> Result<Answer, BalanceError> {
     if !task.cancel.is_empty() {
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
     if branch::is_needed(task) {
-        return searched(engine, task, kinematics, go_on);
+        return searched(engine, task, kinematics, settings, watch);
     }
     let places = middle(engine, task);
     let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
@@ -96,10 +102,11 @@ fn searched(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
-    go_on: &dyn Fn() -> bool,
+    settings: &BalanceSettings,
+    watch: &Watch,
 ) -> Result<Answer, BalanceError> {
-    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, go_on)?;
-    let mut answer = empty(engine, task);
+    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, settings, watch)?;
+    let mut answer = Answer { settings: *settings, ..empty(engine, task) };
     let chosen = branch::is_choice(task);
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
     match ending {
@@ -107,7 +114,7 @@ fn searched(
             let reached = cleared(&best.problem, best.reached);
             let stand = Stand { planes: best.planes, axes: best.axes, inertia: best.inertia };
             fill(&mut answer, engine, task, &best.problem, &reached, &stand);
-            answer.outcome = outcome(&answer.stages, &reached.stages, best.stopped);
+            answer.outcome = outcome(&answer.stages, &reached.stages, best.stopped.map(|stop| (stop, nodes)));
             answer.effects = effects(engine, task, kinematics, &best.problem, &reached.x)?;
         }
         Ending::Infeasible { relaxation, closest } => {
@@ -118,9 +125,9 @@ fn searched(
             };
             answer.outcome = Outcome::Infeasible { relaxation, closest, reason };
         }
-        Ending::Nothing => {
-            let reason = format!("no choice that holds the limits was found in {nodes} boxes of choices");
-            answer.outcome = Outcome::Stopped { reason };
+        Ending::Nothing(cause) => {
+            let reason = format!("{} before any feasible point was found", cause_words(cause, nodes));
+            answer.outcome = Outcome::Stopped { reason, cause };
         }
     }
     Ok(answer)
@@ -134,6 +141,7 @@ fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
         task: task.clone(),
         outcome: Outcome::Optimal,
         method: Method::Convex { solves: 0 },
+        settings: BalanceSettings::default(),
         weights: Vec::new(),
         shafts: Vec::new(),
         inertias: Vec::new(),
@@ -256,29 +264,41 @@ fn fill(
     answer.weights = found_weights(problem, task, &reached.x, &stand.planes);
     answer.shafts = found_shafts(task, &answer.weights, &stand.axes);
     answer.inertias = found_inertias(problem, task, &reached.x, stand.inertia);
-    answer.limits = found_limits(engine, problem, task, reached, answer, stand);
+    answer.limits = found_limits(engine, problem, task, reached, answer, stand.inertia);
 }
 
-/// Optimal where every gap is closed; `ended` is the first stage whose search ended because of the number of boxes.
-fn outcome(stages: &[FoundStage], proofs: &[StageProof], ended: Option<usize>) -> Outcome {
+/// What ended a search after so many nodes.
+fn cause_words(cause: StopCause, nodes: usize) -> String {
+    let count = format!("after {nodes} node{}", if nodes == 1 { "" } else { "s" });
+    match cause {
+        StopCause::MaxNodes => format!("the largest number of nodes was reached {count}"),
+        StopCause::TimeLimit => format!("the time limit was reached {count}"),
+        StopCause::Cancelled => format!("cancelled {count}"),
+        StopCause::Rounding => format!("rounding ended the search {count}"),
+    }
+}
+
+/// Optimal where every gap is closed; `ended` is the first stage whose search ended before that, why, and after how many nodes of
+/// all stages.
+fn outcome(
+    stages: &[FoundStage],
+    proofs: &[StageProof],
+    ended: Option<((usize, StopCause), usize)>,
+) -> Outcome {
     let open = stages.iter().zip(proofs).enumerate().find(|(_, (stage, proof))| stage.gap > proof.target);
     match open {
         None => Outcome::Optimal,
         Some((index, (stage, _))) => {
             let share = stage.gap / stage.value.max(f64::MIN_POSITIVE);
-            let (most, number) = (branch::MOST_NODES, index + 1);
-            let reason = match ended {
-                Some(ended) if ended < index => format!(
-                    "after {most} boxes of choices for stage {}, which stage {number} cannot make good, a gap of \
-                     {share:.1e} of its value is left",
-                    ended + 1
-                ),
-                Some(_) => format!(
-                    "after {most} boxes of choices for stage {number} a gap of {share:.1e} of its value is left"
-                ),
-                None => format!("rounding leaves a gap of {share:.1e} of the value of stage {number}"),
+            let number = index + 1;
+            let left = format!("a gap of {share:.1e} of the value of stage {number} is left");
+            let (reason, cause) = match ended {
+                Some(((stage, cause), nodes)) if stage <= index => {
+                    (format!("{} in stage {}; {left}", cause_words(cause, nodes), stage + 1), cause)
+                }
+                _ => (format!("rounding: {left}"), StopCause::Rounding),
             };
-            Outcome::Stopped { reason }
+            Outcome::Stopped { reason, cause }
         }
     }
 }
@@ -292,12 +312,14 @@ fn refused(
     solves: &mut usize,
 ) -> Outcome {
     if task.limits.is_empty() || failure == Failure::NoPoint && problem.programme.rows.is_empty() {
-        return Outcome::Stopped { reason: "the cone programme could not be solved".to_string() };
+        let reason = "the cone programme could not be solved".to_string();
+        return Outcome::Stopped { reason, cause: StopCause::Rounding };
     }
     let obstacle = obstacle(problem, solves);
     if obstacle.relaxation <= 1.0 + 1e-9 {
         return Outcome::Stopped {
             reason: "the limits can only just be held together, too closely for a proof".to_string(),
+            cause: StopCause::Rounding,
         };
     }
     let reason = infeasible_words(engine, task, obstacle.relaxation, &obstacle.closest);
@@ -306,6 +328,10 @@ fn refused(
 
 /// How close each limit can be reached alone, and how far all must be relaxed together.
 fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closest: &[f64]) -> String {
+    if closest.is_empty() {
+        return "the limits cannot hold together; the search stopped before it was known how far they must be relaxed"
+            .into();
+    }
     let mut parts = Vec::new();
     for (limit, closest) in task.limits.iter().zip(closest) {
         let (name, unit) = (criterion_name(&limit.criterion, engine), criterion_unit(&limit.criterion));
@@ -330,11 +356,18 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
     let vanishes = value <= proof.target.max(VANISHES * unbalanced);
     // Both are exact to rounding; the bound may end above the value by that much.
     let lower_bound = proof.bound.min(value);
+    let term_weights: Vec<f64> = terms.iter().map(|(weight, _)| *weight).collect();
+    let unit = match (&term_weights[..], &values[..]) {
+        ([1.0], [(criterion, _)]) => criterion_unit(criterion),
+        _ => "1",
+    };
     FoundStage {
         value,
         lower_bound,
         gap: value - lower_bound,
+        unit: unit.into(),
         terms: values,
+        term_weights,
         active: if vanishes { Vec::new() } else { active(problem, terms, proof) },
     }
 }
@@ -412,60 +445,6 @@ fn found_inertias(
             inertia: inertia_of(inertia, share),
             roll_share: 1.0 - share,
         });
-    }
-    found
-}
-
-fn found_limits(
-    engine: &Engine,
-    problem: &Problem,
-    task: &BalanceTask,
-    reached: &Reached,
-    answer: &Answer,
-    stand: &Stand,
-) -> Vec<FoundLimit> {
-    let mut found = Vec::new();
-    for (row, &(rule, unit)) in problem.rules.iter().enumerate() {
-        // The first stage that it holds up; a price is the stage's unit over the limit's.
-        let price =
-            reached.stages.iter().map(|s| s.prices[row] / unit).find(|p| p.abs() > 0.0).unwrap_or(0.0);
-        let limit = match rule {
-            Rule::Limit(index) => {
-                let judged = &problem.limits[index];
-                FoundLimit {
-                    what: criterion_name(&judged.criterion, engine),
-                    criterion: Some(judged.criterion),
-                    most: task.limits[index].most,
-                    value: problem.value(judged, &reached.x),
-                    price,
-                }
-            }
-            Rule::MostAmount(index) => FoundLimit {
-                what: format!("largest amount of `{}`", task.weights[index].name),
-                criterion: None,
-                most: task.weights[index].most.unwrap_or(f64::INFINITY),
-                value: answer.weights[index].unbalance.norm(),
-                price,
-            },
-            Rule::MostInertia => {
-                let Some(index) = stand.inertia else { continue };
-                let inertia = &task.inertias[index];
-                let Some(most) = inertia.most else { continue };
-                let k = inertia.ratio;
-                // ds/dJ at the largest inertia.
-                let slope =
-                    k * (k + 1.0) * inertia.crank_inertia / (inertia.crank_inertia + k * k * most).powi(2);
-                FoundLimit {
-                    what: format!("largest inertia of `{}`", inertia.name),
-                    criterion: None,
-                    most,
-                    value: answer.inertias[index].inertia,
-                    price: price * slope,
-                }
-            }
-            Rule::Plain => continue,
-        };
-        found.push(limit);
     }
     found
 }

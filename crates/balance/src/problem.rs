@@ -15,6 +15,8 @@ pub(crate) enum Rule {
     Limit(usize),
     /// Largest amount of a weight, by index.
     MostAmount(usize),
+    /// Least amount of a weight, by index.
+    LeastAmount(usize),
     /// Largest inertia.
     MostInertia,
     /// A variable that is not negative, or another condition without a price.
@@ -35,6 +37,8 @@ pub(crate) struct Problem {
     pub implied: Vec<Vec<(f64, Judged)>>,
     /// The task's limits.
     pub limits: Vec<Judged>,
+    /// Weights of given amount in a given direction, with the row of the operator's equalities that says so.
+    pub given: Vec<(usize, usize)>,
     /// Groups of the amounts of every weight's corners.
     pub amounts: Vec<Vec<usize>>,
     /// Radius of every weight, where all have one.
@@ -119,6 +123,7 @@ impl Problem {
             stages,
             implied,
             limits,
+            given: Vec::new(),
             amounts,
             radii: task.weights.iter().map(|w| w.radius).collect(),
             effects,

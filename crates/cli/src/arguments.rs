@@ -9,6 +9,7 @@ use crate::mounts_arguments::MountsArguments;
 use crate::published_arguments::PublishedArguments;
 use crate::scatter_arguments::ScatterArguments;
 use crate::search_arguments::SearchArguments;
+use crate::search_limit_arguments::SearchLimitArguments;
 use crate::sensitivity_arguments::SensitivityArguments;
 use crate::studio_arguments::StudioArguments;
 use crate::torque_arguments::{BearingsArguments, TorqueArguments};
@@ -361,6 +362,9 @@ pub struct BalanceArguments {
     /// `least 0.01 kg m`, `most 0.02 kg m` with commas between. May be given several times.
     #[arg(long, value_name = "SHAFT", allow_hyphen_values = true)]
     pub shaft: Vec<String>,
+    /// How far a search over choices goes.
+    #[command(flatten)]
+    pub limits: SearchLimitArguments,
     /// Write the found weights into the engine file; comments and order stay.
     #[arg(long, conflicts_with = "dry_run")]
     pub write: bool,

@@ -21,6 +21,7 @@ mod run;
 mod run_arguments;
 mod scatter_arguments;
 mod search_arguments;
+mod search_limit_arguments;
 mod search_request;
 mod sensitivity_arguments;
 mod shape_request;
@@ -29,6 +30,7 @@ mod studio_arguments;
 mod torque_arguments;
 mod trace_files;
 mod value_list;
+mod watch;
 mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};

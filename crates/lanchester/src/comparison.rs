@@ -500,10 +500,10 @@ fn optimal(engine: &Engine, warnings: &mut Vec<String>) -> Result<Engine, Compar
         .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: error.into() })?;
     match &answer.outcome {
         Outcome::Optimal => {}
-        Outcome::Stopped { reason } if !answer.weights.is_empty() => {
+        Outcome::Stopped { reason, .. } if !answer.weights.is_empty() => {
             warnings.push(format!("{}: the best that was found is not proved: {reason}", engine.name));
         }
-        Outcome::Stopped { reason }
+        Outcome::Stopped { reason, .. }
         | Outcome::Infeasible { reason, .. }
         | Outcome::CannotVanish { reason, .. } => {
             return Err(CompareError::NoOptimum { engine: engine.name.clone(), reason: reason.clone() });

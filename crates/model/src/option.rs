@@ -69,6 +69,22 @@ pub fn pressure(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Pressure, option)
 }
 
+/// A time with its unit, such as "30 s" or "5 min" [s]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number above 0 with a unit of time.
+pub fn time(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    const UNITS: [(&str, f64); 4] = [("ms", 1e-3), ("s", 1.0), ("min", 60.0), ("h", 3600.0)];
+    let text = text.trim();
+    let (number, unit) = text.split_at(text.trim_end_matches(|c: char| c.is_ascii_alphabetic()).len());
+    let factor = UNITS.iter().find(|(name, _)| *name == unit).map(|(_, factor)| factor);
+    let time = number.trim().parse::<f64>().ok().zip(factor).map(|(number, factor)| number * factor);
+    time.filter(|time| time.is_finite() && *time > 0.0).ok_or_else(|| BadQuantity {
+        message: format!("`{option}` needs a time above 0 with its unit, got \"{text}\""),
+        hint: "write a number with ms, s, min or h, such as \"30 s\"".into(),
+    })
+}
+
 /// A density with its unit, such as "7850 kg/m3" [kg/m^3]; `option` names what asks for it in the message.
 ///
 /// # Errors
@@ -158,7 +174,7 @@ pub fn stage(text: &str, mounts: &[Mount], option: &str) -> Result<Stage, BadQua
             })
         }
     };
-    Ok(Stage { terms: text.split(',').map(term).collect::<Result<_, _>>()? })
+    Ok(Stage::of(text.split(',').map(term).collect::<Result<_, _>>()?))
 }
 
 /// Orders that must vanish: one, such as "force order 1", or several with commas between them; `option` names what asks
@@ -212,6 +228,7 @@ mod tests {
         assert_eq!(stage("force"), Ok(Stage { terms: vec![(1.0, Criterion::Peak(Load::Force))] }));
         let both = vec![(1.0 / 200.0, Criterion::Peak(Load::Force)), (0.1, Criterion::Peak(Load::Couple))];
         assert_eq!(stage("force = 200 N, couple = 10 N m"), Ok(Stage { terms: both }));
+        assert_eq!(stage("force = 200 N"), stage("force"), "one alone is no share of anything");
         assert!(stage("force = 0 N").is_err() && stage("force, couple").is_err());
     }
 
@@ -241,6 +258,10 @@ mod tests {
         assert_eq!(speed("60 rpm", "--speed"), Ok(std::f64::consts::TAU));
         assert_eq!(length("-12 mm", "--about"), Ok(-0.012));
         assert_eq!(mass("412 g", "--bobweight"), Ok(0.412));
+        assert_eq!((time("1.5 min", "--time-limit"), time("20ms", "--time-limit")), (Ok(90.0), Ok(0.02)));
+        for text in ["5", "0 s", "-1 s", "5 kg", "inf s", "s", ""] {
+            assert!(time(text, "--time-limit").is_err_and(|bad| bad.hint.contains("30 s")), "{text}");
+        }
         assert_eq!(angle("180 deg", "--angle"), Ok(std::f64::consts::PI));
         assert_eq!(inertia("2 kg m2", "--inertia"), Ok(2.0));
         assert_eq!((share("50%", "--share"), share("0.5", "--share")), (Ok(0.5), Ok(0.5)));

@@ -211,6 +211,16 @@ pub struct Stage {
     pub terms: Vec<(f64, Criterion)>,
 }
 
+impl Stage {
+    /// These terms; a single one counts with weight 1, as its value alone then says what is minimised.
+    pub fn of(mut terms: Vec<(f64, Criterion)>) -> Stage {
+        if let [(weight, _)] = &mut terms[..] {
+            *weight = 1.0;
+        }
+        Stage { terms }
+    }
+}
+
 /// A criterion that must not pass a value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Limit {

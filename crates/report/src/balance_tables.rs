@@ -2,7 +2,7 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, Method};
+use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method};
 use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
 
 /// Every free weight: where it stands, how much it is, in which direction.
@@ -168,48 +168,77 @@ pub fn effects_table(engine: &Engine, answer: &Answer) -> Table {
     )
 }
 
-/// What each limit is, what was reached, and what it costs; `None` without any.
+/// What each limit is, what was reached, and its shadow price; `None` without any.
 pub fn limits_table(engine: &Engine, answer: &Answer) -> Option<Table> {
     if answer.limits.is_empty() {
         return None;
     }
-    let stage_unit = answer
-        .stages
-        .first()
-        .and_then(|s| s.terms.first())
-        .map_or("", |(criterion, _)| criterion_unit(criterion));
-    let unit = |l: &FoundLimit| l.criterion.map_or("kg m", |c| criterion_unit(&c));
-    let price = |l: &FoundLimit| match number::short(l.price, 4).as_str() {
-        "0" => Cell::text("nothing"),
-        price => Cell::text(format!("{price} {stage_unit} per {}", unit(l))),
-    };
-    let note =
-        "The price tells how much the first stage that the limit holds up would fall if the limit were wider";
-    let note = match answer.method {
-        Method::Convex { .. } => format!("{note}."),
+    let mut note =
+        "The shadow price is how much the objective beside it would fall if the limit were relaxed by one unit"
+            .to_owned();
+    note += match answer.method {
+        Method::Convex { .. } => ".",
         Method::BranchAndBound { .. } => {
-            format!(
-                "{note}, with the choices as they were found: devices, places, directions of given and least amounts."
-            )
+            ", with the choices kept: devices used, places, directions of given and least amounts."
         }
     };
+    if answer.limits.iter().any(|l| l.side == LimitSide::Given && l.price < 0.0) {
+        note += " Of a given amount it is that of a smaller one; negative where a larger one helps.";
+    }
+    if answer.limits.iter().any(|l| l.stage.is_some_and(|k| answer.stages[k].is_weighted_sum())) {
+        note += " A weighted sum has no unit: its terms are shares of the values given for them.";
+    }
     let name = |l: &FoundLimit| match l.criterion {
         Some(criterion) => criterion_name(&criterion, engine),
         None => l.what.clone(),
     };
+    let objective = |l: &FoundLimit| match l.stage {
+        Some(stage) if answer.stages[stage].is_weighted_sum() => Cell::text("weighted sum"),
+        Some(stage) => Cell::text(stage_name(engine, &answer.stages[stage])),
+        None => Cell::text("not active"),
+    };
+    let price_unit = |l: &FoundLimit| l.price_unit.strip_prefix("1 ").unwrap_or(&l.price_unit).to_owned();
     let limits = &answer.limits;
     Some(Table::of_columns(
         "limits",
-        "What the limits cost",
+        "Shadow prices of the limits",
         note,
         vec![
             (Column::words("limit"), limits.iter().map(|l| Cell::text(name(l))).collect()),
-            (Column::words("unit"), limits.iter().map(|l| Cell::text(unit(l))).collect()),
-            (Column::numbers("at most", ""), limits.iter().map(|l| Cell::number(l.most, 5)).collect()),
+            (
+                Column::words("side"),
+                limits
+                    .iter()
+                    .map(|l| {
+                        Cell::text(match l.side {
+                            LimitSide::AtMost => "at most",
+                            LimitSide::AtLeast => "at least",
+                            LimitSide::Given => "given",
+                        })
+                    })
+                    .collect(),
+            ),
+            (Column::numbers("value", ""), limits.iter().map(|l| Cell::number(l.most, 5)).collect()),
             (Column::numbers("reached", ""), limits.iter().map(|l| Cell::number(l.value, 5)).collect()),
-            (Column::words("price"), limits.iter().map(price).collect()),
+            (Column::words("unit"), limits.iter().map(|l| Cell::text(shown_power(&l.unit))).collect()),
+            (Column::numbers("shadow price", ""), limits.iter().map(|l| price_cell(l.price)).collect()),
+            (
+                Column::words("unit of price"),
+                limits.iter().map(|l| Cell::text(shown_power(&price_unit(l)))).collect(),
+            ),
+            (Column::words("of"), limits.iter().map(objective).collect()),
         ],
     ))
+}
+
+/// Four digits of a shadow price, however small: a weighted sum has no unit and small prices.
+fn price_cell(price: f64) -> Cell {
+    let leading = if price == 0.0 { 0 } else { price.abs().log10().floor() as i32 };
+    Cell::Number { value: price, decimals: (3 - leading).clamp(0, 12) as usize }
+}
+
+fn shown_power(unit: &str) -> String {
+    unit.replace("m^2", "m²")
 }
 
 /// How close each limit of a task without an answer can be reached if the others are dropped.
@@ -233,18 +262,6 @@ pub fn closest_table(engine: &Engine, answer: &Answer, closest: &[f64]) -> Table
 /// Every stage with its bound, and the crank angles that hold it up.
 pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
     let stages = &answer.stages;
-    let terms = |k: usize| {
-        let words: Vec<String> = stages[k]
-            .terms
-            .iter()
-            .zip(&answer_weights(answer, k))
-            .map(|((criterion, _), weight)| match *weight {
-                1.0 => criterion_name(criterion, engine),
-                weight => format!("{} × {}", number::trimmed(weight, 4), criterion_name(criterion, engine)),
-            })
-            .collect();
-        words.join(" + ")
-    };
     let angles = |k: usize| {
         let mut degrees: Vec<f64> = stages[k]
             .active
@@ -259,18 +276,14 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
         let more = if degrees.len() > 8 { ", …" } else { "" };
         format!("{}{more}", shown.join(", "))
     };
-    let unit = |k: usize| match stages[k].terms.as_slice() {
-        [(criterion, _)] => criterion_unit(criterion),
-        _ => "",
-    };
     let rows = 0..stages.len();
     Table::of_columns(
         "stages",
         "The proof",
         "No choice of these devices goes below the bound; a gap is closed where it is less than 1e-8 of the value; the angles are where the load stands at its peak and cannot give way.",
         vec![
-            (Column::words("minimised"), rows.clone().map(|k| Cell::text(terms(k))).collect()),
-            (Column::words("unit"), rows.clone().map(|k| Cell::text(unit(k))).collect()),
+            (Column::words("minimised"), stages.iter().map(|s| Cell::text(stage_name(engine, s))).collect()),
+            (Column::words("unit"), stages.iter().map(|s| Cell::text(&s.unit)).collect()),
             (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
             (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
             (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
@@ -284,7 +297,8 @@ fn gap(answer: &Answer, stage: &FoundStage) -> String {
     let without = |criterion: &Criterion| {
         answer.effects.iter().find(|e| e.criterion == *criterion).map_or(0.0, |e| e.without.abs())
     };
-    let unbalanced = stage.terms.iter().map(|(criterion, _)| without(criterion)).fold(0.0, f64::max);
+    let terms = stage.terms.iter().zip(&stage.term_weights);
+    let unbalanced: f64 = terms.map(|((criterion, _), weight)| weight * without(criterion)).sum();
     // Where there is nothing to balance, 1e-9 N or N m is rounding.
     match stage.gap <= (1e-8 * stage.value.max(1e-6 * unbalanced)).max(1e-9) {
         true => "closed".to_owned(),
@@ -292,12 +306,17 @@ fn gap(answer: &Answer, stage: &FoundStage) -> String {
     }
 }
 
-/// Weights of the terms of stage `k`; where the task leaves its stages to the default, each has one term of weight 1.
-fn answer_weights(answer: &Answer, k: usize) -> Vec<f64> {
-    match answer.task.stages.get(k) {
-        Some(stage) => stage.terms.iter().map(|(weight, _)| *weight).collect(),
-        None => vec![1.0; answer.stages[k].terms.len()],
-    }
+/// What a stage minimises: `force`, or `force / 200 N + couple / 10 N m`, each criterion as a share of the value given for it.
+pub(crate) fn stage_name(engine: &Engine, stage: &FoundStage) -> String {
+    let terms = stage.terms.iter().zip(&stage.term_weights);
+    let terms = terms.map(|((criterion, _), &weight)| {
+        let name = criterion_name(criterion, engine);
+        if !stage.is_weighted_sum() {
+            return name;
+        }
+        format!("{name} / {} {}", number::trimmed(1.0 / weight, 6), criterion_unit(criterion))
+    });
+    terms.collect::<Vec<_>>().join(" + ")
 }
 
 /// Small SI units are shown in those of the trade.

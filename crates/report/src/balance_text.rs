@@ -2,13 +2,13 @@
 
 use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stages_table,
+    limits_table, stage_name, stages_table,
 };
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::number;
 use crate::terminal::push_wrapped;
-use lanchester_balance::{Answer, Method, Outcome};
-use lanchester_model::{Engine, criterion_name, criterion_unit};
+use lanchester_balance::{Answer, BalanceSettings, FoundStage, Method, Outcome, SearchState};
+use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
@@ -24,7 +24,9 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
         push_wrapped(&mut out, "", &equals);
     }
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
-        let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
+        if !closest.is_empty() {
+            let _ = write!(out, "\n{}", closest_table(engine, answer, closest).text());
+        }
         return out;
     }
     let mut tables = Vec::new();
@@ -59,36 +61,93 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
 /// The answer in a sentence or two.
 pub fn headline(engine: &Engine, answer: &Answer) -> String {
     let reached = || {
-        let terms = answer.stages.iter().flat_map(|stage| &stage.terms).map(|(criterion, value)| {
-            let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
-            // What is rounding noise beside the file's own is nothing.
-            let noise = 1e-9 * before.map_or(0.0, f64::abs).max(1e-3);
-            let value = if value.abs() <= noise { 0.0 } else { *value };
-            let unit = criterion_unit(criterion);
-            let name = criterion_name(criterion, engine);
-            match before {
-                Some(before) => format!(
-                    "{name} {} {unit} ({} {unit} as the file stands)",
-                    number::short(value, 5),
-                    number::short(before, 5)
-                ),
-                None => format!("{name} {} {unit}", number::short(value, 5)),
-            }
-        });
-        terms.collect::<Vec<_>>().join(", then ")
+        let stages = answer.stages.iter().map(|stage| reached_words(engine, answer, stage));
+        stages.collect::<Vec<_>>().join(", then ")
     };
     if let Some(cancellation) = &answer.cancellation {
         return cancellation_headline(engine, answer, cancellation);
     }
     match &answer.outcome {
         Outcome::CannotVanish { reason } => format!("{reason}."),
-        Outcome::Optimal => format!("The least that these devices allow: {}.", reached()),
+        Outcome::Optimal if answer.stages.first().is_some_and(FoundStage::is_weighted_sum) => {
+            format!("{}.{}", number::capital(&reached()), gap_words(answer))
+        }
+        Outcome::Optimal => {
+            format!("The least that these devices allow: {}.{}", reached(), gap_words(answer))
+        }
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
-        Outcome::Stopped { reason } if answer.stages.is_empty() => format!("No answer was found: {reason}."),
-        Outcome::Stopped { reason } => {
+        Outcome::Stopped { reason, .. } if answer.stages.is_empty() => {
+            format!("No answer was found: {reason}.")
+        }
+        Outcome::Stopped { reason, .. } => {
             format!("The search stopped early ({reason}); the best so far: {}.", reached())
         }
     }
+}
+
+/// How far the search went, where a wider gap than usual was asked for; empty elsewhere.
+fn gap_words(answer: &Answer) -> String {
+    let gap = answer.settings.gap;
+    match answer.method {
+        Method::BranchAndBound { .. } if gap > BalanceSettings::default().gap => {
+            format!(" The search ended within the gap of {} % that was asked for.", 100.0 * gap)
+        }
+        _ => String::new(),
+    }
+}
+
+/// What a stage reached: `force 120 N (340 N as the file stands)`, or the least weighted sum and what it leaves of each term.
+fn reached_words(engine: &Engine, answer: &Answer, stage: &FoundStage) -> String {
+    let term = |(criterion, value): &(Criterion, f64)| {
+        let before = answer.effects.iter().find(|e| e.criterion == *criterion).map(|e| e.before);
+        // What is rounding noise beside the file's own is nothing.
+        let noise = 1e-9 * before.map_or(0.0, f64::abs).max(1e-3);
+        let value = if value.abs() <= noise { 0.0 } else { *value };
+        let unit = criterion_unit(criterion);
+        let name = criterion_name(criterion, engine);
+        match before {
+            Some(before) => format!(
+                "{name} {} {unit} ({} {unit} as the file stands)",
+                number::short(value, 5),
+                number::short(before, 5)
+            ),
+            None => format!("{name} {} {unit}", number::short(value, 5)),
+        }
+    };
+    let terms: Vec<String> = stage.terms.iter().map(term).collect();
+    if !stage.is_weighted_sum() {
+        return terms.join(", ");
+    }
+    format!(
+        "least weighted sum {} ({}); it leaves {}",
+        number::short(stage.value, 5),
+        stage_name(engine, stage),
+        terms.join(" and ")
+    )
+}
+
+/// Where a search stands: its stage, best value, bound, gap and nodes.
+pub fn search_state_words(engine: &Engine, state: &SearchState) -> String {
+    let nodes = format!("{} node{}", state.nodes, if state.nodes == 1 { "" } else { "s" });
+    let Some(stage) = state.stage else {
+        return format!("how far the limits must be relaxed: {nodes}");
+    };
+    let (name, unit) = match stage.terms[..] {
+        [(1.0, criterion)] => {
+            (criterion_name(&criterion, engine), format!(" {}", criterion_unit(&criterion)))
+        }
+        _ => ("weighted sum".to_owned(), String::new()),
+    };
+    let bound = number::terminal(state.bound, number::decimals(state.bound, 6));
+    let reached = match state.value {
+        Some(value) => {
+            let gap = 100.0 * (value - state.bound) / value.abs().max(f64::MIN_POSITIVE);
+            let value = number::terminal(value, number::decimals(value, 6));
+            format!("best {value}{unit}, bound {bound}{unit}, gap {gap:.2e} %")
+        }
+        None => format!("no feasible point yet, bound {bound}{unit}"),
+    };
+    format!("stage {} of {} ({name}): {reached}, {nodes}", state.index + 1, state.stages)
 }
 
 /// What decided among answers that are equally good; empty where nothing but the weights did.
@@ -109,8 +168,11 @@ pub fn equals_words(engine: &Engine, answer: &Answer) -> String {
 /// Why limits cannot hold, and what would let them.
 fn no_answer(engine: &Engine, answer: &Answer, relaxation: f64, closest: &[f64]) -> String {
     let limits = &answer.task.limits;
-    if let (true, Outcome::Infeasible { reason, .. }) = (limits.is_empty(), &answer.outcome) {
-        return format!("What is asked for contradicts itself: {reason}.");
+    if let (true, Outcome::Infeasible { reason, .. }) = (closest.is_empty(), &answer.outcome) {
+        return match limits.is_empty() {
+            true => format!("What is asked for contradicts itself: {reason}."),
+            false => format!("{}.", number::capital(reason)),
+        };
     }
     let mut out: String = limits
         .iter()
@@ -157,9 +219,9 @@ pub(crate) fn method_words(answer: &Answer) -> String {
             );
             let bounds = answer.stages.iter().map(|stage| {
                 let bound = number::short(stage.lower_bound, 6);
-                match stage.terms[..] {
-                    [(criterion, _)] => format!("{bound} {}", criterion_unit(&criterion)),
-                    _ => format!("{bound} (weighted sum)"),
+                match stage.is_weighted_sum() {
+                    true => format!("{bound} (weighted sum)"),
+                    false => format!("{bound} {}", stage.unit),
                 }
             });
             let bounds: Vec<String> = bounds.collect();

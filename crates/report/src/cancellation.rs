@@ -46,7 +46,7 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
 
 fn outcome_reason(answer: &Answer) -> &str {
     match &answer.outcome {
-        lanchester_balance::Outcome::Stopped { reason }
+        lanchester_balance::Outcome::Stopped { reason, .. }
         | lanchester_balance::Outcome::CannotVanish { reason } => reason,
         _ => "",
     }

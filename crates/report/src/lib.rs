@@ -94,7 +94,7 @@ pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
-pub use balance_text::{balance_text, equals_words, headline};
+pub use balance_text::{balance_text, equals_words, headline, search_state_words};
 pub use bearing_tables::{
     BearingSizes, bearing_figures, bearing_parts_table, bearings_csv, bearings_text, main_bearings_table,
     rod_bearings_tables,

@@ -45,7 +45,10 @@ impl OptimumSection {
         let equals = equals_words(engine, answer);
         let headline = if equals.is_empty() { headline } else { format!("{headline} {equals}") };
         if let Outcome::Infeasible { closest, .. } = &answer.outcome {
-            let tables = vec![closest_table(engine, answer, closest)];
+            let tables = match closest.is_empty() {
+                true => Vec::new(),
+                false => vec![closest_table(engine, answer, closest)],
+            };
             return OptimumSection { headline, method, tables, figures: Vec::new(), left: String::new() };
         }
         let mut tables = Vec::new();

@@ -6,8 +6,8 @@ use crate::problem::Problem;
 use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
-    Answer, ArrangementRequest, Arrangements, BalanceError, DriveRule, Judged, Outcome, Target, arrangements,
-    fitted, optimise_while, searched_engine,
+    Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, DriveRule, Judged, Next,
+    Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
@@ -17,6 +17,7 @@ use lanchester::model::{
 use lanchester::report::headline;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::time::Instant;
 
 /// What may be changed, and what is wanted.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -48,6 +49,15 @@ struct BalanceQuestion {
     /// Largest unbalance of every free weight on a crankshaft, as `--most` takes it.
     #[serde(default)]
     most: Option<String>,
+    /// Gap at which a search over choices ends, as `--gap` takes it; none: 1e-8.
+    #[serde(default)]
+    gap: Option<String>,
+    /// Most branch-and-bound nodes for one stage, as `--max-nodes` takes it; none: 2000.
+    #[serde(default)]
+    max_nodes: Option<usize>,
+    /// Longest time of the search, as `--time-limit` takes it; none: no limit.
+    #[serde(default)]
+    time_limit: Option<String>,
 }
 
 /// Which weights are free.
@@ -144,7 +154,13 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     let ChangedTask { task, warnings } = task(&engine, &question)?;
     let warning = |fault: RoomFault| Warning { message: fault.message, hint: fault.hint.into() };
     let warnings = warnings.into_iter().map(warning).collect();
-    let answer = optimise_while(&engine, &task, &|| asker.waits()).map_err(|error| match error {
+    let settings = settings(&question)?;
+    let began = Instant::now();
+    let watch = |_: &SearchState| match asker.waits() {
+        true => settings.next(began.elapsed().as_secs_f64()),
+        false => Next::Abandon,
+    };
+    let answer = optimise_watched(&engine, &task, &settings, &watch).map_err(|error| match error {
         BalanceError::BrokenOff => superseded(),
         error => Problem::refused(error),
     })?;
@@ -156,6 +172,20 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
     let text = write_back(&question.text, &best).map_err(Problem::refused)?;
     Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), warnings })
+}
+
+/// How far a search over choices goes.
+fn settings(question: &BalanceQuestion) -> Result<BalanceSettings, Problem> {
+    let usual = BalanceSettings::default();
+    let gap = question.gap.as_ref().map(|text| option::share(text, "gap")).transpose();
+    let time_limit = question.time_limit.as_ref().map(|text| option::time(text, "time_limit")).transpose();
+    let settings = BalanceSettings {
+        gap: gap.map_err(Problem::quantity)?.unwrap_or(usual.gap),
+        max_nodes: question.max_nodes.unwrap_or(usual.max_nodes),
+        time_limit: time_limit.map_err(Problem::quantity)?,
+    };
+    settings.check().map_err(Problem::refused)?;
+    Ok(settings)
 }
 
 /// The free devices, changed by what is wanted.

@@ -4,8 +4,10 @@
 //! A box of choices has a convex programme that loses nothing of it ([`relaxed`]), whose certificate bounds everything in
 //! the box from below. The box with the lowest bound is divided; choices near the programmes' optima are tried, and the
 //! best of them bounds the optimum from above. The search ends when no box can hold anything better by more than its share
-//! of the promised gap, or after [`search::MOST_NODES`] boxes a stage: then the gap that is left is stated. What only
-//! decides among equals is searched less far ([`search::Effort::AMONG_EQUALS`]).
+//! of the gap that was asked for, after the largest number of nodes for a stage, or when whoever asked wants the best so far
+//! ([`crate::BalanceSettings`], [`crate::Next`]): then the gap that is left is stated. A box that is divided when the search
+//! ends stays whole, and a box that was not examined has the bound 0, so that the bound holds whenever it ends. What only decides
+//! among equals is searched less far ([`search::Effort::among_equals`]).
 //!
 //! Later stages search the boxes that are left of the earlier ones. They hold an earlier stage within as large a share of
 //! the gap; where the earlier optimum does not depend on the choices that are left they hold it exactly.
@@ -18,12 +20,11 @@ mod reading;
 mod relaxed;
 mod search;
 
-pub(crate) use search::MOST_NODES;
-
 use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::operator::EngineLoads;
 use crate::problem::{Problem, has_free_axis, implied, stages};
+use crate::settings::{BalanceSettings, StopCause, Watch};
 use crate::stages::{Held, Reached, Walk};
 use choices::{Choices, stretch};
 use lanchester_mechanism::Kinematics;
@@ -42,8 +43,8 @@ pub(crate) struct Chosen {
     pub axes: Vec<[f64; 2]>,
     /// The inertia that is used.
     pub inertia: Option<usize>,
-    /// The first stage whose search ended because of the number of boxes.
-    pub stopped: Option<usize>,
+    /// The first stage whose search ended before its gap was closed, and why.
+    pub stopped: Option<(usize, StopCause)>,
 }
 
 impl Chosen {
@@ -57,20 +58,21 @@ impl Chosen {
         reached.among_equals = proofs.chain(later.map(|(place, proof)| (place + count, proof))).collect();
         implied.append(&mut problem.implied);
         problem.implied = implied;
-        self.stopped = self.stopped.filter(|stage| *stage < asked);
+        self.stopped = self.stopped.filter(|(stage, _)| *stage < asked);
     }
 }
 
 /// How a search ended.
 pub(crate) enum Ending {
     Chosen(Box<Chosen>),
-    /// The limits cannot hold together: their common relaxation and the closest value of each alone.
+    /// The limits cannot hold together: their common relaxation and the closest value of each alone; none of them where the
+    /// search ended before they were found.
     Infeasible {
         relaxation: f64,
         closest: Vec<f64>,
     },
     /// Nothing was found that holds the limits, and nothing proves that there is nothing.
-    Nothing,
+    Nothing(StopCause),
 }
 
 /// A search with what it cost.
@@ -109,12 +111,13 @@ pub(crate) fn is_choice(task: &BalanceTask) -> bool {
         || task.most_optional.is_some()
 }
 
-/// Searches all choices of a task, for as long as `go_on` says so.
+/// Searches all choices of a task, as far as the settings say and for as long as `watch` does.
 pub(crate) fn search(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
-    go_on: &dyn Fn() -> bool,
+    settings: &BalanceSettings,
+    watch: &Watch,
 ) -> Result<Searched, BalanceError> {
     let bare = bare(engine, task);
     let loads = EngineLoads::of(&bare, kinematics)?;
@@ -131,7 +134,7 @@ pub(crate) fn search(
         }
     }
     let task = &task;
-    let ground = Ground { engine, bare, loads, task, go_on };
+    let ground = Ground { engine, bare, loads, task, settings: *settings, watch };
     let mut search = Search::new(&ground);
     let mut ending = ending(&mut search, &ground, asked_count)?;
     if let Ending::Chosen(chosen) = &mut ending {
@@ -160,27 +163,30 @@ fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, 
     let mut bounds = Vec::new();
     let mut stopped = None;
     for stage in 0..count {
-        let effort = if stage < asked { Effort::FULL } else { Effort::AMONG_EQUALS };
+        let settings = &ground.settings;
+        let effort = if stage < asked { Effort::full(settings) } else { Effort::among_equals(settings) };
         let found = search.run(Goal::Stage(stage), boxes, &held, known.as_ref(), effort)?;
         let Some(best) = &found.best else {
             // What was asked stands whether or not this has a solution.
             if stage >= asked {
                 break;
             }
-            return if found.left.is_empty() { refusal(search, ground) } else { Ok(Ending::Nothing) };
+            let cause = found.stopped.unwrap_or(StopCause::Rounding);
+            return if found.left.is_empty() { refusal(search, ground) } else { Ok(Ending::Nothing(cause)) };
         };
-        if found.stopped {
-            stopped.get_or_insert(stage);
+        if let Some(cause) = found.stopped {
+            stopped.get_or_insert((stage, cause));
         }
         bounds.push((found.bound, best.target));
         held.push(Held { value: best.value, slack: best.slack, exact: found.exact });
         known = Some(best.choices.clone());
         boxes = found.left;
     }
-    let Some(choices) = known else { return Ok(Ending::Nothing) };
-    let Some(problem) = ground.problem(&choices)? else { return Ok(Ending::Nothing) };
+    let nothing = Ending::Nothing(stopped.map_or(StopCause::Rounding, |(_, cause)| cause));
+    let Some(choices) = known else { return Ok(nothing) };
+    let Some(problem) = ground.problem(&choices)? else { return Ok(nothing) };
     let Some(mut reached) = reached(&problem, &held, &mut search.solves) else {
-        return Ok(Ending::Nothing);
+        return Ok(nothing);
     };
     for (proof, (bound, target)) in reached.stages.iter_mut().zip(bounds) {
         (proof.bound, proof.target) = (bound, target);
@@ -221,7 +227,8 @@ fn refusal(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError>
         return Ok(Ending::Infeasible { relaxation: f64::INFINITY, closest: Vec::new() });
     }
     let value = |found: &Found| found.best.as_ref().map_or(f64::INFINITY, |best| best.value);
-    let relaxed = search.run(Goal::Relaxation, Choices::of(task), &[], None, Effort::FULL)?;
+    let effort = Effort::full(&ground.settings);
+    let relaxed = search.run(Goal::Relaxation, Choices::of(task), &[], None, effort)?;
     let mut closest = Vec::new();
     for Limit { criterion, .. } in &task.limits {
         let alone = BalanceTask {
@@ -234,13 +241,20 @@ fn refusal(search: &mut Search, ground: &Ground) -> Result<Ending, BalanceError>
             bare: ground.bare.clone(),
             loads: ground.loads.clone(),
             task: &alone,
-            go_on: ground.go_on,
+            settings: ground.settings,
+            watch: ground.watch,
         };
         let mut own = Search::new(&ground);
-        let found = own.run(Goal::Stage(0), Choices::of(&alone), &[], None, Effort::FULL)?;
+        own.stopped = search.stopped;
+        let found = own.run(Goal::Stage(0), Choices::of(&alone), &[], None, effort)?;
         search.nodes += own.nodes;
         search.solves += own.solves;
+        search.stopped = own.stopped;
         closest.push(value(&found));
+    }
+    // That the limits cannot hold is proved; how far they are from it is not known to the end.
+    if search.stopped.is_some() {
+        return Ok(Ending::Infeasible { relaxation: f64::INFINITY, closest: Vec::new() });
     }
     Ok(Ending::Infeasible { relaxation: value(&relaxed), closest })
 }

@@ -19,6 +19,7 @@ use crate::convex::programme::{Group, Row};
 use crate::error::BalanceError;
 use crate::operator::{AxisArea, Corner, EngineLoads, Operator};
 use crate::problem::{Problem, Rule};
+use crate::settings::{BalanceSettings, Watch};
 use lanchester_model::{BalanceTask, Engine, Phase, Place, Seat};
 use num_complex::Complex64;
 
@@ -32,8 +33,10 @@ pub(super) struct Ground<'a> {
     pub bare: Engine,
     pub loads: EngineLoads,
     pub task: &'a BalanceTask,
-    /// Whether anybody still waits for the answer.
-    pub go_on: &'a dyn Fn() -> bool,
+    /// How far the search goes.
+    pub settings: BalanceSettings,
+    /// Asked before each node.
+    pub watch: &'a Watch<'a>,
 }
 
 impl Ground<'_> {
@@ -142,12 +145,14 @@ impl Ground<'_> {
         match choices.weights[weight].heading {
             Heading::Ray(angle) if given(self.task, weight) => {
                 let row = along(problem, angle, 1.0);
+                problem.given.push((weight, problem.operator.equalities.rows));
                 problem.operator.equalities.push(&row);
                 problem.operator.equal_to.push(least / unit);
             }
             Heading::Ray(angle) | Heading::Tangent(angle) => {
                 let row = along(problem, angle, -1.0);
-                add_row(problem, row, -least / unit);
+                // A tangent moves with its circle: its price is that of the amount.
+                add_ruled_row(problem, row, -least / unit, (Rule::LeastAmount(weight), unit));
             }
             Heading::Sector { start, width } => {
                 let row = along(problem, start + 0.5 * width, -1.0);
@@ -271,8 +276,12 @@ fn add_group(problem: &mut Problem, members: Vec<Member>) -> usize {
 }
 
 fn add_row(problem: &mut Problem, directions: Vec<f64>, most: f64) {
+    add_ruled_row(problem, directions, most, (Rule::Plain, 1.0));
+}
+
+fn add_ruled_row(problem: &mut Problem, directions: Vec<f64>, most: f64, rule: (Rule, f64)) {
     problem.programme.rows.push(Row { shares: Vec::new(), directions, most });
-    problem.rules.push((Rule::Plain, 1.0));
+    problem.rules.push(rule);
 }
 
 /// Keeps a sum of unbalances in the sector from `start` on through `width`.

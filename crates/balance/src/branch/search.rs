@@ -9,28 +9,37 @@ use crate::convex::Failure;
 use crate::error::BalanceError;
 use crate::infeasible::relaxation;
 use crate::problem::Problem;
+use crate::settings::{BalanceSettings, Next, SearchState, StopCause};
 use crate::stages::{GAP, Held, Walk};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Most boxes examined for one stage.
-pub(crate) const MOST_NODES: usize = 2000;
+/// Most nodes for what decides among equals, and the share of the value that may stay open there. Within the gap of what was
+/// asked these are never quite settled: a share of a part in 10^9 of the force may be worth one in 10^7 of the couple.
+const AMONG_EQUALS: (usize, f64) = (200, 1e-5);
 
 /// How far a search goes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Effort {
     /// Most boxes examined.
     nodes: usize,
-    /// Share of the value that may stay open.
+    /// The gap that is aimed at as a multiple of the promised one.
+    looseness: f64,
+    /// Share of the value that may stay open beyond it.
     gap: f64,
 }
 
 impl Effort {
-    /// What was asked for: to the promised gap.
-    pub const FULL: Effort = Effort { nodes: MOST_NODES, gap: 0.0 };
-    /// What decides among equals. Within the gap of what was asked these are never quite settled: a share of a part in
-    /// 10^9 of the force may be worth one in 10^7 of the couple.
-    pub const AMONG_EQUALS: Effort = Effort { nodes: 200, gap: 1e-5 };
+    /// What was asked for: to the gap of the settings.
+    pub fn full(settings: &BalanceSettings) -> Effort {
+        Effort { nodes: settings.max_nodes, looseness: settings.looseness(), gap: 0.0 }
+    }
+
+    /// What decides among equals.
+    pub fn among_equals(settings: &BalanceSettings) -> Effort {
+        let (nodes, gap) = AMONG_EQUALS;
+        Effort { nodes: nodes.min(settings.max_nodes), gap, ..Effort::full(settings) }
+    }
 }
 
 /// Share of the promised gap that a search uses up. Later stages may give up as much again; what is left is for rounding.
@@ -82,8 +91,8 @@ pub(super) struct Found {
     pub left: Vec<Choices>,
     /// Whether the optimum of every box left is the best value itself.
     pub exact: bool,
-    /// Whether the search ended because of the number of boxes.
-    pub stopped: bool,
+    /// What ended the search before its gap was closed.
+    pub stopped: Option<StopCause>,
 }
 
 /// A box with what its programme says.
@@ -104,6 +113,13 @@ struct Examined {
 struct Parent {
     bound: f64,
     spoiled: usize,
+}
+
+impl Examined {
+    /// A box of which nothing is known: nothing that is minimised is below 0.
+    fn unseen(choices: Choices) -> Examined {
+        Examined { choices, bound: 0.0, value: f64::NEG_INFINITY, splits: Vec::new(), spoiled: 0 }
+    }
 }
 
 impl PartialEq for Examined {
@@ -144,11 +160,13 @@ pub(super) struct Search<'a> {
     alike: Alike,
     pub nodes: usize,
     pub solves: usize,
+    /// Whoever asked wants the best so far.
+    pub stopped: Option<StopCause>,
 }
 
 impl<'a> Search<'a> {
     pub fn new(ground: &'a Ground<'a>) -> Search<'a> {
-        Search { ground, alike: Alike::of(ground.task), nodes: 0, solves: 0 }
+        Search { ground, alike: Alike::of(ground.task), nodes: 0, solves: 0, stopped: None }
     }
 
     /// Minimises a goal over the boxes of `start` with the earlier stages held, beginning from a choice that is known.
@@ -160,24 +178,39 @@ impl<'a> Search<'a> {
         known: Option<&Choices>,
         effort: Effort,
     ) -> Result<Found, BalanceError> {
-        let mut hunt =
-            Hunt { goal, held, gap: effort.gap, best: None, aside: Vec::new(), queue: BinaryHeap::new() };
+        let mut hunt = Hunt {
+            goal,
+            held,
+            effort,
+            best: None,
+            aside: Vec::new(),
+            queue: BinaryHeap::new(),
+            // Peaks, masses and unbalances are not negative.
+            lowest: 0.0,
+        };
         if let Some(known) = known {
             self.attempt(&mut hunt, known)?;
         }
         let limit = self.nodes + effort.nodes;
         for choices in start {
+            if !self.goes_on(&hunt)? {
+                hunt.aside.push(Examined::unseen(choices));
+                continue;
+            }
             let whole = self.examine(&mut hunt, choices, Parent { bound: f64::NEG_INFINITY, spoiled: 0 })?;
             hunt.queue.extend(whole);
         }
-        let mut stopped = false;
+        let mut stopped = self.stopped;
         while let Some(lowest) = hunt.queue.pop() {
+            hunt.lowest = lowest.bound;
             if hunt.closes(lowest.bound) {
                 hunt.aside.push(lowest);
                 continue;
             }
-            if self.nodes >= limit {
-                stopped = true;
+            if stopped.is_none() && self.nodes >= limit {
+                stopped = Some(StopCause::MaxNodes);
+            }
+            if stopped.is_some() {
                 hunt.aside.push(lowest);
                 break;
             }
@@ -185,26 +218,59 @@ impl<'a> Search<'a> {
                 hunt.aside.push(lowest);
                 continue;
             }
-            let parts = self.parts(&mut hunt, lowest)?;
-            hunt.queue.extend(parts);
+            match self.parts(&mut hunt, &lowest)? {
+                Some(parts) => hunt.queue.extend(parts),
+                None => {
+                    stopped = self.stopped;
+                    hunt.aside.push(lowest);
+                    break;
+                }
+            }
         }
         hunt.aside.extend(hunt.queue.drain());
         Ok(hunt.found(stopped))
     }
 
+    /// Asks whether to examine one more node.
+    fn goes_on(&mut self, hunt: &Hunt) -> Result<bool, BalanceError> {
+        if self.stopped.is_some() {
+            return Ok(false);
+        }
+        let value = hunt.best.as_ref().map(|best| best.value);
+        let stages = &self.ground.task.stages;
+        let (index, stage) = match hunt.goal {
+            Goal::Stage(index) => (index, stages.get(index)),
+            Goal::Relaxation => (0, None),
+        };
+        let bound = hunt.aside.iter().map(|one| one.bound).fold(hunt.lowest, f64::min);
+        let bound = value.map_or(bound, |value| bound.min(value)).max(0.0);
+        let state = SearchState { stage, index, stages: stages.len(), value, bound, nodes: self.nodes };
+        match (self.ground.watch)(&state) {
+            Next::Continue => {}
+            Next::Stop(cause) => self.stopped = Some(cause),
+            Next::Abandon => return Err(BalanceError::BrokenOff),
+        }
+        Ok(self.stopped.is_none())
+    }
+
     /// The parts of a box, divided where that leaves the least open. Where a whole range of places is equally good, to
     /// divide it doubles the boxes that are open, while dividing the phases closes them; elsewhere it is the other way.
-    fn parts(&mut self, hunt: &mut Hunt, whole: Examined) -> Result<Vec<Examined>, BalanceError> {
+    /// `None` where the search ends before all parts were examined: the box stays whole.
+    fn parts(&mut self, hunt: &mut Hunt, whole: &Examined) -> Result<Option<Vec<Examined>>, BalanceError> {
         let parent = Parent { bound: whole.bound, spoiled: whole.spoiled };
         let (mut least, mut kept) = (f64::INFINITY, Vec::new());
         // Every division bounds the whole box.
         let mut proved = whole.bound;
-        for split in whole.splits {
+        for &split in &whole.splits {
             let mut parts = Vec::new();
             for part in whole.choices.divided(self.ground.task, split) {
-                if self.alike.in_order(self.ground.task, &part) {
-                    parts.extend(self.examine(hunt, part, parent)?);
+                if !self.alike.in_order(self.ground.task, &part) {
+                    continue;
                 }
+                if !self.goes_on(hunt)? {
+                    return Ok(None);
+                }
+                parts.extend(self.examine(hunt, part, parent)?);
             }
             proved = proved.max(parts.iter().map(|part| part.bound).fold(f64::INFINITY, f64::min));
             let open = parts.iter().map(|part| hunt.open(part.bound)).sum();
@@ -216,7 +282,7 @@ impl<'a> Search<'a> {
             }
         }
         kept.iter_mut().for_each(|part| part.bound = part.bound.max(proved));
-        Ok(kept)
+        Ok(Some(kept))
     }
 
     /// Bounds a box and tries the choice nearest to its optimum; `None` where it holds nothing better.
@@ -226,9 +292,6 @@ impl<'a> Search<'a> {
         choices: Choices,
         parent: Parent,
     ) -> Result<Option<Examined>, BalanceError> {
-        if !(self.ground.go_on)() {
-            return Err(BalanceError::BrokenOff);
-        }
         self.nodes += 1;
         let Some(mut problem) = self.ground.problem(&choices)? else { return Ok(None) };
         problem.programme.holds = BOUNDED;
@@ -293,8 +356,9 @@ impl<'a> Search<'a> {
             if optimum.value >= before {
                 return Ok(());
             }
-            let slack = (SEARCHED * optimum.aim).max(hunt.gap * optimum.value);
-            let target = optimum.target.max(2.0 * slack);
+            let Effort { looseness, gap, .. } = hunt.effort;
+            let slack = (SEARCHED * looseness * optimum.aim).max(gap * optimum.value);
+            let target = optimum.target.max(2.0 * slack).max(looseness * optimum.aim);
             let helps = before - optimum.value > slack;
             hunt.best = Some(Incumbent { choices: choices.clone(), value: optimum.value, slack, target });
             let root = Choices::of(self.ground.task);
@@ -339,12 +403,13 @@ impl<'a> Search<'a> {
 struct Hunt<'a> {
     goal: Goal,
     held: &'a [Held],
-    /// Share of the value that may stay open.
-    gap: f64,
+    effort: Effort,
     best: Option<Incumbent>,
     /// Boxes that need no more division.
     aside: Vec<Examined>,
     queue: BinaryHeap<Examined>,
+    /// Bound of the box that is divided, the lowest of the queue.
+    lowest: f64,
 }
 
 impl Hunt<'_> {
@@ -367,7 +432,7 @@ impl Hunt<'_> {
         self.best.as_ref().is_some_and(|best| bound > best.value + best.slack)
     }
 
-    fn found(self, stopped: bool) -> Found {
+    fn found(self, stopped: Option<StopCause>) -> Found {
         let value = self.best.as_ref().map_or(f64::INFINITY, |best| best.value);
         let bound = self.aside.iter().map(|one| one.bound).fold(value, f64::min);
         let left: Vec<&Examined> = self.aside.iter().filter(|one| !self.is_worse(one.bound)).collect();

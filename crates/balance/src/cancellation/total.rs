@@ -3,9 +3,9 @@
 
 use super::equations::Equations;
 use super::lightest::Lightest;
-use crate::answer::{FoundLimit, FoundStage};
+use crate::answer::{FoundLimit, FoundStage, LimitSide};
 use crate::operator::{inertia_of, share_of};
-use lanchester_model::{BalanceTask, Criterion};
+use lanchester_model::{BalanceTask, Criterion, criterion_unit};
 
 /// The total as a cost of every device.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +43,9 @@ impl Total {
             value,
             lower_bound,
             gap: value - lower_bound,
+            unit: criterion_unit(&self.criterion).into(),
             terms: vec![(self.criterion, value)],
+            term_weights: vec![1.0],
             active: Vec::new(),
         }
     }
@@ -56,13 +58,21 @@ impl Total {
             let charge = found.proof.charges.iter().find(|c| c.0 == index).map_or(0.0, |c| c.1);
             let price = self.unit * charge / most;
             let size = equations.size(device, &found.u);
+            let stage = (charge > 0.0).then_some(0);
+            let price_unit = |unit: &str| {
+                stage.map_or(String::new(), |_| format!("{} per {unit}", criterion_unit(&self.criterion)))
+            };
             match (device.weight, task.inertias.first()) {
                 (Some(weight), _) => limits.push(FoundLimit {
                     what: format!("largest amount of `{}`", task.weights[weight].name),
                     criterion: None,
+                    side: LimitSide::AtMost,
+                    unit: "kg m".into(),
                     most: most * device.natural,
                     value: size * device.natural,
                     price: price / device.natural,
+                    price_unit: price_unit("kg m"),
+                    stage,
                 }),
                 (None, Some(inertia)) => {
                     let Some(most) = inertia.most else { continue };
@@ -72,9 +82,13 @@ impl Total {
                     limits.push(FoundLimit {
                         what: format!("largest inertia of `{}`", inertia.name),
                         criterion: None,
+                        side: LimitSide::AtMost,
+                        unit: "kg m^2".into(),
                         most,
                         value: inertia_of(inertia, size),
                         price: price * slope,
+                        price_unit: price_unit("kg m^2"),
+                        stage,
                     });
                 }
                 (None, None) => {}

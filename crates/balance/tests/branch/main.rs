@@ -9,4 +9,6 @@ mod choices;
 mod example;
 mod limits;
 mod places;
+mod prices;
 mod properties;
+mod stops;

@@ -7,7 +7,9 @@ use crate::commands::{json, open, published, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
-use lanchester::balance::{Answer, Outcome, fitted, optimise};
+use crate::search_limit_arguments::hint;
+use crate::watch::Watch;
+use lanchester::balance::{Answer, Outcome, fitted, optimise_watched};
 use lanchester::model::Engine;
 use lanchester::report::{PartMass, Table, balance_text, headline, optimum_figures, part_masses_table};
 use lanchester::{WeightAsPart, weights_as_parts};
@@ -26,6 +28,15 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "--write needs a file, got standard input",
             "give the path of the engine file",
         ));
+    }
+    for (is_asked, what) in [
+        (arguments.search.search, "--search"),
+        (arguments.method != BalanceMethod::Optimum, "--method"),
+        (!arguments.cancel.is_empty(), "--cancel"),
+    ] {
+        if is_asked {
+            arguments.limits.refuse_with(what)?;
+        }
     }
     if arguments.search.search {
         return search::run(arguments, colour);
@@ -50,7 +61,17 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "give --cancel, or take another --table",
         ));
     }
-    let answer = optimise(engine, &task).map_err(Failure::refused)?;
+    let settings = arguments.limits.settings()?;
+    let watch = Watch::new(engine, settings);
+    let answer = optimise_watched(engine, &task, &settings, &|state| watch.look(state));
+    drop(watch);
+    let answer = answer.map_err(Failure::refused)?;
+    if let Outcome::Stopped { cause, .. } = &answer.outcome {
+        let hint = hint(*cause, &settings);
+        if !hint.is_empty() {
+            eprintln!("{hint}");
+        }
+    }
     let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
     let after = fitted(engine, &answer);
     let loads_after = loads_of(&after)?;

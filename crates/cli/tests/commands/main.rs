@@ -17,6 +17,7 @@ mod runs;
 mod scatter;
 mod scatter_runs;
 mod search;
+mod search_limits;
 mod sensitivity;
 mod shaft_weights;
 mod studio;

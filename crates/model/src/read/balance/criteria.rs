@@ -20,7 +20,7 @@ impl<'a> Reader<'a> {
             .map(|stage| {
                 let terms: Vec<Option<(f64, Criterion)>> =
                     stage.value.iter().map(|term| self.weighted(term, mounts)).collect();
-                terms.into_iter().collect::<Option<_>>().map(|terms| Stage { terms })
+                terms.into_iter().collect::<Option<_>>().map(Stage::of)
             })
             .collect();
         stages.into_iter().collect()

@@ -60,6 +60,10 @@ class Optimising {
   readonly task = new BalanceTask("force", "couple");
   free = $state<Free>("devices");
   locked = $state.raw<ReadonlySet<string>>(new Set());
+  /** What ends a search over choices, as typed; empty: as usual. */
+  gap = $state("");
+  maxNodes = $state<number | null>(null);
+  timeLimit = $state("");
   readonly found = new Search<BalanceAnswer>("balance");
 
   constructor() {
@@ -87,6 +91,9 @@ class Optimising {
       free: this.free,
       locked: this.free === "devices" ? this.#present() : [],
       shafts: [],
+      gap: this.gap.trim() || null,
+      max_nodes: this.maxNodes,
+      time_limit: this.timeLimit.trim() || null,
     });
   }
 }

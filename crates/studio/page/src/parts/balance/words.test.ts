@@ -1,7 +1,26 @@
 import { describe, expect, it } from "vitest";
-import { angleWords, criterionName, gapWords, isClosed, measureOf, methodWords, ratioName } from "./words";
+import type { Answer, FoundLimit, FoundStage } from "../../api/types";
+import {
+  angleWords,
+  criterionName,
+  gapWords,
+  isClosed,
+  isWeightedSum,
+  measureOf,
+  methodWords,
+  priceWords,
+  ratioName,
+} from "./words";
 
-const stage = { value: 100, lower_bound: 99, gap: 1, terms: [], active: [] };
+const stage: FoundStage = {
+  value: 100,
+  lower_bound: 99,
+  gap: 1,
+  unit: "N",
+  terms: [[{ peak: "force" }, 100]],
+  term_weights: [1],
+  active: [],
+};
 
 describe("criteria", () => {
   it("have the names of the file", () => {
@@ -23,6 +42,40 @@ describe("proofs", () => {
     expect(gapWords(stage)).toBe("1.0 %");
     expect(gapWords({ ...stage, gap: 1e-6 })).toBe("closed");
     expect(gapWords({ ...stage, value: 0, gap: 0 })).toBe("closed");
+  });
+
+  it("tell a weighted sum from a criterion, and the unit of a shadow price", () => {
+    const sum: FoundStage = {
+      ...stage,
+      unit: "1",
+      terms: [
+        [{ peak: "force" }, 100],
+        [{ peak: "couple" }, 5],
+      ],
+      term_weights: [0.005, 0.1],
+    };
+    expect([stage, sum].map(isWeightedSum)).toEqual([false, true]);
+    const limit: FoundLimit = {
+      what: "largest amount of `a`",
+      side: "at-most",
+      unit: "kg m",
+      most: 0.01,
+      value: 0.01,
+      price: 12.34567,
+      price_unit: "N per kg m",
+      stage: 0,
+    };
+    const answer = { stages: [stage, sum] } as unknown as Answer;
+    expect(priceWords(limit, answer)).toBe(
+      "made larger, it lowers the force by 12.35 N per kg m (shadow price).",
+    );
+    expect(priceWords({ ...limit, stage: 1, price_unit: "1 per kg m" }, answer)).toContain(
+      "the weighted sum by 12.35 per kg m",
+    );
+    expect(priceWords({ ...limit, side: "at-least" }, answer)).toContain("made smaller");
+    expect(priceWords({ ...limit, side: "given", price: -2 }, answer)).toContain(
+      "made larger, it lowers the force by 2 ",
+    );
   });
 
   it("name each angle once", () => {

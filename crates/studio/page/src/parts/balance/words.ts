@@ -1,6 +1,6 @@
 // Criteria, numbers of proofs and verdicts in plain words.
 
-import type { Effect, FoundStage, Load, Method } from "../../api/types";
+import type { Answer, Effect, FoundLimit, FoundStage, Load, Method } from "../../api/types";
 import type { Measure } from "../../state/units.svelte";
 
 /** What balancing judges; another list of criteria has the plain name among the types. */
@@ -30,6 +30,24 @@ export function measureOf(criterion: Criterion): Measure {
   const load = "peak" in criterion ? criterion.peak : criterion.order[0];
   const moments: Load[] = ["couple", "couple-x", "couple-y", "roll-moment", "bending-moment"];
   return moments.includes(load) ? "moment" : "force";
+}
+
+/** Whether several criteria are added, each as a share of the value given for it. */
+export function isWeightedSum(stage: FoundStage): boolean {
+  return stage.term_weights.length !== 1 || stage.term_weights[0] !== 1;
+}
+
+/** What an active limit costs: `relaxed by 1 kg m, the force falls by 120 N.` */
+export function priceWords(limit: FoundLimit, answer: Answer): string {
+  const stage = limit.stage === null || limit.stage === undefined ? undefined : answer.stages[limit.stage];
+  if (!stage) return "it is reached.";
+  const [only] = stage.terms;
+  const objective = isWeightedSum(stage) || !only ? "weighted sum" : criterionName(only[0]);
+  const price = Number(Math.abs(limit.price).toPrecision(4));
+  const per = limit.price_unit.replace(/^1 /, "");
+  const which = { "at-most": "made larger", "at-least": "made smaller", given: "made smaller" }[limit.side];
+  const change = limit.price < 0 ? "made larger" : which;
+  return `${change}, it lowers the ${objective} by ${price} ${per} (shadow price).`;
 }
 
 /** Whether the proof leaves nothing open that could be seen. */
