@@ -44,17 +44,9 @@ fn a_default_answer_keeps_or_improves_bearings_of_a_four_a_six_and_a_v8() {
         let after = fitted(&engine, &answer);
         let speed = engine.speed.highest;
         let (old, new) = (by_quadrature(&engine, speed), by_quadrature(&after, speed));
-        println!(
-            "{name}: rms {:.0} -> {:.0} N, largest {:.0} -> {:.0} N, bending {:?}, {:?}",
-            old.0,
-            new.0,
-            old.1,
-            new.1,
-            effect(&answer, Criterion::Peak(Load::BendingMoment)),
-            answer.weights.iter().map(|w| w.unbalance.norm() * 1e6).collect::<Vec<_>>()
-        );
         assert!(new.0 <= old.0, "{name}: rms {} N before, {} N after", old.0, new.0);
-        assert!(new.1 <= old.1, "{name}: largest {} N before, {} N after", old.1, new.1);
+        // As a V8's outer webs that are free stand where they stood, to rounding.
+        assert!(new.1 <= old.1 * (1.0 + 1e-12), "{name}: largest {} N before, {} N after", old.1, new.1);
         // What the answer says of them is what `bearings` computes.
         for (criterion, told) in [(RMS, [old.0, new.0]), (LARGEST, [old.1, new.1])] {
             for (got, want) in effect(&answer, criterion).into_iter().zip(told) {
