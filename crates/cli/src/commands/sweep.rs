@@ -81,7 +81,7 @@ fn load(arguments: &BalanceArguments, engine: &Engine) -> Result<Option<CrankLoa
         };
     };
     let stage =
-        option::stage(text, &engine, "--minimise").map_err(|bad| Failure::input(&bad.message, &bad.hint))?;
+        option::stage(text, engine, "--minimise").map_err(|bad| Failure::input(&bad.message, &bad.hint))?;
     match stage.terms[..] {
         [(_, Criterion::Peak(Load::Force))] => Ok(Some(CrankLoad::Force)),
         [(_, Criterion::Peak(Load::Couple))] => Ok(Some(CrankLoad::Couple)),
