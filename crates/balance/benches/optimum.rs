@@ -1,7 +1,9 @@
 //! How long an optimum takes, on one thread: the counterweights of a twin, and four balance shafts of a V6.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::optimise;
-use lanchester_model::{BalanceTask, Engine, FreeShaft, FreeWeight, Place, Ratio, Seat, read, template};
+use lanchester_model::{
+    BalanceTask, Engine, FreeShaft, FreeWeight, Place, Ratio, Seat, default_task, read, template,
+};
 use std::hint::black_box;
 
 /// The engine without counterweights and shafts.
@@ -41,6 +43,12 @@ fn bench(criterion: &mut Criterion) {
     let twin = bare("twin-270");
     let crank = task(&twin, &[]);
     criterion.bench_function("counterweights of a twin", |b| b.iter(|| optimise(black_box(&twin), &crank)));
+    // Force and couple leave all eight open: this is the time of the main-bearing loads.
+    let four = read(template("in-line-4").expect("it is in the gallery").text).engine.expect("it is valid");
+    let eight = default_task(&four);
+    criterion.bench_function("eight counterweights of a four", |b| {
+        b.iter(|| optimise(black_box(&four), &eight));
+    });
     let six = bare("v6-60");
     let shafts = task(&six, &[1, -1, 2, -2]);
     criterion.bench_function("four shafts of a V6", |b| b.iter(|| optimise(black_box(&six), &shafts)));

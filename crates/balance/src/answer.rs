@@ -35,13 +35,14 @@ pub struct Answer {
     /// What each stage reached, with its proof.
     pub stages: Vec<FoundStage>,
     /// What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
-    /// moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), each without giving up any before
-    /// it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+    /// moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), then, if a weight on a
+    /// crankshaft is free, the root mean square of all main-bearing loads, the largest of them and the bending moment, each
+    /// without giving up any before it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
     pub among_equals: Vec<FoundStage>,
     /// What each limit costs.
     pub limits: Vec<FoundLimit>,
-    /// Criteria before and after: force, couple and roll moment always, then those that the task names. Empty where no
-    /// answer was found.
+    /// Criteria before and after: force, couple, roll moment, root mean square of all main-bearing loads, the largest of them
+    /// and the bending moment always, then those that the task names. Empty where no answer was found.
     pub effects: Vec<Effect>,
     /// Where orders had to vanish exactly: whether they do, and the proof.
     pub cancellation: Option<Cancellation>,

@@ -12,8 +12,8 @@
 //! two shares at the ends do; planes inside are not judged, so that what is left is a lower bound for the stretch. Once
 //! its place is given all planes count.
 
-use crate::convex::curve::{Member, WIDTH, length};
-use crate::convex::dense::Matrix;
+use crate::convex::curve::Member;
+use crate::convex::dense::{Matrix, norm};
 use crate::convex::programme::Group;
 use crate::criterion::{Judged, missing};
 use crate::error::BalanceError;
@@ -50,7 +50,7 @@ pub(crate) fn judge(
     for (columns, weight) in operator.weights.iter().zip(&task.weights) {
         if weight.seat == Seat::Crankshaft(0) {
             weights.extend(&columns.corners);
-            if let [first, last] = &columns.corners[..] {
+            if let [first, .., last] = &columns.corners[..] {
                 stretches.push((first.z, last.z));
             }
         }
@@ -66,8 +66,7 @@ pub(crate) fn judge(
         let moment =
             |z: f64, force: Complex64| Complex64::I * beam.moment_influence(plane, z) * force / scale;
         let constant: Complex64 = loads.iter().map(|&(z, force)| moment(z, force)).sum();
-        let mut base = [0.0; WIDTH];
-        (base[0], base[1]) = (constant.re, constant.im);
+        let base = vec![constant.re, constant.im];
         let mut columns = Matrix::zeros(2, operator.variables);
         for corner in &weights {
             for (variable, unbalance) in &corner.terms {
@@ -79,7 +78,7 @@ pub(crate) fn judge(
         Member::Vector { base, columns }
     };
     let nothing = vec![0.0; operator.variables];
-    let amount = |scale: f64| move |m: &Member| scale * length(&m.value(0.0, &nothing));
+    let amount = |scale: f64| move |m: &Member| scale * norm(&m.value(0.0, &nothing));
     let members: Vec<Member> = planes.iter().map(|&plane| member(plane, natural)).collect();
     let unbalanced = members.iter().map(amount(natural)).fold(0.0, f64::max);
     let scale = if unbalanced > 1e-4 * natural { unbalanced } else { natural };
@@ -87,7 +86,7 @@ pub(crate) fn judge(
     // Free ends bend under nothing: they only cost time.
     members.retain(|member| present && bends(member));
     if members.is_empty() {
-        members.push(Member::Vector { base: [0.0; WIDTH], columns: Matrix::zeros(2, operator.variables) });
+        members.push(Member::vector(Matrix::zeros(2, operator.variables)));
     }
     let unbalanced = if present { unbalanced } else { 0.0 };
     groups.push(Group::new(members));
@@ -97,5 +96,5 @@ pub(crate) fn judge(
 fn bends(member: &Member) -> bool {
     let columns = member.columns();
     let seen = |row: usize| columns.row(row).iter().any(|c| c.abs() > NOTHING);
-    (0..columns.rows).any(seen) || length(&member.constant(0.0)) > NOTHING
+    (0..columns.rows).any(seen) || norm(&member.constant(0.0)) > NOTHING
 }

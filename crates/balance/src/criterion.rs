@@ -5,14 +5,18 @@
 //! that knows the loads.
 
 use crate::bending;
-use crate::convex::curve::{Curve, Grid, Member, WIDTH};
-use crate::convex::dense::Matrix;
+use crate::convex::curve::{Curve, Grid, Member};
+use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
 use crate::error::BalanceError;
 use crate::mounts;
 use crate::operator::{Channel, Operator};
 use crate::wave::{Wave, curve};
-use lanchester_model::{BalanceTask, Criterion, Engine, Load};
+use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains};
+use std::collections::BTreeMap;
+
+/// Directions that change a root mean square by less than this share of the most that any does change it by rounding only.
+const SHORTENED: f64 = 1e-15;
 
 /// A criterion in terms of the groups of a programme: `scale * SUM of share * level`.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,12 +64,27 @@ pub(crate) fn vectors(
             (vec![all.swap_remove(index)], true)
         }
         Load::LargestMountForce => (mount_forces(engine, operator)?, true),
+        Load::MainLoad(index) => {
+            let of_main = main_loads(operator)?.get(index).cloned();
+            let needed = "a main bearing of that number";
+            let hint = "count the main bearings, those of crankshaft 1 first";
+            (vec![of_main.ok_or_else(|| missing("main-bearing load", needed, hint))?.to_vec()], true)
+        }
+        Load::LargestMainLoad => (main_loads(operator)?.iter().map(|main| main.to_vec()).collect(), true),
         Load::BendingMoment => unreachable!("invariant: the bending moment is judged by itself"),
     })
 }
 
 pub(crate) fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> BalanceError {
     BalanceError::Missing { criterion: criterion.to_string(), needed, hint }
+}
+
+/// The loads of all main bearings, of which there must be some.
+fn main_loads(operator: &Operator) -> Result<&[[Wave; 2]], BalanceError> {
+    if operator.mains.is_empty() {
+        return Err(missing("main-bearing load", "a crankshaft with a throw", "judge something else"));
+    }
+    Ok(&operator.mains)
 }
 
 fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
@@ -119,6 +138,17 @@ pub(crate) fn judge(
                 vectors.iter().map(|v| v.iter().map(|w| w.only(key)).collect()).collect();
             Ok(peak(operator, criterion, &only, force, groups))
         }
+        Criterion::MainRms(mains) => {
+            let all = main_loads(operator)?;
+            let one =
+                |index: usize| vectors(engine, operator, Load::MainLoad(index)).map(|_| &all[index..=index]);
+            let sets: Vec<&[[Wave; 2]]> = match mains {
+                Mains::All => vec![all],
+                Mains::Largest => all.chunks(1).collect(),
+                Mains::One(index) => vec![one(index)?],
+            };
+            Ok(rms(operator, criterion, &sets, groups))
+        }
         Criterion::AddedUnbalance => Ok(sum(criterion, operator, amounts, |_| Ok(1.0))?),
         Criterion::AddedMass => Ok(sum(criterion, operator, amounts, |weight| {
             let weight = &task.weights[weight];
@@ -148,6 +178,63 @@ fn peak(
     let members = curves.iter().map(|curve| Member::Curve(curve.in_unit(unit))).collect();
     groups.push(Group::new(members));
     Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+}
+
+/// A group of one vector for each set of loads, whose length is the root mean square over the set and the cycle (Parseval):
+///
+/// ```text
+/// rms^2 = 1/M SUM over loads of ( |c_0|^2 + 1/2 SUM over k of |c_k|^2 + |s_k|^2 )        c, s affine in the variables
+/// ```
+/// Coefficients that no variable touches are one number; the others are shortened to a row a variable.
+fn rms(operator: &Operator, criterion: Criterion, sets: &[&[[Wave; 2]]], groups: &mut Vec<Group>) -> Judged {
+    let vector = |set: &&[[Wave; 2]]| {
+        let mut columns = Matrix::zeros(0, operator.variables);
+        let (mut base, mut rest) = (Vec::new(), 0.0f64);
+        for wave in set.iter().flatten() {
+            let mut touched: BTreeMap<u32, [Vec<f64>; 2]> = BTreeMap::new();
+            for &(variable, key, part) in &wave.parts {
+                let rows =
+                    touched.entry(key).or_insert_with(|| [(); 2].map(|_| vec![0.0; operator.variables]));
+                rows.iter_mut().zip(part).for_each(|(row, part)| row[variable] += part);
+            }
+            let factor = |key: u32| {
+                let share = if key == 0 { 1.0 } else { 0.5 };
+                (share / set.len() as f64).sqrt() / operator.natural_force
+            };
+            for (key, value) in &wave.base {
+                if !touched.contains_key(key) {
+                    rest = value.iter().fold(rest, |rest, v| rest.hypot(factor(*key) * v));
+                }
+            }
+            for (key, rows) in touched {
+                let own = wave.base.get(&key).copied().unwrap_or_default();
+                for (mut row, own) in rows.into_iter().zip(own) {
+                    row.iter_mut().for_each(|value| *value *= factor(key));
+                    columns.push(&row);
+                    base.push(factor(key) * own);
+                }
+            }
+        }
+        let (columns, mut base) = shortened(&columns, &base, SHORTENED);
+        let last = base.len() - 1;
+        base[last] = base[last].hypot(rest);
+        (columns, base)
+    };
+    let vectors: Vec<(Matrix, Vec<f64>)> = sets.iter().map(vector).collect();
+    let unbalanced = vectors.iter().map(|v| norm(&v.1)).fold(0.0, f64::max);
+    let unit = if unbalanced > 1e-7 { unbalanced } else { 1.0 };
+    let member = |(columns, base): &(Matrix, Vec<f64>)| Member::Vector {
+        base: base.iter().map(|value| value / unit).collect(),
+        columns: columns.scaled(1.0 / unit),
+    };
+    groups.push(Group::new(vectors.iter().map(member).collect()));
+    let natural = operator.natural_force;
+    Judged {
+        criterion,
+        groups: vec![(groups.len() - 1, 1.0)],
+        scale: unit * natural,
+        unbalanced: unbalanced * natural,
+    }
 }
 
 /// A sum over the amounts of all weights, each times its factor.
@@ -186,7 +273,7 @@ pub(crate) fn amounts(operator: &Operator, groups: &mut Vec<Group>) -> Vec<Vec<u
                 }
                 debug_assert!(k < 2, "invariant: a corner has one variable or two");
             }
-            groups.push(Group::new(vec![Member::Vector { base: [0.0; WIDTH], columns }]));
+            groups.push(Group::new(vec![Member::vector(columns)]));
             of_weight.push(groups.len() - 1);
         }
         result.push(of_weight);

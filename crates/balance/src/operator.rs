@@ -13,7 +13,9 @@ use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
 use crate::rounding::clear_rounding;
 use crate::wave::Wave;
-use lanchester_mechanism::{Kinematics, LoadError, LoadRequest, Mechanism, OrderLoads};
+use lanchester_mechanism::{
+    Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, OrderLoads, main_orders,
+};
 use lanchester_model::{BalanceTask, Engine, FreeInertia, Phase, Place, Ratio, Seat};
 use num_complex::Complex64;
 use std::rc::Rc;
@@ -61,6 +63,8 @@ pub(crate) struct WeightColumns {
 #[derive(Debug, Clone)]
 pub(crate) struct EngineLoads {
     orders: Vec<OrderLoads>,
+    /// Loads of the main bearings.
+    mains: Vec<MainOrders>,
     /// Period [revolutions of crankshaft 1].
     revolutions: u32,
     /// Speed of crankshaft 1 [rad/s].
@@ -75,7 +79,8 @@ impl EngineLoads {
         let (orders, revolutions) = orders(engine, kinematics)?;
         let speed = engine.speed.highest;
         let (natural_force, natural_moment) = natural(engine, speed);
-        Ok(EngineLoads { orders, revolutions, speed, natural_force, natural_moment })
+        let mains = main_orders(engine, &LoadRequest { kinematics, ..LoadRequest::default() })?;
+        Ok(EngineLoads { orders, mains, revolutions, speed, natural_force, natural_moment })
     }
 }
 
@@ -96,6 +101,8 @@ pub(crate) struct Operator {
     pub grid: Rc<Grid>,
     /// By [`Channel`].
     pub channels: [Wave; 5],
+    /// Load of every main bearing along x and y, in the order of [`Engine::main_bearings`].
+    pub mains: Vec<[Wave; 2]>,
     pub variables: usize,
     pub weights: Vec<WeightColumns>,
     /// Variable of the inertia's share `s` and its largest value.
@@ -139,7 +146,7 @@ impl Operator {
         places: &[Vec<(Complex64, f64)>],
         areas: &[AxisArea],
     ) -> Result<Operator, BalanceError> {
-        let &EngineLoads { ref orders, revolutions: own, speed, natural_force, natural_moment } =
+        let &EngineLoads { ref orders, ref mains, revolutions: own, speed, natural_force, natural_moment } =
             engine_loads;
         let ratios: Vec<Ratio> = task.weights.iter().map(|w| ratio_of(engine, task, w.seat)).collect();
         let revolutions = (1..=MOST_REVOLUTIONS)
@@ -149,6 +156,7 @@ impl Operator {
             speed,
             grid: Rc::new(Grid::new(1, 1)),
             channels: Default::default(),
+            mains: mains.iter().map(|main| main_waves(engine, main, revolutions)).collect(),
             variables: 0,
             weights: Vec::new(),
             inertia: None,
@@ -164,6 +172,9 @@ impl Operator {
         }
         for (index, weight) in task.weights.iter().enumerate() {
             operator.add_weight(ratios[index], weight.phase, weight.most, &places[index], revolutions);
+            if let Seat::Crankshaft(crankshaft) = weight.seat {
+                operator.load_mains(mains, crankshaft, index, revolutions);
+            }
         }
         for (shaft, area) in areas.iter().enumerate() {
             operator.add_axis(task, shaft, area, revolutions);
@@ -174,8 +185,8 @@ impl Operator {
         }
         operator.equalities = operator.ties(task);
         operator.equal_to = vec![0.0; operator.equalities.rows];
-        let highest =
-            operator.channels.iter().flat_map(|c| c.base.keys().chain(c.parts.iter().map(|p| &p.1)));
+        let waves = operator.channels.iter().chain(operator.mains.iter().flatten());
+        let highest = waves.flat_map(|c| c.base.keys().chain(c.parts.iter().map(|p| &p.1)));
         let highest = highest.copied().max().unwrap_or(0) as usize;
         let count = (ANGLES * revolutions as usize).max(8 * highest);
         operator.grid = Rc::new(Grid::new(revolutions, count));
@@ -251,6 +262,27 @@ impl Operator {
         self.weights.push(WeightColumns { ratio, corners, unit });
     }
 
+    /// What weight `index` on a crankshaft adds to the loads of its mains, each corner shared out as by a lever.
+    fn load_mains(&mut self, mains: &[MainOrders], crankshaft: usize, index: usize, revolutions: u32) {
+        let own: Vec<usize> = (0..mains.len()).filter(|&m| mains[m].crankshaft == crankshaft).collect();
+        let planes: Vec<f64> = own.iter().map(|&m| mains[m].z).collect();
+        let Some(beam) = Beam::new(&planes, BeamModel::ThrowByThrow) else { return };
+        let WeightColumns { ratio, ref corners, .. } = self.weights[index];
+        let square = (ratio.value() * self.speed).powi(2);
+        let key = turning_key(ratio, revolutions);
+        let sense = if ratio.numerator() > 0 { 1.0 } else { -1.0 };
+        for corner in corners {
+            for (main, share) in beam.shares(corner.z) {
+                let [x, y] = &mut self.mains[own[main]];
+                for (variable, unbalance) in &corner.terms {
+                    let force = share * square * unbalance;
+                    x.add_part(*variable, key, force.re, -sense * force.im);
+                    y.add_part(*variable, key, force.im, sense * force.re);
+                }
+            }
+        }
+    }
+
     /// The sum `S` of the weights of a shaft shared out among the corners of its area: only the roll moment sees it.
     fn add_axis(&mut self, task: &BalanceTask, shaft: usize, area: &AxisArea, revolutions: u32) {
         let ratio = task.shafts[shaft].ratio;
@@ -316,6 +348,18 @@ impl Corner {
     pub fn unbalance(&self, x: &[f64]) -> Complex64 {
         self.terms.iter().map(|(variable, unit)| x[*variable] * unit).sum()
     }
+}
+
+/// The load of a main bearing along x and y.
+fn main_waves(engine: &Engine, main: &MainOrders, revolutions: u32) -> [Wave; 2] {
+    let each = turning_key(engine.crankshafts[main.crankshaft].ratio, revolutions);
+    let mut waves = [Wave::default(), Wave::default()];
+    for order in &main.orders {
+        for (wave, force) in waves.iter_mut().zip([order.x, order.y]) {
+            wave.add_base(order.harmonic * each, force.re, -force.im);
+        }
+    }
+    waves
 }
 
 /// Key of what turns at a ratio.

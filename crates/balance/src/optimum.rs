@@ -5,7 +5,7 @@ use crate::branch::{self, Ending, Searched};
 use crate::cancellation::cancel;
 use crate::check::check;
 use crate::convex::Failure;
-use crate::convex::curve::length;
+use crate::convex::dense::norm;
 use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
@@ -381,12 +381,13 @@ fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec
     let revolutions = f64::from(problem.programme.grid.revolutions);
     let mut active = Vec::new();
     for one in &proof.solution.support {
-        if !problem.is_load(one.group) {
-            continue;
-        }
         let mut named = terms.iter().map(|t| &t.1).chain(&problem.limits);
         let Some(judged) = named.find(|j| j.groups.iter().any(|g| g.0 == one.group)) else { continue };
-        let multiplier = length(&one.y) * proof.scale / judged.scale;
+        // What is a sum over weights or over the cycle stands at no angle.
+        if !matches!(judged.criterion, Criterion::Peak(_) | Criterion::Order(..)) {
+            continue;
+        }
+        let multiplier = norm(&one.y) * proof.scale / judged.scale;
         if multiplier > 0.0 {
             active.push(Active { criterion: judged.criterion, theta: one.angle * revolutions, multiplier });
         }
@@ -463,7 +464,8 @@ fn effects(
         ..Default::default()
     };
     let operator = Operator::new(engine, &nothing, kinematics, &[])?;
-    let standing = Problem::new(engine, &nothing, operator)?;
+    let standing = Problem::new(engine, &nothing, operator)?.with_effects(engine, &nothing)?;
+    let problem = problem.clone().with_effects(engine, task)?;
     let mut effects = Vec::new();
     for judged in &problem.effects {
         let before = match judged.criterion {

@@ -5,7 +5,7 @@ use crate::convex::programme::{Group, Programme, Row};
 use crate::criterion::{Judged, amounts, judge, level};
 use crate::error::BalanceError;
 use crate::operator::Operator;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Place, Stage};
+use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains, Place, Seat, Stage};
 use std::rc::Rc;
 
 /// What a row of the programme stands for.
@@ -43,7 +43,7 @@ pub(crate) struct Problem {
     pub amounts: Vec<Vec<usize>>,
     /// Radius of every weight, where all have one.
     pub radii: Option<Vec<f64>>,
-    /// Force, couple, roll moment and whatever the task names.
+    /// What the task names; with [`Problem::with_effects`] also what is told in any case.
     pub effects: Vec<Judged>,
 }
 
@@ -56,9 +56,10 @@ pub(crate) fn stages(task: &BalanceTask) -> Vec<Stage> {
 }
 
 /// What decides among answers that the stages leave equal, before the weights do: of force and couple what the stages do
-/// not name, then the roll moment if a device is free that is there for its sake: an inertia, or the axis of a shaft.
-/// Whoever asks for the least weights has them before the roll moment.
-pub(crate) fn implied(task: &BalanceTask) -> Vec<Criterion> {
+/// not name, then the roll moment if a device is free that is there for its sake: an inertia, or the axis of a shaft
+/// (whoever asks for the least weights has them before the roll moment), then, where a weight on a crankshaft is free, what
+/// it is there for: the loads of all main bearings, the largest of them, the bending moment.
+pub(crate) fn implied(engine: &Engine, task: &BalanceTask) -> Vec<Criterion> {
     let stages = stages(task);
     let named = stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
     let weighs = named.clone().any(|c| matches!(c, Criterion::AddedMass | Criterion::AddedUnbalance));
@@ -66,8 +67,29 @@ pub(crate) fn implied(task: &BalanceTask) -> Vec<Criterion> {
     if !weighs && (!task.inertias.is_empty() || has_free_axis(task)) {
         implied.push(Load::RollMoment);
     }
-    let implied = implied.into_iter().map(Criterion::Peak);
-    implied.filter(|criterion| named.clone().all(|named| named != *criterion)).collect()
+    let mut implied: Vec<Criterion> = implied.into_iter().map(Criterion::Peak).collect();
+    if task.weights.iter().any(|w| matches!(w.seat, Seat::Crankshaft(_))) {
+        implied.extend(of_crank(engine));
+    }
+    implied.retain(|criterion| named.clone().all(|named| named != *criterion));
+    implied
+}
+
+/// What weights on a crankshaft are for: the loads of its main bearings, then its bending moment.
+fn of_crank(engine: &Engine) -> Vec<Criterion> {
+    let mut criteria = Vec::new();
+    if !engine.main_bearings().is_empty() {
+        criteria.extend([Criterion::MainRms(Mains::All), Criterion::Peak(Load::LargestMainLoad)]);
+    }
+    if !engine.main_planes(0).is_empty() {
+        criteria.push(Criterion::Peak(Load::BendingMoment));
+    }
+    criteria
+}
+
+/// Whether a criterion is one of those that weights on a crankshaft are for.
+pub(crate) fn is_of_crank(criterion: &Criterion) -> bool {
+    matches!(criterion, Criterion::MainRms(_) | Criterion::Peak(Load::LargestMainLoad | Load::BendingMoment))
 }
 
 /// Whether the axis of a shaft is to be found.
@@ -89,11 +111,8 @@ impl Problem {
             known.push(judged.clone());
             Ok(judged)
         };
-        for load in [Load::Force, Load::Couple, Load::RollMoment] {
-            find(Criterion::Peak(load), &mut groups)?;
-        }
         let asked = stages(task);
-        let implied = implied(task)
+        let implied = implied(engine, task)
             .into_iter()
             .map(|criterion| Ok(vec![(1.0, find(criterion, &mut groups)?)]))
             .collect::<Result<Vec<Vec<_>>, BalanceError>>()?;
@@ -130,6 +149,26 @@ impl Problem {
         };
         problem.add_rows(task);
         Ok(problem)
+    }
+
+    /// The problem with the criteria that are told in any case, before those that the task names.
+    pub fn with_effects(mut self, engine: &Engine, task: &BalanceTask) -> Result<Problem, BalanceError> {
+        let always = [Load::Force, Load::Couple, Load::RollMoment].map(Criterion::Peak);
+        let mut effects = Vec::new();
+        for criterion in always.into_iter().chain(of_crank(engine)) {
+            let known = self.effects.iter().position(|judged| judged.criterion == criterion);
+            effects.push(match known {
+                Some(place) => self.effects.remove(place),
+                None => {
+                    let groups = &mut self.programme.groups;
+                    judge(engine, task, &self.operator, criterion, &self.amounts, groups)?
+                }
+            });
+        }
+        effects.append(&mut self.effects);
+        self.effects = effects;
+        self.programme.cost.resize(self.programme.groups.len(), 0.0);
+        Ok(self)
     }
 
     fn add_rows(&mut self, task: &BalanceTask) {

@@ -10,8 +10,8 @@
 //! The next stage moves in the null space of these equations alone. What they leave open (other angles) is kept by a
 //! row, a ten-thousand-millionth wider than the value reached.
 
-use crate::convex::curve::{Member, length};
-use crate::convex::dense::{Matrix, RowFactors};
+use crate::convex::curve::Member;
+use crate::convex::dense::{Matrix, RowFactors, norm};
 use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
 use crate::convex::{Failure, better, proved, solve};
 use crate::criterion::Judged;
@@ -304,7 +304,7 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
     };
     for one in &solution.support {
         let weight = programme.weight(one.group, &solution.prices);
-        let size = length(&one.y);
+        let size = norm(&one.y);
         let member = &programme.groups[one.group].members[one.member];
         if size <= NOISE * weight || weight <= NOISE || solution.levels[one.group] <= VANISHES {
             continue;
@@ -317,7 +317,7 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         if let Member::Curve(curve) = member {
             let (_, slope) = curve.directions(one.angle);
             let mut along = vec![0.0; n];
-            slope.add_transposed(&one.y.map(|y| y / size), 1.0, &mut along);
+            slope.add_transposed(&one.y, 1.0 / size, &mut along);
             fix(&along, &[], reach);
         }
     }
@@ -387,7 +387,7 @@ fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
             match member {
                 Member::Curve(curve) if curve.untouched() > 1e-14 => return None,
                 Member::Curve(curve) => right.extend(curve.touched_coefficients().iter().map(|c| -c)),
-                Member::Vector { base, .. } => right.extend(base[..seen.rows].iter().map(|c| -c)),
+                Member::Vector { base, .. } => right.extend(base.iter().map(|c| -c)),
             }
             (0..seen.rows).for_each(|i| columns.push(seen.row(i)));
         }

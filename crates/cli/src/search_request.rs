@@ -117,7 +117,7 @@ fn judged(engine: &Engine, arguments: &BalanceArguments) -> Result<Judged, Failu
         }
     };
     needs_mounts(engine, text)?;
-    let known = criterion(text, &engine.mounts).map_err(Failure::from)?;
+    let known = criterion(text, engine).map_err(Failure::from)?;
     [Judged::Force, Judged::Couple, Judged::MountForce]
         .into_iter()
         .find(|judged| judged.criterion() == known)
@@ -143,7 +143,7 @@ fn needs_mounts(engine: &Engine, text: &str) -> Result<(), Failure> {
 /// A limit on the criterion is what is good enough, any other must hold for every arrangement.
 fn add_limit(engine: &Engine, request: &mut ArrangementRequest, text: &str) -> Result<(), Failure> {
     needs_mounts(engine, text)?;
-    let limit = option::limit(text, &engine.mounts, "--limit").map_err(Failure::from)?;
+    let limit = option::limit(text, engine, "--limit").map_err(Failure::from)?;
     if let Criterion::AddedMass = limit.criterion {
         return Err(Failure::input(
             "--search has no limit on the added mass",

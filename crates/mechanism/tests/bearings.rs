@@ -251,3 +251,38 @@ fn counterweights_unload_the_mains() {
     }
     assert!(forces(&engine, true).iter().all(|force| *force < 1e-9), "{:?}", forces(&engine, true));
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    /// The orders of every main's inertia load have the mean square of its trace (Parseval), and its value at every angle.
+    #[test]
+    fn prop_orders_of_main_bearings_are_those_of_their_traces(engine in any_engine(ALL_SHAPES)) {
+        let request = BearingRequest { part: BearingPart::Inertia, samples: 720, ..BearingRequest::default() };
+        let loads = bearing_loads(&engine, None, &request).unwrap();
+        let orders = main_orders(&engine, &LoadRequest::default()).unwrap();
+        prop_assert_eq!(orders.len(), loads.mains.len());
+        let scale = scale(&loads);
+        for (main, by_order) in loads.mains.iter().zip(&orders) {
+            prop_assert_eq!((by_order.crankshaft + 1, by_order.z), (main.crankshaft, main.z));
+            let ratio = engine.crankshafts[by_order.crankshaft].ratio.value().abs();
+            let share = |harmonic: u32| if harmonic == 0 { 1.0 } else { 0.5 };
+            let by_parseval: f64 =
+                by_order.orders.iter().map(|o| share(o.harmonic) * (o.x.norm_sqr() + o.y.norm_sqr())).sum();
+            let squares = main.load.load.iter().map(|force| force.norm_sqr());
+            let by_quadrature = squares.sum::<f64>() / main.load.load.len() as f64;
+            prop_assert!((by_parseval - by_quadrature).abs() <= 1e-10 * scale * scale, "{by_parseval} {by_quadrature}");
+            for (theta, force) in loads.theta.iter().zip(&main.load.load).step_by(37) {
+                let sum: Complex64 = by_order
+                    .orders
+                    .iter()
+                    .map(|o| {
+                        let turn = Complex64::cis(f64::from(o.harmonic) * ratio * theta);
+                        Complex64::new((o.x * turn).re, (o.y * turn).re)
+                    })
+                    .sum();
+                prop_assert!((sum - force).norm() <= 1e-10 * scale, "{sum} {force}");
+            }
+        }
+    }
+}

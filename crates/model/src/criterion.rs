@@ -1,14 +1,15 @@
 //! Criteria in words: how engine files, command lines and reports call them.
 
 use crate::engine::Engine;
+use crate::main_load;
 use crate::mount::Mount;
 use crate::nearest::nearest;
 use crate::option::BadQuantity;
 use crate::quantity::{Dimension, Refusal, one_of};
 use crate::task::{Criterion, Load};
 
-/// Loads that do not name a mount, as files and reports call them.
-const LOADS: [(&str, Load); 9] = [
+/// Loads that name no mount and no main bearing, as files and reports call them.
+const LOADS: [(&str, Load); 10] = [
     ("force", Load::Force),
     ("force x", Load::ForceX),
     ("force y", Load::ForceY),
@@ -17,6 +18,7 @@ const LOADS: [(&str, Load); 9] = [
     ("couple y", Load::CoupleY),
     ("roll moment", Load::RollMoment),
     ("mount force", Load::LargestMountForce),
+    (main_load::NAME, Load::LargestMainLoad),
     ("bending moment", Load::BendingMoment),
 ];
 
@@ -34,13 +36,17 @@ const LARGEST_ORDER: f64 = 1000.0;
 const LARGEST_DENOMINATOR: u32 = 64;
 
 /// The criterion of this name: a load such as `force`, `couple y`, `roll moment`, `mount force` (the largest of all
-/// mounts), `mount force front`, `bending moment`; one order of it, such as `force order 2` or `roll moment order 1/2`;
-/// `added mass` or `added unbalance`.
+/// mounts), `mount force front`, `main-bearing load` (the largest of all main bearings), `main-bearing load 3`,
+/// `bending moment`; one order of it, such as `force order 2` or `roll moment order 1/2`; `main-bearing load rms` (of
+/// all main bearings and the cycle), `main-bearing load 3 rms`, `largest main-bearing load rms`; `added mass` or `added
+/// unbalance`.
 ///
 /// # Errors
-/// [`BadQuantity`] if there is no such criterion, or no such mount.
-pub fn criterion(text: &str, mounts: &[Mount]) -> Result<Criterion, BadQuantity> {
-    named(text, Some(mounts)).map_err(BadQuantity::from)
+/// [`BadQuantity`] if there is no such criterion, or no such mount or main bearing.
+pub fn criterion(text: &str, engine: &Engine) -> Result<Criterion, BadQuantity> {
+    let found = named(text, Some(&engine.mounts)).map_err(BadQuantity::from)?;
+    main_load::check(&found, engine).map_err(BadQuantity::from)?;
+    Ok(found)
 }
 
 /// The name of the criterion, as [`criterion`] reads it. A mount that the engine does not have goes by its number.
@@ -62,13 +68,18 @@ pub fn criterion_unit(criterion: &Criterion) -> &'static str {
 pub(crate) fn dimension(criterion: &Criterion) -> Dimension {
     match criterion {
         Criterion::Peak(load) | Criterion::Order(load, _) => match load {
-            Load::Force | Load::ForceX | Load::ForceY | Load::MountForce(_) | Load::LargestMountForce => {
-                Dimension::Force
-            }
+            Load::Force
+            | Load::ForceX
+            | Load::ForceY
+            | Load::MountForce(_)
+            | Load::LargestMountForce
+            | Load::MainLoad(_)
+            | Load::LargestMainLoad => Dimension::Force,
             Load::Couple | Load::CoupleX | Load::CoupleY | Load::RollMoment | Load::BendingMoment => {
                 Dimension::Torque
             }
         },
+        Criterion::MainRms(_) => Dimension::Force,
         Criterion::AddedMass => Dimension::Mass,
         Criterion::AddedUnbalance => Dimension::Unbalance,
     }
@@ -78,6 +89,7 @@ pub(crate) fn dimension(criterion: &Criterion) -> Dimension {
 pub(crate) fn load(criterion: &Criterion) -> Option<Load> {
     match criterion {
         Criterion::Peak(load) | Criterion::Order(load, _) => Some(*load),
+        Criterion::MainRms(_) => Some(Load::LargestMainLoad),
         Criterion::AddedMass | Criterion::AddedUnbalance => None,
     }
 }
@@ -88,15 +100,19 @@ pub(crate) const CANCEL_NEEDS: &str = "needs one order of a load on the engine's
 /// The load and the order of a criterion that can be asked to vanish.
 pub(crate) fn cancelled(criterion: &Criterion) -> Option<(Load, f64)> {
     match criterion {
-        Criterion::Order(Load::BendingMoment, _) => None,
-        Criterion::Order(load, order) => Some((*load, *order)),
-        Criterion::Peak(_) | Criterion::AddedMass | Criterion::AddedUnbalance => None,
+        Criterion::Order(load, order) if !is_of_crank(*load) => Some((*load, *order)),
+        _ => None,
     }
+}
+
+/// Whether a load acts within the crank train, not on the block.
+fn is_of_crank(load: Load) -> bool {
+    matches!(load, Load::BendingMoment | Load::MainLoad(_) | Load::LargestMainLoad)
 }
 
 /// What to write instead of `name`.
 pub(crate) fn cancel_hint(name: &str) -> String {
-    let is_load = LOADS.iter().any(|(known, load)| *known == name && *load != Load::BendingMoment);
+    let is_load = LOADS.iter().any(|(known, load)| *known == name && !is_of_crank(*load));
     let name = if is_load || name.starts_with(MOUNT) { shown(name) } else { "force".into() };
     format!("name the order, such as \"{name}{ORDER}1\"")
 }
@@ -108,8 +124,12 @@ pub(crate) fn name_among(criterion: &Criterion, mounts: &[Mount]) -> String {
             Some(mount) => format!("{MOUNT}{}", mount.name),
             None => format!("{MOUNT}{}", index + 1),
         },
+        Load::MainLoad(index) => main_load::load_name(*index),
         _ => LOADS.iter().find(|(_, known)| known == load).map_or("", |(name, _)| name).to_string(),
     };
+    if let Some(name) = main_load::rms_name(criterion) {
+        return name;
+    }
     match criterion {
         Criterion::Peak(load) => load_name(load),
         Criterion::Order(load, order) => format!("{}{ORDER}{}", load_name(load), order_text(*order)),
@@ -151,16 +171,24 @@ pub(crate) fn named(text: &str, mounts: Option<&[Mount]>) -> Result<Criterion, R
         return Ok(*other);
     }
     let simple = |name: &str| LOADS.iter().find(|(known, _)| *known == name).map(|(_, load)| *load);
+    let of_mains = |name: &str| if name.contains(ORDER) { None } else { main_load::named(name) };
     let found = if let Some(load) = simple(&plain) {
         Criterion::Peak(load)
+    } else if let Some(found) = of_mains(&plain) {
+        found?
     } else if let Some(index) = text.strip_prefix(MOUNT).and_then(|name| mount_index(name, mounts?)) {
         Criterion::Peak(Load::MountForce(index))
     } else if let Some((before, number)) = text.rsplit_once(ORDER) {
         let Some(order) = order(number.trim()) else { return Err(bad_order(text, number)) };
         let before = before.trim();
-        let load = match simple(&before.split_whitespace().collect::<Vec<_>>().join(" ")) {
-            Some(load) => load,
-            None => Load::MountForce(mount(before, text, mounts)?),
+        let single = before.split_whitespace().collect::<Vec<_>>().join(" ");
+        let load = match (simple(&single), main_load::named(&single)) {
+            (Some(load), _) => load,
+            (None, Some(found)) => match found? {
+                Criterion::Peak(load) => load,
+                _ => return Err(unknown(text)),
+            },
+            (None, None) => Load::MountForce(mount(before, text, mounts)?),
         };
         Criterion::Order(load, order)
     } else {
@@ -222,7 +250,10 @@ fn bad_order(text: &str, number: &str) -> Refusal {
 }
 
 fn unknown(text: &str) -> Refusal {
-    let names = || LOADS.iter().map(|(name, _)| *name).chain(OTHERS.iter().map(|(name, _)| *name));
+    let names = || {
+        let others = OTHERS.iter().map(|(name, _)| *name).chain(main_load::PROPOSED);
+        LOADS.iter().map(|(name, _)| *name).chain(others)
+    };
     let (load, number) = match text.rsplit_once(ORDER) {
         Some((load, number)) => (load, Some(number.trim())),
         None => (text, None),
@@ -274,17 +305,18 @@ mod tests {
                 orders.map(|order| Criterion::Order(load, order)).into_iter().chain([Criterion::Peak(load)])
             {
                 let name = name_among(&found, &mounts);
-                assert_eq!(criterion(&name, &mounts), Ok(found), "{name}");
+                assert_eq!(named(&name, Some(&mounts)), Ok(found), "{name}");
             }
         }
         for (name, other) in OTHERS {
-            assert_eq!(criterion(name, &[]), Ok(other));
+            assert_eq!(named(name, Some(&[])), Ok(other));
         }
     }
 
     #[test]
     fn names_as_people_write_them() {
         let front = mounts(&["front"]);
+        let criterion = |text: &str, mounts: &[Mount]| named(text, Some(mounts));
         assert_eq!(criterion("force order 0.5", &[]), Ok(Criterion::Order(Load::Force, 0.5)));
         assert_eq!(criterion("roll  moment", &[]), Ok(Criterion::Peak(Load::RollMoment)));
         assert_eq!(
@@ -297,7 +329,7 @@ mod tests {
     #[test]
     fn what_is_no_criterion() {
         let refused = |text: &str, mounts: &[Mount]| {
-            let bad = criterion(text, mounts).expect_err(text);
+            let bad = named(text, Some(mounts)).expect_err(text);
             format!("{}; {}", bad.message, bad.hint)
         };
         assert!(refused("forse", &[]).contains("did you mean \"force\"?"));

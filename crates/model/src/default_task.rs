@@ -4,7 +4,7 @@ use crate::engine::Engine;
 use crate::task::{BalanceTask, FreeWeight, Place, Seat};
 
 /// The task of an engine without a `[balance]` section: the resultant force, then the couple, made as small as free
-/// weights on the crankshafts can make them.
+/// weights on the crankshafts can make them, and among equals the loads of the main bearings.
 ///
 /// There is one free weight for every counterweight of the engine, under its name, so that it stands in its place.
 /// An engine without counterweights gets one on every web; on every throw where a web distance is missing. Weights in

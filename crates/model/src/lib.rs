@@ -49,6 +49,7 @@ mod free_shaft;
 mod friction;
 mod gas;
 mod layout;
+mod main_load;
 mod mains;
 mod mount;
 mod nearest;

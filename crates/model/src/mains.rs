@@ -38,6 +38,12 @@ impl Engine {
         };
         std::iter::once(front).chain(inner).chain([rear]).collect()
     }
+
+    /// Crankshaft (from 0) and plane [m] of every main bearing: those of crankshaft 1 first, each from the free end on.
+    pub fn main_bearings(&self) -> Vec<(usize, f64)> {
+        let of = |crankshaft: usize| self.main_planes(crankshaft).into_iter().map(move |z| (crankshaft, z));
+        (0..self.crankshafts.len()).flat_map(of).collect()
+    }
 }
 
 /// Distance of the mains from a throw that has no neighbours [m].

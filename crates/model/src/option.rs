@@ -1,7 +1,7 @@
 //! Quantities outside an engine file: the options of a command line.
 
 use crate::criterion::{self, criterion};
-use crate::mount::Mount;
+use crate::engine::Engine;
 use crate::quantity::{Dimension, Refusal, parse};
 use crate::task::{Limit, Load, Stage};
 
@@ -135,14 +135,14 @@ pub fn unbalance(text: &str, option: &str) -> Result<f64, BadQuantity> {
 ///
 /// # Errors
 /// [`BadQuantity`] if it is not a criterion, an equals sign and a quantity of 0 or more in a unit of the criterion.
-pub fn limit(text: &str, mounts: &[Mount], option: &str) -> Result<Limit, BadQuantity> {
+pub fn limit(text: &str, engine: &Engine, option: &str) -> Result<Limit, BadQuantity> {
     let Some((name, value)) = text.rsplit_once('=') else {
         return Err(BadQuantity {
             message: format!("`{option}` needs a criterion and its largest value, got \"{text}\""),
             hint: format!("for example {option} \"couple = 5 N m\""),
         });
     };
-    let criterion = criterion(name, mounts)?;
+    let criterion = criterion(name, engine)?;
     let most = amount(value, &criterion, name.trim())?;
     if most < 0.0 {
         return Err(BadQuantity {
@@ -158,12 +158,12 @@ pub fn limit(text: &str, mounts: &[Mount], option: &str) -> Result<Limit, BadQua
 ///
 /// # Errors
 /// [`BadQuantity`] if it is neither.
-pub fn stage(text: &str, mounts: &[Mount], option: &str) -> Result<Stage, BadQuantity> {
+pub fn stage(text: &str, engine: &Engine, option: &str) -> Result<Stage, BadQuantity> {
     if !text.contains('=') {
-        return Ok(Stage { terms: vec![(1.0, criterion(text, mounts)?)] });
+        return Ok(Stage { terms: vec![(1.0, criterion(text, engine)?)] });
     }
     let term = |part: &str| {
-        let limit = limit(part, mounts, option)?;
+        let limit = limit(part, engine, option)?;
         let weight = 1.0 / limit.most;
         if weight.is_finite() {
             Ok((weight, limit.criterion))
@@ -182,9 +182,9 @@ pub fn stage(text: &str, mounts: &[Mount], option: &str) -> Result<Stage, BadQua
 ///
 /// # Errors
 /// [`BadQuantity`] if one of them is not one order of a load on the engine's block.
-pub fn cancel(text: &str, mounts: &[Mount], option: &str) -> Result<Vec<(Load, f64)>, BadQuantity> {
+pub fn cancel(text: &str, engine: &Engine, option: &str) -> Result<Vec<(Load, f64)>, BadQuantity> {
     let one = |part: &str| {
-        let found = criterion(part, mounts)?;
+        let found = criterion(part, engine)?;
         criterion::cancelled(&found).ok_or_else(|| BadQuantity {
             message: format!("`{option}` {}, got \"{}\"", criterion::CANCEL_NEEDS, part.trim()),
             hint: criterion::cancel_hint(part.trim()),
@@ -206,9 +206,14 @@ mod tests {
     use super::*;
     use crate::task::{Criterion, Load};
 
+    fn four() -> Engine {
+        crate::read(crate::template("in-line-4").unwrap().text).engine.unwrap()
+    }
+
     #[test]
     fn limits_and_stages_of_a_command_line() {
-        let limit = |text| limit(text, &[], "--limit");
+        let engine = four();
+        let limit = |text| limit(text, &engine, "--limit");
         assert_eq!(limit("couple=5 N m"), Ok(Limit { criterion: Criterion::Peak(Load::Couple), most: 5.0 }));
         assert_eq!(
             limit("force order 1/2 = 0.2 kN"),
@@ -224,7 +229,8 @@ mod tests {
             let refused = limit(text).unwrap_err();
             assert!(refused.message.contains(says), "{refused:?}");
         }
-        let stage = |text| stage(text, &[], "--minimise");
+        let engine = four();
+        let stage = |text| stage(text, &engine, "--minimise");
         assert_eq!(stage("force"), Ok(Stage { terms: vec![(1.0, Criterion::Peak(Load::Force))] }));
         let both = vec![(1.0 / 200.0, Criterion::Peak(Load::Force)), (0.1, Criterion::Peak(Load::Couple))];
         assert_eq!(stage("force = 200 N, couple = 10 N m"), Ok(Stage { terms: both }));
@@ -234,7 +240,8 @@ mod tests {
 
     #[test]
     fn orders_to_cancel_of_a_command_line() {
-        let cancel = |text| cancel(text, &[], "--cancel");
+        let engine = four();
+        let cancel = |text| cancel(text, &engine, "--cancel");
         assert_eq!(cancel("force order 1"), Ok(vec![(Load::Force, 1.0)]));
         assert_eq!(
             cancel("couple order 2,roll moment order 1/2"),

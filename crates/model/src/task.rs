@@ -20,7 +20,9 @@ pub struct BalanceTask {
     pub ties: Vec<Tie>,
     /// What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
     /// couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
-    /// names them, and then roll moment are least, and of those the lightest.
+    /// names them, and then roll moment are least; of those, where a weight on a crankshaft is free, the one with the least
+    /// root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the
+    /// lightest.
     pub stages: Vec<Stage>,
     /// What must hold.
     pub limits: Vec<Limit>,
@@ -186,8 +188,25 @@ pub enum Load {
     MountForce(usize),
     /// Largest force at any mount [N].
     LargestMountForce,
+    /// Inertia load of one main bearing [N], by index: those of crankshaft 1 first, each from the free end on
+    /// ([`crate::Engine::main_bearings`]). Every throw is held by the two main bearings beside it.
+    MainLoad(usize),
+    /// Largest inertia load of any main bearing [N].
+    LargestMainLoad,
     /// Largest bending moment along crankshaft 1 [N m].
     BendingMoment,
+}
+
+/// Which main bearings count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mains {
+    /// All of them together: the statistic is taken over bearings and cycle.
+    All,
+    /// The one with the largest.
+    Largest,
+    /// One, by index as in [`Load::MainLoad`].
+    One(usize),
 }
 
 /// What is judged.
@@ -198,6 +217,8 @@ pub enum Criterion {
     Peak(Load),
     /// Peak of one order of a load (both senses together).
     Order(Load, f64),
+    /// Root mean square of main-bearing loads of inertia over the continuous cycle [N], at the highest speed.
+    MainRms(Mains),
     /// Mass of all free weights [kg]: every one needs its radius.
     AddedMass,
     /// Sum of the amounts of all free weights [kg m].

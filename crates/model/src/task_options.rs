@@ -84,7 +84,6 @@ impl TaskOptions {
 
     /// What is minimised, what must hold, what must vanish.
     fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
-        let mounts = &engine.mounts;
         let wanted = self.minimise.len() + self.limits.len();
         if !self.cancel.is_empty() && wanted > 0 {
             return Err(refused(
@@ -98,17 +97,17 @@ impl TaskOptions {
             ));
         }
         if !self.minimise.is_empty() {
-            let stage = |text: &String| option::stage(text, mounts, &self.name("minimise"));
+            let stage = |text: &String| option::stage(text, engine, &self.name("minimise"));
             task.stages = self.minimise.iter().map(stage).collect::<Result<_, _>>()?;
             task.cancel.clear();
         }
         if !self.cancel.is_empty() {
-            let orders = |text: &String| option::cancel(text, mounts, &self.name("cancel"));
+            let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));
             let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
             (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
         }
         for text in &self.limits {
-            let limit = option::limit(text, mounts, &self.name("limit"))?;
+            let limit = option::limit(text, engine, &self.name("limit"))?;
             task.limits.retain(|known| known.criterion != limit.criterion);
             task.limits.push(limit);
         }

@@ -120,6 +120,10 @@ fn amount(load: Load, trace: &Trace) -> Option<Vec<f64>> {
         Load::CoupleX => Some(absolute(&trace.couple_x)),
         Load::CoupleY => Some(absolute(&trace.couple_y)),
         Load::RollMoment => Some(absolute(&trace.roll_moment)),
-        Load::MountForce(_) | Load::LargestMountForce | Load::BendingMoment => None,
+        Load::MountForce(_)
+        | Load::LargestMountForce
+        | Load::MainLoad(_)
+        | Load::LargestMainLoad
+        | Load::BendingMoment => None,
     }
 }

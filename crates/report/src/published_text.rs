@@ -7,7 +7,7 @@ use crate::published_tables::{
 };
 use crate::terminal::push_wrapped;
 use lanchester_balance::published::{MethodAnswer, MethodFound};
-use lanchester_model::{Engine, criterion_name, criterion_unit};
+use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What the method found, what it leaves, and how much better the same devices could do, as aligned plain text.
@@ -67,8 +67,14 @@ fn source(found: &MethodFound) -> String {
 
 /// How much the method leaves, in a sentence.
 fn verdict(engine: &Engine, answer: &MethodAnswer) -> String {
+    // The lightest of equals is sought last, without being judged.
+    let stages = &answer.optimum.stages;
+    let loads = stages
+        .iter()
+        .rposition(|s| s.terms[0].0 != Criterion::AddedUnbalance)
+        .map_or(stages.len(), |last| last + 1);
     let judged = answer.optimum.effects.iter().filter(|e| {
-        answer.optimum.stages.iter().flat_map(|s| &s.terms).any(|(criterion, _)| *criterion == e.criterion)
+        stages[..loads].iter().flat_map(|s| &s.terms).any(|(criterion, _)| *criterion == e.criterion)
     });
     let words: Vec<String> = judged
         .map(|e| {

@@ -301,7 +301,7 @@ fn request(engine: &Engine, question: &ArrangementQuestion) -> Result<Arrangemen
         ));
     }
     for text in &question.limits {
-        let limit = option::limit(text, &engine.mounts, "limit").map_err(Problem::quantity)?;
+        let limit = option::limit(text, engine, "limit").map_err(Problem::quantity)?;
         if limit.criterion == request.criterion.criterion() {
             if limit.most <= 0.0 {
                 return Err(Problem::refused(format!(

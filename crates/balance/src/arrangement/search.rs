@@ -207,6 +207,7 @@ impl<'a> Search<'a> {
                 }
                 _ => false,
             },
+            Criterion::MainRms(_) => false,
             Criterion::AddedMass | Criterion::AddedUnbalance => false,
         }
     }

@@ -78,6 +78,8 @@ pub(super) enum Split {
     UseWeight(usize),
     UseShaft(usize),
     Plane(usize, f64),
+    /// Weight, the plane where its stretch ends and another begins.
+    PlaneAt(usize, f64),
     /// Weight, directions looked for.
     Heading(usize, Looked),
     AxisX(usize, f64),
@@ -305,6 +307,10 @@ impl Choices {
             }
             Split::Plane(weight, at) => {
                 halves(self.weights[weight].z, at).map(|part| with(&|c| c.weights[weight].z = part)).into()
+            }
+            Split::PlaneAt(weight, at) => {
+                let [low, high] = self.weights[weight].z;
+                [[low, at], [at, high]].map(|part| with(&|c| c.weights[weight].z = part)).into()
             }
             Split::AxisX(shaft, at) => {
                 halves(self.shafts[shaft].x, at).map(|part| with(&|c| c.shafts[shaft].x = part)).into()

@@ -23,7 +23,7 @@ mod search;
 use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::operator::EngineLoads;
-use crate::problem::{Problem, has_free_axis, implied, stages};
+use crate::problem::{Problem, has_free_axis, implied, is_of_crank, stages};
 use crate::settings::{BalanceSettings, StopCause, Watch};
 use crate::stages::{Held, Reached, Walk};
 use choices::{Choices, stretch};
@@ -91,19 +91,20 @@ pub(crate) fn is_needed(task: &BalanceTask) -> bool {
         || task.most_optional.is_some()
 }
 
+/// Whether there is more to choose about a weight on a crankshaft than its unbalance.
+fn is_crank_choice(weight: &FreeWeight) -> bool {
+    let chosen = weight.optional || weight.least > 0.0 || matches!(weight.z, Place::Between(..));
+    chosen && matches!(weight.seat, Seat::Crankshaft(_))
+}
+
 /// Whether one of the choices cannot be said by a convex programme.
 pub(crate) fn is_choice(task: &BalanceTask) -> bool {
     let place = |place: Place| matches!(place, Place::Between(..));
-    let bends = |criterion: &Criterion| {
-        matches!(criterion, Criterion::Peak(Load::BendingMoment) | Criterion::Order(Load::BendingMoment, _))
-    };
-    let bending = stages(task).iter().flat_map(|stage| &stage.terms).any(|term| bends(&term.1))
-        || task.limits.iter().any(|limit| bends(&limit.criterion));
     let open = |w: &FreeWeight| {
         !matches!(w.phase, Phase::Direction(_)) && (w.least > 0.0 || place(w.z))
             || w.least > 0.0 && w.optional
-            // A crankshaft bends otherwise on either side of a plane.
-            || bending && place(w.z) && w.seat == Seat::Crankshaft(0)
+            // A crankshaft bends otherwise on either side of a plane, and other mains carry it on either side of a main.
+            || place(w.z) && matches!(w.seat, Seat::Crankshaft(_))
     };
     has_free_axis(task)
         || task.weights.iter().any(open)
@@ -123,8 +124,11 @@ pub(crate) fn search(
     let loads = EngineLoads::of(&bare, kinematics)?;
     let asked = stages(task);
     let asked_count = asked.len();
-    // An axis that is to be found is not left to chance by those who do not name the roll moment.
-    let decisive = if has_free_axis(task) { implied(task) } else { Vec::new() };
+    // An axis that is to be found is not left to chance by those who do not name the roll moment, nor are choices of weights
+    // on a crankshaft by those who do not name its bearings.
+    let of_crank = task.weights.iter().any(is_crank_choice);
+    let mut decisive = implied(engine, task);
+    decisive.retain(|criterion| of_crank || has_free_axis(task) && !is_of_crank(criterion));
     let decisive = decisive.into_iter().map(|criterion| Stage { terms: vec![(1.0, criterion)] });
     let mut task = BalanceTask { stages: asked.into_iter().chain(decisive).collect(), ..task.clone() };
     if !sees_axes(&task) {
@@ -150,6 +154,7 @@ fn sees_axes(task: &BalanceTask) -> bool {
         Criterion::Peak(load) | Criterion::Order(load, _) => {
             matches!(load, Load::RollMoment | Load::MountForce(_) | Load::LargestMountForce)
         }
+        Criterion::MainRms(_) => false,
         Criterion::AddedMass | Criterion::AddedUnbalance => false,
     })
 }

@@ -23,6 +23,8 @@ struct Seen {
     /// `z U` [kg m^2].
     moment: Complex64,
     looked: Looked,
+    /// Plane and unbalance of each of its corners.
+    corners: Vec<(f64, Complex64)>,
     /// Natural amount [kg m].
     unit: f64,
     /// Force of 1 kg m [N].
@@ -37,6 +39,26 @@ struct SeenShaft {
     moment: Complex64,
     unit: f64,
     square: f64,
+}
+
+impl Seen {
+    /// How far the corners are from those of a weight in one plane [kg m], and the inner corner that is nearest to it.
+    fn amiss(&self, plane: f64) -> (f64, Option<f64>) {
+        let count = self.corners.len();
+        if count <= 2 {
+            return (0.0, None);
+        }
+        let z = |corner: usize| self.corners[corner].0;
+        let share = |corner: usize| {
+            let before = if corner > 0 { (plane - z(corner - 1)) / (z(corner) - z(corner - 1)) } else { 1.0 };
+            let behind =
+                if corner + 1 < count { (z(corner + 1) - plane) / (z(corner + 1) - z(corner)) } else { 1.0 };
+            before.min(behind).clamp(0.0, 1.0)
+        };
+        let amiss = |corner: usize| (self.corners[corner].1 - share(corner) * self.unbalance).norm();
+        let nearest = (1..count - 1).map(z).min_by(|a, b| (a - plane).abs().total_cmp(&(b - plane).abs()));
+        ((0..count).map(amiss).fold(0.0, f64::max), nearest)
+    }
 }
 
 /// The directions of the parts of a sum, those that are more than rounding of `unit`.
@@ -71,6 +93,7 @@ impl<'a> Reading<'a> {
                     unbalance,
                     moment: columns.corners.iter().map(|c| c.z * c.unbalance(x)).sum(),
                     looked: looked(parts(), unbalance, columns.unit),
+                    corners: columns.corners.iter().map(|c| (c.z, c.unbalance(x))).collect(),
                     unit: columns.unit,
                     square: (columns.ratio.value() * operator.speed).powi(2),
                 }
@@ -211,7 +234,11 @@ impl<'a> Reading<'a> {
                     (seen.moment - plane * seen.unbalance).norm() * seen.square / self.natural_moment;
                 let whole = super::choices::stretch(self.task.weights[weight].z);
                 let stretch = (choice.z[1] - choice.z[0]) / (whole[1] - whole[0]);
-                let mut splits = vec![Split::Plane(weight, plane)];
+                // Corners at mains have what a weight at the plane has there, or the stretch ends at such a main.
+                let (amiss, main) = seen.amiss(plane);
+                let beyond = beyond.max(amiss * turn);
+                let divided = main.map_or(Split::Plane(weight, plane), |main| Split::PlaneAt(weight, main));
+                let mut splits = vec![divided];
                 if divisible {
                     let wide = choice.heading.width() / (2.0 * PI) > 0.5 * stretch;
                     splits.insert(usize::from(!wide), Split::Heading(weight, seen.looked));

@@ -7,13 +7,16 @@
 //! least amount in a sector:   Re U e^{-i (a + b/2)} >= least cos(b/2)
 //! at most k optional devices: SUM |U| / most <= k
 //! ```
+//! Beyond a main bearing other mains carry a weight: a stretch of a crankshaft has a corner at every main inside it, and a weight
+//! between two of them its parts at these two alone, so that loads of mains lose nothing either.
+//!
 //! A weight at `z` is `U_1 = (z_2 - z) / (z_2 - z_1) U` and `U_2` the rest: both have its phase and their amounts add up
 //! to its own, so that largest amounts, added mass and added unbalance lose nothing. What the programme allows beyond
 //! the box is `U_1` and `U_2` with unlike phases; the error is of the order of stretch times sector. With one given
 //! direction there is none: such a weight is found without any division.
 
 use super::choices::{Choices, Heading, Use, given, on_shaft, open};
-use crate::convex::curve::{Member, WIDTH};
+use crate::convex::curve::Member;
 use crate::convex::dense::{Matrix, RowFactors, norm};
 use crate::convex::programme::{Group, Row};
 use crate::error::BalanceError;
@@ -100,7 +103,15 @@ impl Ground<'_> {
             }
             let axis = axis(self.task.weights[weight].seat);
             let [low, high] = choices.weights[weight].z;
-            if open([low, high]) { vec![(axis, low), (axis, high)] } else { vec![(axis, 0.5 * (low + high))] }
+            if !open([low, high]) {
+                return vec![(axis, 0.5 * (low + high))];
+            }
+            let mains = match self.task.weights[weight].seat {
+                Seat::Crankshaft(index) => self.engine.main_planes(index),
+                Seat::Shaft(_) => Vec::new(),
+            };
+            let inside = mains.into_iter().filter(|main| open([low, *main]) && open([*main, high]));
+            [low].into_iter().chain(inside).chain([high]).map(|z| (axis, z)).collect()
         };
         (0..self.task.weights.len()).map(place).collect()
     }
@@ -266,7 +277,7 @@ fn plane(problem: &Problem, terms: &[(f64, &Corner)], unit: f64) -> Member {
         directions(problem, terms, |value| value.im / unit),
     ];
     let columns = Matrix::from_rows(problem.operator.variables, rows.iter().map(Vec::as_slice));
-    Member::Vector { base: [0.0; WIDTH], columns }
+    Member::vector(columns)
 }
 
 fn add_group(problem: &mut Problem, members: Vec<Member>) -> usize {

@@ -9,7 +9,7 @@
 use super::RANK;
 use super::equations::Equations;
 use super::functional::{Weighed, weigh};
-use crate::convex::curve::{Grid, Member, WIDTH};
+use crate::convex::curve::{Grid, Member};
 use crate::convex::dense::{Matrix, RowFactors, least_squares};
 use crate::convex::programme::{Group, Programme, Row, Solution};
 use crate::convex::{Failure, HOLDS, solve};
@@ -128,7 +128,7 @@ pub(super) fn bounded(equations: &Equations, costs: &[f64], grid: &Rc<Grid>) -> 
     for (index, device) in equations.devices.iter().enumerate() {
         let mut columns = Matrix::zeros(0, n);
         device.variables.iter().for_each(|&v| columns.push(&unit(v, 1.0)));
-        groups.push(Group::new(vec![Member::Vector { base: [0.0; WIDTH], columns }]));
+        groups.push(Group::new(vec![Member::vector(columns)]));
         if let Some(most) = device.most {
             let (shares, directions) = match device.weight {
                 Some(_) => (vec![(index, 1.0)], vec![0.0; n]),

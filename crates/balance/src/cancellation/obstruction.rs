@@ -12,7 +12,7 @@ use super::RANK;
 use super::equations::Equations;
 use super::functional::{Weighed, released, weigh};
 use super::lightest::{bounded, pulls};
-use crate::convex::curve::{Grid, Member, WIDTH};
+use crate::convex::curve::{Grid, Member};
 use crate::convex::dense::{Matrix, RowFactors, least_squares};
 use crate::convex::programme::Group;
 use crate::convex::solve;
@@ -74,8 +74,7 @@ fn by_distance(equations: &Equations, block: &Block, grid: &Rc<Grid>, solves: &m
     for &k in &parts {
         let rows = [equations.matrix.row(2 * k), equations.matrix.row(2 * k + 1)];
         let columns = Matrix::from_rows(whole.variables, rows);
-        let base: [f64; WIDTH] =
-            std::array::from_fn(|m| if m < 2 { -equations.right[2 * k + m] } else { 0.0 });
+        let base = vec![-equations.right[2 * k], -equations.right[2 * k + 1]];
         whole.groups.push(Group::new(vec![Member::Vector { base, columns }]));
         whole.cost.push(1.0);
     }

@@ -10,8 +10,7 @@
 //! the radius that every optimum lies in. Since `y . a(phi; 0)` is taken at the multipliers' own angles, the bound
 //! holds whether or not these are the peaks.
 
-use super::curve::{inner, length};
-use super::dense::{Matrix, RowFactors, add_scaled, norm};
+use super::dense::{Matrix, RowFactors, add_scaled, dot, norm};
 use super::programme::{Programme, Support};
 
 /// Levels below this vanish.
@@ -39,7 +38,7 @@ pub(crate) fn certify(
     prices: &[f64],
     radius: f64,
 ) -> Option<Certificate> {
-    let mut support: Vec<Support> = support.iter().filter(|s| length(&s.y) > 0.0).cloned().collect();
+    let mut support: Vec<Support> = support.iter().filter(|s| norm(&s.y) > 0.0).cloned().collect();
     let mut prices: Vec<f64> = prices.iter().map(|p| p.max(0.0)).collect();
     let directions: Vec<Matrix> =
         support.iter().map(|s| programme.groups[s.group].members[s.member].directions(s.angle)).collect();
@@ -50,7 +49,7 @@ pub(crate) fn certify(
     let rest = stationarity(programme, &directions, &support, &prices);
     let mut bound = programme.offset;
     for one in &support {
-        bound += inner(&one.y, &programme.groups[one.group].members[one.member].constant(one.angle));
+        bound += dot(&one.y, &programme.groups[one.group].members[one.member].constant(one.angle));
     }
     for (row, price) in programme.rows.iter().zip(&prices) {
         bound -= price * row.most;
@@ -96,7 +95,7 @@ fn project(
         stationarity(programme, directions, support, prices).iter().map(|r| -r).collect();
     let mut at = 0;
     for (one, directions) in support.iter().zip(directions) {
-        let size = length(&one.y);
+        let size = norm(&one.y);
         let line = groups.iter().position(|&g| g == one.group).expect("invariant: its group is listed");
         for m in 0..directions.rows {
             for j in 0..n {
@@ -117,7 +116,7 @@ fn project(
         }
     }
     for &group in &groups {
-        let sum: f64 = support.iter().filter(|s| s.group == group).map(|s| length(&s.y)).sum();
+        let sum: f64 = support.iter().filter(|s| s.group == group).map(|s| norm(&s.y)).sum();
         let short = programme.weight(group, prices) - sum;
         right.push(if levels[group] < VANISHES { short.min(0.0) } else { short });
     }
@@ -128,7 +127,7 @@ fn project(
     }
     let mut at = 0;
     for one in support.iter_mut() {
-        let size = length(&one.y);
+        let size = norm(&one.y);
         for m in 0..programme.groups[one.group].members[one.member].dimension() {
             one.y[m] += size * change[at];
             at += 1;
@@ -143,7 +142,7 @@ fn project(
 fn settle(programme: &Programme, support: &mut [Support], prices: &mut [f64]) -> Option<()> {
     let mut scale = 1.0f64;
     for group in 0..programme.groups.len() {
-        let sum: f64 = support.iter().filter(|s| s.group == group).map(|s| length(&s.y)).sum();
+        let sum: f64 = support.iter().filter(|s| s.group == group).map(|s| norm(&s.y)).sum();
         let short = sum - programme.weight(group, prices);
         if short <= 0.0 {
             continue;

@@ -1,7 +1,7 @@
 //! One cone programme with finitely many angles, solved by Clarabel. Nothing that it says is believed: values, bounds
 //! and feasibility are computed again from its point and its multipliers.
 
-use super::curve::{FixedMember, Vector};
+use super::curve::FixedMember;
 use super::dense::dot;
 use super::programme::{Programme, Support};
 use clarabel::algebra::CscMatrix;
@@ -115,10 +115,7 @@ pub(crate) fn solve(programme: &Programme, touches: &[Touch], frame: &Frame) -> 
         .iter()
         .map(|touch| {
             let d = programme.groups[touch.group].members[touch.member].dimension();
-            let mut y: Vector = Default::default();
-            for m in 0..d {
-                y[m] = -solution.z[at + 1 + m];
-            }
+            let y = solution.z[at + 1..=at + d].iter().map(|z| -z).collect();
             at += d + 1;
             Support { group: touch.group, member: touch.member, angle: touch.angle, y }
         })

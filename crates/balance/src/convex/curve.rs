@@ -6,11 +6,11 @@
 //! Its largest amount over the continuous angle is found from a grid that resolves it, every candidate refined by
 //! Newton's method on the exact derivative of `|g|^2`.
 
-use super::dense::{Matrix, dot};
+use super::dense::{Matrix, dot, norm};
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
-/// Most components of a curve.
+/// Most components of a curve; a vector that does not depend on the angle may have any number.
 pub(crate) const WIDTH: usize = 3;
 
 /// A slope below this share of the amount, per radian, is none.
@@ -25,7 +25,7 @@ const GRAIN: f64 = 4.0 * f64::EPSILON;
 /// A vector of a curve; components beyond its own are 0.
 pub(crate) type Vector = [f64; WIDTH];
 
-pub(crate) fn length(v: &Vector) -> f64 {
+fn length(v: &Vector) -> f64 {
     square(v).sqrt()
 }
 
@@ -33,7 +33,7 @@ fn square(v: &Vector) -> f64 {
     inner(v, v)
 }
 
-pub(crate) fn inner(a: &Vector, b: &Vector) -> f64 {
+fn inner(a: &Vector, b: &Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -278,11 +278,6 @@ impl Curve {
         Fixed { curve: self, harmonics, grain }
     }
 
-    /// `g(phi; 0)`.
-    pub fn constant(&self, angle: f64) -> Vector {
-        jet(&self.base, angle).value
-    }
-
     /// `G(phi)` as `dimension` rows, and its derivative by `phi`.
     pub fn directions(&self, angle: f64) -> (Matrix, Matrix) {
         let (d, n) = (self.dimension, self.columns.columns);
@@ -324,6 +319,11 @@ impl Curve {
 impl Fixed<'_> {
     pub fn jet(&self, angle: f64) -> Jet {
         jet(&self.harmonics, angle)
+    }
+
+    /// The components at an angle.
+    pub fn value(&self, angle: f64) -> Vec<f64> {
+        self.jet(angle).value[..self.curve.dimension].to_vec()
     }
 
     /// All local maxima of the amount that reach `floor`, the largest first; at least the largest of all.
@@ -435,7 +435,7 @@ pub(crate) enum Member {
     Curve(Curve),
     /// `base + columns x`, as many rows as the vector has components.
     Vector {
-        base: Vector,
+        base: Vec<f64>,
         columns: Matrix,
     },
 }
@@ -443,15 +443,23 @@ pub(crate) enum Member {
 /// A member at one choice of the variables.
 pub(crate) enum FixedMember<'a> {
     Curve(Fixed<'a>),
-    Vector(Vector),
+    Vector(Vec<f64>),
 }
 
 impl FixedMember<'_> {
     /// Value at an angle.
-    pub fn value(&self, angle: f64) -> Vector {
+    pub fn value(&self, angle: f64) -> Vec<f64> {
         match self {
-            FixedMember::Curve(curve) => curve.jet(angle).value,
-            FixedMember::Vector(value) => *value,
+            FixedMember::Curve(curve) => curve.value(angle),
+            FixedMember::Vector(value) => value.clone(),
+        }
+    }
+
+    /// Amount at an angle.
+    pub fn amount(&self, angle: f64) -> f64 {
+        match self {
+            FixedMember::Curve(curve) => length(&curve.jet(angle).value),
+            FixedMember::Vector(value) => norm(value),
         }
     }
 
@@ -459,12 +467,17 @@ impl FixedMember<'_> {
     pub fn summits(&self, grid: &Grid, floor: f64) -> Vec<Summit> {
         match self {
             FixedMember::Curve(curve) => curve.summits(grid, floor),
-            FixedMember::Vector(value) => vec![Summit { angle: 0.0, amount: length(value) }],
+            FixedMember::Vector(value) => vec![Summit { angle: 0.0, amount: norm(value) }],
         }
     }
 }
 
 impl Member {
+    /// The vector `columns x`.
+    pub fn vector(columns: Matrix) -> Member {
+        Member::Vector { base: vec![0.0; columns.rows], columns }
+    }
+
     pub fn dimension(&self) -> usize {
         match self {
             Member::Curve(curve) => curve.dimension,
@@ -493,25 +506,22 @@ impl Member {
         match self {
             Member::Curve(curve) => FixedMember::Curve(curve.at(x)),
             Member::Vector { base, columns } => {
-                let mut value = *base;
-                for m in 0..columns.rows {
-                    value[m] += dot(columns.row(m), x);
-                }
-                FixedMember::Vector(value)
+                let affine = |(m, base): (usize, &f64)| base + dot(columns.row(m), x);
+                FixedMember::Vector(base.iter().enumerate().map(affine).collect())
             }
         }
     }
 
     /// Value at an angle.
-    pub fn value(&self, angle: f64, x: &[f64]) -> Vector {
+    pub fn value(&self, angle: f64, x: &[f64]) -> Vec<f64> {
         self.at(x).value(angle)
     }
 
     /// Value at an angle where all variables are 0.
-    pub fn constant(&self, angle: f64) -> Vector {
+    pub fn constant(&self, angle: f64) -> Vec<f64> {
         match self {
-            Member::Curve(curve) => curve.constant(angle),
-            Member::Vector { base, .. } => *base,
+            Member::Curve(curve) => jet(&curve.base, angle).value[..curve.dimension].to_vec(),
+            Member::Vector { base, .. } => base.clone(),
         }
     }
 

@@ -175,6 +175,16 @@ impl RowFactors {
         w
     }
 
+    /// `Q^T w`.
+    fn turned(&self, w: &[f64]) -> Vec<f64> {
+        let mut w = w.to_vec();
+        for (k, (v, beta)) in self.reflectors.iter().enumerate() {
+            let factor = -beta * dot(v, &w[k..]);
+            add_scaled(&mut w[k..], factor, v);
+        }
+        w
+    }
+
     /// Orthonormal bases as columns: of the space that the rows span, and of what they leave.
     pub fn bases(&self) -> (Matrix, Matrix) {
         let column = |k: usize| {
@@ -222,11 +232,7 @@ impl RowFactors {
 /// The `x` with the smallest `|M x - b|`, for independent columns (dependent ones get 0).
 pub(crate) fn least_squares(matrix: &Matrix, b: &[f64], tolerance: f64) -> Vec<f64> {
     let factors = RowFactors::of(&matrix.transposed(), tolerance);
-    let mut right = b.to_vec();
-    for (k, (v, beta)) in factors.reflectors.iter().enumerate() {
-        let factor = -beta * dot(v, &right[k..]);
-        add_scaled(&mut right[k..], factor, v);
-    }
+    let right = factors.turned(b);
     let mut x = vec![0.0; matrix.columns];
     let mut solved = vec![0.0; factors.rank()];
     for k in (0..factors.rank()).rev() {
@@ -235,6 +241,23 @@ pub(crate) fn least_squares(matrix: &Matrix, b: &[f64], tolerance: f64) -> Vec<f
         x[factors.order[k]] = solved[k];
     }
     x
+}
+
+/// Fewer rows with the same length: `|R x + c| = |M x + b|` for every `x`, but for parts of `M` below `tolerance` times its
+/// longest column. The last row of `R` is 0.
+pub(crate) fn shortened(matrix: &Matrix, b: &[f64], tolerance: f64) -> (Matrix, Vec<f64>) {
+    let factors = RowFactors::of(&matrix.transposed(), tolerance);
+    let right = factors.turned(b);
+    let rank = factors.rank();
+    let mut short = Matrix::zeros(rank + 1, matrix.columns);
+    for k in 0..rank {
+        for j in k..matrix.columns {
+            short[(k, factors.order[j])] = factors.triangle[j][k];
+        }
+    }
+    let mut constant = right[..rank].to_vec();
+    constant.push(norm(&right[rank..]));
+    (short, constant)
 }
 
 /// Solves the square system in place by elimination with pivoting; `None` if it is singular.
@@ -303,6 +326,22 @@ mod tests {
         let m = matrix(2, &[&[1.0, 0.0], &[1.0, 1.0], &[1.0, 2.0]]);
         let x = least_squares(&m, &[1.0, 2.0, 4.0], 1e-12);
         assert!((x[0] - 5.0 / 6.0).abs() < 1e-14 && (x[1] - 1.5).abs() < 1e-14, "{x:?}");
+    }
+
+    #[test]
+    fn fewer_rows_have_the_same_length() {
+        let m = matrix(
+            3,
+            &[&[1.0, 2.0, 3.0], &[0.0, 1.0, 1.0], &[2.0, 4.0, 6.0], &[1.0, 0.0, 1.0], &[3.0, 1.0, 4.0]],
+        );
+        let b = [1.0, -2.0, 0.5, 3.0, 0.0];
+        let (short, constant) = shortened(&m, &b, 1e-13);
+        assert_eq!((short.rows, short.columns), (3, 3), "two of three columns are independent");
+        for x in [[0.0; 3], [1.0, -2.0, 0.5], [0.3, 7.0, -4.0]] {
+            let long: Vec<f64> = m.times(&x).iter().zip(&b).map(|(a, b)| a + b).collect();
+            let less: Vec<f64> = short.times(&x).iter().zip(&constant).map(|(a, b)| a + b).collect();
+            assert!((norm(&long) - norm(&less)).abs() < 1e-14 * norm(&long));
+        }
     }
 
     #[test]

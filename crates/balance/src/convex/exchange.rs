@@ -2,7 +2,7 @@
 
 use super::certificate::certify;
 use super::cone::{self, Frame, Touch};
-use super::curve::{FixedMember, Member, Summit, length};
+use super::curve::{FixedMember, Member, Summit};
 use super::dense::{add_scaled, dot};
 use super::polish::polish;
 use super::programme::{Programme, Solution};
@@ -255,7 +255,7 @@ fn add_summits(programme: &Programme, x: &[f64], touches: &mut Vec<Touch>) -> Ve
     let mut levels = vec![0.0f64; programme.groups.len()];
     for group in (0..programme.groups.len()).filter(|&g| programme.judged(g)) {
         let members = programme.groups[group].at(x);
-        let known = |touch: &Touch| length(&members[touch.member].value(touch.angle));
+        let known = |touch: &Touch| members[touch.member].amount(touch.angle);
         let level = touches.iter().filter(|t| t.group == group).map(known).fold(0.0, f64::max);
         for (member, one) in members.iter().enumerate() {
             let summits = one.summits(&programme.grid, level);

@@ -11,7 +11,7 @@
 //! The system is regularised so that more peaks than needed do no harm; since every step starts from the true
 //! residuals, that costs steps and no accuracy.
 
-use super::curve::{Member, Vector, inner, length};
+use super::curve::Member;
 use super::dense::{Matrix, add_scaled, dot, eliminate, norm};
 use super::exchange::apart;
 use super::programme::{Programme, Row};
@@ -35,7 +35,7 @@ pub(crate) struct Pin {
     pub member: usize,
     pub angle: f64,
     /// Its multiplier.
-    pub y: Vector,
+    pub y: Vec<f64>,
 }
 
 /// What a peak contributes at the present point.
@@ -45,7 +45,7 @@ struct Local {
     pull: Vec<f64>,
     /// `A`.
     directions: Matrix,
-    unit: Vector,
+    unit: Vec<f64>,
     /// `q` over the root of the curvature.
     follow: Option<Vec<f64>>,
 }
@@ -148,18 +148,18 @@ impl<'a> State<'a> {
         let member = self.member(peak);
         let n = self.x.len();
         let value = member.value(peak.angle, &self.x);
-        let amount = length(&value);
+        let amount = norm(&value);
         if amount <= 0.0 {
             return None;
         }
-        let unit = value.map(|v| v / amount);
+        let unit: Vec<f64> = value.iter().map(|v| v / amount).collect();
         let directions = member.directions(peak.angle);
         let mut pull = vec![0.0; n];
         directions.add_transposed(&unit, 1.0, &mut pull);
         let follow = match member {
             Member::Curve(curve) => {
                 let jet = curve.at(&self.x).jet(peak.angle);
-                let curvature = -(inner(&jet.slope, &jet.slope) + inner(&jet.value, &jet.bend)) / amount;
+                let curvature = -jet.square_slope().1 / amount;
                 let (_, slope) = curve.directions(peak.angle);
                 let mut q = vec![0.0; n];
                 slope.add_transposed(&unit, 1.0, &mut q);

@@ -1,8 +1,8 @@
 //! The last digits: which peaks and rows hold the optimum up, and Newton's method on them ([`super::kkt`]).
 
 use super::cone::ConePoint;
-use super::curve::{Member, WIDTH, length};
-use super::dense::{add_scaled, least_squares};
+use super::curve::Member;
+use super::dense::{add_scaled, least_squares, norm};
 use super::exchange::apart;
 use super::kkt::{Newcomer, Peak, Pin, State};
 use super::programme::{Programme, Support, largest};
@@ -76,11 +76,11 @@ impl<'a> State<'a> {
         }
         for one in &point.support {
             let weight = programme.weight(one.group, &point.prices);
-            let size = length(&one.y);
+            let size = norm(&one.y);
             let member = &programme.groups[one.group].members[one.member];
             let vanishes = match member {
                 Member::Vector { .. } => {
-                    length(&member.value(0.0, &state.x)) < VANISHES
+                    norm(&member.value(0.0, &state.x)) < VANISHES
                         && programme.groups[one.group].members.len() == 1
                 }
                 Member::Curve(_) => nothing[one.group],
@@ -92,7 +92,7 @@ impl<'a> State<'a> {
                 continue;
             }
             if vanishes {
-                let &Support { group, member, angle, y } = one;
+                let Support { group, member, angle, y } = one.clone();
                 state.pinned.push(Pin { group, member, angle, y });
                 state.levels[one.group] = 0.0;
             } else if size > NOISE * weight {
@@ -133,16 +133,16 @@ impl<'a> State<'a> {
         }
         let over = self.pinned.iter().position(|pin| {
             let member = &self.programme.groups[pin.group].members[pin.member];
-            matches!(member, Member::Vector { .. }) && length(&pin.y) > self.weight(pin.group) * (1.0 + 1e-9)
+            matches!(member, Member::Vector { .. }) && norm(&pin.y) > self.weight(pin.group) * (1.0 + 1e-9)
         });
         let Some(k) = over else { return false };
         let Pin { group, y, .. } = self.pinned.remove(k);
-        let size = length(&y);
+        let size = norm(&y);
         self.levels[group] = VANISHES;
         // It leaves 0 along the way that its multiplier pulls.
         let member = &self.programme.groups[group].members[0];
-        let wanted = y.map(|v| VANISHES * v / size);
-        let direction = least_squares(member.columns(), &wanted[..member.dimension()], 1e-12);
+        let wanted: Vec<f64> = y.iter().map(|v| VANISHES * v / size).collect();
+        let direction = least_squares(member.columns(), &wanted, 1e-12);
         add_scaled(&mut self.x, 1.0, &direction);
         self.peaks.push(Peak { group, member: 0, angle: 0.0, multiplier: size });
         true
@@ -223,14 +223,11 @@ impl<'a> State<'a> {
         let mut support = Vec::new();
         for peak in self.peaks.iter().filter(|p| p.multiplier > 0.0) {
             let value = self.member(peak).value(peak.angle, &self.x);
-            let amount = length(&value);
-            let mut y = [0.0; WIDTH];
-            for m in 0..WIDTH {
-                y[m] = peak.multiplier * value[m] / amount;
-            }
+            let amount = norm(&value);
+            let y = value.iter().map(|v| peak.multiplier * v / amount).collect();
             support.push(Support { group: peak.group, member: peak.member, angle: peak.angle, y });
         }
-        for &Pin { group, member, angle, y } in &self.pinned {
+        for Pin { group, member, angle, y } in self.pinned {
             support.push(Support { group, member, angle, y });
         }
         Polished { x: self.x, support, prices }

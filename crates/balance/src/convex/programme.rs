@@ -93,7 +93,7 @@ pub(crate) struct Support {
     pub group: usize,
     pub member: usize,
     pub angle: f64,
-    pub y: super::curve::Vector,
+    pub y: Vec<f64>,
 }
 
 /// The best point found, with its proof.
@@ -214,7 +214,7 @@ impl Programme {
                 // Mean |g|^2 <= most^2 bounds half the squares of the coefficients.
                 let (base, factor) = match member {
                     Member::Curve(curve) => (curve.touched_coefficients(), 1.0 / (2f64.sqrt() * most)),
-                    Member::Vector { base, columns } => (base[..columns.rows].to_vec(), 1.0 / most),
+                    Member::Vector { base, .. } => (base.clone(), 1.0 / most),
                 };
                 let columns = member.columns();
                 for i in 0..columns.rows {

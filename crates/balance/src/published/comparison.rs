@@ -145,6 +145,12 @@ impl PublishedMethod {
         } else {
             stages.to_vec()
         };
+        // Lightness is what is compared: bearings do not decide before it.
+        let weighs =
+            |term: &(f64, Criterion)| matches!(term.1, Criterion::AddedMass | Criterion::AddedUnbalance);
+        if !task.stages.iter().flat_map(|stage| &stage.terms).any(weighs) {
+            task.stages.push(stage(Criterion::AddedUnbalance));
+        }
         let optimum = optimise(&after, &task)?;
         let best = fitted(&after, &optimum);
         let mut weights = own.weights;

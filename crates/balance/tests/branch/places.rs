@@ -116,3 +116,28 @@ fn the_plane_that_leaves_the_least_bending_is_found() {
     assert!(matches!(same.method, Method::BranchAndBound { .. }));
     assert!((same.stages[0].value - value).abs() <= 1e-7 * value, "{value} {}", same.stages[0].value);
 }
+
+/// Other mains carry a weight on either side of a main: the plane is found across two of them, beside a grid of planes, and
+/// nothing in the stretch goes below the bound.
+#[test]
+fn the_plane_that_loads_the_mains_least_is_found() {
+    let engine = stripped("in-line-3");
+    let reach = engine.throws[2].z;
+    let task = BalanceTask {
+        weights: vec![
+            FreeWeight { most: Some(0.02), ..on_crank("given", reach) },
+            somewhere("found", Seat::Crankshaft(0), (-1.2 * reach, 0.8 * reach), 0.02),
+        ],
+        ..Default::default()
+    };
+    for criterion in [Criterion::MainRms(Mains::All), Criterion::Peak(Load::LargestMainLoad)] {
+        let task = BalanceTask { stages: vec![Stage { terms: vec![(1.0, criterion)] }], ..task.clone() };
+        let answer = optimise(&engine, &task).unwrap();
+        assert_proved(&engine, &answer);
+        assert!(matches!(answer.method, Method::BranchAndBound { .. }));
+        let grid = best_plane(&engine, &task, 1, 200);
+        let value = answer.stages[0].value;
+        assert!(answer.stages[0].lower_bound <= grid * (1.0 + 1e-9), "{criterion:?}: {value} {grid}");
+        assert!(value <= grid * (1.0 + 1e-9) && value > grid * (1.0 - 1e-2), "{criterion:?}: {value} {grid}");
+    }
+}

@@ -5,5 +5,6 @@ mod conditions;
 mod equals;
 mod gallery;
 mod limits;
+mod main_loads;
 mod mounts;
 mod support;

@@ -76,7 +76,7 @@ pub fn asked_for(arguments: &BalanceArguments) -> Result<bool, Failure> {
 /// Fits the method that the options choose.
 pub fn fit(engine: &Engine, arguments: &BalanceArguments) -> Result<MethodAnswer, Failure> {
     let method = method(engine, arguments)?;
-    let stage = |text: &String| option::stage(text, &engine.mounts, "--minimise").map_err(Failure::from);
+    let stage = |text: &String| option::stage(text, engine, "--minimise").map_err(Failure::from);
     let stages = arguments.minimise.iter().map(stage).collect::<Result<Vec<_>, Failure>>()?;
     method.fit(engine, &stages).map_err(Failure::refused)
 }

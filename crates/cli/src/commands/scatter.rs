@@ -39,7 +39,7 @@ impl SavedScatter {
 
     /// The run for an engine, its samples being rows or not.
     pub fn study(&self, engine: &Engine, keeps_samples: bool) -> Result<SampleStudy, Failure> {
-        let limit = |text: &String| option::limit(text, &engine.mounts, "--limit");
+        let limit = |text: &String| option::limit(text, engine, "--limit");
         let options = ScatterOptions {
             speed: self.speed,
             samples: self.samples,

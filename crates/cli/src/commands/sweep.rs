@@ -80,8 +80,8 @@ fn load(arguments: &BalanceArguments, engine: &Engine) -> Result<Option<CrankLoa
             count => Err(Failure::input(format!("--method sweep needs one load, got {count}"), hint)),
         };
     };
-    let stage = option::stage(text, &engine.mounts, "--minimise")
-        .map_err(|bad| Failure::input(&bad.message, &bad.hint))?;
+    let stage =
+        option::stage(text, engine, "--minimise").map_err(|bad| Failure::input(&bad.message, &bad.hint))?;
     match stage.terms[..] {
         [(_, Criterion::Peak(Load::Force))] => Ok(Some(CrankLoad::Force)),
         [(_, Criterion::Peak(Load::Couple))] => Ok(Some(CrankLoad::Couple)),

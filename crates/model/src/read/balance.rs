@@ -13,7 +13,7 @@ use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::mount::Mount;
 use crate::quantity::{self, Dimension};
-use crate::task::{BalanceTask, FreeInertia, FreeShaft, Limit, Load, Place, Stage};
+use crate::task::{BalanceTask, Criterion, FreeInertia, FreeShaft, Limit, Load, Place, Stage};
 use free_weight::DraftFreeWeight;
 
 /// `[balance]` before the engine is known.
@@ -27,6 +27,8 @@ pub(super) struct DraftBalance {
     most_optional: Option<usize>,
     /// Where `added mass` is asked for.
     mass_span: Option<Span>,
+    /// Criteria that are about main bearings, and where they stand.
+    of_mains: Vec<(Criterion, Span)>,
 }
 
 impl<'a> Reader<'a> {
@@ -59,6 +61,7 @@ impl<'a> Reader<'a> {
             cancel: cancel?,
             most_optional: None,
             mass_span,
+            of_mains: self.of_mains(section, mounts),
         };
         if let Field::Given(most) = &most_optional {
             draft.most_optional = usize::try_from(most.value).ok();
@@ -105,6 +108,7 @@ impl<'a> Reader<'a> {
         if let Some(span) = draft.mass_span {
             self.check_radii(&task, span);
         }
+        self.check_named_mains(engine, &draft.of_mains);
         Some(Some(task))
     }
 

@@ -46,7 +46,7 @@ impl Output {
         let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let unknown = || SensitivityError::NoSuchOutput { got: words.chars().take(60).collect() };
         let (rest, size) = match (words.rsplit_once(ORDER), words.strip_suffix(MEAN)) {
-            (Some((rest, number)), _) => (rest, Size::Order(order(number)?)),
+            (Some((rest, number)), _) => (rest, Size::Order(order(number, engine)?)),
             (None, Some(rest)) => (rest, Size::Mean),
             (None, None) => (words.as_str(), Size::Peak),
         };
@@ -76,8 +76,8 @@ impl Output {
 }
 
 /// `2`, `0.5` or `1/2`, as criteria have it.
-fn order(text: &str) -> Result<f64, SensitivityError> {
-    match criterion(&format!("force{ORDER}{text}"), &[]) {
+fn order(text: &str, engine: &Engine) -> Result<f64, SensitivityError> {
+    match criterion(&format!("force{ORDER}{text}"), engine) {
         Ok(Criterion::Order(_, order)) => Ok(order),
         Ok(_) => Err(SensitivityError::NoSuchOutput { got: text.to_owned() }),
         Err(bad) => Err(SensitivityError::Wording { message: bad.message, hint: bad.hint }),
@@ -103,7 +103,7 @@ fn target(load: &str, engine: &Engine) -> Result<Option<Target>, SensitivityErro
 /// A mount by its name, as criteria have it.
 fn mount(load: &str, engine: &Engine) -> Result<Target, SensitivityError> {
     use lanchester_model::Load;
-    match criterion(load, &engine.mounts) {
+    match criterion(load, engine) {
         Ok(Criterion::Peak(Load::MountForce(index))) => Ok(Target::MountForce(Some(index))),
         Ok(_) => Ok(Target::MountForce(None)),
         Err(bad) => Err(SensitivityError::Wording { message: bad.message, hint: bad.hint }),

@@ -4,6 +4,8 @@ use super::Reader;
 use crate::criterion;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span, Term};
+use crate::engine::Engine;
+use crate::main_load;
 use crate::mount::Mount;
 use crate::quantity::{self, Refusal};
 use crate::task::{BalanceTask, Criterion, Limit, Load, Stage};
@@ -103,16 +105,17 @@ impl<'a> Reader<'a> {
         orders.into_iter().collect()
     }
 
+    fn refuse(&mut self, refusal: Refusal, span: &Span) {
+        let Refusal { code, message, label, hint } = refusal;
+        self.mistakes.push(Mistake::error(code, span.clone(), message).label(label).hint(hint));
+    }
+
     /// The criterion and the value beside it.
     fn term(&mut self, term: &Term, mounts: Option<&[Mount]>) -> Option<(Criterion, Option<(f64, Span)>)> {
-        let refuse = |reader: &mut Self, refusal: Refusal, span: &Span| {
-            let Refusal { code, message, label, hint } = refusal;
-            reader.mistakes.push(Mistake::error(code, span.clone(), message).label(label).hint(hint));
-        };
         let criterion = match criterion::named(&term.name.value, mounts) {
             Ok(criterion) => criterion,
             Err(refusal) => {
-                refuse(self, refusal, &term.name.span);
+                self.refuse(refusal, &term.name.span);
                 return None;
             }
         };
@@ -121,7 +124,7 @@ impl<'a> Reader<'a> {
         match quantity::parse(&amount.value, criterion::dimension(&criterion), &name) {
             Ok(value) => Some((criterion, Some((value, amount.span.clone())))),
             Err(refusal) => {
-                refuse(self, refusal, &amount.span);
+                self.refuse(refusal, &amount.span);
                 None
             }
         }
@@ -136,6 +139,28 @@ impl<'a> Reader<'a> {
             .filter(|term| criterion::named(&term.name.value, mounts) == Ok(Criterion::AddedMass))
             .map(|term| term.name.span.clone())
             .next()
+    }
+
+    /// The criteria that are about main bearings, which only the whole engine can tell, with where they stand.
+    pub(super) fn of_mains(&self, section: &'a Section, mounts: Option<&[Mount]>) -> Vec<(Criterion, Span)> {
+        let limits = section.terms("limits").given().unwrap_or(&[]);
+        let stages = section.stages("minimise").given().unwrap_or(&[]);
+        let terms = stages.iter().flat_map(|stage| &stage.value).chain(limits);
+        terms
+            .filter_map(|term| {
+                let criterion = criterion::named(&term.name.value, mounts).ok()?;
+                main_load::is_about_mains(&criterion).then(|| (criterion, term.name.span.clone()))
+            })
+            .collect()
+    }
+
+    /// Refuses main bearings that the engine does not have.
+    pub(super) fn check_named_mains(&mut self, engine: &Engine, of_mains: &[(Criterion, Span)]) {
+        for (criterion, span) in of_mains {
+            if let Err(refusal) = main_load::check(criterion, engine) {
+                self.refuse(refusal, span);
+            }
+        }
     }
 
     pub(super) fn check_radii(&mut self, task: &BalanceTask, span: Span) {

@@ -16,16 +16,20 @@ pub(super) static BALANCE: Table = Table {
           weight or shaft of the engine stands in its place. Without any device, every counterweight of the engine is \
           free; if it has none, there is one on every web, or on every throw where a web distance is missing.\n\n\
           A criterion is the peak over the cycle, at the highest speed, of `force`, `force x`, `force y`, `couple`, \
-          `couple x`, `couple y`, `roll moment`, `mount force` (the largest of all mounts), `mount force NAME` or \
-          `bending moment`; one order of it with ` order 2` or ` order 1/2` behind; or `added mass` or \
-          `added unbalance` of the free weights.",
+          `couple x`, `couple y`, `roll moment`, `mount force` (the largest of all mounts), `mount force NAME`, \
+          `main-bearing load` (the largest of all main bearings, inertia alone), `main-bearing load 3` or `bending moment`; \
+          one order of it with ` order 2` or ` order 1/2` behind; the root mean square over the cycle \
+          `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
+          `largest main-bearing load rms`; or `added mass` or `added unbalance` of the free weights. Main bearings \
+          are numbered from the free end on, those of crankshaft 1 first.",
     keys: &[
         key(
             "minimise",
             Kind::Stages,
             Optional,
             "Criteria, the first first, each next one without giving up any before it; default force, then couple. \
-             Several at once stand in a table, each with the value that counts as much as those of the others: their \
+             Among equals: of force and couple what is not named; then, if a weight on a crankshaft is free, \
+             `main-bearing load rms`, `main-bearing load`, `bending moment`; then the lightest. Several at once stand in a table, each with the value that counts as much as those of the others: their \
              shares of these values are added.",
             "[\"force\", { couple = \"10 N m\", \"roll moment\" = \"40 N m\" }]",
         ),

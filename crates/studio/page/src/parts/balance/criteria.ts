@@ -5,6 +5,8 @@ export const PEAKS = ["force", "couple", "roll moment", "force x", "force y", "c
 /** What has no orders. */
 export const ADDED = ["added unbalance", "added mass"];
 export const BENDING = "bending moment";
+/** Inertia loads of all main bearings together, and the largest of any; one by its number may be typed. */
+export const MAINS = ["main-bearing load rms", "main-bearing load"];
 export const MOUNTS = "mount force";
 /** What a limit on the amount of every weight is called on the page: the file gives each weight its own. */
 export const EACH = "each weight";
@@ -16,6 +18,7 @@ const USUAL: readonly [string, string][] = [
   ["couple", "50 N m"],
   ["roll", "50 N m"],
   ["bending", "500 N m"],
+  ["main", "5 kN"],
   ["added unbalance", "0.05 kg m"],
   ["added mass", "2 kg"],
   [EACH, "0.02 kg m"],
@@ -29,6 +32,7 @@ export function usual(criterion: string): string {
 export const CRITERIA: readonly string[] = [
   ...PEAKS,
   ...["force", "couple"].flatMap((load) => ["1", "2"].map((order) => `${load} order ${order}`)),
+  ...MAINS,
   BENDING,
   MOUNTS,
   ...ADDED,

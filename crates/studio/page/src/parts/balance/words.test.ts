@@ -27,12 +27,17 @@ describe("criteria", () => {
     expect(criterionName({ peak: "roll-moment" })).toBe("roll moment");
     expect(criterionName({ order: ["couple", 0.5] })).toBe("couple order 1/2");
     expect(criterionName("added-unbalance")).toBe("added unbalance");
+    expect(criterionName({ peak: "largest-main-load" })).toBe("main-bearing load");
+    expect(criterionName({ order: [{ "main-load": 2 }, 1] })).toBe("main-bearing load 3 order 1");
+    expect(criterionName({ "main-rms": "all" })).toBe("main-bearing load rms");
+    expect(criterionName({ "main-rms": { one: 2 } })).toBe("main-bearing load 3 rms");
   });
 
   it("are measured in their unit", () => {
     expect(measureOf({ peak: "force-x" })).toBe("force");
     expect(measureOf({ order: ["couple", 1] })).toBe("moment");
     expect(measureOf("added-mass")).toBe("mass");
+    expect(measureOf({ "main-rms": "largest" })).toBe("force");
   });
 });
 

@@ -1,20 +1,32 @@
 // Criteria, numbers of proofs and verdicts in plain words.
 
-import type { Answer, Effect, FoundLimit, FoundStage, Load, Method } from "../../api/types";
+import type { Answer, Effect, FoundLimit, FoundStage, Load, Mains, Method } from "../../api/types";
 import type { Measure } from "../../state/units.svelte";
 
 /** What balancing judges; another list of criteria has the plain name among the types. */
 export type Criterion = Effect["criterion"];
 
+const MAIN_LOAD = "main-bearing load";
+
 export function loadName(load: Load): string {
-  if (typeof load === "object") return `force at mount ${load["mount-force"] + 1}`;
+  if (typeof load === "object") {
+    if ("main-load" in load) return `${MAIN_LOAD} ${load["main-load"] + 1}`;
+    return `force at mount ${load["mount-force"] + 1}`;
+  }
   if (load === "largest-mount-force") return "mount force";
+  if (load === "largest-main-load") return MAIN_LOAD;
   return load.replaceAll("-", " ");
+}
+
+function rmsName(mains: Mains): string {
+  if (mains === "all") return `${MAIN_LOAD} rms`;
+  return mains === "largest" ? `largest ${MAIN_LOAD} rms` : `${MAIN_LOAD} ${mains.one + 1} rms`;
 }
 
 export function criterionName(criterion: Criterion): string {
   if (typeof criterion === "string") return criterion.replaceAll("-", " ");
   if ("peak" in criterion) return loadName(criterion.peak);
+  if ("main-rms" in criterion) return rmsName(criterion["main-rms"]);
   return `${loadName(criterion.order[0])} order ${orderName(criterion.order[1])}`;
 }
 
@@ -27,6 +39,7 @@ export function orderName(order: number): string {
 export function measureOf(criterion: Criterion): Measure {
   if (criterion === "added-mass") return "mass";
   if (criterion === "added-unbalance") return "unbalance";
+  if ("main-rms" in criterion) return "force";
   const load = "peak" in criterion ? criterion.peak : criterion.order[0];
   const moments: Load[] = ["couple", "couple-x", "couple-y", "roll-moment", "bending-moment"];
   return moments.includes(load) ? "moment" : "force";

@@ -1,0 +1,190 @@
+//! Criteria of main-bearing loads in words: `main-bearing load 3 rms`.
+//!
+//! Main bearings are told by number, crankshaft 1 first, each from the free end on. A number alone asks for the peak over the
+//! cycle, `rms` behind it for the root mean square; without a number `rms` is that of all main bearings together, and `largest`
+//! before the name asks for the bearing with the largest.
+
+use crate::engine::Engine;
+use crate::quantity::Refusal;
+use crate::task::{Criterion, Load, Mains};
+
+/// Largest peak of any main bearing, and what every other name begins with.
+pub(crate) const NAME: &str = "main-bearing load";
+
+/// What stands before the name where the bearing with the largest counts.
+const LARGEST: &str = "largest ";
+
+/// What stands behind the name where the root mean square over the cycle counts.
+const RMS: &str = "rms";
+
+/// Names to propose where somebody writes something near to them.
+pub(crate) const PROPOSED: [&str; 2] = ["main-bearing load rms", "largest main-bearing load rms"];
+
+/// The criterion of a name with single spaces; `None` where it is about something else.
+pub(crate) fn named(text: &str) -> Option<Result<Criterion, Refusal>> {
+    let (largest, rest) = match text.strip_prefix(LARGEST) {
+        Some(rest) => (true, rest),
+        None => (false, text),
+    };
+    let rest = rest.strip_prefix(NAME)?;
+    if !(rest.is_empty() || rest.starts_with(' ')) {
+        return None;
+    }
+    let mut words: Vec<&str> = rest.split_whitespace().collect();
+    let rms = words.pop_if(|word| *word == RMS).is_some();
+    let mains = match (words.as_slice(), largest) {
+        ([], true) => Mains::Largest,
+        ([], false) if !rms => Mains::Largest,
+        ([], false) => Mains::All,
+        ([number], false) => match index(number) {
+            Some(index) => Mains::One(index),
+            None => return Some(Err(no_number(text, number))),
+        },
+        (words, _) => return Some(Err(no_number(text, &words.join(" ")))),
+    };
+    Some(Ok(match (rms, mains) {
+        (true, mains) => Criterion::MainRms(mains),
+        (false, Mains::One(index)) => Criterion::Peak(Load::MainLoad(index)),
+        (false, _) => Criterion::Peak(Load::LargestMainLoad),
+    }))
+}
+
+/// Index of a number from 1 on.
+fn index(text: &str) -> Option<usize> {
+    let plain = text.bytes().all(|byte| byte.is_ascii_digit());
+    text.parse::<usize>().ok().filter(|_| plain)?.checked_sub(1)
+}
+
+/// The name of the load of main bearing `index`.
+pub(crate) fn load_name(index: usize) -> String {
+    format!("{NAME} {}", index + 1)
+}
+
+/// The name of a root mean square of main-bearing loads; `None` for another criterion.
+pub(crate) fn rms_name(criterion: &Criterion) -> Option<String> {
+    let Criterion::MainRms(mains) = criterion else { return None };
+    Some(match mains {
+        Mains::All => format!("{NAME} {RMS}"),
+        Mains::Largest => format!("{LARGEST}{NAME} {RMS}"),
+        Mains::One(index) => format!("{} {RMS}", load_name(*index)),
+    })
+}
+
+/// Index of the main bearing that a criterion is about, if it is about one.
+fn main_of(criterion: &Criterion) -> Option<usize> {
+    match criterion {
+        Criterion::Peak(Load::MainLoad(index)) | Criterion::Order(Load::MainLoad(index), _) => Some(*index),
+        Criterion::MainRms(Mains::One(index)) => Some(*index),
+        _ => None,
+    }
+}
+
+/// Whether a criterion is about main bearings.
+pub(crate) fn is_about_mains(criterion: &Criterion) -> bool {
+    matches!(
+        criterion,
+        Criterion::MainRms(_)
+            | Criterion::Peak(Load::MainLoad(_) | Load::LargestMainLoad)
+            | Criterion::Order(Load::MainLoad(_) | Load::LargestMainLoad, _)
+    )
+}
+
+/// Refuses main bearings that the engine does not have.
+pub(crate) fn check(criterion: &Criterion, engine: &Engine) -> Result<(), Refusal> {
+    if !is_about_mains(criterion) {
+        return Ok(());
+    }
+    let count = engine.main_bearings().len();
+    let refusal = |message: String, hint: String| {
+        Err(Refusal { code: "E0205", message, label: "no such main bearing".into(), hint })
+    };
+    if count == 0 {
+        let hint = "judge something else: no crankshaft has a throw";
+        return refusal(format!("\"{NAME}\" needs main bearings, and there are none"), hint.into());
+    }
+    match main_of(criterion) {
+        Some(index) if index >= count => {
+            let first = if engine.crankshafts.len() > 1 { ", those of crankshaft 1 first" } else { "" };
+            refusal(
+                format!("there is no main bearing {}", index + 1),
+                format!("there are main bearings 1 to {count}{first}"),
+            )
+        }
+        _ => Ok(()),
+    }
+}
+
+fn no_number(text: &str, got: &str) -> Refusal {
+    let short = |text: &str| text.chars().take(60).collect::<String>();
+    Refusal {
+        code: "E0109",
+        message: format!(
+            "the main bearing in \"{}\" needs a number from 1 on, got \"{}\"",
+            short(text),
+            short(got)
+        ),
+        label: "no number".into(),
+        hint: format!(
+            "write \"{NAME} 3\" for its peak, \"{NAME} 3 {RMS}\" for its root mean square; without a number for all"
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::criterion::{criterion, criterion_name};
+
+    fn four() -> Engine {
+        crate::read(crate::template("in-line-4").unwrap().text).engine.unwrap()
+    }
+
+    #[test]
+    fn every_name_reads_back_as_its_criterion() {
+        let engine = four();
+        let mains = [Mains::All, Mains::Largest, Mains::One(0), Mains::One(4)];
+        let statistics = mains.map(Criterion::MainRms).into_iter();
+        let loads = [Load::LargestMainLoad, Load::MainLoad(2)];
+        let peaks = loads
+            .into_iter()
+            .flat_map(|l| [Criterion::Peak(l), Criterion::Order(l, 1.0), Criterion::Order(l, 0.5)]);
+        for one in statistics.chain(peaks) {
+            let name = criterion_name(&one, &engine);
+            assert_eq!(criterion(&name, &engine), Ok(one), "{name}");
+        }
+    }
+
+    #[test]
+    fn names_as_people_write_them() {
+        let engine = four();
+        let read = |text: &str| criterion(text, &engine).unwrap();
+        assert_eq!(read("main-bearing load"), Criterion::Peak(Load::LargestMainLoad));
+        assert_eq!(read("largest  main-bearing load"), Criterion::Peak(Load::LargestMainLoad));
+        assert_eq!(read(" main-bearing  load rms "), Criterion::MainRms(Mains::All));
+        assert_eq!(read("main-bearing load 3"), Criterion::Peak(Load::MainLoad(2)));
+        assert_eq!(read("main-bearing load 3 rms"), Criterion::MainRms(Mains::One(2)));
+        assert_eq!(read("main-bearing load 3 order 1"), Criterion::Order(Load::MainLoad(2), 1.0));
+    }
+
+    #[test]
+    fn what_is_no_main_bearing() {
+        let engine = four();
+        let refused = |text: &str| {
+            let bad = criterion(text, &engine).expect_err(text);
+            format!("{}; {}", bad.message, bad.hint)
+        };
+        assert!(refused("main-bearing load 6").contains("there are main bearings 1 to 5"));
+        assert!(refused("main-bearing load 6 order 1").contains("there are main bearings 1 to 5"));
+        for text in [
+            "main-bearing load 0",
+            "main-bearing load front",
+            "main-bearing load 3 4",
+            "largest main-bearing load 3",
+        ] {
+            assert!(refused(text).contains("a number from 1 on"), "{text}");
+        }
+        assert!(refused("main-bearing laod").contains("did you mean \"main-bearing load\"?"));
+        assert!(refused("main-bearing load rns").contains("a number from 1 on"));
+        assert!(refused("main bearing load rms").contains("did you mean \"main-bearing load rms\"?"));
+    }
+}
