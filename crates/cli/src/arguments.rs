@@ -272,6 +272,9 @@ pub struct LoadsArguments {
     /// What to compute with.
     #[command(flatten)]
     pub request: RequestArguments,
+    /// Angles a revolution of the traces in JSON and CSV.
+    #[arg(long, value_name = "ANGLES", default_value_t = 720, value_parser = clap::value_parser!(u32).range(4..=100_000))]
+    pub samples: u32,
     /// Table written with `--format csv`; default: orders.
     #[arg(long, value_enum, requires = "format")]
     pub table: Option<LoadsTable>,

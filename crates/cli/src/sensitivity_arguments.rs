@@ -1,7 +1,7 @@
 //! The command line of `lanchester sensitivity`.
 
 use crate::format::Format;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 /// `sensitivity`
@@ -28,6 +28,9 @@ pub struct SensitivityArguments {
     /// Vary every part by itself instead of all parts of a kind together.
     #[arg(long)]
     pub each: bool,
+    /// What counterweights do while throws and masses vary.
+    #[arg(long, value_enum, default_value_t = WeightsOption::Fixed)]
+    pub weights: WeightsOption,
     /// Tell shares of the variance too (Sobol's indices), with all quantities anywhere within their ranges, from so many draws.
     #[arg(long, value_name = "DRAWS")]
     pub sobol: Option<u64>,
@@ -40,4 +43,13 @@ pub struct SensitivityArguments {
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// What counterweights do while throws and masses vary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum WeightsOption {
+    /// They stay as they are: of a crankshaft that is made.
+    Fixed,
+    /// They keep their share of their throw's rotating unbalance, and their direction from it: of a crankshaft that is designed.
+    Follow,
 }

@@ -22,6 +22,9 @@ pub struct TorqueArguments {
     /// Highest order listed.
     #[arg(long, value_name = "N", default_value_t = 8)]
     pub orders: u32,
+    /// Angles a revolution of the traces in JSON and CSV.
+    #[arg(long, value_name = "ANGLES", default_value_t = 360, value_parser = clap::value_parser!(u32).range(4..=100_000))]
+    pub samples: u32,
     /// Friction mean effective pressure, with its unit: gives brake torque and power; default: [friction] of the file.
     #[arg(long, value_name = "PRESSURE")]
     pub fmep: Option<String>,
@@ -63,6 +66,9 @@ pub struct BearingsArguments {
     /// Which loads count.
     #[arg(long, value_enum, default_value_t = PartOption::All)]
     pub part: PartOption,
+    /// Angles a revolution of the traces in JSON and CSV.
+    #[arg(long, value_name = "ANGLES", default_value_t = 360, value_parser = clap::value_parser!(u32).range(4..=100_000))]
+    pub samples: u32,
     /// Write polar diagrams as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

@@ -4,7 +4,7 @@ use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::torque_report::crankshaft_inertia;
 use lanchester_mechanism::TurningInertia;
 use lanchester_model::Engine;
-use lanchester_study::sensitivity::{Needs, OperatingPoint};
+use lanchester_study::sensitivity::{Needs, OperatingPoint, Weights};
 
 /// `engine` at a speed of crankshaft 1 [rad/s] with what is needed of its gas, flywheel and crankshafts; and what the user should know
 /// of the gas. `traces` holds the files that [`crate::trace_names`] names.
@@ -25,6 +25,6 @@ pub fn operating_point(
     let (gas, warnings) = report.map(|report| (report.cylinders, report.warnings)).unzip();
     let flywheel = engine.flywheel.as_ref().and_then(|wheel| wheel.inertia).unwrap_or(0.0);
     let turning = TurningInertia { flywheel, crankshaft: crankshaft_inertia(engine) };
-    let point = OperatingPoint { engine: engine.clone(), speed, gas, turning };
+    let point = OperatingPoint { engine: engine.clone(), speed, gas, turning, weights: Weights::Fixed };
     Ok((point, warnings.unwrap_or_default()))
 }

@@ -7,6 +7,7 @@ use crate::gas_train::GasTrain;
 use crate::result::Extreme;
 use crate::rod_place::RodLinkage;
 use crate::torque_request::{Lever, TorqueError};
+use crate::true_mean::true_mean;
 use crate::true_peak::true_peak;
 use lanchester_model::Engine;
 use num_complex::Complex64;
@@ -90,7 +91,7 @@ pub struct PinLoad {
     pub load: Vec<Complex64>,
     /// Largest size and its angle, over the continuous angle.
     pub peak: Extreme,
-    /// Mean size [N].
+    /// Mean size over the continuous angle [N].
     pub mean: f64,
 }
 
@@ -98,7 +99,7 @@ impl PinLoad {
     /// From its samples at equal angles of `period` and its value at any angle.
     fn of(load: Vec<Complex64>, period: f64, jumps: &[f64], value: impl Fn(f64) -> Complex64) -> PinLoad {
         let sizes: Vec<f64> = load.iter().map(|force| force.norm()).collect();
-        let mean = sizes.iter().sum::<f64>() / load.len().max(1) as f64;
+        let mean = true_mean(&sizes, period, jumps, |theta| value(theta).norm());
         let peak = true_peak(&sizes, period, jumps, |theta| value(theta).norm());
         PinLoad { load, peak, mean }
     }

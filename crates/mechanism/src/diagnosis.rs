@@ -10,6 +10,9 @@ use lanchester_model::Engine;
 /// Share of the scale below which a load is not worth a word.
 const THRESHOLD: f64 = 1e-3;
 
+/// Orders of the roll moment that its line names.
+const MOST_ROLL_ORDERS: usize = 3;
+
 /// What forces [N], couples [N m] and roll moments [N m] are measured against.
 struct Scales {
     force: f64,
@@ -54,9 +57,15 @@ pub(crate) fn diagnose(
         total.orders.iter().filter(|o| o.order > 0.0).flat_map(|o| findings(engine, speed, o)).collect();
     let share = |f: &Finding| f.amplitude / scales.of_quantity(f.quantity);
     findings.retain(|f| share(f) > THRESHOLD);
-    findings.sort_by(|a, b| share(b).total_cmp(&share(a)));
-    let summary = summary(engine, speed, &findings, &scales);
-    Diagnosis { findings, summary }
+    let pairs = pairs(&findings, &scales);
+    // The list follows the sentence: pair by pair, forward before backward, the roll moment last.
+    let place = |f: &Finding| pairs.iter().position(|pair| pair.is_of(f)).unwrap_or(pairs.len());
+    findings.sort_by(|a, b| {
+        let alone = |f: &Finding| if f.quantity == Quantity::RollMoment { -f.amplitude } else { 0.0 };
+        place(a).cmp(&place(b)).then(alone(a).total_cmp(&alone(b)))
+    });
+    let (summary, roll) = (summary(engine, speed, &pairs), roll(&findings));
+    Diagnosis { findings, summary, roll }
 }
 
 /// All loads of one order.
@@ -171,6 +180,10 @@ struct Pair {
 }
 
 impl Pair {
+    fn is_of(&self, finding: &Finding) -> bool {
+        self.quantity == finding.quantity && self.order == finding.order
+    }
+
     fn size(&self) -> f64 {
         self.forward + self.backward
     }
@@ -212,12 +225,12 @@ impl Pair {
     }
 }
 
-/// The whole in one or two sentences.
-fn summary(engine: &Engine, speed: f64, findings: &[Finding], scales: &Scales) -> String {
+/// Forces and couples by order: those that a device of first or second order can remove first, the largest share of its scale
+/// first.
+fn pairs(findings: &[Finding], scales: &Scales) -> Vec<Pair> {
     let mut pairs: Vec<Pair> = Vec::new();
     for finding in findings.iter().filter(|f| f.quantity != Quantity::RollMoment) {
-        let same = |p: &Pair| p.quantity == finding.quantity && p.order == finding.order;
-        let place = pairs.iter().position(same).unwrap_or_else(|| {
+        let place = pairs.iter().position(|pair| pair.is_of(finding)).unwrap_or_else(|| {
             let (quantity, order) = (finding.quantity, finding.order);
             pairs.push(Pair { quantity, order, forward: 0.0, backward: 0.0 });
             pairs.len() - 1
@@ -228,7 +241,26 @@ fn summary(engine: &Engine, speed: f64, findings: &[Finding], scales: &Scales) -
         }
     }
     let share = |p: &Pair| p.size() / scales.of_quantity(p.quantity);
-    pairs.sort_by(|a, b| share(b).total_cmp(&share(a)));
+    pairs.sort_by(|a, b| (a.order > 2.0).cmp(&(b.order > 2.0)).then(share(b).total_cmp(&share(a))));
+    pairs
+}
+
+/// The orders of the roll moment, the largest first; empty where none is worth a word.
+fn roll(findings: &[Finding]) -> String {
+    let orders: Vec<String> = findings
+        .iter()
+        .filter(|f| f.quantity == Quantity::RollMoment)
+        .take(MOST_ROLL_ORDERS)
+        .map(|f| format!("{} of {}", amount(f.amplitude, f.quantity), ordinal(f.order)))
+        .collect();
+    if orders.is_empty() {
+        return String::new();
+    }
+    format!("Roll moment of the inertia: {}; crank weights and centred shafts leave it.", orders.join(", "))
+}
+
+/// The whole in one or two sentences.
+fn summary(engine: &Engine, speed: f64, pairs: &[Pair]) -> String {
     let name = layout(engine);
     let (low, high): (Vec<&Pair>, Vec<&Pair>) = pairs.iter().partition(|p| p.order <= 2.0);
     let mut clauses: Vec<String> = low.iter().map(|p| p.clause(engine)).collect();

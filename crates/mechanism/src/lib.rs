@@ -45,6 +45,7 @@ mod torque_request;
 mod torque_result;
 mod trace;
 mod train;
+mod true_mean;
 mod true_peak;
 mod wording;
 

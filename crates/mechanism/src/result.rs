@@ -293,10 +293,13 @@ pub struct CylinderLoads {
 /// What is left to do about the loads, read off the two-sided spectrum.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Diagnosis {
-    /// One finding a load that matters, the largest first.
+    /// One finding a load that matters, in the order of the summary: both senses of a force or couple together, roll moments last.
     pub findings: Vec<Finding>,
-    /// The whole in one or two sentences.
+    /// The forces and couples in one or two sentences.
     pub summary: String,
+    /// The roll moment in a line of its own; empty where none matters.
+    #[serde(default)]
+    pub roll: String,
 }
 
 /// Whether a finding is about the force, the couple or the roll moment.

@@ -2,7 +2,7 @@
 
 use crate::criterion::{self, criterion};
 use crate::engine::Engine;
-use crate::quantity::{Dimension, Refusal, parse};
+use crate::quantity::{Bound, Dimension, Refusal, parse, within};
 use crate::task::{Limit, Load, Stage};
 
 /// Why a text is no quantity of the kind that is due.
@@ -24,9 +24,9 @@ impl From<Refusal> for BadQuantity {
 /// A speed with its unit, such as "4000 rpm" [rad/s]; `option` names what asks for it in the message.
 ///
 /// # Errors
-/// [`BadQuantity`] if the text is no number with a unit of speed.
+/// [`BadQuantity`] if the text is no number with a unit of speed, or outside the accepted range, more than 0.
 pub fn speed(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Speed, option)
+    of_dimension(text, Dimension::Speed, Bound::Positive, option)
 }
 
 /// A length with its unit, such as "-120 mm" [m]; `option` names what asks for it in the message.
@@ -34,15 +34,15 @@ pub fn speed(text: &str, option: &str) -> Result<f64, BadQuantity> {
 /// # Errors
 /// [`BadQuantity`] if the text is no number with a unit of length.
 pub fn length(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Length, option)
+    of_dimension(text, Dimension::Length, Bound::Any, option)
 }
 
 /// A mass with its unit, such as "412 g" [kg]; `option` names what asks for it in the message.
 ///
 /// # Errors
-/// [`BadQuantity`] if the text is no number with a unit of mass.
+/// [`BadQuantity`] if the text is no number with a unit of mass, or outside the accepted range, 0 or more.
 pub fn mass(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Mass, option)
+    of_dimension(text, Dimension::Mass, Bound::NotNegative, option)
 }
 
 /// An angle with its unit, such as "180 deg" [rad]; `option` names what asks for it in the message.
@@ -50,23 +50,23 @@ pub fn mass(text: &str, option: &str) -> Result<f64, BadQuantity> {
 /// # Errors
 /// [`BadQuantity`] if the text is no number with a unit of angle.
 pub fn angle(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Angle, option)
+    of_dimension(text, Dimension::Angle, Bound::Any, option)
 }
 
 /// An inertia with its unit, such as "0.02 kg m2" [kg m^2]; `option` names what asks for it in the message.
 ///
 /// # Errors
-/// [`BadQuantity`] if the text is no number with a unit of inertia.
+/// [`BadQuantity`] if the text is no number with a unit of inertia, or outside the accepted range, 0 or more.
 pub fn inertia(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Inertia, option)
+    of_dimension(text, Dimension::Inertia, Bound::NotNegative, option)
 }
 
 /// A pressure with its unit, such as "1.2 bar" [Pa]; `option` names what asks for it in the message.
 ///
 /// # Errors
-/// [`BadQuantity`] if the text is no number with a unit of pressure.
+/// [`BadQuantity`] if the text is no number with a unit of pressure, or outside the accepted range, 0 or more.
 pub fn pressure(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    of_dimension(text, Dimension::Pressure, option)
+    of_dimension(text, Dimension::Pressure, Bound::NotNegative, option)
 }
 
 /// A time with its unit, such as "30 s" or "5 min" [s]; `option` names what asks for it in the message.
@@ -90,7 +90,7 @@ pub fn time(text: &str, option: &str) -> Result<f64, BadQuantity> {
 /// # Errors
 /// [`BadQuantity`] if the text is no number with a unit of density, or if no material of a crankshaft has it.
 pub fn density(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    let density = of_dimension(text, Dimension::Density, option)?;
+    let density = of_dimension(text, Dimension::Density, Bound::Positive, option)?;
     match lanchester_shape::plausible_density(density) {
         Ok(()) => Ok(density),
         Err(error) => {
@@ -107,12 +107,15 @@ pub fn density(text: &str, option: &str) -> Result<f64, BadQuantity> {
 /// [`BadQuantity`] if the text is no number, or a bare number beyond 2, which is meant in percent.
 pub fn share(text: &str, option: &str) -> Result<f64, BadQuantity> {
     match text.trim().parse::<f64>() {
-        Ok(bare) if bare.abs() <= 2.0 => Ok(bare),
-        Ok(bare) if bare.is_finite() => Err(BadQuantity {
+        Ok(bare) if (0.0..=2.0).contains(&bare) => Ok(bare),
+        Ok(bare) if bare > 2.0 && bare.is_finite() => Err(BadQuantity {
             message: format!("`{option}` needs a share, got the bare number {bare}"),
             hint: format!("write {bare}% or {}", bare / 100.0),
         }),
-        _ => of_dimension(text, Dimension::Share, option),
+        Ok(bare) if bare < 0.0 => {
+            within(bare, Dimension::Share, Bound::NotNegative, option, text, None).map_err(BadQuantity::from)
+        }
+        _ => of_dimension(text, Dimension::Share, Bound::NotNegative, option),
     }
 }
 
@@ -121,14 +124,7 @@ pub fn share(text: &str, option: &str) -> Result<f64, BadQuantity> {
 /// # Errors
 /// [`BadQuantity`] if the text is no number of 0 or more with a unit of unbalance.
 pub fn unbalance(text: &str, option: &str) -> Result<f64, BadQuantity> {
-    let amount = of_dimension(text, Dimension::Unbalance, option)?;
-    if amount < 0.0 {
-        return Err(BadQuantity {
-            message: format!("`{option}` must not be negative, got {}", text.trim()),
-            hint: "an amount has no sign: its direction is given apart".into(),
-        });
-    }
-    Ok(amount)
+    of_dimension(text, Dimension::Unbalance, Bound::NotNegative, option)
 }
 
 /// A limit such as "couple = 5 N m" or "force order 1=200 N"; `option` names what asks for it in the message.
@@ -197,8 +193,10 @@ fn amount(text: &str, criterion: &crate::task::Criterion, name: &str) -> Result<
     parse(text, criterion::dimension(criterion), name).map_err(BadQuantity::from)
 }
 
-fn of_dimension(text: &str, dimension: Dimension, option: &str) -> Result<f64, BadQuantity> {
-    parse(text, dimension, option).map_err(BadQuantity::from)
+/// A quantity within the range that a key of the engine file has too.
+fn of_dimension(text: &str, dimension: Dimension, bound: Bound, option: &str) -> Result<f64, BadQuantity> {
+    let value = parse(text, dimension, option).map_err(BadQuantity::from)?;
+    within(value, dimension, bound, option, text, None).map_err(BadQuantity::from)
 }
 
 #[cfg(test)]
@@ -273,6 +271,13 @@ mod tests {
         assert_eq!(inertia("2 kg m2", "--inertia"), Ok(2.0));
         assert_eq!((share("50%", "--share"), share("0.5", "--share")), (Ok(0.5), Ok(0.5)));
         assert!(share("50", "--share").unwrap_err().hint.starts_with("write 50%"));
+        // What a key of the engine file does not take, no option takes.
+        for text in ["-500 rpm", "0 rpm", "1e20 rpm"] {
+            let refused = speed(text, "--speed").unwrap_err();
+            assert!(refused.message.contains("--speed") && !refused.hint.is_empty(), "{refused:?}");
+        }
+        assert!(mass("-1 kg", "--oil").is_err() && share("-0.5", "--share").is_err());
+        assert!(inertia("-1 kg m2", "--inertia").is_err() && length("1e20 m", "--about").is_err());
         let refused = speed("60 mm", "--speed").unwrap_err();
         assert!(refused.message.contains("--speed") && refused.hint.contains("rpm"), "{refused:?}");
     }

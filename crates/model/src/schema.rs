@@ -11,6 +11,7 @@ pub use key_tables::{KeyInfo, KeyTable, key_tables};
 pub(crate) use keys::{FILE, key, quantity};
 pub use reference::{reference_markdown, sheet_reference_markdown};
 
+pub(crate) use crate::quantity::Bound;
 use crate::quantity::Dimension;
 
 /// A table of the file and its keys.
@@ -117,14 +118,6 @@ pub(crate) enum Kind {
     Table(&'static Table),
     /// Tables, at most so many.
     Tables(&'static Table, usize),
-}
-
-/// Which values of a quantity make sense.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Bound {
-    Any,
-    NotNegative,
-    Positive,
 }
 
 impl Kind {

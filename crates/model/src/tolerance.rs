@@ -24,7 +24,7 @@ pub enum Varied {
     ThrowAngle,
     /// Unbalance of a throw itself [kg m].
     ThrowUnbalance,
-    /// Offset of a piston pin's line from the crank axis [m].
+    /// Offset of a cylinder's axis from the crank axis [m].
     Offset,
     /// Plane of a cylinder along the crank [m].
     CylinderPlane,
@@ -71,7 +71,7 @@ impl Varied {
             Varied::CrankRadius => "crank radius",
             Varied::ThrowAngle => "throw angle",
             Varied::ThrowUnbalance => "throw unbalance",
-            Varied::Offset => "piston-pin offset",
+            Varied::Offset => "cylinder offset",
             Varied::CylinderPlane => "cylinder plane",
             Varied::CylinderAngle => "cylinder angle",
             Varied::CounterweightUnbalance => "counterweight unbalance",

@@ -75,6 +75,23 @@ fn snap_bad_sheets() {
 }
 
 #[test]
+fn every_value_out_of_range_has_a_suggested_fix() {
+    let mut seen = 0;
+    for (path, _, diagnostics) in complaints() {
+        for one in diagnostics.iter().filter(|one| one.code == "E0108" || one.label == "out of range") {
+            seen += 1;
+            assert!(
+                one.hint.as_ref().is_some_and(|hint| !hint.is_empty()),
+                "{}: {}",
+                path.display(),
+                one.message
+            );
+        }
+    }
+    assert!(seen > 20, "only {seen}");
+}
+
+#[test]
 fn diagnostics_are_sorted_unique_and_in_the_house_style() {
     for (path, text, diagnostics) in complaints() {
         let shown = path.display();

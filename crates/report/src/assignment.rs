@@ -41,7 +41,8 @@ pub fn assignment_text(request: &AssignmentRequest, found: &Assignment) -> Strin
         false => format!("found by exchanges; none leaves less than {} N", newtons(found.bound)),
     };
     format!(
-        "{}\n\n{}\nFirst order left: force {} N, couple {} N m; {} N in all ({proof}).\nWith the parts as they were numbered: {} N in all.\n",
+        "{}\n\n{}\nFirst order left: force {} N, couple {} N m; together {} N ({proof}).\nWith the parts as they were numbered: {} N.\n\
+         Together: the root of the squares of force and couple over the lever, forward and backward parts each; this is minimised.\n",
         request.engine.name,
         assignment_table(request, found).text(),
         newtons(found.force),

@@ -4,14 +4,14 @@ use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_mechanism::{Finding, Loads, Quantity, Remedy, Sense};
 
-/// What turns which way, how large, and what can remove it; the part of the scale that matters most first.
+/// What turns which way, how large, and what can remove it, in the order of the summary.
 pub fn findings_table(loads: &Loads) -> Table {
     let findings = &loads.diagnosis.findings;
     let words = |of: fn(&Finding) -> String| findings.iter().map(|finding| Cell::Text(of(finding))).collect();
     Table::of_columns(
         "findings",
         "Load by load",
-        "What is left, the largest for its kind first, and what can remove it.",
+        "What is left, in the order of the sentence above, and what can remove it; the roll moment last.",
         vec![
             (Column::words("load"), words(load)),
             (Column::words("turning"), words(turning)),

@@ -155,6 +155,7 @@ pub fn loads(engine: &Engine) -> Loads {
             findings: Vec::new(),
             summary: "The second order remains: a pair of shafts at twice the crank's speed can remove it."
                 .to_owned(),
+            roll: String::new(),
         },
     }
 }

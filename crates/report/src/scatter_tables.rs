@@ -44,9 +44,9 @@ pub fn scatter_table(study: &ScatterStudy) -> Table {
     }
     columns.push(mixed("largest", outputs().map(|own| own.most), 4));
     columns.push(mixed("worst found", study.worst_cases.iter().map(|worst| worst.attained), 4));
-    columns.push(mixed("never above", study.worst_cases.iter().map(|worst| worst.bound), 4));
+    columns.push(mixed("upper bound (loose)", study.worst_cases.iter().map(|worst| worst.bound), 4));
     let note = format!(
-        "{} engines at {} rpm, seed {}. Shares of them do not exceed the values of their column; the worst combination of deviations lies between the last two.",
+        "{} engines at {} rpm, seed {}. Shares of them do not exceed the values of their column; the worst combination of deviations lies between the last two: the bound adds up what every part may be off, as if all pushed one way.",
         number::terminal(study.scatter.samples as f64, 0),
         number::terminal(number::rpm(study.speed), 0),
         study.scatter.seed

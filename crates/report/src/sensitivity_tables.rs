@@ -2,7 +2,10 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, push_csv_line, words};
-use lanchester_study::sensitivity::{Effect, Measure, OutputSensitivity, Sensitivity, Slope, VariedInput};
+use lanchester_model::Varied;
+use lanchester_study::sensitivity::{
+    Effect, Measure, OutputSensitivity, Quantity, Sensitivity, Slope, VariedInput, Weights,
+};
 
 /// Effects below this share of the largest one of an output are none.
 const NOTHING: f64 = 1e-6;
@@ -124,7 +127,9 @@ fn table(found: &Sensitivity, place: usize, own: &OutputSensitivity) -> Table {
     }
     if let Some(sobol) = &found.sobol {
         columns.push(numbers("alone", "%", 3, &|k| Some(100.0 * sobol.indices[place][*k].first.max(0.0))));
+        columns.push(numbers("std. error", "%", 2, &|k| Some(100.0 * sobol.indices[place][*k].first_error)));
         columns.push(numbers("with others", "%", 3, &|k| Some(100.0 * sobol.indices[place][*k].total)));
+        columns.push(numbers("its error", "%", 2, &|k| Some(100.0 * sobol.indices[place][*k].total_error)));
     }
     let title = format!(
         "{}: {}{} at {} rpm",
@@ -157,9 +162,26 @@ fn idle_words(found: &Sensitivity, own: &OutputSensitivity) -> String {
     note
 }
 
+/// What the counterweights do, where something varies that they could follow.
+fn weights_words(found: &Sensitivity) -> Option<&'static str> {
+    let moves = |quantity: Quantity| {
+        use Varied::{BigEndMass, CrankRadius, RodCentre, ThrowAngle, ThrowUnbalance};
+        let Quantity::Part(varied) = quantity else { return false };
+        matches!(varied, BigEndMass | CrankRadius | RodCentre | ThrowAngle | ThrowUnbalance)
+    };
+    let has_weights = found.counterweights > 0;
+    (has_weights && found.inputs.iter().any(|varied| moves(varied.input.quantity))).then_some(match found.weights {
+        Weights::Fixed => "Counterweights stay as they are while throws and masses vary.",
+        Weights::Follow => "Counterweights keep their share of the rotating unbalance of their throw, and their direction from it.",
+    })
+}
+
 /// The sensitivities for a terminal.
 pub fn sensitivity_text(found: &Sensitivity) -> String {
     let mut out = format!("{}\n", found.engine);
+    if let Some(words) = weights_words(found) {
+        out += &format!("{words}\n");
+    }
     for table in sensitivity_tables(found) {
         out += &format!("\n{}", table.noted_text());
     }
@@ -178,7 +200,7 @@ pub fn sensitivity_text(found: &Sensitivity) -> String {
 /// Every number: one row for each output and input.
 pub fn sensitivity_csv(found: &Sensitivity) -> String {
     let mut out = String::from(
-        "output,unit,output nominal,input,input nominal [SI],plus or minus [SI],derivative up [SI],derivative down [SI],at the lower end,at the upper end,first-order share,total share\n",
+        "output,unit,output nominal,input,input nominal [SI],plus or minus [SI],derivative up [SI],derivative down [SI],at the lower end,at the upper end,first-order share,standard error of the first-order share,total share,standard error of the total share\n",
     );
     let optional = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:e}"));
     for (place, own) in found.outputs.iter().enumerate() {
@@ -197,7 +219,9 @@ pub fn sensitivity_csv(found: &Sensitivity) -> String {
                 optional(effect.below),
                 optional(effect.above),
                 optional(index.map(|index| index.first)),
+                optional(index.map(|index| index.first_error)),
                 optional(index.map(|index| index.total)),
+                optional(index.map(|index| index.total_error)),
             ];
             push_csv_line(&mut out, cells);
         }

@@ -16,6 +16,7 @@ pub fn loads_text(loads: &Loads) -> String {
     let [x, y, z] = loads.reference.map(|v| number::terminal(1e3 * v, 1));
     let _ = writeln!(out, "Motion: {}. Couples about x = {x}, y = {y}, z = {z} mm.\n", loads.kinematics);
     push_wrapped(&mut out, "", &loads.diagnosis.summary);
+    push_wrapped(&mut out, "", &loads.diagnosis.roll);
     let mut tables = Vec::new();
     if !loads.diagnosis.findings.is_empty() {
         tables.push(findings_table(loads));

@@ -76,8 +76,10 @@ fn derivatives_are_the_differences_of_the_loads() {
         "vr6-15",
     ];
     let mut compared = 0;
-    for name in names {
+    for (number, name) in names.into_iter().enumerate() {
         let mut point = at_highest(name);
+        // Every other engine has counterweights that follow their throws.
+        point.weights = if number % 2 == 0 { Weights::Fixed } else { Weights::Follow };
         // Without symmetry no peak has a twin.
         for (place, input) in Input::single(&point).into_iter().enumerate() {
             let by = 1500.0 * f64::from(1 + (place as u32 * 7) % 5) * step(input);
@@ -114,6 +116,31 @@ fn derivatives_are_the_differences_of_the_loads() {
         }
     }
     assert!(compared > 2000, "{compared}");
+}
+
+/// The share of a throw's rotating unbalance that its counterweights take stays; of those that do not follow it changes.
+#[test]
+fn counterweights_that_follow_keep_their_share() {
+    use lanchester_model::Varied;
+    let share = |engine: &Engine| {
+        let rotating: f64 =
+            engine.throws[0].unbalance + engine.throws[0].radius * engine.cylinders[0].rod.big_end_mass;
+        engine.counterweights.iter().map(|weight| weight.unbalance).sum::<f64>() / rotating
+    };
+    let fixed = at_highest("single");
+    for weights in [Weights::Fixed, Weights::Follow] {
+        for varied in [Varied::BigEndMass, Varied::CrankRadius, Varied::ThrowUnbalance, Varied::RodCentre] {
+            let mut point = OperatingPoint { weights, ..fixed.clone() };
+            let input = Input { quantity: Quantity::Part(varied), part: None };
+            input.deviate(&mut point, 1e-3);
+            let stays = (share(&point.engine) / share(&fixed.engine) - 1.0).abs() < 1e-14;
+            assert_eq!(stays, weights == Weights::Follow, "{varied:?}");
+        }
+        let mut point = OperatingPoint { weights, ..fixed.clone() };
+        Input { quantity: Quantity::Part(Varied::ThrowAngle), part: None }.deviate(&mut point, 0.1);
+        let turned = point.engine.counterweights[0].angle - fixed.engine.counterweights[0].angle;
+        assert!((turned - if weights == Weights::Follow { 0.1 } else { 0.0 }).abs() < 1e-14, "{turned}");
+    }
 }
 
 #[test]

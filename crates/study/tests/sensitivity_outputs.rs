@@ -91,7 +91,7 @@ fn point(name: &str, curve: fn(f64) -> PeriodicCurve) -> OperatingPoint {
     let gas = Some(gas(&engine, curve));
     let speed = 0.7 * engine.speed.highest;
     let turning = TurningInertia::default();
-    let mut point = OperatingPoint { engine, speed, gas, turning };
+    let mut point = OperatingPoint { engine, speed, gas, turning, weights: Weights::Fixed };
     for (place, input) in Input::single(&point).into_iter().enumerate() {
         let by = 500.0 * (1.0 + 4.0 * (0.618_034 * place as f64).fract()) * step(input);
         let is_of_engine = input.quantity.is_of_engine() || input.quantity.measure() == Measure::Factor;
@@ -459,7 +459,7 @@ fn even_four() -> OperatingPoint {
     let engine = engine("in-line-4-mounts");
     let gas = Some(gas(&engine, jumping));
     let speed = 0.7 * engine.speed.highest;
-    OperatingPoint { engine, speed, gas, turning: TurningInertia::default() }
+    OperatingPoint { engine, speed, gas, turning: TurningInertia::default(), weights: Weights::Fixed }
 }
 
 #[test]

@@ -38,7 +38,8 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         (true, PartOption::Gas) => BearingPart::Gas,
     };
     let loads = |part, counterweights| {
-        let request = BearingRequest { speed, part, counterweights, ..BearingRequest::default() };
+        let samples = arguments.samples as usize;
+        let request = BearingRequest { speed, part, counterweights, samples };
         bearing_report(engine, &traces, &request).map_err(Failure::refused)
     };
     let found = loads(part, true)?;

@@ -6,7 +6,7 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::request::{internal_request, load_request};
-use lanchester::mechanism::{InternalMoments, Loads, internal_cases, loads};
+use lanchester::mechanism::{InternalMoments, LoadRequest, Loads, internal_cases, loads};
 use lanchester::report::{internal_csv, internal_text, loads_text, motion_csv, orders_csv, trace_csv};
 use serde::Serialize;
 
@@ -29,10 +29,11 @@ pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
             "add --format csv, or leave --table out",
         ));
     }
-    let request = load_request(&arguments.request)?;
+    let samples = arguments.samples as usize;
+    let request = LoadRequest { samples, ..load_request(&arguments.request)? };
     let opened = open(&arguments.file, colour)?;
     let loads = loads(&opened.engine, &request).map_err(refused)?;
-    let internal = internal_request(&arguments.request, ANGLES)?;
+    let internal = internal_request(&arguments.request, samples.min(ANGLES))?;
     let internal = internal_cases(&opened.engine, &internal).map_err(refused)?;
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => loads_text(&loads) + &internal_text(&opened.engine, &internal),

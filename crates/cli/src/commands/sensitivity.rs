@@ -4,12 +4,14 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::sensitivity_arguments::SensitivityArguments;
+use crate::sensitivity_arguments::{SensitivityArguments, WeightsOption};
 use crate::trace_files::trace_files;
 use lanchester::model::option;
 use lanchester::operating_point;
 use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
-use lanchester::study::sensitivity::{Amount, Measure, Output, Quantity, SensitivityRequest, sensitivity};
+use lanchester::study::sensitivity::{
+    Amount, Measure, Output, Quantity, SensitivityRequest, Weights, sensitivity,
+};
 
 pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
@@ -21,7 +23,11 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
     let needs = Output::needs_of(&outputs);
     let traces = if needs.gas { trace_files(&engine, &arguments.file)? } else { Vec::new() };
     let speed = speed.unwrap_or(engine.speed.highest);
-    let (point, warnings) = operating_point(&engine, &traces, speed, needs).map_err(Failure::refused)?;
+    let (mut point, warnings) = operating_point(&engine, &traces, speed, needs).map_err(Failure::refused)?;
+    point.weights = match arguments.weights {
+        WeightsOption::Fixed => Weights::Fixed,
+        WeightsOption::Follow => Weights::Follow,
+    };
     for warning in &warnings {
         tell(format_args!("warning: {warning}"));
     }

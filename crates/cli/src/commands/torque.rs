@@ -54,6 +54,7 @@ fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> 
                 LeverOption::Sine => Lever::Sine,
             },
             max_order: arguments.orders,
+            samples: arguments.samples as usize,
             ..TorqueRequest::default()
         },
         speeds,

@@ -57,7 +57,7 @@ fn mistakes_of_a_sensitivity_are_told() {
     refused(&["--vary", "rod weight = 1 g"], "knows no quantity \"rod weight\"");
     refused(&["--vary", "rod length"], "needs a quantity and how far it goes");
     refused(&["--vary", "rod length = 1 kg"], "rod length");
-    refused(&["--vary", "pin offset in the piston = 10 %"], "no size of which a share could be taken");
+    refused(&["--vary", "piston-pin offset = 10 %"], "no size of which a share could be taken");
     refused(&["--output", "added mass"], "there is no output \"added mass\"");
     refused(&["--output", "torque"], "peak torque needs the gas");
     refused(&["--output", "mount force"], "needs engine mounts, and there are none");

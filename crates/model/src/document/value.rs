@@ -4,9 +4,10 @@ use super::walk::Walk;
 use super::{Spot, Value};
 use crate::diagnostic::Mistake;
 use crate::nearest::nearest;
-use crate::quantity::{self, Dimension, Refusal};
+use crate::quantity::{self, Bound, Dimension, LARGEST, Refusal, SMALLEST, within};
 use crate::ratio::Ratio;
-use crate::schema::{Bound, Key};
+use crate::schema::Key;
+use std::ops::Range;
 use toml_spanner::{Item, Value as Toml};
 
 /// Texts up to this length are names, which stand in one line of a table or a picture.
@@ -16,9 +17,6 @@ pub(super) const LONGEST_LIST: usize = 256;
 /// Largest numerator and denominator of a speed ratio: periods stay short and orders few.
 const LARGEST_NUMERATOR: i64 = 64;
 const LARGEST_DENOMINATOR: i64 = 64;
-/// Sizes in SI beyond which no engine goes, with much to spare: squares and products of them stay finite.
-const LARGEST: f64 = 1e12;
-const SMALLEST: f64 = 1e-12;
 
 impl Walk<'_> {
     pub(super) fn text(&mut self, key: &Key, text: &str, item: &Item<'_>, most: usize) -> Option<Value> {
@@ -84,10 +82,16 @@ impl Walk<'_> {
             _ => {
                 let message =
                     format!("`{}` needs a whole number from {least} to {most}, got {number}", key.name);
-                self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+                self.out_of_range(key, span, message);
                 None
             }
         }
+    }
+
+    /// A number that a key does not take, with one that it does.
+    fn out_of_range(&mut self, key: &Key, span: Range<usize>, message: String) {
+        let hint = format!("for example {} = {}", key.name, key.example);
+        self.mistakes.push(Mistake::error("E0108", span, message).label("out of range").hint(hint));
     }
 
     pub(super) fn whole_choice(
@@ -101,7 +105,7 @@ impl Walk<'_> {
             return Some(Value::Whole(*choice));
         }
         let message = format!("`{}` needs {}, got {number}", key.name, key.kind.wanted());
-        self.mistakes.push(Mistake::error("E0108", item.span().range(), message).label("out of range"));
+        self.out_of_range(key, item.span().range(), message);
         None
     }
 
@@ -139,31 +143,15 @@ impl Walk<'_> {
                 return None;
             }
         };
-        let value = match result {
-            Ok(value) => value,
+        let got = item.as_str().unwrap_or(source);
+        let example = format!("{} = {}", key.name, key.example);
+        match result.and_then(|value| within(value, dimension, bound, key.name, got, Some(&example))) {
+            Ok(value) => Some(Spot { value, span }),
             Err(Refusal { code, message, label, hint }) => {
                 self.mistakes.push(Mistake::error(code, span, message).label(label).hint(hint));
-                return None;
+                None
             }
-        };
-        if value.abs() > LARGEST || (bound == Bound::Positive && value > 0.0 && value < SMALLEST) {
-            let message = format!("`{}` is beyond any engine", key.name);
-            self.mistakes.push(
-                Mistake::error("E0108", span, message)
-                    .label("out of range")
-                    .hint("check the number and its unit"),
-            );
-            return None;
         }
-        let needed = match bound {
-            Bound::NotNegative if value < 0.0 => "must not be negative",
-            Bound::Positive if value <= 0.0 => "must be more than 0",
-            _ => return Some(Spot { value, span }),
-        };
-        let got = item.as_str().unwrap_or(source).trim();
-        let message = format!("`{}` {needed}, got {got}", key.name);
-        self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
-        None
     }
 
     /// A percentage, or a bare fraction.
@@ -191,7 +179,7 @@ impl Walk<'_> {
         let value = item.as_f64()?;
         if !value.is_finite() || value < 0.0 {
             let message = format!("`{}` needs a share of 0 or more, got {value}", key.name);
-            self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+            self.out_of_range(key, span, message);
             return None;
         }
         Some(Spot { value, span })
@@ -211,8 +199,11 @@ impl Walk<'_> {
                 Bound::NotNegative => "a number of 0 or more",
                 Bound::Positive => "a number above 0",
             };
-            let message = format!("`{}` needs {wanted} within reason, got {value}", key.name);
-            self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+            let message = format!(
+                "`{}` needs {wanted}, up to {LARGEST:e} and no closer to 0 than {SMALLEST:e}, got {value}",
+                key.name
+            );
+            self.out_of_range(key, span, message);
             return None;
         }
         Some(Value::Number(value))
@@ -250,7 +241,7 @@ impl Walk<'_> {
                  got {numerator}/{denominator}",
                 key.name
             );
-            self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+            self.out_of_range(key, span, message);
         }
         ratio.map(Value::Ratio)
     }

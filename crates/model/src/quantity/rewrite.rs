@@ -1,6 +1,8 @@
 //! A quantity written anew in the unit that a text has.
 
-use super::{Dimension, decimal, find_unit, number_length, parse};
+use super::number::{decimal, split};
+use super::unit::find_unit;
+use super::{Dimension, parse};
 
 /// Digits behind the first that a double may need.
 const MOST_DIGITS: usize = 16;
@@ -15,8 +17,9 @@ pub(crate) fn rewritten(
 ) -> Option<String> {
     parse(text, dimension, "").ok()?;
     let trimmed = text.trim();
-    let (_, rest) = trimmed.split_at(number_length(trimmed));
-    let unit = find_unit(rest.trim())?;
+    let (number, name) = split(trimmed);
+    let rest = &trimmed[number.len()..];
+    let unit = find_unit(name)?;
     // No negative zero.
     let number = (value - unit.zero) / unit.factor + 0.0;
     (0..=MOST_DIGITS)

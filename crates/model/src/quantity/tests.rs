@@ -1,5 +1,6 @@
 use super::*;
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 fn length(text: &str) -> Result<f64, Refusal> {
     parse(text, Dimension::Length, "bore")
@@ -70,6 +71,96 @@ fn mistakes_say_how_to_mend_them() {
     refused("1e99999999999 mm", "E0106", "give the value itself");
     refused("", "E0105", "write a number and a unit, such as \"1.5 mm\"");
     refused("mm", "E0105", "write a number and a unit, such as \"1.5 mm\"");
+}
+
+#[test]
+fn names_of_one_unit_are_read_alike() {
+    let rpm = parse("5500 rpm", Dimension::Speed, "speed");
+    for text in [
+        "5500 1/min",
+        "5500/min",
+        "5500 min^-1",
+        "5500 min-1",
+        "5500 min⁻¹",
+        "5500 r/min",
+        "5500 rev/min",
+        "5.5 krpm",
+    ] {
+        assert_eq!(parse(text, Dimension::Speed, "speed"), rpm, "{text}");
+    }
+    assert_eq!(parse("1/min", Dimension::Speed, "speed"), parse("1 rpm", Dimension::Speed, "speed"));
+    assert_eq!(parse("544000 mg", Dimension::Mass, "mass"), Ok(0.544));
+}
+
+#[test]
+fn fractions_are_read() {
+    let inches = |value: f64| Ok(value * 0.0254);
+    assert_eq!(length("4 1/2 in"), inches(4.5));
+    assert_eq!(length("-4 1/2 in"), inches(-4.5));
+    assert_eq!(length("3/8in"), inches(0.375));
+    assert_eq!(length("5/4 in"), inches(1.25));
+    assert_eq!(parse("1/2 kg mm", Dimension::Unbalance, "u"), Ok(0.0005));
+    let fraction = "write a fraction like \"1/2 in\" or \"4 1/2 in\"";
+    for text in ["4 3/2 in", "1/0 in", "1.5/2 in", "4 1 1/2 in", "99999999999999999999/3 in"] {
+        refused(text, "E0105", fraction);
+    }
+    refused("4-1/2 in", "E0105", "write \"4 1/2 in\"");
+}
+
+/// Quantities as people write them, each with what it says in SI: a suggestion must say the same.
+#[test]
+fn a_suggestion_keeps_what_the_number_says() {
+    use Dimension::*;
+    let cases = [
+        ("1013 hPa", Pressure, 101_300.0),
+        ("12 Mg", Mass, 12_000.0),
+        ("3 dm2", Area, 0.03),
+        ("2 km2", Area, 2e6),
+        ("80 dm", Length, 8.0),
+        ("5 mN", Force, 0.005),
+        ("1.5 MN m", Torque, 1.5e6),
+        ("20 mbar", Pressure, 2000.0),
+        ("1.234,5 mm", Length, 1.2345),
+        ("12 345,5 mm", Length, 12.3455),
+        ("1,234,567 mm", Length, 1234.567),
+        ("79.5 Inches", Length, 2.0193),
+        ("5500 rmp", Speed, 5500.0 * PI / 30.0),
+        ("3 KG", Mass, 3.0),
+        ("7 MPA", Pressure, 7e6),
+    ];
+    for (text, dimension, value) in cases {
+        let hint = parse(text, dimension, "key").expect_err(text).hint;
+        let written = hint.split('"').nth(1).unwrap_or_else(|| panic!("{text}: no suggestion in {hint}"));
+        let read = parse(written, dimension, "key").unwrap_or_else(|refusal| panic!("{text}: {refusal:?}"));
+        assert!((read - value).abs() <= 1e-12 * value, "{text}: {hint}");
+    }
+    // Where two readings are possible none is proposed.
+    for (text, dimension) in [
+        ("7 mpa", Pressure),
+        ("90 grad", Angle),
+        ("4 1 mm", Length),
+        ("12,34,567 mm", Length),
+        ("4½ in", Length),
+        ("3 n", Length),
+    ] {
+        let hint = parse(text, dimension, "key").expect_err(text).hint;
+        let of_the_text = hint.contains(|c: char| c.is_ascii_digit()) && !hint.contains("12.5");
+        assert!(!of_the_text, "{text}: {hint}");
+    }
+}
+
+#[test]
+fn temperatures_have_a_range() {
+    let within = |text: &str| {
+        let value = parse(text, Dimension::Temperature, "temperature").expect(text);
+        within(value, Dimension::Temperature, Bound::Any, "temperature", text, None)
+    };
+    assert_eq!(within("25 degC"), Ok(298.15));
+    for text in ["-300 degC", "0 K", "20000 K"] {
+        let refusal = within(text).expect_err(text);
+        assert_eq!(refusal.code, "E0108");
+        assert!(refusal.message.contains("[77 K, 5000 K]") && !refusal.hint.is_empty(), "{refusal:?}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The JSON Schema of the engine file, for completion and checking in editors.
 
-use super::{Bound, FILE, Key, Kind, Need, Table};
-use crate::quantity::Dimension;
+use super::{FILE, Key, Kind, Need, Table};
+use crate::quantity::{ALIASES, Bound, Dimension};
 use crate::workshop::SHEET;
 use serde_json::{Map, Value, json};
 
@@ -138,6 +138,7 @@ fn definition_name(dimension: Dimension) -> String {
 
 /// A text of a number and a unit. A product may be spelled `kg m`, `kg*m`, `kg·m` or `kgm`.
 fn quantity_schema(dimension: Dimension) -> Value {
+    let aliases = ALIASES.iter().filter(|(_, name)| dimension.units().any(|unit| unit.name == *name));
     let units: Vec<String> = dimension
         .units()
         .map(|unit| {
@@ -151,12 +152,13 @@ fn quantity_schema(dimension: Dimension) -> Value {
             };
             name.replace("um", "[uµμ]m")
         })
+        .chain(aliases.map(|(alias, _)| alias.replace("min-1", "min(\\^?-1|⁻¹)")))
         .collect();
     json!({
         "type": "string",
         "description": format!("{} with its unit: {}", dimension.with_article(), dimension.unit_list()),
         "pattern": format!(
-            "^\\s*[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?\\s*({})\\s*$",
+            "^\\s*[+-]?((([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?)|([0-9]+ +)?[0-9]+/[0-9]+)\\s*({})\\s*$",
             units.join("|")
         ),
     })

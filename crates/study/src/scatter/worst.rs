@@ -17,8 +17,8 @@ pub struct WorstCase {
     pub output: Output,
     /// Of the nominal engine.
     pub nominal: f64,
-    /// No engine within the tolerances exceeds this: the nominal value and all that every part may be off, in whatever
-    /// direction. Far from `attained` where the parts cannot all push one way.
+    /// A loose upper bound: no engine within the tolerances exceeds this. It is the nominal value and all that every part may be off, in whatever
+    /// direction, so that it is far from `attained` where the parts cannot all push one way.
     pub bound: f64,
     /// What the deviations of `deviations` reach: a corner of the tolerances of which no single deviation can be
     /// turned to its other end with gain. The worst case lies between this and `bound`.

@@ -1,5 +1,6 @@
 //! Inputs: quantities of one part, or of all parts of a kind together.
 
+use super::follow::{Weights, follow};
 use super::operating_point::OperatingPoint;
 use super::quantity::{Axis, Measure, Quantity};
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
@@ -57,8 +58,16 @@ impl Input {
         own.all(|value| (value - first).abs() <= 1e-12 * first.abs()).then_some(first)
     }
 
-    /// Puts this quantity of `point` off by `deviation`, in its SI unit.
+    /// Puts this quantity of `point` off by `deviation`, in its SI unit; counterweights that follow go with it.
     pub fn deviate(self, point: &mut OperatingPoint, deviation: f64) {
+        let before = (point.weights == Weights::Follow).then(|| point.engine.clone());
+        self.put_off(point, deviation);
+        if let Some(before) = before {
+            follow(&before, &mut point.engine);
+        }
+    }
+
+    fn put_off(self, point: &mut OperatingPoint, deviation: f64) {
         match self.quantity {
             Quantity::Spacing => {
                 if let Some(spacing) = point.engine.spacing() {

@@ -7,6 +7,7 @@ mod bending;
 mod derivative;
 mod energy;
 mod error;
+mod follow;
 mod gas_force;
 mod input;
 mod jet;
@@ -29,6 +30,7 @@ mod wave;
 
 pub use derivative::derivatives;
 pub use error::SensitivityError;
+pub use follow::Weights;
 pub use input::Input;
 pub use operating_point::OperatingPoint;
 pub use output::{Needs, Output, Size, Target};

@@ -1,5 +1,6 @@
 //! What is differentiated: an engine at one speed, under its gas.
 
+use super::follow::Weights;
 use lanchester_mechanism::{CylinderGas, TurningInertia};
 use lanchester_model::Engine;
 
@@ -17,11 +18,19 @@ pub struct OperatingPoint {
     pub gas: Option<Vec<CylinderGas>>,
     /// Flywheel and crankshafts, for the fluctuation of the speed.
     pub turning: TurningInertia,
+    /// What the counterweights do while throws and masses vary.
+    pub weights: Weights,
 }
 
 impl OperatingPoint {
     /// An engine without gas and flywheel.
     pub fn of_inertia(engine: Engine, speed: f64) -> OperatingPoint {
-        OperatingPoint { engine, speed, gas: None, turning: TurningInertia::default() }
+        OperatingPoint {
+            engine,
+            speed,
+            gas: None,
+            turning: TurningInertia::default(),
+            weights: Weights::Fixed,
+        }
     }
 }

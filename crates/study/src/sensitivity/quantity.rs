@@ -209,7 +209,7 @@ impl Quantity {
             Quantity::Spacing => "cylinder spacing",
             Quantity::Part(varied) => varied.name(),
             Quantity::RodInertia => "rod inertia",
-            Quantity::PinOffset => "pin offset in the piston",
+            Quantity::PinOffset => "piston-pin offset",
             Quantity::ThrowPlane => "throw plane",
             Quantity::CounterweightPlane => "counterweight plane",
             Quantity::ShaftWeightPlane => "balance-shaft weight plane",

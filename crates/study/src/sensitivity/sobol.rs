@@ -72,15 +72,20 @@ pub(super) fn sobol(
         let count = 2.0 * draws.len() as f64;
         let mean = all.clone().sum::<f64>() / count;
         let variance = all.map(|value| (value - mean).powi(2)).sum::<f64>() / count;
+        // Of the variance each draw has its part: a share is a ratio of sums.
+        let spread = |draw: &Draw| {
+            let [a, b] = [draw.first[place] - mean, draw.second[place] - mean];
+            0.5 * (a * a + b * b)
+        };
         let index = |input: usize| {
             let own = |draw: &Draw| [draw.first[place], draw.second[place], draw.mixed[input][place]];
-            let first = estimate(&draws, |draw| {
+            let first = share(&draws, spread, |draw| {
                 let [a, b, mixed] = own(draw);
-                (b - mean) * (mixed - a) / variance
+                (b - mean) * (mixed - a)
             });
-            let total = estimate(&draws, |draw| {
+            let total = share(&draws, spread, |draw| {
                 let [a, _, mixed] = own(draw);
-                (a - mixed).powi(2) / (2.0 * variance)
+                (a - mixed).powi(2) / 2.0
             });
             Index { first: first[0], first_error: first[1], total: total[0], total_error: total[1] }
         };
@@ -93,10 +98,15 @@ pub(super) fn sobol(
     Sobol { samples, seed, impossible: samples - draws.len() as u64, spreads, indices }
 }
 
-/// Mean of a quantity over the draws, and its standard error.
-fn estimate(draws: &[Draw], of: impl Fn(&Draw) -> f64) -> [f64; 2] {
+/// A share of the variance, and its standard error: of a ratio of sums to first order (Cochran 1977, eq. 2.46), the mean taken as known.
+///
+/// ```text
+/// S = SUM n / SUM v        se = sqrt( SUM (n - S v)^2 / (N (N - 1)) ) / mean(v)
+/// ```
+fn share(draws: &[Draw], spread: impl Fn(&Draw) -> f64, of: impl Fn(&Draw) -> f64) -> [f64; 2] {
     let count = draws.len() as f64;
-    let mean = draws.iter().map(&of).sum::<f64>() / count;
-    let variance = draws.iter().map(|draw| (of(draw) - mean).powi(2)).sum::<f64>() / count;
-    [mean, (variance / count).sqrt()]
+    let whole = draws.iter().map(&spread).sum::<f64>();
+    let share = draws.iter().map(&of).sum::<f64>() / whole;
+    let off = draws.iter().map(|draw| (of(draw) - share * spread(draw)).powi(2)).sum::<f64>();
+    [share, (off / (count * (count - 1.0).max(1.0))).sqrt() / (whole / count)]
 }

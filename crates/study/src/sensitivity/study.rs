@@ -2,6 +2,7 @@
 
 use super::derivative::derivatives;
 use super::error::SensitivityError;
+use super::follow::Weights;
 use super::input::Input;
 use super::operating_point::OperatingPoint;
 use super::output::Output;
@@ -126,6 +127,10 @@ pub struct Sensitivity {
     pub engine: String,
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
+    /// What the counterweights do while throws and masses vary.
+    pub weights: Weights,
+    /// How many counterweights there are.
+    pub counterweights: usize,
     /// What varies.
     pub inputs: Vec<VariedInput>,
     /// By output.
@@ -204,6 +209,8 @@ pub fn sensitivity(
         version: SENSITIVITY_VERSION,
         engine: point.engine.name.clone(),
         speed: point.speed,
+        weights: point.weights,
+        counterweights: point.engine.counterweights.len(),
         outputs: request.outputs.iter().zip(nominal).enumerate().map(of_output).collect(),
         inputs,
         sobol: shares,

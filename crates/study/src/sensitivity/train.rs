@@ -11,6 +11,7 @@
 //! `J` is what two end masses miss of a rod's inertia, `psi` its direction. The angle is a dual number too: where a load is looked at an
 //! angle that moves with the input, such as that of a jump of the pressure, it carries the rate at which it moves.
 
+use super::follow::{Weights, followed};
 use super::input::Input;
 use super::jet::{Jet, known};
 use super::prepared::{PistonGas, Prepared};
@@ -198,8 +199,12 @@ impl<'a> Train<'a> {
             turning(throw.crankshaft, angle, unbalance, self.plane(z, throw.z))
         });
         let weights = engine.counterweights.iter().enumerate().map(|(index, weight)| {
-            let angle = self.part(Varied::CounterweightAngle, index, weight.angle);
-            let unbalance = self.part(Varied::CounterweightUnbalance, index, weight.unbalance);
+            let mut angle = self.part(Varied::CounterweightAngle, index, weight.angle);
+            let mut unbalance = self.part(Varied::CounterweightUnbalance, index, weight.unbalance);
+            if self.prepared.point.weights == Weights::Follow {
+                let (factor, turned) = followed(self, index);
+                (angle, unbalance) = (angle + turned, unbalance * factor);
+            }
             let z = self.plane(self.of(Quantity::CounterweightPlane, index, weight.z), weight.z);
             turning(weight.crankshaft, angle, unbalance, z)
         });

@@ -60,7 +60,11 @@ impl<'a> Reader<'a> {
                     return Some(Limit { criterion, most });
                 }
                 let message = format!("the limit of `{}` must not be negative", term.name.value);
-                self.mistakes.push(Mistake::error("E0108", span, message).label("out of range"));
+                self.mistakes.push(
+                    Mistake::error("E0108", span, message)
+                        .label("out of range")
+                        .hint("give the largest amount that it may have"),
+                );
                 None
             })
             .collect();
