@@ -59,6 +59,14 @@ pub fn engines(program: &Path) -> Result<String> {
                     shown += 1;
                 }
                 ("sh", _) => {
+                    // Engines of the gallery that the lines below are about.
+                    for line in block.text.lines().filter(|line| line.starts_with("lanchester new ")) {
+                        let words: Vec<String> = arguments(line).into_iter().skip(1).collect();
+                        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+                        if words.contains(&"--output") {
+                            said(&words)?;
+                        }
+                    }
                     let ours = block.text.lines().rfind(|line| line.starts_with("lanchester "));
                     last_command = ours.map(str::to_owned).or(last_command);
                 }

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 15] = [
+const WRITTEN: [Written; 18] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -97,7 +97,24 @@ const WRITTEN: [Written; 15] = [
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
     story("docs/src/images/balanced-three.svg", "three.toml"),
     story("docs/src/images/balanced-v6.svg", "v6.toml"),
+    blind("docs/src/images/counterweights-four.svg", &BLIND_FOUR),
+    blind("docs/src/images/counterweights-six.svg", &BLIND_SIX),
+    blind("docs/src/images/counterweights-v8.svg", &BLIND_V8),
 ];
+
+/// An engine of the gallery with the lightest weights that leave the least force and couple, before and after.
+const fn blind(file: &'static str, arguments: &'static [&'static str]) -> Written {
+    Written { file, head: "", input: None, arguments, figure: Some("consequences.svg") }
+}
+
+const BLIND_FOUR: [&str; 6] = blind_to("crates/model/templates/in-line-4.toml");
+const BLIND_SIX: [&str; 6] = blind_to("crates/model/templates/in-line-6.toml");
+const BLIND_V8: [&str; 6] = blind_to("crates/model/templates/v8-crossplane.toml");
+
+/// Force and couple alone.
+const fn blind_to(engine: &'static str) -> [&'static str; 6] {
+    ["balance", engine, "--minimise", "force", "--minimise", "couple"]
+}
 
 /// The optimum of an engine of the guide's page on balancing.
 const fn story(file: &'static str, engine: &'static str) -> Written {

@@ -1,6 +1,6 @@
 //! Why a balancing question cannot be answered.
 
-use lanchester_mechanism::{LoadError, MountError};
+use lanchester_mechanism::{LoadError, MountError, TorqueError};
 
 /// A question that has no meaning for this engine. A limit that nobody can reach is an [`crate::Outcome`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -12,6 +12,9 @@ pub enum BalanceError {
     /// The block on its mounts cannot be computed.
     #[error(transparent)]
     Mounts(#[from] MountError),
+    /// The loads of the main bearings cannot be computed.
+    #[error(transparent)]
+    Bearings(#[from] TorqueError),
     /// Two free weights act in exactly the same way.
     #[error(
         "weights `{first}` and `{second}` act alike: same plane, axis and speed\nhint: leave one out, or tie them"

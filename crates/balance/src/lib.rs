@@ -8,10 +8,12 @@ mod answer;
 mod arrangement;
 mod arrangement_task;
 mod as_it_stands;
+mod balance_rate;
 mod bending;
 mod branch;
 mod cancellation;
 mod check;
+mod consequences;
 mod convex;
 mod crank_sweep;
 mod criterion;
@@ -36,7 +38,12 @@ pub use answer::*;
 pub use arrangement::*;
 pub use arrangement_task::{arrangement_task, crank_task, swept_task};
 pub use as_it_stands::as_it_stands;
+pub use balance_rate::{BalanceRate, balance_rates};
 pub use cancellation::*;
+pub use consequences::{
+    Affected, AffectedPart, BendingAlong, CONSEQUENCES_VERSION, Change, Consequence, Consequences,
+    consequences,
+};
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;

@@ -448,7 +448,7 @@ fn orders(engine: &Engine, kinematics: Kinematics) -> Result<(Vec<OrderLoads>, u
 }
 
 /// All moving masses at their largest acceleration [N], and that at the largest lever [N m].
-fn natural(engine: &Engine, speed: f64) -> (f64, f64) {
+pub(crate) fn natural(engine: &Engine, speed: f64) -> (f64, f64) {
     let mut force = 0.0;
     let mut lever = 0.0f64;
     for throw in &engine.throws {

@@ -427,6 +427,8 @@ pub enum BalanceTable {
     Weights,
     /// Criteria without them, as the file stands, with them.
     Effects,
+    /// Loads, bending, counterweights and balance rates before and after, with what got worse.
+    Consequences,
     /// What was reached and the bound that proves it.
     Stages,
     /// Limits and their prices.

@@ -1,9 +1,11 @@
 //! Engines and arrangements side by side.
 
+use crate::consequences::consequences;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, crankshaft_inertia};
 use lanchester_balance::{
-    ArrangementOptions, BalanceError, Outcome, TwinArrangement, arranged, as_it_stands, fitted, optimise,
+    Affected, ArrangementOptions, BalanceError, Consequences, Outcome, TwinArrangement, arranged,
+    as_it_stands, fitted, optimise,
 };
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, Torque,
@@ -360,6 +362,7 @@ impl Candidate {
         let roll = peaks.roll_moment.max.value.max(-peaks.roll_moment.min.value);
         let force = similar.force() * left(peaks.force.max.value, natural[0]);
         let couple = similar.moment() * left(peaks.couple.max.value, natural[1]);
+        let crank = self.inside_the_crank(similar)?;
         let counterweights: f64 = engine.counterweights.iter().map(|weight| weight.unbalance).sum();
         let shaft_weights: f64 =
             engine.shafts.iter().flat_map(|shaft| &shaft.weights).map(|weight| weight.unbalance).sum();
@@ -386,6 +389,14 @@ impl Candidate {
                 None if self.engine.mounts.is_empty() => None,
                 None => Some(self.stiff_mount_force(similar, self.engine.mounts.clone())?),
             },
+            main_load: crank.largest(Affected::MainLoadPeak).map(|[load, _]| similar.force() * load),
+            bending_moment: crank
+                .largest(Affected::BendingMoment)
+                .map(|[moment, _]| similar.moment() * moment),
+            balance_rate: crank
+                .of(Affected::BalanceRate)
+                .map(|bay| [bay.before; 2])
+                .reduce(|[least, most], [rate, _]| [least.min(rate), most.max(rate)]),
             firing_unevenness: firing_chart(engine).ok().map(|chart| chart.unevenness),
             torque: self.torque(similar, fluctuation)?,
             counterweights: similar.unbalance() * counterweights,
@@ -393,6 +404,16 @@ impl Candidate {
             shaft_weights: similar.unbalance() * shaft_weights,
             added_mass: added_mass(engine).map(|mass| mass * similar.mass()),
         })
+    }
+
+    /// Loads of main bearings, bending and balance rates, in the size of the file.
+    fn inside_the_crank(&self, similar: Similar) -> Result<Consequences, CompareError> {
+        let highest = self.speed * similar.speed_of_original();
+        let speed = SpeedRange { lowest: highest.min(self.engine.speed.lowest), highest };
+        // The mounts are compared by themselves.
+        let engine = Engine { speed, mounts: Vec::new(), ..self.engine.clone() };
+        consequences(&engine, &engine, None)
+            .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: Box::new(error) })
     }
 
     /// Largest force of the moving masses at any of `mounts`, which are in the size of the file and stiff.

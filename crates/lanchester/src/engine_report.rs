@@ -1,16 +1,18 @@
 //! Everything that one engine file tells, for the report and its figures.
 
+use crate::consequences::consequences;
 use crate::counterweight_check::{CounterweightCheck, check_counterweights};
 use crate::pressure::TraceFile;
 use crate::running::{Running, running};
-use lanchester_balance::{Answer, fitted, optimise};
+use lanchester_balance::{Answer, Consequences, fitted, optimise};
 use lanchester_mechanism::{
     InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
 };
 use lanchester_model::{Diagnostic, Engine};
 use lanchester_report::{
-    CrankshaftInput, Figure, OptimumInput, Provenance, ReportInput, bearings_section_figures, figures,
-    internal_figures, mount_figures, optimum_figures, report, torque_section_figures,
+    CrankshaftInput, Figure, OptimumInput, Provenance, ReportInput, bearings_section_figures,
+    consequence_figures, figures, internal_figures, mount_figures, optimum_figures, report,
+    torque_section_figures,
 };
 
 /// The sections of a report, computed.
@@ -37,6 +39,7 @@ struct FoundOptimum {
     before: Loads,
     fitted: Engine,
     after: Loads,
+    consequences: Option<Consequences>,
 }
 
 impl<'a> EngineReport<'a> {
@@ -94,8 +97,11 @@ impl<'a> EngineReport<'a> {
 
     /// All figures of the page.
     pub fn figures(&self) -> Vec<Figure> {
-        let of_optimum =
-            |o: OptimumInput| optimum_figures(self.engine, o.answer, o.before, o.fitted, o.after);
+        let of_optimum = |o: OptimumInput| {
+            let figures = optimum_figures(self.engine, o.answer, o.before, o.fitted, o.after);
+            let consequences = o.consequences.map(|found| consequence_figures(o.fitted, found));
+            figures.into_iter().chain(consequences.into_iter().flatten()).collect::<Vec<_>>()
+        };
         let (torque, bearings) = (self.running.torque_input(), self.running.bearings_input(self.engine));
         let mut all = figures(self.engine, &self.loads);
         all.extend(internal_figures(self.engine, &self.internal));
@@ -111,7 +117,13 @@ impl<'a> EngineReport<'a> {
 
 impl FoundOptimum {
     fn input(&self) -> OptimumInput<'_> {
-        OptimumInput { answer: &self.answer, before: &self.before, fitted: &self.fitted, after: &self.after }
+        OptimumInput {
+            answer: &self.answer,
+            before: &self.before,
+            fitted: &self.fitted,
+            after: &self.after,
+            consequences: self.consequences.as_ref(),
+        }
     }
 }
 
@@ -127,7 +139,17 @@ fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<FoundOp
     };
     let fitted = fitted(engine, &answer);
     let (before, after) = (loads(engine, &LoadRequest::default())?, loads(&fitted, &LoadRequest::default())?);
-    Ok(Some(FoundOptimum { answer, before, fitted, after }))
+    let consequences = match answer.weights.is_empty() {
+        true => None,
+        false => match consequences(engine, &fitted, Some(task)) {
+            Ok(consequences) => Some(consequences),
+            Err(error) => {
+                warnings.push(format!("what the optimum does to the bearings is left out: {error}"));
+                None
+            }
+        },
+    };
+    Ok(Some(FoundOptimum { answer, before, fitted, after, consequences }))
 }
 
 /// The crankshaft as parts, where the file says something of it; what it leaves out is one more warning.

@@ -19,6 +19,7 @@
 mod arrangements;
 mod clearance;
 mod comparison;
+mod consequences;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
@@ -45,6 +46,7 @@ pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
+pub use consequences::consequences;
 pub use counterweight_check::{
     COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CheckedShaftWeight, CounterweightCheck,
     check_counterweights,

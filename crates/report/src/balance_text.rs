@@ -5,23 +5,33 @@ use crate::balance_tables::{
     limits_table, stage_name, stages_table,
 };
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
+use crate::consequence_tables::consequences_table;
+use crate::consequence_text::consequence_words;
 use crate::number;
 use crate::terminal::push_wrapped;
-use lanchester_balance::{Answer, BalanceSettings, FoundStage, Method, Outcome, SearchState};
+use lanchester_balance::{
+    Answer, BalanceSettings, Consequences, FoundStage, Method, Outcome, SearchState,
+};
 use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
-/// of the engine with the answer fitted.
-pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
+/// of the engine with the answer fitted, `consequences` what the answer does to it.
+pub fn balance_text(
+    engine: &Engine,
+    answer: &Answer,
+    consequences: Option<&Consequences>,
+    left: &str,
+) -> String {
     let mut out = String::with_capacity(4096);
     let rpm = number::terminal(number::rpm(answer.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(answer));
     push_wrapped(&mut out, "", &headline(engine, answer));
     let equals = equals_words(engine, answer);
-    if !equals.is_empty() {
-        push_wrapped(&mut out, "", &equals);
+    let effects = consequences.map_or_else(String::new, consequence_words);
+    for words in [equals, effects].iter().filter(|words| !words.is_empty()) {
+        push_wrapped(&mut out, "", words);
     }
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
         if !closest.is_empty() {
@@ -41,6 +51,7 @@ pub fn balance_text(engine: &Engine, answer: &Answer, left: &str) -> String {
     if !answer.effects.is_empty() {
         tables.push(effects_table(engine, answer));
     }
+    tables.extend(consequences.map(consequences_table));
     match &answer.cancellation {
         Some(cancellation) => tables.extend(cancellation_proof_table(engine, cancellation)),
         None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),

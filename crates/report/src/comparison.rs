@@ -28,8 +28,63 @@ fn numbered(comparison: &Comparison) -> Vec<(Column, Vec<Cell>)> {
     ]
 }
 
-/// The engines, their sizes and what they do.
+/// The engines, their sizes and what they do, to the block and inside the crankshaft.
 pub fn comparison_table(comparison: &Comparison) -> Table {
+    let columns = outer_columns(comparison).into_iter().chain(crank_columns(comparison));
+    Table::of_columns("comparison", "Side by side", "", columns.collect())
+}
+
+/// The engines, their sizes and what they do to the block and the flywheel.
+fn outer_table(comparison: &Comparison) -> Table {
+    let note = "Force, couple and roll moment: the largest of the moving masses over the crank angle. Mount \
+                force: the largest at any mount. Uneven firing: the largest departure of \
+                an interval from the even one. Uneven torque: excess energy over the work of its period.";
+    Table::of_columns("comparison", "Side by side", note, outer_columns(comparison))
+}
+
+/// What force and couple do not see; `None` for crankshafts without throws.
+fn crank_table(comparison: &Comparison) -> Option<Table> {
+    let of_crank = crank_columns(comparison);
+    if of_crank.is_empty() {
+        return None;
+    }
+    let note = "Main load: the largest of inertia on any main bearing, throw by throw. Bending: of the crankshaft as a free beam \
+                under what turns with it. Balance rate: share of the rotating unbalance between two main bearings that the \
+                counterweights there answer.";
+    let columns = numbered(comparison).into_iter().chain(of_crank).collect();
+    Some(Table::of_columns("crank", "Inside the crankshaft", note, columns))
+}
+
+fn crank_columns(comparison: &Comparison) -> Vec<(Column, Vec<Cell>)> {
+    let engines = &comparison.engines;
+    let mut columns: Vec<(Column, Vec<Cell>)> = Vec::new();
+    columns.extend(optional(engines, &|e| e.main_load, "main load", "N", 4));
+    columns.extend(optional(engines, &|e| e.bending_moment, "bending", "N m", 4));
+    if engines.iter().any(|engine| engine.balance_rate.is_some()) {
+        let rate = |engine: &Compared| engine.balance_rate.map_or_else(String::new, rate_words);
+        columns.push(words("balance rate [%]", engines.iter().map(rate)));
+    }
+    columns
+}
+
+/// A column that not every engine has; `None` where none has it.
+fn optional(
+    engines: &[Compared],
+    value: &dyn Fn(&Compared) -> Option<f64>,
+    header: &str,
+    unit: &'static str,
+    digits: i32,
+) -> Option<(Column, Vec<Cell>)> {
+    let values: Vec<Option<f64>> = engines.iter().map(value).collect();
+    if values.iter().all(Option::is_none) {
+        return None;
+    }
+    let mut known = column_cells(values.iter().flatten().copied(), digits, 1e-9).into_iter();
+    let cells = values.iter().map(|value| value.and_then(|_| known.next()).unwrap_or(Cell::Empty));
+    Some((Column::numbers(header, unit), cells.collect()))
+}
+
+fn outer_columns(comparison: &Comparison) -> Vec<(Column, Vec<Cell>)> {
     let engines = &comparison.engines;
     let of = |value: fn(&Compared) -> f64| engines.iter().map(value).collect::<Vec<_>>().into_iter();
     let mut columns = numbered(comparison);
@@ -37,16 +92,10 @@ pub fn comparison_table(comparison: &Comparison) -> Table {
         columns.push(numbers("size", "%", of(|engine| 100.0 * engine.similar.length), 4));
     }
     columns.push(numbers("speed", "rpm", engines.iter().map(|engine| number::rpm(engine.speed)), 4));
-    let optional =
-        |value: &dyn Fn(&Compared) -> Option<f64>, header: &str, unit: &'static str, digits: i32| {
-            let values: Vec<Option<f64>> = engines.iter().map(value).collect();
-            if values.iter().all(Option::is_none) {
-                return None;
-            }
-            let mut known = column_cells(values.iter().flatten().copied(), digits, 1e-9).into_iter();
-            let cells = values.iter().map(|value| value.and_then(|_| known.next()).unwrap_or(Cell::Empty));
-            Some((Column::numbers(header, unit), cells.collect()))
-        };
+    let optional = |value: &dyn Fn(&Compared) -> Option<f64>,
+                    header: &str,
+                    unit: &'static str,
+                    digits: i32| { optional(engines, value, header, unit, digits) };
     columns.extend(optional(&|e| e.displacement.map(|v| v * 1e6), "displacement", "cm3", 4));
     columns.push(numbers("force", "N", of(|engine| engine.force), 4));
     columns.push(numbers("couple", "N m", of(|engine| engine.couple), 4));
@@ -61,10 +110,13 @@ pub fn comparison_table(comparison: &Comparison) -> Table {
     columns.push((Column::numbers("shafts", ""), shafts.collect()));
     columns.push(numbers("shaft weights", "kg mm", of(|engine| engine.shaft_weights * 1e3), 4));
     columns.extend(optional(&|e| e.added_mass.filter(|mass| *mass > 0.0), "added mass", "kg", 3));
-    let note = "Force, couple and roll moment: the largest of the moving masses over the crank angle. Mount \
-                force: the largest at any mount. Uneven firing: the largest departure of \
-                an interval from the even one. Uneven torque: excess energy over the work of its period.";
-    Table::of_columns("comparison", "Side by side", note, columns)
+    columns
+}
+
+/// "56.6", or "0 to 80" where bays differ.
+fn rate_words([least, most]: [f64; 2]) -> String {
+    let [low, high] = [least, most].map(|rate| number::trimmed(100.0 * rate, 3));
+    if low == high { low } else { format!("{low} to {high}") }
 }
 
 /// The engines in percent of the reference, for the criteria of which it has something.
@@ -199,8 +251,8 @@ fn terminal(value: f64, digits: i32) -> String {
 /// The comparison for a terminal.
 pub fn comparison_text(comparison: &Comparison) -> String {
     let mut out = equal_words(comparison) + "\n\n";
-    out += &comparison_table(comparison).text();
-    if let Some(table) = relative_table(comparison) {
+    out += &outer_table(comparison).text();
+    for table in crank_table(comparison).into_iter().chain(relative_table(comparison)) {
         out.push('\n');
         out += &table.text();
     }
@@ -325,6 +377,9 @@ mod tests {
             couple_leading: None,
             roll_moment: 3.0,
             mount_force: None,
+            main_load: None,
+            bending_moment: None,
+            balance_rate: None,
             firing_unevenness: (shafts > 0).then_some(0.5),
             torque: None,
             counterweights: 0.01,

@@ -18,6 +18,9 @@ mod cancellation;
 mod clearance_plot;
 mod comparison;
 mod component;
+mod consequence_figures;
+mod consequence_tables;
+mod consequence_text;
 mod counterweight_drawing;
 mod counterweight_tables;
 mod crank_curve;
@@ -105,6 +108,9 @@ pub use clearance_plot::clearance_plot;
 pub use comparison::{
     comparison_figure, comparison_table, comparison_text, equal_words, ranking_words, relative_table,
 };
+pub use consequence_figures::consequence_figures;
+pub use consequence_tables::consequences_table;
+pub use consequence_text::consequence_words;
 pub use counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
 pub use counterweight_tables::{
     DesignedShape, designed_dimensions_table, designed_properties_table, front_designs_table,

@@ -7,9 +7,12 @@ use crate::balance_tables::{
 };
 use crate::balance_text::{equals_words, headline, method_words};
 use crate::cancellation::{cancellation_proof_table, cancelled_orders_table};
+use crate::consequence_figures::consequence_figures;
+use crate::consequence_tables::consequences_table;
+use crate::consequence_text::consequence_words;
 use crate::figure::Figure;
 use crate::table::Table;
-use lanchester_balance::{Answer, Outcome};
+use lanchester_balance::{Answer, Consequences, Outcome};
 use lanchester_mechanism::Loads;
 use lanchester_model::Engine;
 
@@ -24,6 +27,8 @@ pub struct OptimumInput<'a> {
     pub fitted: &'a Engine,
     /// Its loads, at the same speed.
     pub after: &'a Loads,
+    /// What the answer does to the engine.
+    pub consequences: Option<&'a Consequences>,
 }
 
 /// What the section shows.
@@ -43,7 +48,9 @@ impl OptimumSection {
         let answer = input.answer;
         let (headline, method) = (headline(engine, answer), method_words(answer));
         let equals = equals_words(engine, answer);
-        let headline = if equals.is_empty() { headline } else { format!("{headline} {equals}") };
+        let worse = input.consequences.map_or_else(String::new, consequence_words);
+        let words = [headline, equals, worse].into_iter().filter(|words| !words.is_empty());
+        let headline = words.collect::<Vec<_>>().join(" ");
         if let Outcome::Infeasible { closest, .. } = &answer.outcome {
             let tables = match closest.is_empty() {
                 true => Vec::new(),
@@ -60,6 +67,7 @@ impl OptimumSection {
         if !answer.effects.is_empty() {
             tables.push(effects_table(engine, answer));
         }
+        tables.extend(input.consequences.map(consequences_table));
         match &answer.cancellation {
             Some(cancellation) => {
                 tables.push(cancelled_orders_table(engine, cancellation));
@@ -69,7 +77,9 @@ impl OptimumSection {
             None => {}
         }
         tables.extend(limits_table(engine, answer));
-        let figures = optimum_figures(engine, answer, input.before, input.fitted, input.after);
+        let mut figures = optimum_figures(engine, answer, input.before, input.fitted, input.after);
+        let pictures = input.consequences.map(|consequences| consequence_figures(input.fitted, consequences));
+        figures.extend(pictures.into_iter().flatten());
         OptimumSection { headline, method, tables, figures, left: input.after.diagnosis.summary.clone() }
     }
 }

@@ -1,27 +1,32 @@
 //! A published method and the optimum beside it as plain text.
 
 use crate::balance_tables::stages_table;
+use crate::consequence_tables::consequences_table;
+use crate::consequence_text::consequence_words;
 use crate::number;
 use crate::published_tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 use crate::terminal::push_wrapped;
+use lanchester_balance::Consequences;
 use lanchester_balance::published::{MethodAnswer, MethodFound};
 use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What the method found, what it leaves, and how much better the same devices could do, as aligned plain text.
-pub fn method_text(engine: &Engine, answer: &MethodAnswer) -> String {
+pub fn method_text(engine: &Engine, answer: &MethodAnswer, consequences: &Consequences) -> String {
     let mut out = String::with_capacity(4096);
     let rpm = number::terminal(number::rpm(answer.optimum.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
     push_wrapped(&mut out, "", &format!("Method: {}.", source(&answer.found)));
     out.push('\n');
     push_wrapped(&mut out, "", &verdict(engine, answer));
+    push_wrapped(&mut out, "", &consequence_words(consequences));
     let mut tables = vec![method_weights_table(answer), method_numbers_table(answer)];
     tables.extend(equilibrium_table(answer));
     tables.extend([
         method_effects_table(engine, answer),
+        consequences_table(consequences),
         method_orders_table(answer),
         stages_table(engine, &answer.optimum),
     ]);

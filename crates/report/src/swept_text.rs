@@ -1,14 +1,17 @@
 //! A swept crank beside the true optimum, as plain text and as tables.
 
+use crate::consequence_tables::consequences_table;
+use crate::consequence_text::consequence_words;
 use crate::crank_curve::{load_name, load_unit};
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use crate::terminal::push_wrapped;
-use lanchester_balance::{CrankSweep, Swept, SweptCrank};
+use lanchester_balance::{Consequences, CrankSweep, Swept, SweptCrank};
 use std::fmt::Write;
 
-/// What the sweep found, what its crank really does, and what the true optimum does, as aligned plain text.
-pub fn swept_text(swept: &Swept) -> String {
+/// What the sweep found, what its crank really does, and what the true optimum does, as aligned plain text; `consequences` of the crank
+/// with the sweep's best step.
+pub fn swept_text(swept: &Swept, consequences: &Consequences) -> String {
     let mut out = String::with_capacity(2048);
     let rpm = number::terminal(number::rpm(swept.speed), 0);
     let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", swept.engine);
@@ -20,7 +23,8 @@ pub fn swept_text(swept: &Swept) -> String {
         swept.angles
     );
     push_wrapped(&mut out, "", &verdict(swept));
-    let _ = write!(out, "\n{}", swept_table(swept).text());
+    push_wrapped(&mut out, "", &consequence_words(consequences));
+    let _ = write!(out, "\n{}\n{}", swept_table(swept).text(), consequences_table(consequences).text());
     if !swept.one_amount {
         out.push('\n');
         let words = "The sweep has one amount for all throws; its throws do not stand in line or are not alike, and the \
@@ -117,22 +121,32 @@ pub fn sweep_steps_table(sweep: &CrankSweep) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_balance::{SweepOptions, swept};
+    use lanchester_balance::{SweepOptions, consequences, swept, with_even_crank};
     use lanchester_mechanism::Kinematics;
-    use lanchester_model::{read, template};
+    use lanchester_model::{Engine, read, template};
+
+    fn engine(name: &str) -> Engine {
+        let text = template(name).expect("it is in the gallery").text;
+        read(text).engine.expect("it is valid")
+    }
+
+    fn text(name: &str) -> String {
+        let (engine, found) = (engine(name), found(name));
+        let after = with_even_crank(&engine, found.best.unbalance);
+        let effect = consequences(&engine, &after, |_, _| None).expect("it has loads");
+        swept_text(&found, &effect)
+    }
 
     fn found(name: &str) -> Swept {
-        let text = template(name).expect("it is in the gallery").text;
-        let engine = read(text).engine.expect("it is valid");
-        swept(&engine, None, Kinematics::Exact, &SweepOptions::default()).expect("it can be swept")
+        swept(&engine(name), None, Kinematics::Exact, &SweepOptions::default()).expect("it can be swept")
     }
 
     #[test]
     fn the_text_tells_how_far_the_sweep_stops_short() {
-        let single = swept_text(&found("single"));
+        let single = text("single");
         assert!(single.contains("above the true optimum") && single.contains("360 angles"), "{single}");
         assert!(!single.contains("free to choose"));
-        assert!(swept_text(&found("in-line-3")).contains("free to choose"));
+        assert!(text("in-line-3").contains("free to choose"));
     }
 
     #[test]

@@ -6,15 +6,15 @@ use crate::problem::Problem;
 use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
-    Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, DriveRule, Judged, Next,
-    Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
+    Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule,
+    Judged, Next, Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
     BalanceTask, ChangedTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Place, RoomFault, Seat,
     TaskOptions, crank_weights, default_task, option, write_back,
 };
-use lanchester::report::headline;
+use lanchester::report::{consequence_words, headline};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -90,8 +90,36 @@ struct BalanceAnswer {
     text: Option<String>,
     /// Loads with it.
     after: Option<Loads>,
+    /// What it does to the engine.
+    effect: Option<WeightEffect>,
     /// Added shafts that may strike the crank or stand far out.
     warnings: Vec<Warning>,
+}
+
+/// What other weights do to an engine.
+#[derive(Debug, Serialize, JsonSchema)]
+struct WeightEffect {
+    /// Loads, bending, counterweights and balance rates, before and after.
+    consequences: Consequences,
+    /// What gets worse and which counterweights are dropped, in words; may be empty.
+    words: String,
+}
+
+impl WeightEffect {
+    fn of(before: &Engine, after: &Engine, task: Option<&BalanceTask>) -> Result<WeightEffect, Problem> {
+        let consequences = lanchester::consequences(before, after, task).map_err(Problem::refused)?;
+        Ok(WeightEffect { words: consequence_words(&consequences), consequences })
+    }
+}
+
+/// One engine with two sets of weights.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct TwoTexts {
+    /// The engine file as it was.
+    before: String,
+    /// The engine file now.
+    text: String,
 }
 
 /// What is odd, though it can be computed.
@@ -141,12 +169,17 @@ struct ChosenArrangement {
 
 pub(crate) fn questions(api: Api) -> Api {
     api.post("/api/balance", "The best weights with their proof: `lanchester balance`.", balanced)
+        .post("/api/consequences", "What other weights do to bearings and bending, before and after.", effect)
         .post(
             "/api/arrangements",
             "Which arrangement of weights and shafts: `lanchester balance --search`.",
             searched,
         )
         .post("/api/arrangements/adopt", "The engine file with one of them.", adopted)
+}
+
+fn effect(_: &Asker, question: TwoTexts) -> Result<WeightEffect, Problem> {
+    WeightEffect::of(&engine(&question.before)?, &engine(&question.text)?, None)
 }
 
 fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, Problem> {
@@ -166,12 +199,16 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     })?;
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
-        return Ok(BalanceAnswer { answer, headline, text: None, after: None, warnings });
+        return Ok(BalanceAnswer { answer, headline, text: None, after: None, effect: None, warnings });
     }
     let best = fitted(&engine, &answer);
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
     let text = write_back(&question.text, &best).map_err(Problem::refused)?;
-    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), warnings })
+    let effect = match answer.weights.is_empty() {
+        true => None,
+        false => Some(WeightEffect::of(&engine, &best, Some(&answer.task))?),
+    };
+    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), effect, warnings })
 }
 
 /// How far a search over choices goes.

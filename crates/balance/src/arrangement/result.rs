@@ -73,6 +73,10 @@ pub struct Arrangement {
     pub couple: f64,
     /// Peak of the roll moment that is left [N m], at the places of the shafts.
     pub roll_moment: f64,
+    /// Largest load of inertia on any main bearing over the cycle, throw by throw [N].
+    pub main_load: f64,
+    /// Largest bending moment along any crankshaft as a free beam under what turns with it [N m].
+    pub bending_moment: f64,
     /// How the shafts are driven; `None` without shafts or without a place for them.
     pub drive: Option<DriveTrain>,
     /// The narrowest place between the parts; `None` without shafts. Negative where no allowed position clears.

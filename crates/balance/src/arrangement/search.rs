@@ -11,6 +11,7 @@ use crate::arrangement::request::{ArrangementRequest, Judged, MountPlaces, Targe
 use crate::arrangement::result::*;
 use crate::arrangement::spacing::extent;
 use crate::arrangement::wording;
+use crate::consequences::inside_the_crank;
 use crate::{Answer, BalanceError, Outcome, as_it_stands, fitted, optimise};
 use lanchester_model::{BalanceTask, Criterion, Engine, Limit, Load, Mount, Place, Seat, Stage};
 use num_complex::Complex64;
@@ -455,6 +456,7 @@ impl<'a> Search<'a> {
         for effect in answer.effects.iter_mut().filter(|e| e.criterion == Criterion::Peak(Load::RollMoment)) {
             effect.after = roll_moment;
         }
+        let [main_load, bending_moment] = inside_the_crank(&balanced)?;
         let residual = if found { after(&answer, self.request.criterion.criterion()) } else { f64::NAN };
         let clearance = placed.as_ref().map(|p| match p {
             Ok(placement) => placement.clearance.clone(),
@@ -478,6 +480,8 @@ impl<'a> Search<'a> {
             force,
             couple,
             roll_moment,
+            main_load,
+            bending_moment,
             drive: placed.and_then(Result::ok).map(|p| p.drive),
             clearance,
             price,

@@ -2,16 +2,18 @@
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::balance_request::balance_task;
-use crate::commands::found::{csv, loads_of, put_into_file};
+use crate::commands::found::{consequences, csv, loads_of, put_into_file};
 use crate::commands::{json, open, published, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
 use crate::search_limit_arguments::hint;
 use crate::watch::Watch;
-use lanchester::balance::{Answer, Outcome, fitted, optimise_watched};
+use lanchester::balance::{Answer, Consequences, Outcome, fitted, optimise_watched};
 use lanchester::model::Engine;
-use lanchester::report::{PartMass, Table, balance_text, headline, optimum_figures, part_masses_table};
+use lanchester::report::{
+    PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
+};
 use lanchester::{WeightAsPart, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
@@ -46,9 +48,10 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     let engine = &opened.engine;
     if published::asked_for(arguments)? {
         let answer = published::fit(engine, arguments)?;
-        return match put_into_file(&opened, arguments, &answer.fitted, colour)? {
+        let effect = consequences(engine, &answer.fitted, None)?;
+        return match put_into_file(&opened, arguments, &answer.fitted, Some(&effect), colour)? {
             true => Ok(DONE),
-            false => published::tell(&opened, arguments, &answer),
+            false => published::tell(&opened, arguments, &answer, &effect),
         };
     }
     if arguments.method == BalanceMethod::Sweep {
@@ -75,16 +78,22 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
     let after = fitted(engine, &answer);
     let loads_after = loads_of(&after)?;
+    let effect = match answer.weights.is_empty() {
+        true => None,
+        false => Some(consequences(engine, &after, Some(&answer.task))?),
+    };
     if let Some(folder) = &arguments.figures
         && found
     {
         let before = loads_of(engine)?;
         let of_answer = optimum_figures(engine, &answer, &before, &after, &loads_after);
-        for figure in of_answer.into_iter().chain(sweep::curve(&after, &answer)) {
+        let of_effect = effect.as_ref().map(|effect| consequence_figures(&after, effect));
+        let all = of_answer.into_iter().chain(of_effect.into_iter().flatten());
+        for figure in all.chain(sweep::curve(&after, &answer)) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
-    if found && put_into_file(&opened, arguments, &after, colour)? {
+    if found && put_into_file(&opened, arguments, &after, effect.as_ref(), colour)? {
         return Ok(status(&answer));
     }
     if status(&answer) != DONE && arguments.format != Format::Text {
@@ -93,11 +102,13 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     let as_parts = if found { as_parts(&answer, &after) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
-            let text = balance_text(engine, &answer, &loads_after.diagnosis.summary);
+            let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
             text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
         }
-        (Format::Json, _) => json(&Found { answer: &answer, as_parts: &as_parts })?,
-        (Format::Csv, table) => csv(engine, &answer, table),
+        (Format::Json, _) => {
+            json(&Found { answer: &answer, as_parts: &as_parts, consequences: effect.as_ref() })?
+        }
+        (Format::Csv, table) => csv(engine, &answer, effect.as_ref(), table),
     })?;
     Ok(status(&answer))
 }
@@ -109,6 +120,8 @@ struct Found<'a> {
     answer: &'a Answer,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     as_parts: &'a [WeightAsPart],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    consequences: Option<&'a Consequences>,
 }
 
 /// The found weights as parts; what is in the way of that is a warning.

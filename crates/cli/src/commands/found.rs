@@ -4,33 +4,68 @@ use crate::arguments::{BalanceArguments, BalanceTable};
 use crate::commands::Opened;
 use crate::commands::put_back::PutBack;
 use crate::failure::Failure;
-use lanchester::balance::Answer;
+use lanchester::balance::{Answer, Consequences};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
-use lanchester::model::Engine;
+use lanchester::model::{BalanceTask, Engine};
 use lanchester::report::{
-    cancellation_proof_table, cancelled_orders_table, effects_table, found_weights_table, limits_table,
-    stages_table,
+    cancellation_proof_table, cancelled_orders_table, consequence_words, consequences_table, effects_table,
+    found_weights_table, limits_table, stages_table,
 };
+use serde::Serialize;
 
 pub fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
     loads(engine, &LoadRequest::default()).map_err(super::refused)
 }
 
-/// Does what `--write` and `--dry-run` of `balance` ask ([`PutBack`]).
+/// Does what `--write` and `--dry-run` of `balance` ask ([`PutBack`]). Where only the difference is shown, what gets worse and
+/// which counterweights go is said beside it.
 pub fn put_into_file(
     opened: &Opened,
     arguments: &BalanceArguments,
     after: &Engine,
+    effect: Option<&Consequences>,
     colour: bool,
 ) -> Result<bool, Failure> {
     let BalanceArguments { file, write, dry_run, .. } = arguments;
-    PutBack { path: file, write: *write, dry_run: *dry_run, what: "weights" }.run(opened, after, colour)
+    let put_back = PutBack { path: file, write: *write, dry_run: *dry_run, what: "weights" };
+    let is_all = put_back.run(opened, after, colour)?;
+    let words = effect.filter(|_| is_all).map_or_else(String::new, consequence_words);
+    if !words.is_empty() {
+        eprintln!("{words}");
+    }
+    Ok(is_all)
 }
 
-pub fn csv(engine: &Engine, answer: &Answer, table: Option<BalanceTable>) -> String {
+/// An answer with what it does to the engine.
+#[derive(Debug, Serialize)]
+pub struct WithConsequences<'a, T> {
+    #[serde(flatten)]
+    pub answer: &'a T,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub consequences: Option<&'a Consequences>,
+}
+
+/// What the weights of `after` do to `engine`.
+pub fn consequences(
+    engine: &Engine,
+    after: &Engine,
+    task: Option<&BalanceTask>,
+) -> Result<Consequences, Failure> {
+    lanchester::consequences(engine, after, task).map_err(Failure::refused)
+}
+
+pub fn csv(
+    engine: &Engine,
+    answer: &Answer,
+    consequences: Option<&Consequences>,
+    table: Option<BalanceTable>,
+) -> String {
     match table.unwrap_or(BalanceTable::Weights) {
         BalanceTable::Weights => found_weights_table(answer).csv(),
         BalanceTable::Effects => effects_table(engine, answer).csv(),
+        BalanceTable::Consequences => {
+            consequences.map_or(String::new(), |found| consequences_table(found).csv())
+        }
         BalanceTable::Stages => stages_table(engine, answer).csv(),
         BalanceTable::Limits => limits_table(engine, answer).map_or(String::new(), |table| table.csv()),
         BalanceTable::Orders => {

@@ -1,22 +1,23 @@
 //! `lanchester balance --method`: a published method, what it leaves, and the true optimum beside it.
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
+use crate::commands::found::WithConsequences;
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::published_arguments::MatrixShafts;
-use lanchester::balance::BalanceError;
 use lanchester::balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodAnswer,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
+use lanchester::balance::{BalanceError, Consequences};
 use lanchester::mechanism::{LoadRequest, loads};
 use lanchester::model::Engine;
 use lanchester::model::option;
 use lanchester::report::{
-    crank_view, method_effects_table, method_orders_table, method_text, method_weights_table, share_plots,
-    stages_table,
+    consequence_figures, consequences_table, crank_view, method_effects_table, method_orders_table,
+    method_text, method_weights_table, share_plots, stages_table,
 };
 
 /// Distance of first-order shafts from the crank axis [m], Table 1 of the tool paper.
@@ -82,27 +83,34 @@ pub fn fit(engine: &Engine, arguments: &BalanceArguments) -> Result<MethodAnswer
 }
 
 /// Writes the figures, if asked for, and prints the answer.
-pub fn tell(opened: &Opened, arguments: &BalanceArguments, answer: &MethodAnswer) -> Result<u8, Failure> {
+pub fn tell(
+    opened: &Opened,
+    arguments: &BalanceArguments,
+    answer: &MethodAnswer,
+    effect: &Consequences,
+) -> Result<u8, Failure> {
     let engine = &opened.engine;
     if let Some(folder) = &arguments.figures {
         let of_method = loads(&answer.fitted, &LoadRequest::default()).map_err(super::refused)?;
         let figures = crank_view(&answer.fitted).into_iter().chain(share_plots(&answer.fitted, &of_method));
+        let figures = figures.chain(consequence_figures(&answer.fitted, effect));
         for figure in figures {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => method_text(engine, answer),
-        (Format::Json, _) => json(answer)?,
+        (Format::Text, _) => method_text(engine, answer, effect),
+        (Format::Json, _) => json(&WithConsequences { answer, consequences: Some(effect) })?,
         (Format::Csv, table) => match table.unwrap_or(BalanceTable::Weights) {
             BalanceTable::Weights => method_weights_table(answer).csv(),
             BalanceTable::Effects => method_effects_table(engine, answer).csv(),
+            BalanceTable::Consequences => consequences_table(effect).csv(),
             BalanceTable::Orders => method_orders_table(answer).csv(),
             BalanceTable::Stages => stages_table(engine, &answer.optimum).csv(),
             BalanceTable::Limits | BalanceTable::Proof => {
                 return Err(Failure::input(
                     "a published method has no such table",
-                    "take --table weights, effects, orders or stages",
+                    "take --table weights, effects, consequences, orders or stages",
                 ));
             }
         },

@@ -1,7 +1,7 @@
 //! `lanchester balance --search`: which arrangement of crank weights and balance shafts, and one of them in full.
 
 use crate::arguments::{BalanceArguments, BalanceTable};
-use crate::commands::found::{csv, loads_of, put_into_file};
+use crate::commands::found::{WithConsequences, consequences, csv, loads_of, put_into_file};
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
@@ -148,21 +148,24 @@ fn one(
         may_be_written(spacing, chosen)?;
     }
     let after = fitted(&bare, &chosen.answer);
+    // The file's own devices on the mounts that the search judges.
+    let before = Engine { mounts: bare.mounts.clone(), ..opened.engine.clone() };
+    let effect = consequences(&before, &after, Some(&chosen.answer.task))?;
     let good = chosen.possible && chosen.reaches_limit != Some(false);
-    if adopted && put_into_file(opened, arguments, &after, colour)? {
+    if adopted && put_into_file(opened, arguments, &after, Some(&effect), colour)? {
         return Ok(status(good));
     }
     print(&match arguments.format {
         Format::Text => {
             let mut out = format!("{}: {} ({})\n\n", found.engine, chosen.name, chosen.label);
-            out += &balance_text(&bare, &chosen.answer, &loads_of(&after)?.diagnosis.summary);
+            out += &balance_text(&bare, &chosen.answer, Some(&effect), &loads_of(&after)?.diagnosis.summary);
             for table in arrangement_parts(chosen) {
                 out += &format!("\n{}", table.text());
             }
             out + &narrowest_place(chosen).map_or_else(String::new, |place| format!("\n{place}\n"))
         }
-        Format::Json => json(chosen)?,
-        Format::Csv => csv(&bare, &chosen.answer, arguments.table),
+        Format::Json => json(&WithConsequences { answer: chosen, consequences: Some(&effect) })?,
+        Format::Csv => csv(&bare, &chosen.answer, Some(&effect), arguments.table),
     })?;
     Ok(status(good))
 }

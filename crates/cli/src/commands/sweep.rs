@@ -1,7 +1,7 @@
 //! `lanchester balance --method sweep`: the crank by the sweep of the twin-cylinder thesis, the true optimum beside it.
 
-use crate::arguments::{BalanceArguments, BalanceMethod};
-use crate::commands::found::put_into_file;
+use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
+use crate::commands::found::{WithConsequences, consequences, put_into_file};
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
@@ -10,7 +10,9 @@ use crate::request::series;
 use lanchester::balance::{Answer, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
 use lanchester::mechanism::Kinematics;
 use lanchester::model::{Criterion, Engine, Load, option};
-use lanchester::report::{Figure, crank_curve, sweep_steps_table, swept_text};
+use lanchester::report::{
+    Figure, consequence_figures, consequences_table, crank_curve, sweep_steps_table, swept_text,
+};
 
 /// The options of one method do not go with the other.
 pub fn check(arguments: &BalanceArguments) -> Result<(), Failure> {
@@ -24,7 +26,7 @@ pub fn check(arguments: &BalanceArguments) -> Result<(), Failure> {
             ("--counterweights", arguments.counterweights.is_some()),
             ("--most", arguments.most.is_some()),
             ("--shaft", !arguments.shaft.is_empty()),
-            ("--table", arguments.table.is_some()),
+            ("--table", arguments.table.is_some_and(|table| table != BalanceTable::Consequences)),
         ])
         .map(|name| {
             (
@@ -55,17 +57,23 @@ pub fn run(arguments: &BalanceArguments, opened: &Opened, colour: bool) -> Resul
     }
     let kinematics = arguments.published.series.as_deref().map_or(Ok(Kinematics::Exact), series)?;
     let found = swept(engine, load(arguments, engine)?, kinematics, &options).map_err(Failure::refused)?;
-    if let Some(folder) = &arguments.figures {
-        let figure = crank_curve(&found.sweep, found.optimal());
-        write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
-    }
     let after = with_even_crank(engine, found.best.unbalance);
-    if put_into_file(opened, arguments, &after, colour)? {
+    let effect = consequences(engine, &after, None)?;
+    if let Some(folder) = &arguments.figures {
+        let curve = crank_curve(&found.sweep, found.optimal());
+        for figure in std::iter::once(curve).chain(consequence_figures(&after, &effect)) {
+            write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
+        }
+    }
+    if put_into_file(opened, arguments, &after, Some(&effect), colour)? {
         return Ok(DONE);
     }
     print(&match arguments.format {
-        Format::Text => swept_text(&found),
-        Format::Json => json(&found)?,
+        Format::Text => swept_text(&found, &effect),
+        Format::Json => json(&WithConsequences { answer: &found, consequences: Some(&effect) })?,
+        Format::Csv if arguments.table == Some(BalanceTable::Consequences) => {
+            consequences_table(&effect).csv()
+        }
         Format::Csv => sweep_steps_table(&found.sweep).csv(),
     })?;
     Ok(DONE)

@@ -5,6 +5,7 @@
 mod bad_runs;
 mod balance;
 mod compare;
+mod consequences;
 mod counterweight;
 mod crank_workshop;
 mod damaged_runs;

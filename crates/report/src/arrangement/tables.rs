@@ -43,6 +43,8 @@ pub fn front_table(found: &Arrangements, spacing: &SpacingArrangements, all: boo
     }
     columns.extend([
         numbers("roll moment", "N m", column(&|a| a.roll_moment), 4),
+        numbers("main load", "N", column(&|a| a.main_load), 4),
+        numbers("bending", "N m", column(&|a| a.bending_moment), 4),
         counts("shafts", &|a| a.price.shafts),
         counts("meshes", &|a| a.price.meshes),
     ]);
@@ -65,7 +67,11 @@ pub fn front_table(found: &Arrangements, spacing: &SpacingArrangements, all: boo
     let what = if all { "All arrangements" } else { "Arrangements that nothing beats" };
     let title = format!("{what}{}", at_spacing(spacing, found.spacings.len() == 1));
     let beaten = if all { "" } else { " Nothing else is as good in every column at once." };
-    let note = format!("{}Peaks over the cycle; inertia at the crank.{beaten}", key(spacing));
+    let note = format!(
+        "{}Peaks over the cycle; main load: the largest of inertia on any main bearing; bending of the crankshaft under what \
+         turns with it; inertia at the crank.{beaten}",
+        key(spacing)
+    );
     Table::of_columns("arrangements", title, note, columns)
 }
 

@@ -56,6 +56,13 @@ pub struct Compared {
     /// Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, on mounts with springs; of inertia alone on
     /// mounts without, which share what they can carry. `None` without mounts.
     pub mount_force: Option<f64>,
+    /// Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws.
+    pub main_load: Option<f64>,
+    /// Largest bending moment along any crankshaft as a free beam under what turns with it [N m].
+    pub bending_moment: Option<f64>,
+    /// Least and largest balance rate of any bay: share of the rotating unbalance between two main bearings that the counterweights
+    /// there answer [1].
+    pub balance_rate: Option<[f64; 2]>,
     /// Largest departure of a firing interval from the even one, over it, where firing is known.
     pub firing_unevenness: Option<f64>,
     /// Torque of gas and inertia, where the gas is known.

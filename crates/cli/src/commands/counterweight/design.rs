@@ -1,6 +1,7 @@
 //! `lanchester counterweight design`: the best shape for every counterweight and every weight of a balance shaft.
 
 use super::{designed_counterweights, designed_shaft_weights, draw};
+use crate::commands::found::consequences;
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::{DesignArguments, DesignMethod};
@@ -8,8 +9,10 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::shape_request::shape_request;
+use lanchester::balance::Consequences;
 use lanchester::geometry::{Design, DesignOutcome, ShaftWeightDesign, ShaftWeightOutcome};
 use lanchester::model::Engine;
+use lanchester::report::{consequence_words, consequences_table};
 use lanchester::{
     CounterweightDesigns, CounterweightError, CounterweightRequest, EvolutionRequest, ShaftWeightDesigns,
     ShaftWeightPlace, design_counterweights, design_shaft_weights, named_shaft_weights,
@@ -24,12 +27,15 @@ struct Found {
     counterweights: Option<CounterweightDesigns>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shaft_weights: Option<ShaftWeightDesigns>,
+    /// What the shapes do to the engine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    consequences: Option<Consequences>,
 }
 
 pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
     let engine = &opened.engine;
-    let found = find(engine, arguments)?;
+    let mut found = find(engine, arguments)?;
     let put_back = PutBack {
         path: &arguments.shape.file,
         write: arguments.write,
@@ -38,6 +44,7 @@ pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
     };
     let status = if found.is_complete() { DONE } else { NOT_AS_EXPECTED };
     if let Some(after) = found.fitted(engine)? {
+        found.consequences = Some(consequences(engine, &after, None)?);
         if put_back.run(&opened, &after, colour)? {
             return Ok(status);
         }
@@ -95,7 +102,7 @@ fn find(engine: &Engine, arguments: &DesignArguments) -> Result<Found, Failure> 
             }
         }
     };
-    Ok(Found { counterweights, shaft_weights })
+    Ok(Found { counterweights, shaft_weights, consequences: None })
 }
 
 fn shafts(engine: &Engine, places: &[ShaftWeightPlace]) -> Result<ShaftWeightDesigns, Failure> {
@@ -150,7 +157,13 @@ impl Found {
             self.counterweights.as_ref().map(designed_counterweights::text),
             self.shaft_weights.as_ref().map(|designs| designed_shaft_weights::text(designs, engine)),
         ];
-        parts.into_iter().flatten().fold(format!("{}\n", engine.name), |out, part| format!("{out}\n{part}"))
+        let effect = self.consequences.as_ref().map(|effect| {
+            let words = consequence_words(effect);
+            let words = if words.is_empty() { words } else { format!("{words}\n\n") };
+            words + &consequences_table(effect).text()
+        });
+        let parts = parts.into_iter().flatten().chain(effect);
+        parts.fold(format!("{}\n", engine.name), |out, part| format!("{out}\n{part}"))
     }
 
     fn csv(&self, engine: &Engine) -> String {

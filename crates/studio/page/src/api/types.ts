@@ -14,6 +14,34 @@ export type Active = {
   theta: number;
 };
 
+/** Quantities of an engine that other weights change. */
+export type Affected = "force" | "couple" | "roll-moment" | "mount-force" | "main-load-rms" | "main-load-peak" | "bending-moment" | "counterweight-mass" | "counterweight-unbalance" | "shaft-unbalance" | "balance-rate";
+
+/** Where in the engine a quantity is. */
+export type AffectedPart = {
+  kind: "engine";
+} | {
+  /** Its number, from 1. */
+  crankshaft: number;
+  kind: "crankshaft";
+} | {
+  /** Number of its crankshaft, from 1. */
+  crankshaft: number;
+  kind: "main";
+  /** Its number from the free end, from 1. */
+  main: number;
+  /** Its plane [m], from the origin. */
+  z: number;
+} | {
+  /** Number of its front main, from 1. */
+  bay: number;
+  /** Planes of its two mains [m], from the origin. */
+  between: [number, number];
+  /** Number of its crankshaft, from 1. */
+  crankshaft: number;
+  kind: "bay";
+};
+
 /** What is made small. */
 export type Aim = "mass" | "swept-radius" | "inertia" | "thickness";
 
@@ -88,6 +116,8 @@ export type ArrangedShaft = {
 export type Arrangement = {
   /** The weights, with the proof that these devices leave no less. */
   answer: Answer;
+  /** Largest bending moment along any crankshaft as a free beam under what turns with it [N m]. */
+  bending_moment: number;
   /** The narrowest place between the parts; `None` without shafts. Negative where no allowed position clears. */
   clearance: ArrangementClearance | null;
   /** Peak of the resultant couple about the origin that is left [N m]. */
@@ -105,6 +135,8 @@ export type Arrangement = {
   label: string;
   /** Whether its weights are the lightest that hold the limit; else they leave the smallest residual. */
   lightest: boolean;
+  /** Largest load of inertia on any main bearing over the cycle, throw by throw [N]. */
+  main_load: number;
   /** In words: "crank weights, second-order shafts with and against the crank". */
   name: string;
   /** Whether no other arrangement at this spacing beats it. */
@@ -203,6 +235,8 @@ export type BalanceAnswer = {
   after: Loads | null;
   /** As `lanchester balance --format json` prints it. */
   answer: Answer;
+  /** What it does to the engine. */
+  effect: WeightEffect | null;
   /** The outcome in words. */
   headline: string;
   /** The engine file with what was found; none where nothing was. */
@@ -330,6 +364,18 @@ export type BearingsAnswer = {
   without_mains: number[];
 };
 
+/** Bending moment along a crankshaft, before and after: straight between these planes. */
+export type BendingAlong = {
+  /** With the new weights. */
+  after: Array<[number, number]>;
+  /** Bending moment `M_x + i M_y` at `theta = 0` [N m]; it turns with the crankshaft. */
+  before: Array<[number, number]>;
+  /** Number of the crankshaft, from 1. */
+  crankshaft: number;
+  /** Planes [m], from the origin, rising. */
+  z: number[];
+};
+
 /** A mount whose table ends before the excitation does: beyond it the end's values are used. */
 export type BeyondTable = {
   /** Lowest and highest angular frequency of the excitation [rad/s]. */
@@ -417,6 +463,9 @@ export type CancelledOrder = {
   /** Its peak without the free devices [N or N m]. */
   without: number;
 };
+
+/** What became of a quantity. */
+export type Change = "better" | "unchanged" | "worse";
 
 /** A counterweight that is a part. */
 export type CheckedCounterweight = {
@@ -535,6 +584,13 @@ export type CompareQuestion = {
 export type Compared = {
   /** Mass of the counterweights and shaft weights that are parts [kg]; `None` where one of them is a number only. */
   added_mass: number | null;
+  /**
+   * Least and largest balance rate of any bay: share of the rotating unbalance between two main bearings that the counterweights
+   * there answer [1].
+   */
+  balance_rate: [number, number] | null;
+  /** Largest bending moment along any crankshaft as a free beam under what turns with it [N m]. */
+  bending_moment: number | null;
   /** Unbalance of all counterweights [kg m]. */
   counterweights: number;
   /** Largest resultant couple about the reference point [N m]. */
@@ -551,6 +607,8 @@ export type Compared = {
   force: number;
   /** What most of the force is. */
   force_leading: Leading | null;
+  /** Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws. */
+  main_load: number | null;
   /**
    * Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, on mounts with springs; of inertia alone on
    * mounts without, which share what they can carry. `None` without mounts.
@@ -612,6 +670,38 @@ export type Comparison = {
   version: number;
   /** What the user should know. */
   warnings: string[];
+};
+
+/** One quantity before and after. */
+export type Consequence = {
+  /** With the new ones. */
+  after: number;
+  /** With the weights that the engine had, in the unit of the quantity; what is rounding is 0. */
+  before: number;
+  /** What became of it. */
+  change: Change;
+  /** Where. */
+  part: AffectedPart;
+  /** Which. */
+  quantity: Affected;
+};
+
+/** What other weights do to an engine. */
+export type Consequences = {
+  /** Names of counterweights that were not there before. */
+  added: string[];
+  /** Bending moment along every crankshaft with throws. */
+  bending: BendingAlong[];
+  /** Number of counterweights before and after. */
+  counterweights: [number, number];
+  /** Names of counterweights that are there no more, or have no unbalance any more. */
+  dropped: string[];
+  /** Every quantity, in the order of [`Affected`]; within one from the free end on. */
+  rows: Consequence[];
+  /** Speed of crankshaft 1 [rad/s]: the highest of the engine. */
+  speed: number;
+  /** [`CONSEQUENCES_VERSION`]. */
+  version: number;
 };
 
 /** Crankshafts, counterweights, weights of balance shafts and clearances of an engine. */
@@ -2914,9 +3004,25 @@ export type TurningInertia = {
   flywheel: number;
 };
 
+/** One engine with two sets of weights. */
+export type TwoTexts = {
+  /** The engine file as it was. */
+  before: string;
+  /** The engine file now. */
+  text: string;
+};
+
 /** What is odd, though it can be computed. */
 export type Warning = {
   /** What to do. */
   hint: string;
   message: string;
+};
+
+/** What other weights do to an engine. */
+export type WeightEffect = {
+  /** Loads, bending, counterweights and balance rates, before and after. */
+  consequences: Consequences;
+  /** What gets worse and which counterweights are dropped, in words; may be empty. */
+  words: string;
 };
