@@ -176,8 +176,8 @@ fn a_rounded_intermediate_is_printed_by_its_source() {
         for edit in cells.iter().flat_map(|cell| cell.rounded()) {
             let values: Vec<String> = match edit {
                 // The name of the change holds the value: "oscillating mass 0.985 kg".
-                source::Edit::Named(name) => vec![name.clone()],
-                source::Edit::Written(change) => change
+                Edit::Named(name) => vec![name.clone()],
+                Edit::Written(change) => change
                     .values()
                     .map(|value| match value {
                         source::NewValue::Text(text) => text.clone(),
