@@ -92,7 +92,7 @@ pub fn csv(validation: &Validation) -> String {
 pub fn markdown(validation: &Validation) -> String {
     let mut out = String::from(
         "# Validation\n\n\
-         <!-- written by `lanchester validate --format markdown`; a test holds it against the program -->\n\n\
+         <!-- written by `lanchester validate --markdown`; a test holds it against the program -->\n\n\
          Every published number that this version can compute, printed against computed. `lanchester validate` prints\n\
          this page's tables, `lanchester validate --verbose` every number.\n\n\
          The tolerance of a number is half a unit of its last printed digit; every row shows it. A *match* is ours within the\n\
