@@ -2,9 +2,7 @@
 
 use crate::command::{cargo, in_view, quiet};
 use crate::workspace::{program, root};
-use crate::{
-    book, browser, claims, documents, engines, generate, hostile, notices, page, supply, tidy,
-};
+use crate::{book, browser, claims, documents, engines, generate, hostile, notices, page, supply, tidy};
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
 
