@@ -2,7 +2,7 @@
 
 use crate::command::{cargo, in_view, quiet};
 use crate::workspace::{program, root};
-use crate::{book, browser, documents, engines, generate, hostile, notices, page, supply, tidy};
+use crate::{book, browser, claims, documents, engines, generate, hostile, notices, page, supply, tidy};
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
 
@@ -34,6 +34,7 @@ pub fn run() -> Result<()> {
     steps.run("every example and template: check, loads, balance, report", || engines::run(&program))?;
     steps.run("mutated files, kills, laws, attacks: a short round", || hostile::short(&program))?;
     steps.run("engine files of the README and the book", || documents::engines(&program))?;
+    steps.run("claims of the README and the book", || claims::check(&program))?;
     steps.run("published numbers", || {
         let text = quiet(std::process::Command::new(&program).arg("validate").current_dir(root()))?;
         Ok(text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned())

@@ -12,7 +12,7 @@ use std::process::Command;
 /// A `toml` block with a `name` is a whole engine file; `toml,wrong` is one with mistakes. `toml,file=NAME` is a file of
 /// that name, engine or not, and `toml,append=NAME` goes to its end. A `text,says` block quotes a part of what the last
 /// `lanchester` line of the `sh` blocks above it prints, which finds shipped files at `examples/...` and `validation/...`;
-/// `text,says-COMMAND` what that command says of the engine file above it.
+/// `text,says-COMMAND` what that command says of the engine file above it. Every line of a `sh,run` block is run.
 pub fn engines(program: &Path) -> Result<String> {
     let (mut shown, mut quoted) = (0, 0);
     for page in files()?.iter().filter(|file| *file == "README.md" || file.starts_with("docs/src/")) {
@@ -59,13 +59,10 @@ pub fn engines(program: &Path) -> Result<String> {
                     shown += 1;
                 }
                 ("sh", _) => {
-                    // Engines of the gallery that the lines below are about.
-                    for line in block.text.lines().filter(|line| line.starts_with("lanchester new ")) {
-                        let words: Vec<String> = arguments(line).into_iter().skip(1).collect();
-                        let words: Vec<&str> = words.iter().map(String::as_str).collect();
-                        if words.contains(&"--output") {
-                            said(&words)?;
-                        }
+                    // A page makes its own files; engines of the gallery that later lines are about in any case.
+                    let makes = |line: &str| line.starts_with("lanchester new ") && line.contains(" --output");
+                    for line in block.text.lines().filter(|line| block.tag == "run" || makes(line)) {
+                        run_in(program, &folder, line).with_context(|| format!("{place}: `{line}`"))?;
                     }
                     let ours = block.text.lines().rfind(|line| line.starts_with("lanchester "));
                     last_command = ours.map(str::to_owned).or(last_command);
@@ -93,6 +90,16 @@ pub fn engines(program: &Path) -> Result<String> {
     Ok(format!("{shown} engine files, {quoted} quotations"))
 }
 
+/// Runs a line of a page among the page's own files.
+fn run_in(program: &Path, folder: &Path, line: &str) -> Result<()> {
+    let words: Vec<String> = arguments(line).iter().map(shipped).collect();
+    match words.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        ["cp", from, to] => std::fs::copy(folder.join(from), folder.join(to)).map(drop).map_err(Into::into),
+        ["lanchester", words @ ..] => quiet(Command::new(program).args(words).current_dir(folder)).map(drop),
+        _ => bail!("not a kind of command that a page may run"),
+    }
+}
+
 /// A word of a command line, where it names a shipped example or engine of the validation with its whole path.
 fn shipped(word: &String) -> String {
     match word.starts_with("examples/") || word.starts_with("validation/") {
@@ -117,7 +124,7 @@ pub fn file_of(page: &str, name: &str) -> Result<String> {
 }
 
 /// The words of a command line, quoted ones whole, without a comment.
-fn arguments(line: &str) -> Vec<String> {
+pub fn arguments(line: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut word: Option<String> = None;
     let mut quote = None;
@@ -173,15 +180,18 @@ fn run_one(command: &str) -> Result<()> {
 }
 
 /// A fenced block: its language, what follows the language after a comma, its text and its first line.
-struct Block<'a> {
-    language: &'a str,
-    tag: &'a str,
-    text: String,
+pub struct Block<'a> {
+    /// "toml", "sh", "text".
+    pub language: &'a str,
+    /// What follows the language after a comma.
+    pub tag: &'a str,
+    /// Its lines.
+    pub text: String,
     line: usize,
 }
 
 /// The fenced blocks of a page.
-fn blocks(page: &str) -> Vec<Block<'_>> {
+pub fn blocks(page: &str) -> Vec<Block<'_>> {
     let mut found = Vec::new();
     let mut open: Option<Block> = None;
     for (index, line) in page.lines().enumerate() {

@@ -4,6 +4,7 @@ mod advisories;
 mod book;
 mod browser;
 mod ci;
+mod claims;
 mod command;
 mod documents;
 mod engines;
@@ -58,7 +59,8 @@ fn task(arguments: &[String]) -> Result<()> {
         Some("tidy") if rest.is_empty() => tidy::run(),
         Some("generate") if rest.is_empty() => generate::write(),
         Some("documents") if rest.is_empty() => {
-            println!("{}", documents::engines(&workspace::program()?)?);
+            let program = workspace::program()?;
+            println!("{}\n{}", documents::engines(&program)?, claims::check(&program)?);
             Ok(())
         }
         Some("page") if rest.is_empty() => page::build(),

@@ -4,6 +4,7 @@ use crate::commands::merge::MergeArguments;
 use crate::compare_arguments::CompareArguments;
 use crate::counterweight_arguments::CounterweightArguments;
 use crate::explore_arguments::ExploreArguments;
+use crate::failure::exit_statuses;
 use crate::format::Format;
 use crate::mounts_arguments::MountsArguments;
 use crate::published_arguments::PublishedArguments;
@@ -22,10 +23,11 @@ use std::path::PathBuf;
 #[command(
     name = "lanchester",
     version,
-    after_help = "Start with:  lanchester new --list\n             lanchester new in-line-4 > four.toml\n             \
-                  lanchester report four.toml\n\n\
-                  Exit status: 0 done; 1 done, but a validation verdict is not the expected one; 2 the input is \
-                  wrong; 3 our own fault."
+    after_help = format!(
+        "Start with:  lanchester new --list\n             lanchester new in-line-4 > four.toml\n             \
+         lanchester report four.toml\n\n{}",
+        exit_statuses()
+    )
 )]
 pub struct Arguments {
     /// What to do.
@@ -174,7 +176,7 @@ pub enum Command {
                             lanchester report twin.toml --all-arrangements"
     )]
     Report(ReportArguments),
-    /// Open the studio: the whole tool in a browser, answered by this machine alone.
+    /// Open the studio in a browser, answered by this machine alone: engine, loads, balancing, counterweights, report.
     #[command(after_help = "Examples:\n  lanchester studio\n  lanchester studio twin.toml\n  \
                             lanchester studio engines --port 7000 --no-open\n  \
                             lanchester studio --describe openapi > openapi.json")]

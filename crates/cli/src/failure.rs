@@ -6,12 +6,30 @@ use std::process::ExitCode;
 
 /// Exit status: done.
 pub const DONE: u8 = 0;
-/// Exit status: done, but a requested limit is not met or a validation verdict is not the expected one.
+/// Exit status: done, but the answer is not what was asked for; [`exit_statuses`] says in which cases.
 pub const NOT_AS_EXPECTED: u8 = 1;
 /// Exit status: the input is wrong.
 pub const WRONG_INPUT: u8 = 2;
 /// Exit status: our own fault.
 pub const OWN_FAULT: u8 = 3;
+
+/// Every exit status with its meaning, for the help of the program.
+pub fn exit_statuses() -> String {
+    let meanings = [
+        (DONE, "done"),
+        (
+            NOT_AS_EXPECTED,
+            "done, but a limit is not met or cannot be met, an order cannot vanish, a search or a run was\n     \
+             stopped before its end, nothing was left to judge, a measurement is in doubt, or a verdict of\n     \
+             `validate` is not the expected one",
+        ),
+        (WRONG_INPUT, "the input is wrong; the message says what fixes it"),
+        (OWN_FAULT, "internal error: please report it"),
+    ];
+    let lines: Vec<String> =
+        meanings.iter().map(|(status, meaning)| format!("  {status}  {meaning}")).collect();
+    format!("Exit status:\n{}", lines.join("\n"))
+}
 
 /// Why a command did not do what it was asked for.
 #[derive(Debug)]

@@ -278,3 +278,12 @@ fn every_code_has_one_meaning_in_files_of_all_kinds() {
     codes.dedup();
     assert_eq!(codes.len(), count, "a code is given twice");
 }
+
+#[test]
+fn every_code_has_a_family_and_every_family_a_code() {
+    let all = lanchester_model::diagnostic_codes().iter().chain(trace_codes());
+    let of_codes: BTreeSet<&str> = all.map(|(code, _)| &code[1..3]).collect();
+    let named: BTreeSet<&str> =
+        lanchester_model::diagnostic_families().iter().map(|(digits, _)| *digits).collect();
+    assert_eq!(of_codes, named);
+}

@@ -6,7 +6,8 @@
 //! verdict is then held against the expected one, so that a number that the source prints wrongly is checked as
 //! strictly as a right one: its row names what is correct, and ours must equal that.
 //!
-//! Rounding rule: ours *matches* when it lies within half a unit of the last printed digit.
+//! The tolerance of every number is half a unit of its last printed digit, and every row shows it. A *match* is ours
+//! within it, from the printed inputs; whatever explains another number afterwards has a verdict of its own.
 //!
 //! ```
 //! let validation = lanchester::validate::validate(Some("Table 4"));
@@ -17,6 +18,7 @@ mod case;
 mod files;
 mod fitting;
 mod gas;
+mod inputs;
 mod method;
 mod mount;
 mod quantity;
@@ -26,25 +28,29 @@ mod source;
 #[cfg(test)]
 mod tests;
 mod verdict;
+mod workshop;
 
 pub use render::{csv, markdown, text};
 pub use verdict::Verdict;
 
-use case::Bench;
+use case::{Bench, sheet};
 use files::Source;
+use inputs::{corners, is_input};
 use quantity::{Key, Value};
 use serde::Serialize;
 use source::{Cell, Comparison, Edit, KinematicsName, Over, Row, Table};
 use verdict::Printed;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
-pub const VALIDATION_VERSION: u32 = 1;
+pub const VALIDATION_VERSION: u32 = 2;
 
 /// Published numbers against ours.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Validation {
     /// [`VALIDATION_VERSION`].
     pub version: u32,
+    /// Rows by verdict.
+    pub counts: Counts,
     /// By source.
     pub sources: Vec<SourceResult>,
 }
@@ -92,15 +98,23 @@ pub struct RowResult {
     pub ours: String,
     /// Ours unrounded, where it is a number.
     pub value: Option<f64>,
-    /// How the two agree.
+    /// Half a unit of the last printed digit, in the unit of the row; `None` for a word, which must be the same.
+    pub tolerance: Option<f64>,
+    /// Smallest and largest result for all inputs that round to the printed ones, where they are rounded.
+    pub range: Option<[f64; 2]>,
+    /// Ours less the printed number, where both are numbers.
+    pub residual: Option<f64>,
+    /// How the two stand.
     pub verdict: Verdict,
     /// How they should.
     pub expected: Verdict,
     /// Whether the verdict is the expected one and ours equals [`RowResult::correct`].
     pub ok: bool,
-    /// What ours must equal to its digits where the printed number is not plainly right.
+    /// What ours must equal to its digits where the verdict is no match; `None` where it is unknown.
     pub correct: Option<String>,
-    /// Why the printed number is not plainly right.
+    /// What gives the printed number: a rounded intermediate result, an assumption, or the error of the source.
+    pub given_by: Option<String>,
+    /// Why the verdict is no match.
     pub reason: Option<String>,
     /// Engine, changes, motion and quantity that ours comes from.
     pub how: String,
@@ -117,56 +131,48 @@ pub struct Deferred {
 }
 
 /// How many rows have which verdict.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Counts {
     /// All rows.
     pub rows: usize,
-    /// [`Verdict::Match`].
-    pub matches: usize,
-    /// [`Verdict::MatchWithRoundedInput`].
-    pub rounded: usize,
-    /// [`Verdict::MatchWithUnprintedInput`].
-    pub unprinted: usize,
-    /// [`Verdict::MatchWithSyntheticInput`].
-    pub synthetic: usize,
-    /// [`Verdict::Close`].
-    pub close: usize,
-    /// [`Verdict::Differs`] and [`Verdict::NotComputed`].
-    pub differs: usize,
+    /// Rows of each verdict that some row has, in the order of [`Verdict::ALL`].
+    pub verdicts: Vec<VerdictCount>,
     /// Rows that are not as expected.
     pub unexpected: usize,
+}
+
+/// Rows of one verdict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct VerdictCount {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// How many rows have it.
+    pub rows: usize,
 }
 
 impl Validation {
     /// Whether there is a row and every row is as expected.
     pub fn passed(&self) -> bool {
-        let counts = self.counts();
-        counts.rows > 0 && counts.unexpected == 0
-    }
-
-    /// Rows by verdict.
-    pub fn counts(&self) -> Counts {
-        Counts::of(self.sources.iter().flat_map(|s| &s.tables).flat_map(|t| &t.rows))
+        self.counts.rows > 0 && self.counts.unexpected == 0
     }
 }
 
 impl Counts {
     /// Counts of some rows.
     pub fn of<'a>(rows: impl IntoIterator<Item = &'a RowResult>) -> Counts {
-        let mut counts = Counts::default();
-        for row in rows {
-            counts.rows += 1;
-            counts.unexpected += usize::from(!row.ok);
-            *match row.verdict {
-                Verdict::Match => &mut counts.matches,
-                Verdict::MatchWithRoundedInput => &mut counts.rounded,
-                Verdict::MatchWithUnprintedInput => &mut counts.unprinted,
-                Verdict::MatchWithSyntheticInput => &mut counts.synthetic,
-                Verdict::Close => &mut counts.close,
-                Verdict::Differs | Verdict::NotComputed => &mut counts.differs,
-            } += 1;
+        let rows: Vec<&RowResult> = rows.into_iter().collect();
+        let of = |verdict| rows.iter().filter(|row| row.verdict == verdict).count();
+        let verdicts = Verdict::ALL.map(|verdict| VerdictCount { verdict, rows: of(verdict) });
+        Counts {
+            rows: rows.len(),
+            verdicts: verdicts.into_iter().filter(|count| count.rows > 0).collect(),
+            unexpected: rows.iter().filter(|row| !row.ok).count(),
         }
-        counts
+    }
+
+    /// Rows of a verdict.
+    pub fn with(&self, verdict: Verdict) -> usize {
+        self.verdicts.iter().find(|count| count.verdict == verdict).map_or(0, |count| count.rows)
     }
 }
 
@@ -177,7 +183,7 @@ impl Counts {
 /// no rows, and a validation without rows has not passed.
 pub fn validate(filter: Option<&str>) -> Validation {
     let mut bench = Bench::default();
-    let sources = files::sources()
+    let sources: Vec<SourceResult> = files::sources()
         .into_iter()
         .filter_map(|source| {
             let tables: Vec<TableResult> = source
@@ -195,7 +201,8 @@ pub fn validate(filter: Option<&str>) -> Validation {
             })
         })
         .collect();
-    Validation { version: VALIDATION_VERSION, sources }
+    let counts = Counts::of(sources.iter().flat_map(|source| &source.tables).flat_map(|table| &table.rows));
+    Validation { version: VALIDATION_VERSION, counts, sources }
 }
 
 fn keeps(filter: &str, name: &str) -> bool {
@@ -234,52 +241,136 @@ struct Place<'a> {
 
 fn validate_cell(bench: &mut Bench, place: &Place, engine: &[Edit], cell: &Cell) -> RowResult {
     let row = place.row;
-    let printed = Printed::read(cell.text(), cell.place());
+    let printed = Printed::read(cell.text());
     let plain = ours(bench, place, engine, &[]);
-    let mut matches_with = |input: &[Edit]| {
-        !input.is_empty() && ours(bench, place, engine, input).is_ok_and(|value| printed.agrees(&value))
+    let range = range(bench, place, engine);
+    let expected = cell.stated().or(row.expected).unwrap_or(Verdict::Match);
+    let (verdict, given_by) = match (&plain, &range) {
+        (Err(_), _) | (_, Err(_)) => (Verdict::NotComputed, None),
+        (Ok(found), Ok(range)) => judge(bench, place, engine, cell, found, *range),
     };
-    let verdict = match &plain {
-        Err(_) => Verdict::NotComputed,
-        Ok(value) if printed.agrees(value) => {
-            let is_synthetic = row.synthetic.unwrap_or(place.table.synthetic);
-            if is_synthetic { Verdict::MatchWithSyntheticInput } else { Verdict::Match }
+    let value = plain.as_ref().ok().map(|found| found.value);
+    let is = |text: &str| value.is_some_and(|value| Printed::read(text).agrees(&value));
+    let residual = value.and_then(|value| printed.residual(&value));
+    let is_held = match (verdict, cell.correct(), cell.residual()) {
+        (Verdict::Residual, _, Some(text)) => {
+            residual.is_some_and(|residual| Printed::read(text).agrees(&Value::Number(residual)))
         }
-        Ok(_) if matches_with(cell.rounded()) => Verdict::MatchWithRoundedInput,
-        Ok(_) if matches_with(cell.unprinted()) => Verdict::MatchWithUnprintedInput,
-        Ok(value) if printed.is_close(value) => Verdict::Close,
-        Ok(_) => Verdict::Differs,
+        (Verdict::Residual, _, None) => false,
+        (_, Some(correct), _) => is(correct),
+        (Verdict::InputItself, None, _) => is(cell.text()),
+        (_, None, _) => true,
     };
-    let is_correct = |correct: &str| plain.as_ref().is_ok_and(|v| Printed::read(correct, None).agrees(v));
-    let expected = cell.expected();
+    let failed = plain.as_ref().err().or(range.as_ref().err());
     RowResult {
         section: row.section.clone(),
         column: None,
         quantity: row.quantity.clone(),
         unit: row.unit.clone(),
         printed: cell.text().to_string(),
-        ours: match &plain {
-            Ok(value) => printed.show(value),
-            Err(why) => why.clone(),
+        ours: match (failed, value) {
+            (None, Some(value)) => printed.show(&value),
+            (why, _) => why.cloned().unwrap_or_default(),
         },
-        value: plain.as_ref().ok().and_then(|value| value.number()),
+        value: value.and_then(Value::number),
+        tolerance: printed.tolerance(),
+        range: range.ok().flatten(),
+        residual,
         verdict,
         expected,
-        ok: verdict == expected && cell.correct().is_none_or(is_correct),
+        ok: verdict == expected && is_held,
         correct: cell.correct().map(str::to_string),
-        reason: cell.reason().map(str::to_string),
+        given_by,
+        reason: cell.reason().or(row.reason.as_deref()).map(str::to_string),
         how: describe(place, engine),
     }
 }
 
+/// How ours stands to a printed number, and what gives the printed number if ours does not.
+fn judge(
+    bench: &mut Bench,
+    place: &Place,
+    engine: &[Edit],
+    cell: &Cell,
+    found: &Ours,
+    range: Option<[f64; 2]>,
+) -> (Verdict, Option<String>) {
+    let printed = Printed::read(cell.text());
+    let mut given = |edits: &[Edit]| {
+        let agrees = !edits.is_empty()
+            && ours(bench, place, engine, edits).is_ok_and(|found| printed.agrees(&found.value));
+        agrees.then(|| edits.iter().map(Edit::to_string).collect::<Vec<_>>().join(", "))
+    };
+    let agrees = printed.agrees(&found.value);
+    if found.is_input {
+        return (Verdict::InputItself, None);
+    }
+    if place.row.synthetic.unwrap_or(place.table.synthetic) {
+        return (Verdict::Residual, None);
+    }
+    if let Some(error) = given(cell.wrong()) {
+        return (if agrees { Verdict::Accident } else { Verdict::SourceWrong }, Some(error));
+    }
+    if agrees {
+        return (Verdict::Match, None);
+    }
+    if range.is_some_and(|range| printed.lies_between(range)) {
+        return (Verdict::WithinRounding, None);
+    }
+    if let Some(intermediate) = given(cell.rounded()) {
+        return (Verdict::RoundedIntermediate, Some(intermediate));
+    }
+    if let Some(assumption) = given(cell.assumed()) {
+        return (Verdict::ExplainedAfterwards, Some(assumption));
+    }
+    // An explanation that is given must hold.
+    let is_explained = [cell.wrong(), cell.rounded(), cell.assumed()].iter().any(|edits| !edits.is_empty());
+    match cell.expected() {
+        stated if stated.is_stated() && !is_explained => (stated, None),
+        _ => (Verdict::Differs, None),
+    }
+}
+
+/// Smallest and largest result over the corners of the box of inputs that round to the printed ones.
+///
+/// What lies between two results of a connected box is a result too, so that a number between them is one for some
+/// inputs that round to the printed ones.
+fn range(bench: &mut Bench, place: &Place, engine: &[Edit]) -> Result<Option<[f64; 2]>, String> {
+    if place.table.rounded_inputs.is_empty() {
+        return Ok(None);
+    }
+    let edits = [engine, place.column_edits, &place.row.with].concat();
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for corner in corners(&edits, &place.source.changes, &place.table.rounded_inputs)? {
+        if let Value::Number(result) = ours(bench, place, engine, &[Edit::Written(corner)])?.value {
+            range = [range[0].min(result), range[1].max(result)];
+        }
+    }
+    Ok((range[0] <= range[1]).then_some(range))
+}
+
+/// Our value of a cell.
+struct Ours {
+    value: Value,
+    /// Whether it is an input, unchanged.
+    is_input: bool,
+}
+
 /// Our value of a cell with further changes of its engine.
-fn ours(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit]) -> Result<Value, String> {
+fn ours(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit]) -> Result<Ours, String> {
     let Place { source, row, column_edits, .. } = *place;
     let key = Key::parse(&row.key)?;
     let edits = [engine, column_edits, &row.with, further].concat();
+    let divisor: f64 = row.divided_by.values().product();
+    if let Key::Workshop(key) = &key {
+        let (sheet, inputs) = sheet(source, &edits)?;
+        let number = key.of(&sheet)?;
+        return Ok(Ours { value: Value::Number(number / divisor), is_input: is_input(number, &inputs) });
+    }
     let kinematics = row.kinematics.unwrap_or(source.kinematics);
     let about = row.about.as_deref();
     let run = bench.run(source, &edits, kinematics, about)?;
+    let mut is_input = key.number_of(&run).is_ok_and(|number| is_input(number, &run.inputs));
     let value = match row.comparison {
         None => key.of(&run)?,
         Some(comparison) => {
@@ -288,14 +379,17 @@ fn ours(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit]) -> 
             let edits = [over.engine.as_deref().unwrap_or(engine), &over.with, further].concat();
             let reference = bench.run(source, &edits, over.kinematics.unwrap_or(kinematics), about)?;
             let reference_key = Key::parse(over.key.as_deref().unwrap_or(&row.key))?;
+            // Two inputs compared are inputs still.
+            let other = reference_key.number_of(&reference);
+            is_input &= other.is_ok_and(|number| inputs::is_input(number, &reference.inputs));
             Value::Number(comparison.of((&key, &run), (&reference_key, &reference))?)
         }
     };
-    let divisor: f64 = row.divided_by.values().product();
-    Ok(match value {
+    let value = match value {
         Value::Number(number) => Value::Number(number / divisor),
-        words => words,
-    })
+        word => word,
+    };
+    Ok(Ours { value, is_input })
 }
 
 /// Engine, changes, motion and quantity in one line.
@@ -304,6 +398,9 @@ fn describe(place: &Place, engine: &[Edit]) -> String {
     let kinematics = |k: KinematicsName| k.kinematics().name();
     let edits = [engine, column_edits, &row.with].concat();
     let engine = edits.iter().map(Edit::to_string).collect::<Vec<_>>().join(", ");
+    if row.key.starts_with("workshop ") {
+        return format!("{engine}; {}", row.key);
+    }
     let mut how =
         format!("{engine}; {}; {}", kinematics(row.kinematics.unwrap_or(source.kinematics)), row.key);
     if let Some(about) = &row.about {

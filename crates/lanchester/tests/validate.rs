@@ -1,6 +1,6 @@
 //! The published numbers: every verdict is the expected one, and a verdict that should fail does.
 
-use lanchester::validate::{self, Validation, validate};
+use lanchester::validate::{self, Validation, Verdict, validate};
 use std::path::Path;
 
 /// Fails with the rows that are not as expected.
@@ -29,6 +29,15 @@ fn lit_applied_sciences_2021_8997_tool_paper() {
 }
 
 #[test]
+fn published_examples_of_the_workshop() {
+    for source in ["two-plane-example", "balance-grade-example", "bobweight-example"] {
+        let validation = validate(Some(source));
+        assert_passed(&validation);
+        assert_eq!(validation.counts.with(Verdict::Match), validation.counts.rows, "{source}");
+    }
+}
+
+#[test]
 fn filters_keep_whole_table_numbers() {
     let tables = |filter| -> Vec<String> {
         validate(Some(filter)).sources.into_iter().flat_map(|s| s.tables).map(|t| t.table).collect()
@@ -50,7 +59,7 @@ fn nothing_computed_has_not_passed() {
 fn csv_has_a_line_for_every_row() {
     let validation = validate(Some("Table 50"));
     let csv = validate::csv(&validation);
-    assert_eq!(csv.lines().count(), 1 + validation.counts().rows);
+    assert_eq!(csv.lines().count(), 1 + validation.counts.rows);
     assert!(csv.contains("\"29,2\""), "a decimal comma must be quoted");
 }
 

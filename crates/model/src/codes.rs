@@ -7,6 +7,30 @@ pub fn diagnostic_codes() -> &'static [(&'static str, &'static str)] {
     CODES
 }
 
+/// What the first two digits of a code stand for; 16 are the codes of files of pressures, which the reader of those lists.
+pub fn diagnostic_families() -> &'static [(&'static str, &'static str)] {
+    FAMILIES
+}
+
+static FAMILIES: &[(&str, &str)] = &[
+    ("00", "the text: no TOML, duplicate keys, too much of it"),
+    ("01", "a value: unit, number, range, unknown word"),
+    ("02", "a key: unknown, missing, given twice, without effect, naming what does not exist"),
+    ("03", "speeds, speed ratios and bounds; linkages that cannot turn"),
+    ("04", "masses and inertia of the rod"),
+    ("05", "places of cylinders, rods, throws, weights and shafts"),
+    ("06", "firing"),
+    ("07", "the layout in its short form, and main bearings"),
+    ("08", "suspicious sizes and shares"),
+    ("09", "the crankshaft as a body, counterweights and weights of shafts as parts"),
+    ("11", "the workshop sheet"),
+    ("12", "gas: compression ratio, valve timing, heat release, traces"),
+    ("13", "bearings, piston pins, and speeds at which the engine runs"),
+    ("14", "block and mounts"),
+    ("15", "tolerances"),
+    ("16", "a file of pressures that the engine file names"),
+];
+
 static CODES: &[(&str, &str)] = &[
     ("E0001", "the text is no TOML"),
     ("E0002", "a key or table stands twice"),

@@ -73,7 +73,7 @@ mod write_back;
 
 pub use bearings::{Bearings, PlainBearing};
 pub use block::*;
-pub use codes::diagnostic_codes;
+pub use codes::{diagnostic_codes, diagnostic_families};
 pub use crank_body::*;
 pub use criterion::{criterion, criterion_name, criterion_unit};
 pub use default_task::{CrankWeightPlaces, crank_weights, default_task};

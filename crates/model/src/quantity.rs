@@ -168,6 +168,30 @@ pub(crate) fn neighbours(value: f64) -> Vec<f64> {
 
 /// For messages: four significant digits in the unit that engineers use.
 pub(crate) fn readable(value: f64, dimension: Dimension) -> String {
+    let Some(unit) = message_unit(dimension) else { return value.to_string() };
+    let number = (value - unit.zero) / unit.factor;
+    format!("{} {}", decimal(&format!("{number:.3e}"), -unit.exponent), unit.name)
+}
+
+/// A value and how far it is from another, for one message: both to the same decimal, so that value, difference and
+/// other add up as they are printed.
+pub(crate) fn readable_difference(value: f64, other: f64, dimension: Dimension) -> [String; 2] {
+    let Some(unit) = message_unit(dimension) else {
+        return [value, (value - other).abs()].map(|v| v.to_string());
+    };
+    let number = |value: f64| value / unit.factor * 10f64.powi(-unit.exponent);
+    let (value, other) = (number(value), number(other));
+    let sizes = [value, value - other].map(f64::abs).into_iter().filter(|size| *size > 0.0);
+    let smallest = sizes.fold(f64::INFINITY, f64::min);
+    let fourth_digit = if smallest.is_finite() { 3 - smallest.log10().floor() as i32 } else { 0 };
+    let decimals = fourth_digit.clamp(0, 12) as usize;
+    let rounded = |number: f64| format!("{number:.decimals$}").parse::<f64>().unwrap_or(number);
+    [value, (rounded(value) - rounded(other)).abs()]
+        .map(|number| format!("{number:.decimals$} {}", unit.name))
+}
+
+/// The unit of messages.
+fn message_unit(dimension: Dimension) -> Option<&'static Unit> {
     let name = match dimension {
         Dimension::Length => "mm",
         Dimension::Inertia => "kg mm2",
@@ -176,9 +200,7 @@ pub(crate) fn readable(value: f64, dimension: Dimension) -> String {
         Dimension::Share => "%",
         _ => dimension.units().next().map_or("", |unit| unit.name),
     };
-    let Some(unit) = UNITS.iter().find(|unit| unit.name == name) else { return value.to_string() };
-    let number = (value - unit.zero) / unit.factor;
-    format!("{} {name}", decimal(&format!("{number:.3e}"), -unit.exponent))
+    UNITS.iter().find(|unit| unit.name == name)
 }
 
 /// `a, b or c`.

@@ -23,6 +23,12 @@ pub enum StudioError {
         /// What the system says.
         error: std::io::Error,
     },
+    /// There is nothing at the path that was given.
+    #[error("there is no file or folder {}\nhint: give an engine file, or a folder of engine files, that exists", .path.display())]
+    Missing {
+        /// The path.
+        path: PathBuf,
+    },
     /// The folder of the files.
     #[error("cannot use the folder {}: {error}\nhint: give an engine file, or a folder that is there", lanchester_files::shown(.folder))]
     Folder {

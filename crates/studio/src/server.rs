@@ -68,6 +68,9 @@ pub(crate) struct Studio {
 /// [`StudioError`] where the file or its folder cannot be used or the address is taken.
 pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), StudioError> {
     let system = |error: &dyn std::fmt::Display| StudioError::System(error.to_string());
+    if !options.path.exists() {
+        return Err(StudioError::Missing { path: options.path.clone() });
+    }
     let is_folder = options.path.is_dir();
     let folder_path = if is_folder { Some(options.path.as_path()) } else { options.path.parent() };
     let folder_path = folder_path.unwrap_or_else(|| "".as_ref()).to_path_buf();

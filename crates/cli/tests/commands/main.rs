@@ -10,6 +10,7 @@ mod counterweight;
 mod crank_workshop;
 mod damaged_runs;
 mod engine;
+mod exit_status;
 mod explore;
 mod methods;
 mod mounts;

@@ -3,9 +3,11 @@
 use super::files::Source;
 use super::fitting::Fitting;
 use super::gas::GasRun;
+use super::inputs::inputs;
 use super::shape::ShapeFit;
 use super::source::{Change, Edit, KinematicsName, NewValue};
 use lanchester_mechanism::{Kinematics, LoadRequest, Loads, PeakMode, loads};
+use lanchester_model::workshop::{Sheet, read_sheet};
 use lanchester_model::{Engine, read};
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -17,6 +19,10 @@ pub(super) struct Run {
     pub loads: Loads,
     pub shape: ShapeFit,
     pub kinematics: Kinematics,
+    /// Every quantity that went in, in SI units.
+    pub inputs: Vec<f64>,
+    /// Step of the speeds among which the largest power is looked for [rpm]; none: all speeds.
+    pub power_step: Option<f64>,
     /// What the gas does, once it was asked for.
     pub gas: OnceCell<Result<GasRun, String>>,
 }
@@ -37,6 +43,7 @@ impl Bench {
         about: Option<&str>,
     ) -> Result<Rc<Run>, String> {
         let (text, fitting) = engine_text(source, edits)?;
+        let changes: Vec<&Change> = edits.iter().filter_map(|edit| change_of(source, edit).ok()).collect();
         let mut request = LoadRequest { kinematics: kinematics.kinematics(), ..LoadRequest::default() };
         if let Some(grid) = source.grid {
             request.peaks = PeakMode::Grid(grid);
@@ -59,6 +66,8 @@ impl Bench {
         let run = Rc::new(Run {
             engine,
             loads,
+            inputs: inputs(&text, &changes),
+            power_step: fitting.power_step,
             shape: fitting.shape,
             kinematics: request.kinematics,
             gas: OnceCell::new(),
@@ -68,10 +77,20 @@ impl Bench {
     }
 }
 
+/// Reads the workshop sheet that the first edit names, after the others; with every quantity that it holds.
+pub(super) fn sheet(source: &Source, edits: &[Edit]) -> Result<(Sheet, Vec<f64>), String> {
+    let (text, _) = engine_text(source, edits)?;
+    let reading = read_sheet(&text);
+    let messages = || reading.diagnostics.iter().map(|d| d.message.clone()).collect::<Vec<_>>().join("; ");
+    let sheet = reading.sheet.clone().ok_or_else(messages)?;
+    Ok((sheet, inputs(&text, &[])))
+}
+
 fn reference_point(engine: &Engine, about: &str) -> Result<[f64; 3], String> {
-    let front = engine.shafts.first().and_then(|s| s.weights.first());
-    match (about, front) {
-        ("front shaft weight", Some(weight)) => Ok([0.0, 0.0, weight.z]),
+    let weights = engine.shafts.first().map(|s| s.weights.as_slice());
+    match (about, weights) {
+        ("front shaft weight", Some([front, ..])) => Ok([0.0, 0.0, front.z]),
+        ("middle of the shaft", Some([front, .., rear])) => Ok([0.0, 0.0, 0.5 * (front.z + rear.z)]),
         _ => Err(format!("no point is called {about:?} in this engine")),
     }
 }
@@ -86,15 +105,16 @@ fn engine_text(source: &Source, edits: &[Edit]) -> Result<(String, Fitting), Str
     let engine = source.engines.get(file).ok_or_else(|| format!("no engine file is called {file:?}"))?;
     let mut lines: Vec<String> = engine.lines().map(str::to_string).collect();
     for edit in edits {
-        let change = match edit {
-            Edit::Named(name) => {
-                source.changes.get(name).ok_or_else(|| format!("no change is called {name:?}"))?
-            }
-            Edit::Written(change) => change,
-        };
-        apply(&mut lines, &mut fitting, change)?;
+        apply(&mut lines, &mut fitting, change_of(source, edit)?)?;
     }
     Ok((lines.join("\n") + "\n", fitting))
+}
+
+fn change_of<'a>(source: &'a Source, edit: &'a Edit) -> Result<&'a Change, String> {
+    match edit {
+        Edit::Named(name) => source.changes.get(name).ok_or_else(|| format!("no change is called {name:?}")),
+        Edit::Written(change) => Ok(change),
+    }
 }
 
 fn apply(lines: &mut Vec<String>, fitting: &mut Fitting, change: &Change) -> Result<(), String> {

@@ -4,6 +4,7 @@
 //! | place in a change | value |
 //! |---|---|
 //! | `arrangement` | number of the thesis's arrangement, "1" to "9" |
+//! | `power.step` | step of the speeds among which the largest power is looked for, "100 rpm" |
 //! | `arrangement.crank`, `arrangement.first order`, `arrangement.second order` | an amount of it, "0.04116 kg m", in place of the found one |
 
 use super::method::MethodFit;
@@ -20,12 +21,21 @@ pub(super) struct Fitting {
     given: GivenAmounts,
     method: MethodFit,
     pub shape: ShapeFit,
+    /// Step of the speeds among which the largest power is looked for [rpm].
+    pub power_step: Option<f64>,
 }
 
 impl Fitting {
     /// Takes a change that is its own; `false`: it is one of the file.
     pub fn take(&mut self, place: &str, value: &NewValue) -> Result<bool, String> {
         if self.method.take(place, value)? || self.shape.take(place, value)? {
+            return Ok(true);
+        }
+        if place == "power.step" {
+            let NewValue::Text(text) = value else { return Err(format!("{place:?} needs a text")) };
+            let step = text.strip_suffix(" rpm").and_then(|number| number.parse().ok());
+            self.power_step =
+                Some(step.ok_or_else(|| format!("{place:?} needs a speed in rpm, got {text:?}"))?);
             return Ok(true);
         }
         let slot = match place {

@@ -8,8 +8,8 @@
 //! | `radial rod force`, `tangential rod force` | largest on the crankpin of cylinder 1, towards the crank axis and in the sense of rotation |
 //! | `angle of radial rod force`, `angle of tangential rod force` | where they stand |
 //! | `radial rod force at top dead centre` | the first of them at the firing top dead centre |
-//! | `largest power of a b c d N m` | of the cubic through these torques at 1000, 2000, 3000 and 4000 rpm, to 100 rpm |
-//! | `speed of largest power of a b c d N m` | where it stands |
+//! | `largest power of a b c d N m` | of the cubic with a free constant that fits rest and these torques at 1000, 2000, 3000 and 4000 rpm |
+//! | `speed of largest power of a b c d N m` | its speed [rpm] |
 //!
 //! The pressures are those of the synthetic traces, where the engine names them.
 
@@ -17,7 +17,7 @@ use super::case::Run;
 use super::files::TRACES;
 use crate::pressure::{TraceFile, cylinder_gas};
 use lanchester_mechanism::{
-    BearingLoads, BearingRequest, Extreme, Lever, PowerCurve, Torque, TorqueRequest, bearing_loads, torque,
+    BearingLoads, BearingRequest, Extreme, Lever, Torque, TorqueRequest, bearing_loads, torque,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -67,7 +67,7 @@ impl GasKey {
 
     pub fn of(&self, run: &Run) -> Result<f64, String> {
         if let GasKey::LargestPower { torques, speed } = self {
-            let (at, power) = largest_power(*torques).ok_or("the torques give no power curve")?;
+            let (at, power) = largest_power(*torques, run.power_step);
             return Ok(if *speed { at } else { power });
         }
         let gas = run.gas.get_or_init(|| GasRun::of(run)).as_ref().map_err(Clone::clone)?;
@@ -130,16 +130,33 @@ impl GasRun {
     }
 }
 
-/// Speed [rpm] and amount [W] of the largest power of the cubic through torques at [`SPEEDS_RPM`], among the hundreds.
-fn largest_power(torques: [f64; 4]) -> Option<(f64, f64)> {
-    let points: Vec<(f64, f64)> = SPEEDS_RPM
-        .iter()
-        .zip(torques)
-        .map(|(rpm, torque)| (rpm * PI / 30.0, rpm * PI / 30.0 * torque))
-        .collect();
-    let curve = PowerCurve::fit(&points)?;
-    let hundreds = (1..=40).map(|k| 100.0 * f64::from(k)).map(|rpm| (rpm, curve.power(rpm * PI / 30.0)));
-    hundreds.max_by(|a, b| a.1.total_cmp(&b.1))
+/// Speed [rpm] and amount [W] of the largest power up to 4000 rpm, among the multiples of a step if one is given.
+///
+/// The cubic with four free coefficients that fits five points at equal distances in least squares goes through the
+/// points less their share of (1, -4, 6, -4, 1), the one row of five that no cubic can follow.
+fn largest_power(torques: [f64; 4], step: Option<f64>) -> (f64, f64) {
+    const REST: [f64; 5] = [1.0, -4.0, 6.0, -4.0, 1.0];
+    let mut points = [0.0; 5];
+    for (point, (rpm, torque)) in points[1..].iter_mut().zip(SPEEDS_RPM.iter().zip(torques)) {
+        *point = rpm * PI / 30.0 * torque;
+    }
+    let share = points.iter().zip(REST).map(|(p, r)| p * r).sum::<f64>() / 70.0;
+    let [a, b, c, d, _]: [f64; 5] = std::array::from_fn(|k| points[k] - share * REST[k]);
+    // Newton's form in s = n / 1000 rpm: differences of the first four.
+    let [first, second, third] = [b - a, c - 2.0 * b + a, d - 3.0 * c + 3.0 * b - a];
+    let power = |s: f64| a + s * (first + (s - 1.0) / 2.0 * (second + (s - 2.0) / 3.0 * third));
+    let speeds: Vec<f64> = match step {
+        Some(step) => (1..).map(|k| f64::from(k) * step / 1000.0).take_while(|s| *s <= 4.0).collect(),
+        None => {
+            // The slope is x + y s + z s^2.
+            let (x, y, z) = (first - second / 2.0 + third / 3.0, second - third, third / 2.0);
+            let root = (y * y - 4.0 * x * z).max(0.0).sqrt();
+            let flat = [(-y + root) / (2.0 * z), (-y - root) / (2.0 * z), 4.0];
+            flat.into_iter().filter(|s| (0.0..=4.0).contains(s)).collect()
+        }
+    };
+    let best = speeds.into_iter().map(|s| (1000.0 * s, power(s)));
+    best.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, a))
 }
 
 #[cfg(test)]
@@ -162,8 +179,12 @@ mod tests {
     }
 
     #[test]
-    fn the_power_is_looked_for_among_the_hundreds() {
-        let (rpm, power) = largest_power([35.5, 80.0, 72.9, 64.1]).unwrap();
-        assert!(rpm == 3800.0 && (power - 26.884e3).abs() < 1.0, "{rpm} {power}");
+    fn the_cubic_is_that_of_the_normal_equations() {
+        // Solved apart from this by elimination: 26 879.577 W at 3761 rpm, 26 871.269 W at 3800 rpm.
+        let torques = [35.5, 80.0, 72.9, 64.1];
+        let (rpm, power) = largest_power(torques, None);
+        assert!((rpm - 3761.0).abs() < 1.0 && (power - 26_879.577).abs() < 0.01, "{rpm} {power}");
+        let (rpm, power) = largest_power(torques, Some(100.0));
+        assert!((rpm - 3800.0).abs() < 1e-9 && (power - 26_871.269).abs() < 0.01, "{rpm} {power}");
     }
 }

@@ -14,13 +14,14 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. Workshop sheets: [`WorkshopKey`].
 
 use super::case::Run;
 use super::gas::GasKey;
 use super::method::DeviceKey;
 use super::mount::MountKey;
 use super::shape::ShapeKey;
+use super::workshop::WorkshopKey;
 use lanchester_mechanism::{Extremes, LoadSet, Part};
 use lanchester_model::Engine;
 use num_complex::Complex64;
@@ -60,6 +61,8 @@ pub(super) enum Key {
     Mount(MountKey),
     /// Of the gas.
     Gas(GasKey),
+    /// Of a workshop sheet.
+    Workshop(WorkshopKey),
 }
 
 /// A datum of the engine as it was read.
@@ -186,6 +189,9 @@ impl Key {
         if let Some(mount) = MountKey::parse(text) {
             return Ok(Key::Mount(mount));
         }
+        if let Some(workshop) = WorkshopKey::parse(text) {
+            return Ok(Key::Workshop(workshop));
+        }
         if let Some(gas) = GasKey::parse(text) {
             return Ok(Key::Gas(gas));
         }
@@ -213,6 +219,7 @@ impl Key {
             Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
             Key::Mount(mount) => mount.of(run).map(Value::Number),
             Key::Gas(gas) => gas.of(run).map(Value::Number),
+            Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }
 

@@ -13,7 +13,6 @@
 //! | `shape balance` | its unbalance over full balance [%] |
 //! | `shape balance, printed centroid` | the same with eq. 30 of the tool paper as printed: `r^3/3` more in the first moment |
 //! | `shape height` | `h + H + R`, which the tool paper calls `R_min` |
-//! | `shape PLACE` | an input |
 
 use super::source::NewValue;
 use lanchester_geometry::CounterweightShape;
@@ -42,12 +41,8 @@ pub(super) enum ShapeKey {
     Mass,
     SweptRadius,
     Shoulder,
-    Balance {
-        printed_centroid: bool,
-    },
+    Balance { printed_centroid: bool },
     Height,
-    /// What is given in a place.
-    Given(&'static str),
 }
 
 impl ShapeFit {
@@ -90,7 +85,7 @@ impl ShapeKey {
             "balance" => ShapeKey::Balance { printed_centroid: false },
             "balance, printed centroid" => ShapeKey::Balance { printed_centroid: true },
             "height" => ShapeKey::Height,
-            place => ShapeKey::Given(PLACES.iter().find(|(known, ..)| *known == place)?.0),
+            _ => return None,
         })
     }
 
@@ -107,7 +102,6 @@ impl ShapeKey {
                 100.0 * plate()? * (shape.moments().first.x + more) / fit.get("duty")?
             }
             ShapeKey::Height => shape.chord_distance() + shape.arc_radius,
-            ShapeKey::Given(place) => fit.get(place)?,
         })
     }
 }
@@ -155,7 +149,7 @@ mod tests {
         assert!(fit.take("shape.colour", &text("red")).is_err());
         assert!(fit.take("shape.thickness", &text("1 kg")).is_err());
         assert!(fit.take("shape.thickness", &NewValue::Gone(())).is_err());
-        assert!(ShapeKey::parse("shape colour").is_none() && ShapeKey::parse("mass").is_none());
+        assert!(ShapeKey::parse("shape thickness").is_none() && ShapeKey::parse("mass").is_none());
         assert!(ShapeKey::Mass.of(&fit).is_err());
     }
 }

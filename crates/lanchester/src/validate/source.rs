@@ -21,6 +21,9 @@ pub(super) struct Table {
     /// Whether its numbers come from an input that was fitted to them.
     #[serde(default)]
     pub synthetic: bool,
+    /// Places of changes whose printed values are rounded themselves: results for all that rounds to them are computed.
+    #[serde(default)]
+    pub rounded_inputs: Vec<String>,
     #[serde(default)]
     pub columns: Vec<Column>,
     pub rows: Vec<Row>,
@@ -56,6 +59,12 @@ pub(super) struct Row {
     /// Whether it comes from an input that was fitted to it; as the table says unless given.
     #[serde(default)]
     pub synthetic: Option<bool>,
+    /// The verdict of those of its numbers that state none.
+    #[serde(default)]
+    pub expected: Option<Verdict>,
+    /// Why, for those of its numbers that give no reason.
+    #[serde(default)]
+    pub reason: Option<String>,
     /// Point that couples are about, if not the origin.
     #[serde(default)]
     pub about: Option<String>,
@@ -160,22 +169,28 @@ pub(super) enum Cell {
     Explained(Explained),
 }
 
-/// A printed number that ours does not plainly match, and why.
+/// A printed number with a verdict other than a match, or with something to say about it.
 #[derive(Deserialize, Default)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Explained {
     text: String,
     #[serde(default)]
     expected: Option<Verdict>,
+    /// What ours must equal to its digits.
     #[serde(default)]
     correct: Option<String>,
+    /// Ours less the printed number, where ours comes from an input that was fitted to it.
+    #[serde(default)]
+    residual: Option<String>,
+    /// An intermediate result as the source rounds and prints it.
     #[serde(default)]
     rounded: Vec<Edit>,
+    /// An assumption that was looked for to give the printed number.
     #[serde(default)]
-    unprinted: Vec<Edit>,
-    /// Unit of the last digit that counts, where the printed text does not show it.
+    assumed: Vec<Edit>,
+    /// The error of the source that gives the printed number.
     #[serde(default)]
-    place: Option<f64>,
+    wrong: Vec<Edit>,
     #[serde(default)]
     reason: Option<String>,
 }
@@ -195,8 +210,13 @@ impl Cell {
         }
     }
 
+    /// The verdict that it states itself.
+    pub fn stated(&self) -> Option<Verdict> {
+        self.explained().and_then(|e| e.expected)
+    }
+
     pub fn expected(&self) -> Verdict {
-        self.explained().and_then(|e| e.expected).unwrap_or(Verdict::Match)
+        self.stated().unwrap_or(Verdict::Match)
     }
 
     pub fn correct(&self) -> Option<&str> {
@@ -207,16 +227,20 @@ impl Cell {
         self.explained().and_then(|e| e.reason.as_deref())
     }
 
+    pub fn residual(&self) -> Option<&str> {
+        self.explained().and_then(|e| e.residual.as_deref())
+    }
+
     pub fn rounded(&self) -> &[Edit] {
         self.explained().map_or(&[], |e| &e.rounded)
     }
 
-    pub fn unprinted(&self) -> &[Edit] {
-        self.explained().map_or(&[], |e| &e.unprinted)
+    pub fn assumed(&self) -> &[Edit] {
+        self.explained().map_or(&[], |e| &e.assumed)
     }
 
-    pub fn place(&self) -> Option<f64> {
-        self.explained().and_then(|e| e.place)
+    pub fn wrong(&self) -> &[Edit] {
+        self.explained().map_or(&[], |e| &e.wrong)
     }
 }
 

@@ -286,8 +286,7 @@ impl<'a> Reader<'a> {
         if miss.abs() <= LARGEST_MISS * wanted {
             return;
         }
-        let [shown, by] =
-            [unbalance, miss.abs()].map(|amount| quantity::readable(amount, Dimension::Unbalance));
+        let [shown, by] = quantity::readable_difference(unbalance, wanted, Dimension::Unbalance);
         let share = if wanted > 0.0 {
             format!(" ({})", quantity::readable(miss.abs() / wanted, Dimension::Share))
         } else {

@@ -1,7 +1,7 @@
 //! The reference of the engine file for the book.
 
 use super::{Bound, FILE, Key, Kind, Need, Table};
-use crate::codes::diagnostic_codes;
+use crate::codes::{diagnostic_codes, diagnostic_families};
 use crate::quantity::{Dimension, one_of};
 use crate::workshop::SHEET;
 
@@ -13,7 +13,11 @@ pub fn reference_markdown() -> String {
         let units: Vec<String> = dimension.units().map(|unit| format!("`{}`", unit.name)).collect();
         out += &format!("| {} | {} |\n", dimension.name(), units.join(", "));
     }
-    out += "\n## Diagnostics\n\n| code | says |\n|---|---|\n";
+    out += "\n## Diagnostics\n\nE is an error, W a warning. The first two digits name the family:\n\n| digits | family |\n|---|---|\n";
+    for (digits, family) in diagnostic_families() {
+        out += &format!("| {digits} | {family} |\n");
+    }
+    out += "\n| code | says |\n|---|---|\n";
     for (code, meaning) in diagnostic_codes() {
         out += &format!("| {code} | {meaning} |\n");
     }
