@@ -4,7 +4,7 @@ use crate::commands::open;
 use crate::counterweight_arguments::ExportArguments;
 use crate::failure::{DONE, Failure};
 use crate::files::write_result;
-use lanchester::geometry::drawing::{dxf, svg};
+use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
 use lanchester::model::{Engine, option};
 use lanchester::{crankshaft_parts, engine_parts, shaft_parts};
@@ -31,8 +31,8 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
         }
         "stl" => stl(&solids()?, facet).map_err(Failure::refused)?,
         "glb" => glb(&solids()?, facet).map_err(Failure::refused)?,
-        "dxf" => dxf(one(&parts)?.part.outline()).into_bytes(),
-        "svg" => svg(one(&parts)?.part.outline()).into_bytes(),
+        "dxf" => part_dxf(&one(&parts)?.part).map_err(Failure::refused)?.into_bytes(),
+        "svg" => part_svg(&one(&parts)?.part).map_err(Failure::refused)?.into_bytes(),
         _ => {
             return Err(Failure::input(
                 format_args!(
