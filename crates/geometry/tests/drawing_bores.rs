@@ -61,11 +61,9 @@ fn an_svg_holds_every_bore_with_centre_lines_and_notes() {
     let text = part_svg(&part()).unwrap();
     check(&read_svg(text.as_bytes(), &DrawingOptions::default()).unwrap());
     assert_eq!(text.matches("<line ").count(), 6);
-    for note in [
-        "⌀16 through",
-        "⌀14 12 mm deep from the front face, 18000 kg/m3",
-        "⌀10 5 mm deep from the rear face",
-    ] {
+    for note in
+        ["⌀16 through", "⌀14 12 mm deep from the front face, 18000 kg/m3", "⌀10 5 mm deep from the rear face"]
+    {
         assert!(text.contains(note), "{note}");
     }
 }

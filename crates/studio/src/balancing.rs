@@ -7,7 +7,7 @@ use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, DriveRule, Judged, Outcome, Target, arrangements,
-    fitted, optimise_while, searched_engine,
+    fitted, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
@@ -15,6 +15,7 @@ use lanchester::model::{
     TaskOptions, crank_weights, default_task, option, write_back,
 };
 use lanchester::report::headline;
+use lanchester::{WebBound, WhatFitsError, optimise_what_fits};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -80,6 +81,8 @@ struct BalanceAnswer {
     text: Option<String>,
     /// Loads with it.
     after: Option<Loads>,
+    /// What fits on the webs of the weights that are bounded by it.
+    web_bounds: Vec<WebBound>,
     /// Added shafts that may strike the crank or stand far out.
     warnings: Vec<Warning>,
 }
@@ -144,18 +147,19 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     let ChangedTask { task, warnings } = task(&engine, &question)?;
     let warning = |fault: RoomFault| Warning { message: fault.message, hint: fault.hint.into() };
     let warnings = warnings.into_iter().map(warning).collect();
-    let answer = optimise_while(&engine, &task, &|| asker.waits()).map_err(|error| match error {
-        BalanceError::BrokenOff => superseded(),
+    let bounded = optimise_what_fits(&engine, &task, &|| asker.waits()).map_err(|error| match error {
+        WhatFitsError::Balance(BalanceError::BrokenOff) => superseded(),
         error => Problem::refused(error),
     })?;
+    let (answer, web_bounds) = (bounded.answer, bounded.bounds);
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
-        return Ok(BalanceAnswer { answer, headline, text: None, after: None, warnings });
+        return Ok(BalanceAnswer { answer, headline, text: None, after: None, web_bounds, warnings });
     }
     let best = fitted(&engine, &answer);
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
     let text = write_back(&question.text, &best).map_err(Problem::refused)?;
-    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), warnings })
+    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), web_bounds, warnings })
 }
 
 /// The free devices, changed by what is wanted.

@@ -3,14 +3,14 @@
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::balance_request::balance_task;
 use crate::commands::found::{csv, loads_of, put_into_file};
-use crate::commands::{json, open, published, search, sweep};
+use crate::commands::{json, open, published, search, sweep, web_bounds};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use lanchester::balance::{Answer, Outcome, fitted, optimise};
+use lanchester::balance::{Answer, Outcome, fitted};
 use lanchester::model::Engine;
 use lanchester::report::{PartMass, Table, balance_text, headline, optimum_figures, part_masses_table};
-use lanchester::{WeightAsPart, weights_as_parts};
+use lanchester::{BoundedAnswer, WebBound, WeightAsPart, optimise_what_fits, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
 
@@ -50,35 +50,39 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "give --cancel, or take another --table",
         ));
     }
-    let answer = optimise(engine, &task).map_err(Failure::refused)?;
+    let bounded = optimise_what_fits(engine, &task, &|| true).map_err(Failure::refused)?;
+    let BoundedAnswer { answer, bounds } = &bounded;
     let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
-    let after = fitted(engine, &answer);
+    let after = fitted(engine, answer);
     let loads_after = loads_of(&after)?;
     if let Some(folder) = &arguments.figures
         && found
     {
         let before = loads_of(engine)?;
-        let of_answer = optimum_figures(engine, &answer, &before, &after, &loads_after);
-        for figure in of_answer.into_iter().chain(sweep::curve(&after, &answer)) {
+        let of_answer = optimum_figures(engine, answer, &before, &after, &loads_after);
+        for figure in of_answer.into_iter().chain(sweep::curve(&after, answer)) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
     if found && put_into_file(&opened, arguments, &after, colour)? {
-        return Ok(status(&answer));
+        return Ok(status(answer));
     }
-    if status(&answer) != DONE && arguments.format != Format::Text {
-        eprintln!("{}", headline(engine, &answer));
+    if status(answer) != DONE && arguments.format != Format::Text {
+        eprintln!("{}", headline(engine, answer));
     }
-    let as_parts = if found { as_parts(&answer, &after) } else { Vec::new() };
+    let as_parts = if found { as_parts(answer, &after) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
-            let text = balance_text(engine, &answer, &loads_after.diagnosis.summary);
+            let mut text = balance_text(engine, answer, &loads_after.diagnosis.summary);
+            if found && let Some(table) = web_bounds::table(&bounded) {
+                text += &format!("\n{}", table.text());
+            }
             text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
         }
-        (Format::Json, _) => json(&Found { answer: &answer, as_parts: &as_parts })?,
-        (Format::Csv, table) => csv(engine, &answer, table),
+        (Format::Json, _) => json(&Found { answer, as_parts: &as_parts, web_bounds: bounds })?,
+        (Format::Csv, table) => csv(engine, answer, table),
     })?;
-    Ok(status(&answer))
+    Ok(status(answer))
 }
 
 /// What was found, with the weights as parts where the file says among which shapes they are searched.
@@ -88,6 +92,9 @@ struct Found<'a> {
     answer: &'a Answer,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     as_parts: &'a [WeightAsPart],
+    /// What fits on the webs of the weights that are bounded by it.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    web_bounds: &'a [WebBound],
 }
 
 /// The found weights as parts; what is in the way of that is a warning.

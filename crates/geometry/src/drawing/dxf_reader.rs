@@ -1,8 +1,8 @@
 //! An outline from the text of a DXF file.
 
+use super::bore::{BORES_LAYER, Bore, CENTRE_LINES_LAYER};
 use super::dxf_entities::{Edges, arc, circle, light_polyline, line, polyline};
 use super::dxf_tags::{Record, Tag, tags, text};
-use super::bore::{BORES_LAYER, Bore, CENTRE_LINES_LAYER};
 use super::dxf_writer::UNIT_COMMENT;
 use super::nesting::drawing;
 use super::strand::Strand;

@@ -67,8 +67,8 @@ fn marks(bores: &[DrawnBore]) -> String {
     }
     let (mut circles, mut marks) = (String::new(), String::new());
     for drawn in bores {
-        let [x, y, radius] =
-            [drawn.bore.centre.x, -drawn.bore.centre.y, drawn.bore.radius].map(|length| decimal(1e3 * length));
+        let [x, y, radius] = [drawn.bore.centre.x, -drawn.bore.centre.y, drawn.bore.radius]
+            .map(|length| decimal(1e3 * length));
         if !drawn.is_opening {
             circles += &format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>\n");
         }
