@@ -442,7 +442,9 @@ fn the_envelope_is_what_the_clearance_leaves() {
             let (mut low, mut high) = (0.03, 0.2);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                if reach.excess(&shape(middle)) <= 0.0 { low = middle } else { high = middle }
+                let is_within =
+                    reach.excess(&shape(middle)) <= 0.0 && shape(middle).swept_radius() <= found.circle;
+                if is_within { low = middle } else { high = middle }
             }
             for (radius, is_kept) in [(low, true), (low + 2e-6, false)] {
                 let outline = Outline::from(shape(radius).outline()).turned(angle - PI);

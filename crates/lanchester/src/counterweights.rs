@@ -125,7 +125,8 @@ pub fn design_counterweights(
         }
         let designed = cleared(engine, index, duty, &around)?;
         let reach = around.reach.as_ref().filter(|_| designed.room.is_some());
-        let asked = DesignTask::new(duty + designed.shared / around.task.least_balance, &around.task);
+        let shapes = within(&around.task, around.envelope.as_ref().filter(|_| designed.room.is_some()));
+        let asked = DesignTask::new(duty + designed.shared / shapes.least_balance, &shapes);
         let search = |search: EvolutionRequest| {
             evolve_within(&asked, around.task.minimise, search.seed, search.evaluations, reach)
         };
@@ -196,7 +197,12 @@ impl Surroundings {
             (Some(one), Some(other)) => one.is_like(other),
             _ => false,
         };
-        self.task == other.task && reaches
+        let circle = |around: &Surroundings| around.envelope.as_ref().map(|envelope| envelope.circle);
+        let circles = match (circle(self), circle(other)) {
+            (Some(one), Some(other)) => one == other || (one - other).abs() <= 1e-9,
+            (one, other) => one == other,
+        };
+        self.task == other.task && reaches && circles
     }
 
     /// Whether all that leaves the envelope comes too near to something, for a design of this thickness [m]: the envelope is that of the
@@ -219,7 +225,8 @@ fn cleared(
         return Ok(free);
     };
     let (part, _) = fitted_part(engine, index, &best.design, around.task.density)?;
-    let is_within = envelope.around(part.angle).excess(&best.design.shape) <= 0.0;
+    let is_within = best.design.swept_radius <= envelope.circle
+        && envelope.around(part.angle).excess(&best.design.shape) <= 0.0;
     if is_within || (!envelope.is_exact && keeps_clear(engine, index, &best.design, around.task.density)?) {
         return Ok(free);
     }
@@ -231,6 +238,17 @@ fn cleared(
     };
     let room_is_exact = Some(around.is_exact(thickness));
     Ok(DesignedCounterweight { room: Some(envelope.nearest.clone()), room_is_exact, without_room, ..limited })
+}
+
+/// The task with the swept radius within the circle of an envelope.
+pub(crate) fn within(task: &ShapeTask, envelope: Option<&ClearanceEnvelope>) -> ShapeTask {
+    let mut task = *task;
+    if let Some(circle) = envelope.map(|envelope| envelope.circle).filter(|circle| circle.is_finite()) {
+        // A radius of nothing is no limit that a task can have: no shape is that small.
+        let circle = circle.max(1e-9);
+        task.limits.swept_radius = Some(task.limits.swept_radius.map_or(circle, |limit| limit.min(circle)));
+    }
+    task
 }
 
 /// Whether a weight with this design keeps the wanted clearance to everything, proved.
@@ -257,7 +275,8 @@ fn designed(
     envelope: Option<&ClearanceEnvelope>,
 ) -> Result<DesignedCounterweight, CounterweightError> {
     let mut seat = WebSeat::new(engine, task.density, [(index, envelope.cloned())]);
-    let outcome = design_on(&DesignTask::new(duty, task), task.minimise, &mut seat)?;
+    let asked = DesignTask::new(duty, &within(task, envelope));
+    let outcome = design_on(&asked, task.minimise, &mut seat)?;
     if let Some(fault) = seat.fault {
         return Err(fault);
     }
@@ -317,6 +336,7 @@ pub fn counterweight_front(
     let mut task = request.task;
     for (.., around) in &places {
         task.thickness.most = task.thickness.most.min(around.task.thickness.most);
+        task = within(&task, around.envelope.as_ref());
     }
     let nearest = places.iter().filter_map(|(.., around)| around.envelope.as_ref());
     let room = nearest.map(|envelope| envelope.nearest.clone());

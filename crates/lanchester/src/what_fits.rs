@@ -2,7 +2,7 @@
 
 use crate::counterweight_error::CounterweightError;
 use crate::counterweight_fit::WebSeat;
-use crate::counterweights::{Surroundings, web_of};
+use crate::counterweights::{Surroundings, web_of, within};
 use lanchester_balance::{Answer, BalanceError, Outcome, optimise_while};
 use lanchester_geometry::clearance::Obstacle;
 use lanchester_geometry::{Design, DesignTask, LargestUnbalance, ShapeTask, largest_unbalance};
@@ -268,7 +268,8 @@ fn bound_of(
     bare.counterweights = vec![placed];
     let around = Surroundings::of(&bare, 0, &task)?;
     let mut seat = WebSeat::new(&bare, task.density, [(0, around.envelope.clone())]);
-    let shapes = ShapeTask { most_balance: None, least_balance: 1.0, ..around.task };
+    let shapes = within(&around.task, around.envelope.as_ref());
+    let shapes = ShapeTask { most_balance: None, least_balance: 1.0, ..shapes };
     let found = largest_unbalance(&DesignTask::new(SCALE, &shapes), &mut seat)?;
     if let Some(fault) = seat.fault {
         return Err(fault);
@@ -293,7 +294,7 @@ fn limits(around: &Surroundings, design: &Design) -> Vec<FitLimit> {
     let at = |value: f64, limit: f64| value >= limit * (1.0 - 1e-6);
     let mut limits = Vec::new();
     if let (Some(envelope), Some(reach)) = (&around.envelope, &around.reach)
-        && reach.excess(&design.shape) > -1e-5
+        && (reach.excess(&design.shape) > -1e-5 || design.swept_radius > envelope.circle - 1e-6)
     {
         limits.push(FitLimit::Clearance(envelope.nearest.limit));
     }

@@ -76,7 +76,7 @@ fn the_best_shape_within_the_envelope_keeps_the_clearance_just_so() {
     let weight = &designed["weights"][0];
     let mass = weight["on_web"]["mass"].as_f64().unwrap();
     // Within the circle of 92.5 mm that keeps any shape clear it was 1.6053 kg; without any clearance it is 1.29 kg.
-    assert!(mass < 1.6 && mass > weight["without_room"].as_f64().unwrap(), "{weight}");
+    assert!(mass < 1.605 && mass > weight["without_room"].as_f64().unwrap(), "{weight}");
     output(&folder, 0, &[&design[..], &["--write"]].concat());
     let checked = output_json(&folder, 0, &["counterweight", "check", "three.toml", "--format", "json"]);
     let bodies = checked["clearances"]["bodies"].as_array().unwrap();

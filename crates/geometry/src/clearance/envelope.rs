@@ -27,6 +27,8 @@ use std::f64::consts::{PI, TAU};
 const DIRECTIONS: usize = 7200;
 /// Steps of the search for the place at which a liner is nearest.
 const STEPS: usize = 4000;
+/// No limit at all [m].
+const FREE: f64 = 1e3;
 /// What rounding and the last step of a search may miss [m].
 const ROUNDING: f64 = 1e-9;
 
@@ -39,18 +41,24 @@ pub struct ClearanceEnvelope {
     pub circle: f64,
     /// Whether all that leaves it comes too near to something.
     pub is_exact: bool,
-    /// Largest `n . p` in every direction, evenly from the direction of the crankshaft's `x` at angle zero [m].
+    /// Largest `n . p` in every direction, evenly from the direction of the crankshaft's `x` at angle zero [m], as far as pistons leave less than
+    /// the circle.
     limits: Vec<f64>,
 }
 
 impl ClearanceEnvelope {
-    /// What it leaves to a counterweight whose axis stands at `angle` on the crankshaft [rad].
+    /// What pistons leave within the circle to a counterweight whose axis stands at `angle` on the crankshaft [rad].
     pub fn around(&self, angle: f64) -> Reach {
         let count = self.limits.len();
         let at = |direction: f64| {
             let place = (direction / TAU).rem_euclid(1.0) * count as f64;
             let (first, part) = (place.floor() as usize % count, place.fract());
-            (1.0 - part) * self.limits[first] + part * self.limits[(first + 1) % count]
+            let ends = [self.limits[first], self.limits[(first + 1) % count]];
+            // Between a limit and none the limit goes on.
+            match ends.iter().any(|end| *end >= FREE / 2.0) {
+                true => ends[0].min(ends[1]),
+                false => (1.0 - part) * ends[0] + part * ends[1],
+            }
         };
         let half = count / 2;
         let limit = |k: usize| {
@@ -115,7 +123,8 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
         }
         // What matters of pistons is what is nearer than this.
         let farthest = circle.min(farthest);
-        let mut limits = vec![farthest; DIRECTIONS];
+        // Where pistons leave more than the circle does, the circle is enough.
+        let mut limits = vec![FREE; DIRECTIONS];
         let mut is_exact = true;
         for limit in &obstacles[0] {
             for contact in self.contacts(&plate, crankshaft, None, *limit) {
@@ -196,7 +205,9 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
                     let place = -pose.travel_rate / ratio;
                     under.places = [under.places[0].min(place), under.places[1].max(place)];
                 }
-                *limit = limit.min(height);
+                if height < farthest {
+                    *limit = limit.min(height);
+                }
             }
         }
         (under.height < farthest).then_some(under)
