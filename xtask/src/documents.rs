@@ -60,7 +60,8 @@ pub fn engines(program: &Path) -> Result<String> {
                 }
                 ("sh", _) => {
                     // A page makes its own files; engines of the gallery that later lines are about in any case.
-                    let makes = |line: &str| line.starts_with("lanchester new ") && line.contains(" --output");
+                    let makes =
+                        |line: &str| line.starts_with("lanchester new ") && line.contains(" --output");
                     for line in block.text.lines().filter(|line| block.tag == "run" || makes(line)) {
                         run_in(program, &folder, line).with_context(|| format!("{place}: `{line}`"))?;
                     }

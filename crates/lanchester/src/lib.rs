@@ -21,6 +21,8 @@ mod clearance;
 mod comparison;
 mod consequences;
 mod counterweight_check;
+mod counterweight_error;
+mod counterweight_fit;
 mod counterweights;
 mod crankshaft_parts;
 mod engine_report;
@@ -40,6 +42,7 @@ mod shaft_weights;
 mod torque_report;
 pub mod validate;
 mod weights_as_parts;
+mod what_fits;
 
 pub use arrangements::arrangements;
 pub use clearance::{
@@ -51,10 +54,11 @@ pub use counterweight_check::{
     COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CheckedShaftWeight, CounterweightCheck,
     check_counterweights,
 };
+pub use counterweight_error::CounterweightError;
+pub use counterweight_fit::{OnWeb, with_counterweights, with_outline};
 pub use counterweights::{
-    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightFront,
-    CounterweightRequest, DesignedCounterweight, EvolutionRequest, adopted, counterweight_front,
-    design_counterweights, with_counterweights, with_outline,
+    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightFront, CounterweightRequest,
+    DesignedCounterweight, EvolutionRequest, adopted, counterweight_front, design_counterweights,
 };
 pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
@@ -87,3 +91,4 @@ pub use torque_report::{
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};
+pub use what_fits::{BoundedAnswer, FitLimit, WebBound, WhatFitsError, optimise_what_fits};

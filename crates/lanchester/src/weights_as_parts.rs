@@ -1,11 +1,10 @@
 //! What the weights that balancing found weigh as real parts.
 
-use crate::counterweights::{
-    CounterweightError, CounterweightRequest, design_counterweights, stands_on_a_web,
-};
+use crate::counterweight_error::CounterweightError;
+use crate::counterweights::{CounterweightRequest, design_counterweights, web_of};
 use crate::shaft_weights::design_shaft_weights;
 use lanchester_balance::Answer;
-use lanchester_geometry::{DesignOutcome, ShaftWeightOutcome};
+use lanchester_geometry::ShaftWeightOutcome;
 use lanchester_model::{Engine, Seat};
 use serde::Serialize;
 
@@ -18,7 +17,7 @@ pub struct WeightAsPart {
     pub unbalance: f64,
     /// What it weighs with its centre at the radius that the task gives [kg], where it gives one.
     pub at_radius: Option<f64>,
-    /// What the best shape weighs [kg], a counterweight beyond the disc of its web; none where no shape of the ranges has the unbalance.
+    /// What the best shape weighs [kg], a counterweight beyond its plain web; none where no shape of the ranges has the unbalance.
     pub mass: Option<f64>,
 }
 
@@ -46,7 +45,7 @@ pub fn weights_as_parts(answer: &Answer, fitted: &Engine) -> Result<Vec<WeightAs
                 && fitted
                     .counterweights
                     .iter()
-                    .any(|weight| weight.name == found.name && stands_on_a_web(fitted, weight))
+                    .any(|weight| weight.name == found.name && web_of(fitted, weight).is_some())
         });
         let on_webs: Vec<_> = on_webs.map(|(_, found)| *found).collect();
         if !on_webs.is_empty() {
@@ -54,10 +53,7 @@ pub fn weights_as_parts(answer: &Answer, fitted: &Engine) -> Result<Vec<WeightAs
             let request = CounterweightRequest { weights, unbalance: None, task, evolution: None };
             for weight in design_counterweights(fitted, &request)?.weights {
                 let found = on_webs.iter().find(|found| found.name == weight.name);
-                let mass = match &weight.outcome {
-                    DesignOutcome::Found(best) => Some(best.design.mass),
-                    DesignOutcome::Infeasible(_) => None,
-                };
+                let mass = weight.on_web.map(|on_web| on_web.mass);
                 let at_radius = found.and_then(|found| found.mass);
                 parts.push(WeightAsPart { name: weight.name, unbalance: weight.duty, at_radius, mass });
             }

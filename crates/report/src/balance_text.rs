@@ -9,9 +9,7 @@ use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
 use crate::number;
 use crate::terminal::push_wrapped;
-use lanchester_balance::{
-    Answer, BalanceSettings, Consequences, FoundStage, Method, Outcome, SearchState,
-};
+use lanchester_balance::{Answer, BalanceSettings, Consequences, FoundStage, Method, Outcome, SearchState};
 use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 

@@ -5,7 +5,9 @@ use crate::figure::{Figure, Panel};
 use crate::number;
 use crate::part_sheet::{SECTION, Sheet, WIDTH, identifier};
 use crate::svg::{Anchor, Path, Svg, text_width};
-use lanchester_geometry::{Chamfer, CounterweightShape, Cut, Face, MassProperties, Outline, Part, Point};
+use lanchester_geometry::{
+    Chamfer, CounterweightShape, Cut, Face, Insert, MassProperties, Outline, Part, Point,
+};
 use lanchester_model::{CounterweightForm, CounterweightPart};
 
 /// What a counterweight's drawing shows.
@@ -90,8 +92,7 @@ fn across(svg: &mut Svg, drawn: &DrawnCounterweight<'_>, sheet: &Sheet) {
         svg.path("pin", &sheet.path(opening));
     }
     for insert in part.inserts() {
-        let class = if insert.density > 0.0 { "slug" } else { "pin" };
-        svg.circle(class, sheet.at(insert.centre), insert.radius * sheet.scale);
+        bore(svg, sheet, insert, part.thickness());
     }
     for chamfer in part.chamfers() {
         chamfer_line(svg, sheet, chamfer);
@@ -104,6 +105,32 @@ fn across(svg: &mut Svg, drawn: &DrawnCounterweight<'_>, sheet: &Sheet) {
     }
     let [x, y, _] = drawn.properties.centre;
     sheet.centre_of_mass(svg, Point::new(x, y));
+}
+
+/// A bore with its centre lines, its diameter and its depth.
+fn bore(svg: &mut Svg, sheet: &Sheet, insert: &Insert, thickness: f64) {
+    let (centre, radius) = (sheet.at(insert.centre), insert.radius * sheet.scale);
+    svg.circle(if insert.density > 0.0 { "slug" } else { "pin" }, centre, radius);
+    let reach = radius + 5.0;
+    svg.line("axis-line", (centre.0 - reach, centre.1), (centre.0 + reach, centre.1));
+    svg.line("axis-line", (centre.0, centre.1 - reach), (centre.0, centre.1 + reach));
+    let slack = 1e-9 * thickness;
+    let depth = match (insert.from <= slack, insert.to >= thickness - slack) {
+        (true, true) => "through".to_owned(),
+        (true, false) => format!("{} deep from the free end", millimetres(insert.to)),
+        (false, true) => format!("{} deep from the flywheel end", millimetres(thickness - insert.from)),
+        (false, false) => {
+            format!("{} to {} from the free end", millimetres(insert.from), millimetres(insert.to))
+        }
+    };
+    let material = match insert.density > 0.0 {
+        true => format!(", {} kg/m³", number::trimmed(insert.density, 5)),
+        false => String::new(),
+    };
+    let label = format!("⌀ {} {depth}{material}", millimetres(2.0 * insert.radius));
+    let side = if insert.centre.y < 0.0 { -1.0 } else { 1.0 };
+    let tip = (centre.0 + side * 0.707 * radius, centre.1 + 0.707 * radius);
+    leader(svg, tip, (tip.0 + side * 26.0, tip.1 + 30.0), &label);
 }
 
 /// The circle that the part sweeps, as far as its outline comes near it, and the crankcase.
@@ -255,7 +282,6 @@ fn along(svg: &mut Svg, part: &Part, sheet: &Sheet) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_geometry::Insert;
 
     fn family() -> CounterweightPart {
         let shape = CounterweightShape {
@@ -304,7 +330,12 @@ mod tests {
         let slug =
             Insert { centre: Point::new(0.03, 0.025), radius: 0.008, from: 0.0, to: 0.01, density: 18_000.0 };
         part.part = part.part.with_insert(slug).expect("it is within the material");
+        let hole = Insert { centre: Point::new(0.03, -0.02), from: 0.0, to: 0.018, density: 0.0, ..slug };
+        part.part = part.part.with_insert(hole).expect("it is beside the slug");
         let svg = drawn(&part);
         assert!(svg.contains("class=\"slug\""));
+        for label in ["⌀ 16 10 deep from the free end, 18000 kg/m³", "⌀ 16 through"] {
+            assert!(svg.contains(label), "{label} is missing");
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::asker::Asker;
 use crate::design_choice::{Aim, design_request};
 use crate::problem::Problem;
 use crate::reading::{EngineText, NewText, engine};
-use lanchester::geometry::drawing::{dxf, svg};
+use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{StepHeader, glb, solids, step, stl};
 use lanchester::geometry::{Design, DesignOutcome};
 use lanchester::model::{Engine, write_back};
@@ -187,8 +187,8 @@ fn export(_: &Asker, question: ExportQuestion) -> Result<Made, Problem> {
         None => engine_parts(&engine).map_err(Problem::refused)?,
     };
     let solids = || solids(&parts).map_err(Problem::refused);
-    let outline = || match &parts[..] {
-        [part] => Ok(part.part.outline()),
+    let single = || match &parts[..] {
+        [part] => Ok(&part.part),
         _ => Err(Problem::refused(format!(
             "a drawing holds the outline of one part, got {}\nhint: export one counterweight",
             parts.len()
@@ -201,8 +201,8 @@ fn export(_: &Asker, question: ExportQuestion) -> Result<Made, Problem> {
         }
         Format::Stl => ("model/stl", stl(&solids()?, FACET).map_err(Problem::refused)?),
         Format::Glb => ("model/gltf-binary", glb(&solids()?, FACET).map_err(Problem::refused)?),
-        Format::Dxf => ("image/vnd.dxf", dxf(outline()?).into_bytes()),
-        Format::Svg => ("image/svg+xml", svg(outline()?).into_bytes()),
+        Format::Dxf => ("image/vnd.dxf", part_dxf(single()?).map_err(Problem::refused)?.into_bytes()),
+        Format::Svg => ("image/svg+xml", part_svg(single()?).map_err(Problem::refused)?.into_bytes()),
     };
     Ok(Made { kind, bytes })
 }

@@ -1,5 +1,6 @@
 //! An outline from the text of a DXF file.
 
+use super::bore::{BORES_LAYER, Bore, CENTRE_LINES_LAYER};
 use super::dxf_entities::{Edges, arc, circle, light_polyline, line, polyline};
 use super::dxf_tags::{Record, Tag, tags, text};
 use super::dxf_writer::UNIT_COMMENT;
@@ -58,8 +59,16 @@ pub fn read_dxf(bytes: &[u8], options: &DrawingOptions) -> Result<Drawing, Drawi
     options.checked()?;
     let text = text(bytes)?;
     let (tags, comments) = tags(&text)?;
-    let mut reader = Reader { options, hidden: Vec::new(), strands: Vec::new(), ignored: Vec::new() };
-    let mut unit = comments.contains(&UNIT_COMMENT).then_some(1e-3);
+    let is_own = comments.contains(&UNIT_COMMENT);
+    let mut reader = Reader {
+        options,
+        is_own,
+        hidden: Vec::new(),
+        strands: Vec::new(),
+        bores: Vec::new(),
+        ignored: Vec::new(),
+    };
+    let mut unit = is_own.then_some(1e-3);
     let mut has_entities = false;
     let mut rest = &tags[..];
     while let Some((first, after)) = rest.split_first() {
@@ -98,7 +107,8 @@ pub fn read_dxf(bytes: &[u8], options: &DrawingOptions) -> Result<Drawing, Drawi
         });
     }
     let unit = options.unit.or(unit).ok_or(DrawingError::NoUnit { why: "it has no $INSUNITS" })?;
-    drawing(reader.strands, options.gap, unit, reader.ignored)
+    let outline = drawing(reader.strands, options.gap, unit, reader.ignored)?;
+    Ok(Drawing { bores: reader.bores, ..outline })
 }
 
 /// The unit that the header says, none where it says that there is none.
@@ -132,8 +142,11 @@ fn hidden_layers<'a>(tables: &'a [Tag<'a>]) -> Result<Vec<&'a str>, DrawingError
 
 struct Reader<'a> {
     options: &'a DrawingOptions,
+    /// Whether the file was written here: then the layers of bores mean what they are called.
+    is_own: bool,
     hidden: Vec<&'a str>,
     strands: Vec<Strand>,
+    bores: Vec<Bore>,
     ignored: Vec<Ignored>,
 }
 
@@ -165,7 +178,11 @@ impl<'a> Reader<'a> {
             let (edges, closed) = edges(entity, vertices)?;
             let scaled = |edge: Edge| Edge { from: edge.from * unit, to: edge.to * unit, ..edge };
             let edges = edges.into_iter().map(scaled).collect();
-            self.strands.push(Strand::new(edges, closed, entity.place())?);
+            let strand = Strand::new(edges, closed, entity.place())?;
+            match self.is_own && entity.layer() == BORES_LAYER {
+                true => self.bores.push(Bore::of(&strand)?),
+                false => self.strands.push(strand),
+            }
         }
         Ok(())
     }
@@ -176,6 +193,8 @@ impl<'a> Reader<'a> {
             Some("its layer is left out")
         } else if entity.integer(67)? != 0 {
             Some("it is in the paper space")
+        } else if self.is_own && entity.layer() == CENTRE_LINES_LAYER {
+            Some("it is a centre line")
         } else if ANNOTATIONS.contains(&entity.name) {
             Some("it draws no contour")
         } else {

@@ -8,6 +8,10 @@
 //! | DXF | R12 text, millimetres: a closed POLYLINE with bulges for each contour, on the layers `OUTER` and `HOLES` | LINE, ARC, CIRCLE, POLYLINE and LWPOLYLINE with bulges, of the model space |
 //! | SVG | one path of lines and circular arcs, one user unit a millimetre, y turned | path without Bezier curves, circle, rect, polygon, polyline, line; groups and transforms |
 //!
+//! **Bores.** [`part_dxf`] and [`part_svg`] draw a part with the bores of its inserts, each with centre lines and a note of diameter, depth and
+//! material. An empty bore from face to face is a hole of the outline. Slugs and blind bores are circles on the layer `BORES` (in SVG the group
+//! `lanchester-bores`); they are read into [`Drawing::bores`], apart from the outline.
+//!
 //! **Contours.** Closed lines of a file are contours. Loose lines and arcs are joined where exactly two ends lie within the gap that
 //! [`DrawingOptions`] states. The sense in which they run means nothing; the largest contour is the outer one, those
 //! within it are holes. Another outer contour, one within a hole, an open chain and a branch are errors.
@@ -38,6 +42,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bore;
 mod decimal;
 mod dxf_entities;
 mod dxf_reader;
@@ -54,12 +59,13 @@ mod svg_shapes;
 mod svg_transform;
 mod svg_writer;
 
+pub use bore::{BORES_LAYER, Bore, CENTRE_LINES_LAYER, NOTES_LAYER};
 pub use dxf_reader::read_dxf;
-pub use dxf_writer::{HOLES_LAYER, OUTER_LAYER, dxf};
+pub use dxf_writer::{HOLES_LAYER, OUTER_LAYER, dxf, part_dxf};
 pub use error::{DrawingError, Place};
 pub use options::{Drawing, DrawingOptions, Ignored};
 pub use svg_reader::read_svg;
-pub use svg_writer::svg;
+pub use svg_writer::{part_svg, svg};
 
 /// Farthest that a drawing may reach from its origin [m].
 pub const FARTHEST: f64 = 1e6;

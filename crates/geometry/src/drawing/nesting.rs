@@ -42,7 +42,7 @@ pub(super) fn drawing(
         }
         error => DrawingError::Outline { entities: vec![outer_place.clone()], error },
     })?;
-    Ok(Drawing { outline, unit, ignored })
+    Ok(Drawing { outline, unit, bores: Vec::new(), ignored })
 }
 
 /// The contour of a chain, turned to run anticlockwise, and the entity that the chain begins with.

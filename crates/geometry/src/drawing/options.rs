@@ -1,6 +1,6 @@
 //! What the caller says about a drawing, and what is read from it.
 
-use super::{DrawingError, Place};
+use super::{Bore, DrawingError, Place};
 use lanchester_shape::Outline;
 
 /// What a reader needs to know beside the file.
@@ -52,6 +52,8 @@ pub struct Drawing {
     pub outline: Outline,
     /// Length of one unit of the drawing [m].
     pub unit: f64,
+    /// Bores that are no holes of the outline (slugs, blind bores), of a drawing that was written here.
+    pub bores: Vec<Bore>,
     /// What was left out, in the order of the file.
     pub ignored: Vec<Ignored>,
 }

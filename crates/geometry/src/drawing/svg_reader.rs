@@ -1,10 +1,12 @@
 //! An outline from the text of an SVG file.
 
+use super::bore::Bore;
 use super::nesting::drawing;
 use super::strand::Strand;
 use super::svg_scanner::Scanner;
 use super::svg_shapes::{Element, Lines};
 use super::svg_transform::Transform;
+use super::svg_writer::{BORES_GROUP, MARKS_GROUP};
 use super::{Drawing, DrawingError, DrawingOptions, Ignored};
 use lanchester_shape::Edge;
 use roxmltree::{Document, ParsingOptions};
@@ -84,7 +86,7 @@ pub fn read_svg(bytes: &[u8], options: &DrawingOptions) -> Result<Drawing, Drawi
         Some(unit) => unit,
         None => unit_of(&element(root))?,
     };
-    let mut reader = Reader { options, strands: Vec::new(), ignored: Vec::new() };
+    let mut reader = Reader { options, strands: Vec::new(), bores: Vec::new(), ignored: Vec::new() };
     let mut rest = vec![(root, Transform::scale(unit, -unit))];
     while let Some((node, outer)) = rest.pop() {
         if !node.is_element() {
@@ -103,7 +105,8 @@ pub fn read_svg(bytes: &[u8], options: &DrawingOptions) -> Result<Drawing, Drawi
         reader.element(&at, transform, node == root)?;
         rest.extend(node.children().rev().map(|child| (child, transform)));
     }
-    drawing(reader.strands, options.gap, unit, reader.ignored)
+    let outline = drawing(reader.strands, options.gap, unit, reader.ignored)?;
+    Ok(Drawing { bores: reader.bores, ..outline })
 }
 
 /// Length of a user unit by width, height and view box of the root [m].
@@ -179,6 +182,7 @@ fn visible_as_it_stands(element: &Element) -> Result<(), DrawingError> {
 struct Reader<'a> {
     options: &'a DrawingOptions,
     strands: Vec<Strand>,
+    bores: Vec<Bore>,
     ignored: Vec<Ignored>,
 }
 
@@ -191,6 +195,9 @@ impl Reader<'_> {
             return Ok(Some("its layer is left out"));
         }
         let name = element.name();
+        if element.node.attribute("id") == Some(MARKS_GROUP) {
+            return Ok(Some("it holds centre lines and notes"));
+        }
         if name == "style" {
             let sheet: String = element.node.children().filter_map(|node| node.text()).collect();
             let acts = |(name, value): (&str, &str)| {
@@ -234,7 +241,11 @@ impl Reader<'_> {
                     "scale evenly, without skew",
                 )
             })?;
-            self.strands.push(Strand::new(edges, part.closed, place)?);
+            let strand = Strand::new(edges, part.closed, place)?;
+            match element.node.parent().and_then(|group| group.attribute("id")) == Some(BORES_GROUP) {
+                true => self.bores.push(Bore::of(&strand)?),
+                false => self.strands.push(strand),
+            }
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use crate::commands::open;
 use crate::counterweight_arguments::ExportArguments;
 use crate::failure::{DONE, Failure};
 use crate::files::write_result;
-use lanchester::geometry::drawing::{dxf, svg};
+use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
 use lanchester::model::{Engine, option};
 use lanchester::{crankshaft_parts, engine_parts, shaft_parts};
@@ -32,8 +32,8 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
         }
         "stl" => stl(&solids()?, facet).map_err(Failure::refused)?,
         "glb" => glb(&solids()?, facet).map_err(Failure::refused)?,
-        "dxf" => dxf(one(&parts)?.part.outline()).into_bytes(),
-        "svg" => svg(one(&parts)?.part.outline()).into_bytes(),
+        "dxf" => part_dxf(&one(&parts)?.part).map_err(Failure::refused)?.into_bytes(),
+        "svg" => part_svg(&one(&parts)?.part).map_err(Failure::refused)?.into_bytes(),
         _ => {
             return Err(Failure::input(
                 format_args!(
@@ -45,7 +45,12 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
         }
     };
     write_result(&arguments.output, &arguments.file, &content)?;
-    let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
+    // Of counterweights alone, what the file holds: with the disc of the web.
+    let name = |part: &PlacedPart| match arguments.weight.is_empty() {
+        true => part.name.clone(),
+        false => format!("{} (whole part {:.1} g)", part.name, 1e3 * part.part.mass_properties().mass),
+    };
+    let names: Vec<String> = parts.iter().map(name).collect();
     eprintln!("{} written: {}", shown(&arguments.output), names.join(", "));
     Ok(DONE)
 }

@@ -28,8 +28,16 @@ pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let engine = &opened.engine;
     let drawing = drawing(arguments)?;
-    let ignored: Vec<String> =
+    let mut ignored: Vec<String> =
         drawing.ignored.iter().map(|ignored| format!("{}: {}", ignored.entity, ignored.why)).collect();
+    ignored.extend(drawing.bores.iter().map(|bore| {
+        format!(
+            "bore of {:.3} mm at x {:.3}, y {:.3} mm: its depth and material are no part of an outline; add it to `inserts` of the shape",
+            2e3 * bore.radius,
+            1e3 * bore.centre.x,
+            1e3 * bore.centre.y
+        )
+    }));
     let part = part(engine, arguments, drawing)?;
     let form = match arguments.encloses {
         Encloses::Counterweight => CounterweightForm::Counterweight,
