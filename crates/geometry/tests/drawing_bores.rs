@@ -1,5 +1,7 @@
 //! Bores of parts on drawings, written and read back.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use lanchester_geometry::drawing::{Drawing, DrawingOptions, part_dxf, part_svg, read_dxf, read_svg};
 use lanchester_geometry::{Contour, Insert, Outline, Part, Point};
 

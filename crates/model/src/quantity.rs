@@ -15,7 +15,7 @@ pub(crate) use unit::{ALIASES, Dimension};
 
 use number::{decimal, misspelled, scaled, split};
 use suggestion::unknown_unit;
-use unit::{UNITS, find_unit};
+use unit::{UNITS, Unit, find_unit};
 
 /// Why a text is no quantity of the dimension that is due.
 #[derive(Debug, Clone, PartialEq)]

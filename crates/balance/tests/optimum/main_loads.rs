@@ -18,7 +18,7 @@ fn by_quadrature(engine: &Engine, speed: f64) -> (f64, f64) {
         samples: 1440,
         ..BearingRequest::default()
     };
-    let loads = bearing_loads(engine, None, &request).unwrap();
+    let loads = bearing_loads(engine, None, &request).expect("a valid engine");
     let mean = |squares: &mut dyn Iterator<Item = f64>| {
         let (count, sum) = squares.fold((0, 0.0), |(count, sum), square| (count + 1, sum + square));
         sum / f64::from(count)
@@ -29,7 +29,7 @@ fn by_quadrature(engine: &Engine, speed: f64) -> (f64, f64) {
 }
 
 fn effect(answer: &Answer, criterion: Criterion) -> [f64; 2] {
-    let found = answer.effects.iter().find(|effect| effect.criterion == criterion).unwrap();
+    let found = answer.effects.iter().find(|effect| effect.criterion == criterion).expect("it is reported");
     [found.before, found.after]
 }
 

@@ -9,7 +9,7 @@
 use super::quantity::Quantity;
 use super::train::Train;
 use lanchester_model::{Counterweight, Engine, Varied};
-use num_dual::{Dual64, DualNum};
+use num_dual::Dual64;
 use serde::Serialize;
 
 /// What counterweights do while throws and masses vary.
@@ -65,7 +65,7 @@ pub(super) fn followed(train: &Train<'_>, index: usize) -> (Dual64, Dual64) {
     let own = &engine.throws[throw];
     let big_ends = (0..engine.cylinders.len()).filter(|&cylinder| engine.cylinders[cylinder].throw == throw);
     let big_ends =
-        big_ends.map(|cylinder| train.rod_masses(cylinder)[0]).fold(Dual64::from_re(0.0), |a, b| a + b);
+        big_ends.map(|cylinder| train.rod_masses(cylinder)[0]).fold(Dual64::new(0.0, 0.0), |a, b| a + b);
     let now = train.part(Varied::ThrowUnbalance, throw, own.unbalance)
         + train.of(Quantity::Part(Varied::CrankRadius), throw, own.radius) * big_ends;
     (now / nominal, train.part(Varied::ThrowAngle, throw, 0.0))
