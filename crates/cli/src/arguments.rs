@@ -351,7 +351,7 @@ pub struct BalanceArguments {
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
     /// Largest unbalance of every free weight on the crankshaft; 'what fits': the largest of the shapes of [counterweight_design] that keep the
-    /// clearances on its web, which is the default for weights on webs where the file has [crank.body] and [counterweight_design].
+    /// clearances on its web.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
     /// Least unbalance of every free weight on the crankshaft that is used.

@@ -27,8 +27,8 @@ use std::f64::consts::{PI, TAU};
 const DIRECTIONS: usize = 7200;
 /// Steps of the search for the place at which a liner is nearest.
 const STEPS: usize = 4000;
-/// No limit at all [m].
-const FREE: f64 = 1e3;
+/// What a limit that the circle keeps stands above the circle [m].
+const ABOVE: f64 = 1e-6;
 /// What rounding and the last step of a search may miss [m].
 const ROUNDING: f64 = 1e-9;
 
@@ -53,12 +53,8 @@ impl ClearanceEnvelope {
         let at = |direction: f64| {
             let place = (direction / TAU).rem_euclid(1.0) * count as f64;
             let (first, part) = (place.floor() as usize % count, place.fract());
-            let ends = [self.limits[first], self.limits[(first + 1) % count]];
-            // Between a limit and none the limit goes on.
-            match ends.iter().any(|end| *end >= FREE / 2.0) {
-                true => ends[0].min(ends[1]),
-                false => (1.0 - part) * ends[0] + part * ends[1],
-            }
+            let next = self.limits[(first + 1) % count];
+            (1.0 - part) * self.limits[first] + part * next
         };
         let half = count / 2;
         let limit = |k: usize| {
@@ -124,7 +120,7 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
         // What matters of pistons is what is nearer than this.
         let farthest = circle.min(farthest);
         // Where pistons leave more than the circle does, the circle is enough.
-        let mut limits = vec![FREE; DIRECTIONS];
+        let mut limits = vec![farthest + ABOVE; DIRECTIONS];
         let mut is_exact = true;
         for limit in &obstacles[0] {
             for contact in self.contacts(&plate, crankshaft, None, *limit) {

@@ -186,7 +186,11 @@ pub fn largest_unbalance(
     let mut search = Search::default();
     let mut hint = None;
     for _ in 0..MOST_STEPS {
-        let found = search.best_within(&mut problem, seat, Kind::Balance, hint);
+        // Within a reach the proof may take too long: what is found can be built all the same.
+        let found = match seat.reach() {
+            None => search.best(&problem, Kind::Balance, hint),
+            Some(_) => search.within_reach(&mut problem, seat, Kind::Balance, hint),
+        };
         let Some(best) = found.best else { return Ok(None) };
         let full = task.unbalance * task.least_balance;
         // As thick as all limits allow: what the level of the balance stands for.
@@ -346,6 +350,26 @@ impl Search {
         }
     }
 
+    /// A good shape within the reach of a seat, without a proof.
+    fn within_reach(
+        &mut self,
+        problem: &mut Problem,
+        seat: &dyn Seat,
+        kind: Kind,
+        mut hint: Option<[f64; SHAPE]>,
+    ) -> Refutation {
+        let mut best = None;
+        for _ in 0..MOST_PLANES {
+            let Some(known) = self.near(problem, kind, hint) else { break };
+            hint = Some(known.x);
+            if !self.breaks(problem, seat, &known) {
+                best = Some(known);
+                break;
+            }
+        }
+        Refutation { best, proved: false, boxes: 0 }
+    }
+
     /// Whether a shape passes the reach of a seat; the plane that it passes most becomes one of the problem.
     fn breaks(&self, problem: &mut Problem, seat: &dyn Seat, best: &Reached) -> bool {
         let plane = seat.reach().and_then(|reach| reach.broken(problem, &best.x));
@@ -386,7 +410,8 @@ impl Search {
             }
             hint = Some(best.x);
         }
-        Refutation { proved: false, ..found }
+        // A shape that still passes the reach is none.
+        Refutation { best: None, proved: false, ..found }
     }
 
     fn infeasible(

@@ -105,7 +105,7 @@ const MOST_ON_CRANK: Key = key(
     Kind::QuantityOrWord(Unbalance, Positive, &[WHAT_FITS]),
     Optional,
     "Largest amount; needed if it is optional or at a place to be found. On a web `\"what fits\"` is the largest that the shapes of \
-     [counterweight_design] and the clearances hold, and the default where [crank.body] and [counterweight_design] are given.",
+     [counterweight_design] and the clearances hold.",
     "\"0.1 kg m\"",
 );
 const GIVEN: Key =
