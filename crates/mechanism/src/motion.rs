@@ -122,7 +122,7 @@ fn cylinder_motion(
         }
         _ => None,
     };
-    let cycle = TAU * f64::from(engine.strokes.revolutions());
+    let cycle = engine.working_cycle(index);
     Ok(CylinderMotion {
         cylinder: index + 1,
         top_dead_centre,

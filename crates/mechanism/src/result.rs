@@ -203,7 +203,8 @@ pub struct CylinderMotion {
     pub max_deceleration: f64,
     /// Largest angle of the rod from the cylinder axis [rad].
     pub max_rod_angle: f64,
-    /// Firing angle: its top dead centre in the cycle [rad], where the file gives a firing.
+    /// Firing angle: its top dead centre in the first working cycle of its own crankshaft [rad of crankshaft 1], where the file gives a
+    /// firing.
     pub firing_angle: Option<f64>,
     /// Residual inertia `m_A a^2 + m_B b^2 - I` of its rod [kg m^2]; 0 for a two-mass rod.
     pub residual_inertia: f64,

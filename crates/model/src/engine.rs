@@ -190,7 +190,8 @@ pub struct Cylinder {
     pub piston_mass: f64,
     /// Its connecting rod.
     pub rod: Rod,
-    /// `theta` [rad] in the cycle at which it fires, at or near its own TDC; `None` if the file gives no firing.
+    /// `theta` [rad] at which it fires, at or near its own TDC, in the first working cycle of its own crankshaft
+    /// ([`Engine::working_cycle`]); `None` if the file gives no firing.
     pub firing_angle: Option<f64>,
 }
 
@@ -344,6 +345,12 @@ impl ShaftWeight {
 }
 
 impl Engine {
+    /// Angle of crankshaft 1 [rad] in which cylinder `index` fires once: a working cycle of its own crankshaft.
+    pub fn working_cycle(&self, index: usize) -> f64 {
+        let crankshaft = self.throws[self.cylinders[index].throw].crankshaft;
+        crate::firing::working_cycle(self.strokes, self.crankshafts[crankshaft].ratio)
+    }
+
     /// Angle of the pin of throw `throw` [rad] at crank angle `theta` [rad].
     pub fn pin_angle(&self, throw: usize, theta: f64) -> f64 {
         let throw = &self.throws[throw];

@@ -174,6 +174,6 @@ pub use tornado::tornado_figure;
 pub use torque_figures::{power_figure, ripple_figure, torque_figures};
 pub use torque_section::{TorqueInput, torque_section_figures};
 pub use torque_tables::{
-    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table, torque_csv,
-    torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table, torque_text,
+    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, ripple_words, stroke_table,
+    torque_csv, torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table, torque_text,
 };

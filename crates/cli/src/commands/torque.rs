@@ -81,7 +81,7 @@ fn text(report: &TorqueReport) -> String {
 
 fn figures(report: &TorqueReport) -> Vec<Figure> {
     let mut figures = torque_figures(&report.torque);
-    figures.push(ripple_figure(&report.ripples));
+    figures.extend(ripple_figure(&report.ripples));
     figures.extend(report.power.as_ref().map(power_figure));
     figures
 }

@@ -63,6 +63,56 @@ fn torque_is_the_work_over_the_cycle() {
     assert!(refused.contains("three or more different speeds"), "{refused}");
 }
 
+/// The shipped single gives neither flywheel nor crankshaft: no speed is made up, and the keys that are missing are named.
+#[test]
+fn an_inertia_that_is_not_known_makes_no_speed() {
+    let folder = folder("torque-inertia");
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/single-gas.toml");
+    let file = std::fs::read_to_string(shipped).expect("it is shipped");
+    std::fs::write(folder.join("four.toml"), &file).expect("the folder is ours");
+    let text = output(&folder, 0, &["torque", "four.toml"]);
+    assert!(
+        text.contains("inertia not known") && text.contains("`crankshaft_inertia` to [flywheel]"),
+        "{text}"
+    );
+    let json = output_json(&folder, 0, &["torque", "four.toml", "--format", "json"]);
+    for ripple in json["ripples"].as_array().expect("a list") {
+        assert_eq!(ripple["outcome"], "incomplete-inertia");
+        assert_eq!(ripple["keys"][1], "flywheel.crankshaft_inertia");
+        assert!(ripple.get("fluctuation").is_none());
+    }
+    // Too light an engine stops at idle, and the flywheel that keeps it turning does.
+    let light = "[flywheel]\ninertia = \"0 kg m2\"\ncrankshaft_inertia = \"0.001 kg m2\"\n";
+    std::fs::write(folder.join("four.toml"), format!("{file}\n{light}")).expect("the folder is ours");
+    let json = output_json(&folder, 0, &["torque", "four.toml", "--format", "json"]);
+    assert_eq!(
+        (&json["ripples"][0]["outcome"], &json["ripples"][0]["key"]),
+        (&"stops".into(), &"flywheel.inertia".into())
+    );
+    let text = output(&folder, 0, &["torque", "four.toml"]);
+    assert!(text.contains("the engine stops: the speed falls below 5 % of its mean"), "{text}");
+    let enough = json["ripples"][0]["flywheel"].as_f64().expect("a flywheel") * 1.01;
+    let option = format!("{enough} kg m2");
+    let json = output_json(&folder, 0, &["torque", "four.toml", "--flywheel", &option, "--format", "json"]);
+    assert_eq!(json["ripples"][0]["outcome"], "periodic");
+    let refused = message(
+        &folder,
+        2,
+        &["sensitivity", "four.toml", "--speed", "1500 rpm", "--output", "speed fluctuation"],
+    );
+    assert!(refused.contains("the engine stops"), "{refused}");
+    // Without gas the file is valid, and the inertia of the piston makes the speed swing.
+    let (train, _) = file.split_once("[gas] ").expect("it has gas");
+    let heavy = "[flywheel]\ninertia = \"0.01 kg m2\"\ncrankshaft_inertia = \"0.001 kg m2\"\n";
+    std::fs::write(folder.join("four.toml"), format!("{train}{heavy}")).expect("the folder is ours");
+    let json = output_json(
+        &folder,
+        0,
+        &["sensitivity", "four.toml", "--output", "inertia speed fluctuation", "--format", "json"],
+    );
+    assert!(json["outputs"][0]["nominal"].as_f64().expect("a number") > 0.001, "{json}");
+}
+
 #[test]
 fn bearings_with_gas_and_without() {
     let folder = folder("bearings");
@@ -105,7 +155,7 @@ fn names_of(page: &str) -> Vec<&str> {
 #[test]
 fn the_report_has_torque_and_bearings_where_the_file_has_gas() {
     let folder = folder("report-gas");
-    let more = "[flywheel]\ninertia = \"0.05 kg m2\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
+    let more = "[flywheel]\ninertia = \"0.05 kg m2\"\ncrankshaft_inertia = \"0.01 kg m2\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
     written(&folder, &format!("{FOUR}{GAS}{more}"));
     output(&folder, 0, &["report", "four.toml", "--figures", "figures"]);
     let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
@@ -157,7 +207,10 @@ fn the_report_of_measured_pressures_has_the_power_over_their_speeds() {
     written(&folder, &format!("{four}{gas}"));
     output(&folder, 0, &["report", "four.toml"]);
     let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
-    assert!(names_of(&page).contains(&"power") && page.contains("The speed ripple is not shown"));
+    assert!(
+        names_of(&page).contains(&"power")
+            && page.contains("no speed ripple, because the inertia of the flywheel")
+    );
     // Torque and bearings are told at the speed asked for.
     output(&folder, 0, &["report", "four.toml", "--speed", "2000 rpm", "--output", "slow.html"]);
     let slow = std::fs::read_to_string(folder.join("slow.html")).expect("it was written");

@@ -1,6 +1,6 @@
 //! What is differentiated: an engine at one speed, under its gas.
 
-use lanchester_mechanism::{CylinderGas, TurningInertia};
+use lanchester_mechanism::{CylinderGas, KnownInertia};
 use lanchester_model::Engine;
 
 /// An engine at one speed with the pressures on its pistons.
@@ -16,12 +16,12 @@ pub struct OperatingPoint {
     /// Pressures of every cylinder at that speed; `None` where the file says nothing of gas, or no output needs it.
     pub gas: Option<Vec<CylinderGas>>,
     /// Flywheel and crankshafts, for the fluctuation of the speed.
-    pub turning: TurningInertia,
+    pub turning: KnownInertia,
 }
 
 impl OperatingPoint {
     /// An engine without gas and flywheel.
     pub fn of_inertia(engine: Engine, speed: f64) -> OperatingPoint {
-        OperatingPoint { engine, speed, gas: None, turning: TurningInertia::default() }
+        OperatingPoint { engine, speed, gas: None, turning: KnownInertia::default() }
     }
 }
