@@ -23,6 +23,7 @@ mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
 mod engine_report;
+mod cycle_results;
 mod layout_search;
 mod layout_space;
 mod layout_study;
@@ -69,6 +70,7 @@ pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_spac
 pub use layout_study::{LayoutRows, LayoutStudy};
 pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use operating_point::operating_point;
+pub use cycle_results::cycle_results;
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,

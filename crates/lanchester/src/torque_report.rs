@@ -1,5 +1,6 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
+use crate::cycle_results::cycle_results;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
@@ -10,7 +11,7 @@ use lanchester_mechanism::{
 use lanchester_model::{
     Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange,
 };
-use lanchester_report::BearingSizes;
+use lanchester_report::{BearingSizes, CycleResult};
 use serde::Serialize;
 
 /// Version of the form of [`TorqueReport`].
@@ -42,6 +43,8 @@ pub struct TorqueReport {
     pub source: String,
     /// Torque, work, orders, energy, firing.
     pub torque: Torque,
+    /// The cycles behind the pressures, where they are computed.
+    pub cycles: Vec<CycleResult>,
     /// What friction leaves, where it is known.
     pub brake: Option<Brake>,
     /// Speed within the cycle at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`:
@@ -143,8 +146,10 @@ pub fn torque_report(
     if brake.is_some_and(|brake| brake.torque <= 0.0) {
         warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
     }
+    let cycles = cycle_results(engine, &gas).map_err(GasError::from)?;
     Ok(TorqueReport {
         version: TORQUE_REPORT_VERSION,
+        cycles,
         source: gas.source,
         brake,
         torque: found,

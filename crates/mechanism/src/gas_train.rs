@@ -267,6 +267,19 @@ impl GasTrain {
         Ok(GasTrain { pistons, motion, areas, revolutions, lever, cycle })
     }
 
+    /// Clearance volume [m^3] of a cylinder by the compression ratio; of a chamber that pistons share the part that goes with its piston's
+    /// displacement.
+    pub(crate) fn clearance(&self, index: usize, compression_ratio: f64) -> f64 {
+        let own = |index: usize| self.areas[index] * self.motion[index].stroke;
+        match &self.motion[index].chamber {
+            Some(chamber) => {
+                let all: f64 = chamber.cylinders.iter().map(|number| own(number - 1)).sum();
+                chamber.swept / (compression_ratio - 1.0) * own(index) / all
+            }
+            None => own(index) / (compression_ratio - 1.0),
+        }
+    }
+
     /// Period of the torque [rad] of crankshaft 1: a whole number of revolutions and of working cycles of every crankshaft.
     pub fn period(&self) -> f64 {
         TAU * f64::from(self.revolutions)

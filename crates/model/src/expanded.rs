@@ -173,6 +173,9 @@ impl File {
         if let Some(bore) = cylinder.bore {
             self.entry("bore", &quantity(bore, Dimension::Length));
         }
+        if let Some(first) = cylinder.chamber {
+            self.entry("chamber", &(first + 1).to_string());
+        }
         self.entry("piston", &format!("{{ mass = {} }}", quantity(cylinder.piston_mass, Dimension::Mass)));
         let sharing = engine
             .cylinders

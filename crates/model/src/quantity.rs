@@ -31,6 +31,7 @@ pub(crate) enum Dimension {
     Energy,
     SpecificEnergy,
     SpecificHeat,
+    HeatTransfer,
     Stiffness,
     Damping,
     PressurePerSpeed,
@@ -39,7 +40,7 @@ pub(crate) enum Dimension {
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub(crate) const ALL: [Dimension; 22] = [
+    pub(crate) const ALL: [Dimension; 23] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -58,6 +59,7 @@ impl Dimension {
         Dimension::Energy,
         Dimension::SpecificEnergy,
         Dimension::SpecificHeat,
+        Dimension::HeatTransfer,
         Dimension::Stiffness,
         Dimension::Damping,
         Dimension::PressurePerSpeed,
@@ -85,6 +87,7 @@ impl Dimension {
             Dimension::Energy => "an energy",
             Dimension::SpecificEnergy => "an energy per mass",
             Dimension::SpecificHeat => "a specific heat",
+            Dimension::HeatTransfer => "a heat transfer coefficient",
             Dimension::Stiffness => "a stiffness",
             Dimension::Damping => "a damping coefficient",
             Dimension::PressurePerSpeed => "a pressure per speed",
@@ -203,6 +206,8 @@ static UNITS: [Unit; 79] = {
         unit(SpecificEnergy, "J/kg", 0, 1.0),
         unit(SpecificHeat, "J/kg/K", 0, 1.0),
         unit(SpecificHeat, "kJ/kg/K", 3, 1.0),
+        unit(HeatTransfer, "W/m2/K", 0, 1.0),
+        unit(HeatTransfer, "kW/m2/K", 3, 1.0),
         unit(Stiffness, "N/mm", 3, 1.0),
         unit(Stiffness, "N/m", 0, 1.0),
         unit(Stiffness, "kN/mm", 6, 1.0),
@@ -507,6 +512,7 @@ pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> 
         Dimension::Energy => ("J", "J"),
         Dimension::SpecificEnergy => ("MJ/kg", "J/kg"),
         Dimension::SpecificHeat => ("J/kg/K", "J/kg/K"),
+        Dimension::HeatTransfer => ("W/m2/K", "W/m2/K"),
         Dimension::Stiffness => ("N/mm", "N/m"),
         Dimension::Damping => ("N s/m", "N s/m"),
         Dimension::PressurePerSpeed => ("bar s/m", "Pa s/m"),

@@ -26,6 +26,8 @@ mod crank_view;
 mod crankshaft_section;
 mod crankshaft_tables;
 mod csv;
+mod cycle_result;
+mod cycle_tables;
 mod dimension;
 mod drawing;
 mod engine_tables;
@@ -117,6 +119,8 @@ pub use crankshaft_tables::{
     clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
     obstacle_name,
 };
+pub use cycle_result::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};
+pub use cycle_tables::{cycle_angle_table, cycle_figures, cycle_table};
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};

@@ -1,5 +1,7 @@
 //! The section of the report on torque: gas, inertia, work, firing, speed ripple, flywheel and power.
 
+use crate::cycle_result::CycleResult;
+use crate::cycle_tables::{cycle_figures, cycle_table};
 use crate::figure::Figure;
 use crate::number;
 use crate::table::Table;
@@ -19,6 +21,8 @@ pub struct TorqueInput<'a> {
     pub source: &'a str,
     /// What friction leaves, where it is known.
     pub brake: Option<&'a Brake>,
+    /// The cycles behind the pressures, where they are computed.
+    pub cycles: &'a [CycleResult],
     /// Speed within the cycle at several speeds, or why it is not known.
     pub ripples: &'a [RippleOutcome],
     /// The flywheel that a fluctuation needs, where one is wanted.
@@ -45,6 +49,9 @@ impl TorqueSection {
             figures.retain(|figure| figure.id != "torque-by-cylinder");
         }
         figures.extend(ripple_figure(input.ripples));
+        if !input.cycles.is_empty() {
+            figures.extend(cycle_figures(input.cycles));
+        }
         figures.extend(input.power.map(power_figure));
         let mut tables = vec![
             torque_table(torque, input.brake),
@@ -54,6 +61,9 @@ impl TorqueSection {
             firing_table(&torque.firing),
             stroke_table(&torque.firing),
         ];
+        if !input.cycles.is_empty() {
+            tables.push(cycle_table(input.cycles));
+        }
         if input.ripples.iter().any(|ripple| ripple.periodic().is_some()) {
             tables.push(ripple_table(input.ripples));
         }
