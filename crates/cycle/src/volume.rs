@@ -77,23 +77,18 @@ impl CylinderVolume {
         (engine.cylinders.iter().zip(&motions).enumerate())
             .map(|(index, (cylinder, own))| {
                 let of = |index: usize| PistonVolume::of(engine, index, &motions[index]);
-                let pistons =
-                    engine.chamber_pistons(index).into_iter().map(of).collect::<Result<Vec<_>, CycleError>>()?;
+                let pistons = engine
+                    .chamber_pistons(index)
+                    .into_iter()
+                    .map(of)
+                    .collect::<Result<Vec<_>, CycleError>>()?;
                 let crankshaft = engine.throws[cylinder.throw].crankshaft;
                 let ratio = engine.crankshafts[crankshaft].ratio.value().abs();
                 let [top, bottom, swept, least] = match &own.chamber {
-                    Some(chamber) => [
-                        chamber.top_dead_centre,
-                        chamber.bottom_dead_centre,
-                        chamber.swept,
-                        chamber.least,
-                    ],
-                    None => [
-                        own.top_dead_centre,
-                        own.bottom_dead_centre,
-                        pistons[0].area * own.stroke,
-                        0.0,
-                    ],
+                    Some(chamber) => {
+                        [chamber.top_dead_centre, chamber.bottom_dead_centre, chamber.swept, chamber.least]
+                    }
+                    None => [own.top_dead_centre, own.bottom_dead_centre, pistons[0].area * own.stroke, 0.0],
                 };
                 let axis = |piston: &PistonVolume| engine.cylinders[piston.cylinder].angle;
                 let opposed = pistons.iter().any(|piston| (axis(piston) - axis(&pistons[0])).cos() < 0.0);

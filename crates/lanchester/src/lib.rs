@@ -22,8 +22,8 @@ mod comparison;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
-mod engine_report;
 mod cycle_results;
+mod engine_report;
 mod layout_search;
 mod layout_space;
 mod layout_study;
@@ -56,6 +56,7 @@ pub use counterweights::{
     design_counterweights, with_counterweights, with_outline,
 };
 pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
+pub use cycle_results::cycle_results;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
 pub use lanchester_cycle as cycle;
@@ -70,7 +71,6 @@ pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_spac
 pub use layout_study::{LayoutRows, LayoutStudy};
 pub use mounted::{MountSpeeds, MountedError, mounts};
 pub use operating_point::operating_point;
-pub use cycle_results::cycle_results;
 pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,

@@ -204,7 +204,8 @@ fn computed(
     for (index, volume) in volumes.iter().enumerate() {
         // Pistons of one chamber have one pressure.
         let alike = cycles.iter_mut().find(|known| {
-            known.cylinders.contains(&(volume.chamber() + 1)) || volumes[known.cylinders[0] - 1].moves_as(volume)
+            known.cylinders.contains(&(volume.chamber() + 1))
+                || volumes[known.cylinders[0] - 1].moves_as(volume)
         });
         if let Some(known) = alike {
             known.cylinders.push(index + 1);

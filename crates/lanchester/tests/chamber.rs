@@ -10,7 +10,8 @@ use std::f64::consts::{PI, TAU};
 
 const SPEED: f64 = 150.0;
 
-const OTTO: &str = "[gas]\ncompression_ratio = 12\n[gas.cycle]\ntype = \"otto\"\npeak_pressure = \"90 bar\"\n";
+const OTTO: &str =
+    "[gas]\ncompression_ratio = 12\n[gas.cycle]\ntype = \"otto\"\npeak_pressure = \"90 bar\"\n";
 
 const PORTS: &str = "[gas]\ncompression_ratio = 12\n[gas.cycle]\ntype = \"single-zone\"\n\
     [gas.intake]\npressure = \"1.3 bar\"\ntemperature = \"60 degC\"\nopens = \"127 deg\"\narea = \"16 cm2\"\n\
@@ -90,14 +91,18 @@ fn both_pistons_feel_one_pressure_and_share_the_work_of_the_chamber() {
         if phase == "180 deg" {
             assert!(lead.abs() < 1e-9 * work.abs(), "{lead}");
         } else {
-            assert!(lead > 0.02 * work.abs(), "{phase}: the piston that leads takes more of the work: {lead} {work}");
+            assert!(
+                lead > 0.02 * work.abs(),
+                "{phase}: the piston that leads takes more of the work: {lead} {work}"
+            );
         }
         // A chamber fires once.
         let chart = firing_chart(&engine).expect("it fires");
         assert_eq!(chart.order(), [1, 2, 3]);
         assert_eq!(chart.unevenness, 0.0);
         // Bearings and roll moment follow from the same pressures: gas force at the chamber's firing on both crankpins.
-        let bearings = BearingRequest { speed: Some(SPEED), part: BearingPart::Gas, ..BearingRequest::default() };
+        let bearings =
+            BearingRequest { speed: Some(SPEED), part: BearingPart::Gas, ..BearingRequest::default() };
         let loads = bearing_loads(&engine, Some(&report.cylinders), &bearings).expect("loads");
         let train = GasTrain::new(&engine, &report.cylinders, Lever::Exact).expect("a train");
         let mean: f64 = train.mean_torques().iter().sum();
@@ -115,7 +120,11 @@ fn ports_open_where_their_own_piston_uncovers_them() {
     // before it; those of the inlet, whose piston lags, later: closing begins with the later one.
     let after = |opens: f64, shift: f64| 2.0 * (180.0 + shift) - opens;
     let latest = after(127.0, 5.5).max(after(110.0, -5.5));
-    assert!((cycle.closing_angle.to_degrees() + 360.0 - latest).abs() < 1e-6, "{}", cycle.closing_angle.to_degrees());
+    assert!(
+        (cycle.closing_angle.to_degrees() + 360.0 - latest).abs() < 1e-6,
+        "{}",
+        cycle.closing_angle.to_degrees()
+    );
 }
 
 #[test]
@@ -132,7 +141,10 @@ fn a_trace_has_a_column_for_each_chamber_or_that_of_its_first_piston() {
             let values: String = (0..columns).map(|column| format!(",{}", value(column))).collect();
             format!("\n{degrees}{values}")
         };
-        TraceFile { name: "p.csv".into(), text: format!("theta [deg]{head}{}", (0..360).map(line).collect::<String>()) }
+        TraceFile {
+            name: "p.csv".into(),
+            text: format!("theta [deg]{head}{}", (0..360).map(line).collect::<String>()),
+        }
     };
     for columns in [1, 3, 6] {
         let report = cylinder_gas(&engine, &[file(columns)], SPEED).expect("pressures");

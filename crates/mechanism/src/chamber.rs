@@ -68,7 +68,8 @@ pub(crate) fn chamber_motion(
         })
     };
     let extremes = extremes_over_turn(SCAN, filled);
-    let tops: f64 = pistons.iter().zip(cylinders).map(|(piston, &index)| piston.area * motion[index].top).sum();
+    let tops: f64 =
+        pistons.iter().zip(cylinders).map(|(piston, &index)| piston.area * motion[index].top).sum();
     let turned = |own: f64| own.rem_euclid(TAU) / rate;
     Ok(ChamberMotion {
         cylinders: cylinders.iter().map(|index| index + 1).collect(),

@@ -137,7 +137,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-static UNITS: [Unit; 79] = {
+static UNITS: [Unit; 81] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),

@@ -20,11 +20,13 @@ pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     let mut row = |name: &str, unit: &str, digits: i32, value: &dyn Fn(&CycleResult) -> Option<f64>| {
         let values: Vec<Option<f64>> = cycles.iter().map(value).collect();
         if values.iter().any(Option::is_some) {
-            let cells = values.into_iter().map(|value| value.map_or(Cell::Empty, |v| Cell::number(v, digits)));
+            let cells =
+                values.into_iter().map(|value| value.map_or(Cell::Empty, |v| Cell::number(v, digits)));
             rows.push([Cell::text(name), Cell::text(unit)].into_iter().chain(cells).collect());
         }
     };
-    let of = |value: fn(&ExchangeResult) -> f64| move |cycle: &CycleResult| cycle.exchange.as_ref().map(value);
+    let of =
+        |value: fn(&ExchangeResult) -> f64| move |cycle: &CycleResult| cycle.exchange.as_ref().map(value);
     row("indicated work, net", "J", 5, &|c| Some(c.work));
     row("work of compression and expansion, gross", "J", 5, &|c| Some(c.gross_work));
     row("work of the gas exchange", "J", 4, &|c| Some(c.exchange_work));
@@ -34,7 +36,9 @@ pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     row("heat to the walls, of the heat released", "%", 3, &|c| {
         c.exchange.and_then(|e| e.wall_heat_share).map(|share| 100.0 * share)
     });
-    row("indicated efficiency, of the energy of the fuel", "%", 4, &|c| c.indicated_efficiency.map(|e| 100.0 * e));
+    row("indicated efficiency, of the energy of the fuel", "%", 4, &|c| {
+        c.indicated_efficiency.map(|e| 100.0 * e)
+    });
     row("thermal efficiency, of the heat released", "%", 4, &|c| c.thermal_efficiency.map(|e| 100.0 * e));
     row("volumetric efficiency", "%", 4, &of(|e| 100.0 * e.volumetric_efficiency));
     row("trapping efficiency", "%", 4, &of(|e| 100.0 * e.trapping_efficiency));
@@ -56,7 +60,9 @@ pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     Table {
         id: "cycle",
         title: "Cycle of the gas".to_owned(),
-        note: format!("{process}. Residuals: what is missing from the balances of energy and mass over the last cycle."),
+        note: format!(
+            "{process}. Residuals: what is missing from the balances of energy and mass over the last cycle."
+        ),
         remark: String::new(),
         columns,
         rows,
@@ -71,17 +77,25 @@ pub fn cycle_angle_table(cycles: &[CycleResult]) -> Table {
         .flat_map(|(place, cycle)| (0..cycle.trace.angle.len()).map(move |k| (place, k)))
         .collect();
     let known = |list: fn(&CycleResult) -> &Vec<f64>| cycles.iter().any(|cycle| !list(cycle).is_empty());
-    let column = |head: &str, unit: &'static str, digits: i32, scale: f64, list: fn(&CycleResult) -> &Vec<f64>| {
-        known(list).then(|| {
-            let value = |(place, k): &(usize, usize)| list(&cycles[*place]).get(*k).map_or(f64::NAN, |v| scale * v);
-            numbers(head, unit, rows.iter().map(value).collect::<Vec<_>>().into_iter(), digits)
-        })
-    };
+    let column =
+        |head: &str, unit: &'static str, digits: i32, scale: f64, list: fn(&CycleResult) -> &Vec<f64>| {
+            known(list).then(|| {
+                let value = |(place, k): &(usize, usize)| {
+                    list(&cycles[*place]).get(*k).map_or(f64::NAN, |v| scale * v)
+                };
+                numbers(head, unit, rows.iter().map(value).collect::<Vec<_>>().into_iter(), digits)
+            })
+        };
     // A rate a radian is one a degree times 180/pi.
     let degree = PI / 180.0;
     let first = |(place, _): &(usize, usize)| cycles[*place].cylinders.first().copied().unwrap_or(0);
     let columns = [
-        Some(numbers("cylinder", "", rows.iter().map(|row| first(row) as f64).collect::<Vec<_>>().into_iter(), 3)),
+        Some(numbers(
+            "cylinder",
+            "",
+            rows.iter().map(|row| first(row) as f64).collect::<Vec<_>>().into_iter(),
+            3,
+        )),
         column("angle", "deg", 5, 180.0 / PI, |c| &c.trace.angle),
         column("volume", "cm^3", 6, 1e6, |c| &c.trace.volume),
         column("pressure", "bar", 6, 1e-5, |c| &c.trace.pressure),
@@ -116,11 +130,20 @@ pub fn cycle_figures(cycles: &[CycleResult]) -> Vec<Figure> {
             let points = cycle.trace.volume.iter().zip(&cycle.trace.pressure);
             let points: Vec<(f64, f64)> = points.map(|(v, p)| (scale(1e6 * v), scale(p / 1e5))).collect();
             let closing = points.first().copied();
-            XyCurve { name: name(cycle), style: style(k), points: points.into_iter().chain(closing).collect(), dots: false }
+            XyCurve {
+                name: name(cycle),
+                style: style(k),
+                points: points.into_iter().chain(closing).collect(),
+                dots: false,
+            }
         });
-        XyPlot { abscissa: heads[0], ordinate: heads[1], units, polar: None, curves: curves.collect() }.panel()
+        XyPlot { abscissa: heads[0], ordinate: heads[1], units, polar: None, curves: curves.collect() }
+            .panel()
     };
-    let over_angle = |quantity: &str, unit: &'static str, lists: &[(&str, fn(&CycleResult) -> &Vec<f64>)], scale: f64| {
+    let over_angle = |quantity: &str,
+                      unit: &'static str,
+                      lists: &[(&str, fn(&CycleResult) -> &Vec<f64>)],
+                      scale: f64| {
         let scaled: Vec<(String, usize, Vec<f64>)> = cycles
             .iter()
             .flat_map(|cycle| {
@@ -134,8 +157,10 @@ pub fn cycle_figures(cycles: &[CycleResult]) -> Vec<Figure> {
             .collect();
         let first = cycles.first().map(|cycle| &cycle.trace.angle).filter(|_| !scaled.is_empty())?;
         let step = first.get(1).copied().unwrap_or(0.0);
-        let series =
-            scaled.iter().map(|(name, style, values)| Series { name: name.clone(), style: *style, values }).collect();
+        let series = scaled
+            .iter()
+            .map(|(name, style, values)| Series { name: name.clone(), style: *style, values })
+            .collect();
         Some(AnglePlot { quantity, unit, theta: first, period: step * first.len() as f64, series }.panel())
     };
     let mut figures = vec![figure(
@@ -144,7 +169,11 @@ pub fn cycle_figures(cycles: &[CycleResult]) -> Vec<Figure> {
         "Of the chamber, clearance included. In logarithms polytropes are straight lines, whose slope is the exponent.",
         vec![
             diagram(|value| value, ["cm\u{b3}", "bar"], ["Volume", "Pressure, absolute"]),
-            diagram(f64::log10, ["log\u{2081}\u{2080} cm\u{b3}", "log\u{2081}\u{2080} bar"], ["Volume, logarithm", "Pressure, logarithm"]),
+            diagram(
+                f64::log10,
+                ["log\u{2081}\u{2080} cm\u{b3}", "log\u{2081}\u{2080} bar"],
+                ["Volume, logarithm", "Pressure, logarithm"],
+            ),
         ],
     )];
     let temperature = over_angle("Temperature", "K", &[("", |c| &c.trace.temperature)], 1.0);

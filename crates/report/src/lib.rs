@@ -119,9 +119,9 @@ pub use crankshaft_tables::{
     clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
     obstacle_name,
 };
+pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use cycle_result::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};
 pub use cycle_tables::{cycle_angle_table, cycle_figures, cycle_table};
-pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};

@@ -7,6 +7,7 @@ use crate::folder::Folder;
 use crate::gate::{Gate, random_token};
 use crate::lanes::Lanes;
 use crate::problem::Problem;
+use crate::remembered::Remembered;
 use crate::watch::events;
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Request, State};
@@ -14,6 +15,9 @@ use axum::http::StatusCode;
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
+use lanchester::TraceFile;
+use lanchester::mechanism::MountStudy;
+use lanchester::model::Engine;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
@@ -36,6 +40,9 @@ pub struct Options {
     pub program: String,
 }
 
+/// All that the block on its mounts depends on.
+pub(crate) type MountsAsked = (Engine, Vec<TraceFile>, usize);
+
 /// What answers are made of.
 pub(crate) struct Studio {
     pub(crate) program: String,
@@ -43,6 +50,8 @@ pub(crate) struct Studio {
     /// Name of the file that was opened or saved last: its changes are told.
     pub(crate) open: Mutex<Option<String>>,
     pub(crate) lanes: Lanes,
+    /// The block on its mounts, by engine, traces and number of speeds.
+    pub(crate) mounted: Remembered<MountsAsked, MountStudy>,
     /// Computations at a time: as many as there are processors.
     pub(crate) processors: Semaphore,
 }
@@ -78,6 +87,7 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
         folder,
         open: Mutex::new(open),
         lanes: Lanes::default(),
+        mounted: Remembered::default(),
         processors: Semaphore::new(processors),
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();

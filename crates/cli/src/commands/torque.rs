@@ -9,8 +9,8 @@ use crate::trace_files::trace_files;
 use lanchester::mechanism::{Lever, TorqueRequest};
 use lanchester::model::{Friction, option};
 use lanchester::report::{
-    Figure, Table, cycle_angle_table, cycle_figures, cycle_table, flywheel_table, power_figure, power_table, ripple_figure, ripple_table, torque_csv,
-    torque_figures, torque_speeds_table, torque_text,
+    Figure, Table, cycle_angle_table, cycle_figures, cycle_table, flywheel_table, power_figure, power_table,
+    ripple_figure, ripple_table, torque_csv, torque_figures, torque_speeds_table, torque_text,
 };
 use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
 

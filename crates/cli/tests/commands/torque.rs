@@ -113,6 +113,63 @@ fn an_inertia_that_is_not_known_makes_no_speed() {
     assert!(json["outputs"][0]["nominal"].as_f64().expect("a number") > 0.001, "{json}");
 }
 
+/// The cycle tells what it finds: in text, JSON, CSV and the report, with one set of numbers.
+#[test]
+fn the_cycle_tells_what_it_finds() {
+    let folder = folder("torque-cycle");
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/single-gas.toml");
+    std::fs::copy(shipped, folder.join("single.toml")).expect("it is shipped");
+    let arguments = ["torque", "single.toml", "--speed", "4000 rpm"];
+    let json = output_json(&folder, 0, &[&arguments[..], &["--format", "json"]].concat());
+    let number = |pointer: &str| json.pointer(pointer).and_then(serde_json::Value::as_f64).expect("a number");
+    let (work, heat) = (number("/cycles/0/work"), number("/cycles/0/heat"));
+    assert!((number("/cycles/0/thermal_efficiency") - work / heat).abs() < 1e-6);
+    assert!((number("/cycles/0/indicated_efficiency") - 0.96 * work / heat).abs() < 1e-6);
+    assert!((0.01..0.2).contains(&number("/cycles/0/exchange/residual_share")));
+    assert!((0.05..0.4).contains(&number("/cycles/0/exchange/wall_heat_share")));
+    assert!(number("/cycles/0/exchange/energy_residual_share").abs() < 1e-7);
+    assert!(number("/cycles/0/exchange/mass_residual_share").abs() < 1e-7);
+    let trapped = number("/cycles/0/trapped_mass");
+    let count = json["cycles"][0]["trace"]["mass"].as_array().expect("a list").len();
+    assert_eq!(count, 720);
+    // Heat released and heat to the walls over the angle add up to those of the cycle.
+    let sum = |name: &str| {
+        let list = json["cycles"][0]["trace"][name].as_array().expect("a list");
+        list.iter().filter_map(serde_json::Value::as_f64).sum::<f64>() * std::f64::consts::PI / 180.0
+    };
+    assert!((sum("heat_release") / heat - 1.0).abs() < 1e-3, "{}", sum("heat_release"));
+    assert!((sum("wall_heat") / number("/cycles/0/exchange/wall_heat") - 1.0).abs() < 1e-3);
+    assert!((sum("exhaust") / sum("intake") - 1.0).abs() < 1e-2, "what comes in goes out");
+    let text = output(&folder, 0, &arguments);
+    assert!(
+        text.contains("residual gas, of the trapped mass") && text.contains("volumetric efficiency"),
+        "{text}"
+    );
+    let table = output(&folder, 0, &[&arguments[..], &["--table", "cycle", "--format", "csv"]].concat());
+    let line = table.lines().find(|line| line.starts_with("trapped mass")).expect("a line");
+    let value: f64 = line.rsplit(',').next().and_then(|cell| cell.parse().ok()).expect("a number");
+    assert!((value - 1e6 * trapped).abs() < 1e-6 * value, "{line}");
+    let over = output(&folder, 0, &[&arguments[..], &["--table", "cycle-angle", "--format", "csv"]].concat());
+    assert_eq!(over.lines().count(), 721);
+    assert!(
+        over.lines()
+            .next()
+            .is_some_and(|head| head.contains("temperature [K]") && head.contains("mass [mg]"))
+    );
+    output(&folder, 0, &["report", "single.toml", "--output", "single.html"]);
+    let page = std::fs::read_to_string(folder.join("single.html")).expect("it was written");
+    let names = names_of(&page);
+    for name in ["cycle", "cycle-diagrams", "cycle-temperature", "cycle-mass", "cycle-heat"] {
+        assert_eq!(names.iter().filter(|other| **other == name).count(), 1, "{name}: {names:?}");
+    }
+    // Measured pressures have no cycle.
+    let traces = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/traces/pressure-3000.csv");
+    std::fs::copy(traces, folder.join("p.csv")).expect("the traces are shipped");
+    written(&folder, &format!("{FOUR}[[gas.trace]]\nfile = \"p.csv\"\n"));
+    let refused = message(&folder, 2, &["torque", "four.toml", "--table", "cycle"]);
+    assert!(refused.contains("no computed cycle"), "{refused}");
+}
+
 #[test]
 fn bearings_with_gas_and_without() {
     let folder = folder("bearings");

@@ -176,7 +176,15 @@ impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
             .solve()
             .map_err(|error| failed(&error))?;
         let mut states = solution.y;
-        let end = states.pop().unwrap_or(state);
+        if states.len() > points.len() {
+            let end = states.pop().unwrap_or(state);
+            return Ok((end, states));
+        }
+        // Where its last step ends a rounding short of `to`, the solver leaves that point out.
+        let (end, _) = self.run([from, to], state, &[], tolerance)?;
+        if states.len() < points.len() {
+            return Err(failed(&format_args!("StatesMissing")));
+        }
         Ok((end, states))
     }
 }

@@ -89,13 +89,7 @@ impl WallLosses<'_> {
     }
 
     /// Heat flow [W] at the angle `psi` [rad].
-    pub(crate) fn flow(
-        &self,
-        [pressure, temperature]: [f64; 2],
-        volume: f64,
-        psi: f64,
-        phase: Phase,
-    ) -> f64 {
+    pub(crate) fn flow(&self, [pressure, temperature]: [f64; 2], volume: f64, psi: f64, phase: Phase) -> f64 {
         let walls = self.walls;
         let areas = [
             (walls.piston_area * self.volume.area(), walls.piston_temperature),

@@ -45,12 +45,18 @@ impl<'a> Reader<'a> {
             };
             let fault = if first >= index {
                 Some((
-                    format!("cylinder {number} must share the chamber of a cylinder with a lower number, got {}", first + 1),
+                    format!(
+                        "cylinder {number} must share the chamber of a cylinder with a lower number, got {}",
+                        first + 1
+                    ),
                     "give the number of the first piston of the chamber".to_owned(),
                 ))
             } else if section(first).is_some_and(|section| section.has("chamber")) {
                 Some((
-                    format!("cylinder {}, whose chamber cylinder {number} shares, has none of its own", first + 1),
+                    format!(
+                        "cylinder {}, whose chamber cylinder {number} shares, has none of its own",
+                        first + 1
+                    ),
                     "give the number of the first piston of the chamber to all others".to_owned(),
                 ))
             } else {
@@ -93,7 +99,8 @@ impl<'a> Reader<'a> {
                     index + 1,
                     turned.to_degrees()
                 );
-                let hint = "give them the same firing angle, and `phase` of the crankshaft the lead of one of them";
+                let hint =
+                    "give them the same firing angle, and `phase` of the crankshaft the lead of one of them";
                 self.mistakes.push(Mistake::error("E0604", span, message).hint(hint));
                 is_good = false;
             }

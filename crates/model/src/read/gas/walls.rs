@@ -21,7 +21,12 @@ impl<'a> Reader<'a> {
             if section.has(key) && !needed.contains(&key) {
                 let model = if key == "coefficient" { "constant" } else { "table" };
                 let because = format!("the heat transfer coefficient is that of the model \"{word}\"");
-                self.without_effect(section, key, &because, &format!("write model = \"{model}\", or leave it out"));
+                self.without_effect(
+                    section,
+                    key,
+                    &because,
+                    &format!("write model = \"{model}\", or leave it out"),
+                );
                 is_good = false;
             }
         }
@@ -48,17 +53,24 @@ impl<'a> Reader<'a> {
         else {
             return None;
         };
-        let list = |spots: &[crate::document::Spot<f64>]| spots.iter().map(|spot| spot.value).collect::<Vec<_>>();
+        let list =
+            |spots: &[crate::document::Spot<f64>]| spots.iter().map(|spot| spot.value).collect::<Vec<_>>();
         let (span, got) = (angles.span.clone(), [angles.value.len(), coefficients.value.len()]);
         let (angles, coefficients) = (list(&angles.value), list(&coefficients.value));
         let cycle = TAU * f64::from(strokes.revolutions());
         let fault = if got[0] != got[1] || got[0] == 0 {
-            Some((format!("`angles` and `coefficients` need as many values, got {} and {}", got[0], got[1]), "give one coefficient an angle"))
+            Some((
+                format!("`angles` and `coefficients` need as many values, got {} and {}", got[0], got[1]),
+                "give one coefficient an angle",
+            ))
         } else if angles.windows(2).any(|pair| pair[1] <= pair[0]) {
             Some(("`angles` must rise".to_owned(), "sort them, each with its coefficient"))
         } else if angles[angles.len() - 1] - angles[0] >= cycle {
             let whole = cycle.to_degrees();
-            Some((format!("`angles` must lie within one cycle of {whole:.0} deg"), "leave out the last, which is the first of the next cycle"))
+            Some((
+                format!("`angles` must lie within one cycle of {whole:.0} deg"),
+                "leave out the last, which is the first of the next cycle",
+            ))
         } else {
             None
         };
