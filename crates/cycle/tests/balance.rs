@@ -154,6 +154,12 @@ fn the_returned_curves_close_the_balances_of_mass_and_energy() {
             let wanted = cycle.mass.at(psi) * GAS_CONSTANT * temperature / volume(psi)[0];
             assert!((pressure / wanted - 1.0).abs() < 1e-6, "{psi}: {pressure} {wanted}");
         }
+        // What is trapped fresh came in fresh, and none is lost but through the exhaust.
+        assert!(
+            cycle.trapping_efficiency <= 1.0 + 1e-6 && cycle.trapping_efficiency > 0.9,
+            "{}",
+            cycle.trapping_efficiency
+        );
         let efficiency = cycle.fuel_efficiency.expect("it is fired");
         assert!((efficiency - 0.97 * cycle.passed.work / cycle.heat).abs() < 1e-12);
     }

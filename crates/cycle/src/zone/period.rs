@@ -289,7 +289,7 @@ impl<'a> Run<'a> {
             trapped,
             residual_share: 1.0 - trapped.fresh / trapped.mass,
             volumetric_efficiency: passed.mass[0] / displaced,
-            trapping_efficiency: trapped.fresh / passed.mass[0],
+            trapping_efficiency: trapped.fresh / passed.fresh,
             heat: passed.released,
             passed,
             balance: Balance {
