@@ -40,9 +40,25 @@ pub struct TorqueArguments {
     /// Write the figures as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
-    /// Form of the output; CSV is everything over the crank angle.
+    /// One table alone, as text or CSV.
+    #[arg(long, value_enum)]
+    pub table: Option<TorqueTable>,
+    /// Form of the output; CSV is everything over the crank angle, or the table asked for.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// A table of `torque`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TorqueTable {
+    /// Numbers of the computed cycle: trapped mass, residual gas, efficiencies, heat to the walls, residuals.
+    Cycle,
+    /// The computed cycle over the angle: volume, pressure, temperature, mass, heat, flows.
+    CycleAngle,
+    /// Speed ripple, or why it is not known.
+    SpeedRipple,
+    /// Torque, power and energy at the speeds of `--speeds`.
+    Speeds,
 }
 
 /// Lever of the piston forces.

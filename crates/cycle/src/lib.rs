@@ -22,6 +22,6 @@ pub use trace::{
 };
 pub use volume::CylinderVolume;
 pub use zone::{
-    Balance, Contents, PistonGap, ThroughFlow, ZoneCycle, ZoneOutcome, ZoneSettings, fill, mass_flow,
-    piston_gap, single_zone,
+    Balance, Contents, PistonGap, SinceClosing, ThroughFlow, ZoneCycle, ZoneOutcome, ZoneSettings, fill,
+    mass_flow, piston_gap, single_zone,
 };

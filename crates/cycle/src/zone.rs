@@ -14,5 +14,5 @@ mod walls;
 pub use flow::mass_flow;
 pub use opening::{PistonGap, piston_gap};
 pub use period::{ZoneSettings, single_zone};
-pub use result::{Balance, ZoneCycle, ZoneOutcome};
+pub use result::{Balance, SinceClosing, ZoneCycle, ZoneOutcome};
 pub use state::{Contents, ThroughFlow, fill};

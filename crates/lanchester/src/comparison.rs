@@ -2,15 +2,15 @@
 
 use crate::consequences::consequences;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
-use crate::torque_report::{UNKNOWN_CRANKSHAFT, crankshaft_inertia};
+use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
 use lanchester_balance::{
     Affected, ArrangementOptions, BalanceError, Consequences, Outcome, TwinArrangement, arranged,
     as_it_stands, fitted, optimise,
 };
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, Torque,
-    TorqueError, TorqueRequest, TurningInertia, firing_chart, flywheel_need, inertia_excitations,
-    merged_orders, motion, torque, total_loads,
+    TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations, merged_orders, motion,
+    torque, total_loads,
 };
 use lanchester_model::Criterion::Peak;
 use lanchester_model::{Engine, Load, Mount, SpeedRange, default_task};
@@ -453,8 +453,7 @@ impl Candidate {
         // The pressures are those of the engine at its own speed, the inertia that of equal piston speed.
         let found = self.torque_at(self.speed * similar.speed_of_original(), gas)?;
         let lowest = engine.speed.lowest * similar.speed_of_original();
-        let train = TurningInertia { flywheel: 0.0, crankshaft: crankshaft_inertia(engine) };
-        let need = flywheel_need(engine, &gas.lowest, lowest, train, fluctuation)
+        let need = flywheel_need(engine, Some(&gas.lowest), lowest, known_inertia(engine), fluctuation)
             .map_err(|error| self.no_torque(error))?;
         let moment = similar.moment();
         let work = found.indicated.torque * found.energy.own_period;
@@ -495,7 +494,7 @@ impl Gas {
             Ok(report.cylinders)
         };
         let gas = Gas { own: at(speed)?, lowest: at(engine.speed.lowest)? };
-        if crankshaft_inertia(engine) == 0.0 {
+        if known_inertia(engine).crankshaft.is_none() {
             told(UNKNOWN_CRANKSHAFT);
         }
         Ok(Some(gas))

@@ -25,6 +25,7 @@ mod counterweight_error;
 mod counterweight_fit;
 mod counterweights;
 mod crankshaft_parts;
+mod cycle_results;
 mod engine_report;
 mod layout_search;
 mod layout_space;
@@ -61,6 +62,7 @@ pub use counterweights::{
     DesignedCounterweight, EvolutionRequest, adopted, counterweight_front, design_counterweights,
 };
 pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
+pub use cycle_results::cycle_results;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
 pub use lanchester_cycle as cycle;

@@ -76,19 +76,30 @@ fn of_cylinders(
 ) -> Result<Vec<PeriodicCurve>, TraceError> {
     let fault = |fault| TraceError { file: trace.file.clone(), line: None, fault };
     let (got, cylinders) = (read.columns.len(), volumes.len());
-    if got != 1 && got != cylinders {
+    // Pistons that share a chamber have one pressure: a column for each chamber, or that of its first cylinder.
+    let mut chambers: Vec<usize> = volumes.iter().map(CylinderVolume::chamber).collect();
+    chambers.sort_unstable();
+    chambers.dedup();
+    let of_chambers = place == TracePlace::Cylinder && got == chambers.len();
+    if got != 1 && got != cylinders && !of_chambers {
         return Err(fault(TraceFault::Columns { got, cylinders }));
     }
     let mut curves = Vec::new();
     for (cylinder, volume) in volumes.iter().enumerate() {
-        let (heading, column) = &read.columns[if got == 1 { 0 } else { cylinder }];
+        let first = if place == TracePlace::Cylinder { volume.chamber() } else { cylinder };
+        let number = match (got, of_chambers) {
+            (1, _) => 0,
+            (_, true) => chambers.iter().position(|chamber| *chamber == first).unwrap_or(first),
+            (_, false) => first,
+        };
+        let (heading, column) = &read.columns[number];
         let curve = if trace.counted_from_first && got > 1 {
             // The column is over the angle since the firing of cylinder 1.
             column.delayed(volume.own_angle(volumes[0].firing_angle()))
         } else {
             column.clone()
         };
-        if place == TracePlace::Cylinder && (got > 1 || cylinder == 0) {
+        if place == TracePlace::Cylinder && (got > 1 || cylinder == 0) && first == cylinder {
             let said = check_firing(heading, &curve, volume).map_err(fault)?;
             warnings.extend(said.into_iter().map(|warning| format!("{}: {warning}", trace.file)));
         }

@@ -2,10 +2,10 @@
 
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_mechanism::{
-    GasTrain, Lever, MountError, MountRequest, MountStudy, TorqueError, inertia_excitations, merged_orders,
-    mount_study,
+    GasTrain, Lever, MountError, MountRequest, MountStudy, OrderLoads, TorqueError, inertia_excitations,
+    merged_orders, mount_study,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Gas, GasProcess, GasSource};
 
 /// Speeds of [`mounts`].
 #[derive(Debug, Clone, PartialEq)]
@@ -72,16 +72,15 @@ pub fn mounts(
     let mut warnings: Vec<String> = Vec::new();
     let mut driven = 0.0f64;
     if let (Some(traces), true) = (gas, engine.gas.is_some()) {
-        for excitation in &mut excitations {
-            let report = cylinder_gas(engine, traces, excitation.speed)?;
-            let train = GasTrain::new(engine, &report.cylinders, Lever::Exact)?;
-            driven = driven.max(train.mean_torques().iter().sum());
-            let orders = train.orders(max_order);
-            excitation.orders = merged_orders(&excitation.orders, &orders);
-            words = format!("inertia loads and gas ({})", report.source);
-            for warning in report.warnings {
-                if !warnings.contains(&warning) {
-                    warnings.push(warning);
+        let speeds: Vec<f64> = excitations.iter().map(|excitation| excitation.speed).collect();
+        let gas = gas_at_speeds(engine, traces, &speeds, max_order)?;
+        for (excitation, gas) in excitations.iter_mut().zip(gas) {
+            driven = driven.max(gas.mean_torque);
+            excitation.orders = merged_orders(&excitation.orders, &gas.orders);
+            words = format!("inertia loads and gas ({})", gas.source);
+            for warning in &gas.warnings {
+                if !warnings.contains(warning) {
+                    warnings.push(warning.clone());
                 }
             }
         }
@@ -97,9 +96,85 @@ pub fn mounts(
     Ok(mount_study(engine, &excitations, &request)?)
 }
 
+/// What the gas does to the block at one speed.
+#[derive(Debug, Clone)]
+struct GasAtSpeed {
+    orders: Vec<OrderLoads>,
+    /// Of all cylinders [N m].
+    mean_torque: f64,
+    source: String,
+    warnings: Vec<String>,
+}
+
+/// Whether the pressures over the angle are others at another speed.
+fn depends_on_speed(gas: &Gas) -> bool {
+    match &gas.source {
+        GasSource::Traces { traces, .. } => traces.len() > 1,
+        GasSource::Cycle(cycle) => matches!(cycle.process, GasProcess::SingleZone(_)),
+    }
+}
+
+/// The gas at each of `speeds`: once where it does not depend on them, else on all processors.
+fn gas_at_speeds(
+    engine: &Engine,
+    traces: &[TraceFile],
+    speeds: &[f64],
+    max_order: u32,
+) -> Result<Vec<GasAtSpeed>, MountedError> {
+    let at = |speed: f64| -> Result<GasAtSpeed, MountedError> {
+        let report = cylinder_gas(engine, traces, speed)?;
+        let train = GasTrain::new(engine, &report.cylinders, Lever::Exact)?;
+        Ok(GasAtSpeed {
+            orders: train.orders(max_order),
+            mean_torque: train.mean_torques().iter().sum(),
+            source: report.source,
+            warnings: report.warnings,
+        })
+    };
+    if !engine.gas.as_ref().is_some_and(depends_on_speed) {
+        // Every speed is still refused that a cycle would refuse.
+        let Some(&first) = speeds.iter().find(|speed| **speed <= 0.0).or(speeds.first()) else {
+            return Ok(Vec::new());
+        };
+        return Ok(vec![at(first)?; speeds.len()]);
+    }
+    let threads = std::thread::available_parallelism().map_or(1, |count| count.get());
+    let share = speeds.len().div_ceil(threads).max(1);
+    let parts = std::thread::scope(|scope| {
+        let work = |part: &'_ [f64]| part.iter().map(|speed| at(*speed)).collect::<Vec<_>>();
+        let running: Vec<_> = speeds.chunks(share).map(|part| scope.spawn(move || work(part))).collect();
+        running.into_iter().map(std::thread::ScopedJoinHandle::join).collect::<Vec<_>>()
+    });
+    let mut all = Vec::with_capacity(speeds.len());
+    for part in parts {
+        match part {
+            Ok(found) => all.extend(found),
+            Err(panic) => std::panic::resume_unwind(panic),
+        }
+    }
+    all.into_iter().collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// What is computed once, or on several processors, is what every speed gives by itself.
+    #[test]
+    fn the_gas_over_speeds_is_that_of_each_speed() {
+        let zone = include_str!("../../../examples/single-gas.toml");
+        let single = lanchester_model::read(zone).engine.expect("the example has no mistakes");
+        for engine in [example(), single] {
+            let speeds = [200.0, 310.0, 450.0];
+            let together = gas_at_speeds(&engine, &[], &speeds, 6).expect("it has gas");
+            for (speed, together) in speeds.iter().zip(&together) {
+                let gas = cylinder_gas(&engine, &[], *speed).expect("it has gas");
+                let train = GasTrain::new(&engine, &gas.cylinders, Lever::Exact).expect("a train");
+                assert_eq!(together.orders, train.orders(6));
+            }
+            assert!(gas_at_speeds(&engine, &[], &[200.0, -1.0], 6).is_err());
+        }
+    }
 
     fn example() -> Engine {
         let text = include_str!("../../../examples/in-line-4-mounts.toml");

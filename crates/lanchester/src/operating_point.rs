@@ -1,8 +1,7 @@
 //! An engine at one speed with the gas of its file, for sensitivities.
 
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
-use crate::torque_report::crankshaft_inertia;
-use lanchester_mechanism::TurningInertia;
+use crate::torque_report::known_inertia;
 use lanchester_model::Engine;
 use lanchester_study::sensitivity::{Needs, OperatingPoint, Weights};
 
@@ -23,8 +22,7 @@ pub fn operating_point(
         false => None,
     };
     let (gas, warnings) = report.map(|report| (report.cylinders, report.warnings)).unzip();
-    let flywheel = engine.flywheel.as_ref().and_then(|wheel| wheel.inertia).unwrap_or(0.0);
-    let turning = TurningInertia { flywheel, crankshaft: crankshaft_inertia(engine) };
+    let turning = known_inertia(engine);
     let point = OperatingPoint { engine: engine.clone(), speed, gas, turning, weights: Weights::Fixed };
     Ok((point, warnings.unwrap_or_default()))
 }

@@ -34,7 +34,7 @@ pub struct GasReport {
     pub cylinders: Vec<CylinderGas>,
     /// `theta` [rad] of that firing top dead centre, for each cylinder; without a firing in the file its first top dead centre.
     pub firing_angles: Vec<f64>,
-    /// What the gas does in each cylinder.
+    /// What the gas does in the chamber of each cylinder; pistons that share a chamber have the same.
     pub indicated: Vec<Indicated>,
     /// The cycles behind the pressures, where they are computed: each once, with its cylinders.
     pub cycles: Vec<ComputedCycle>,
@@ -62,7 +62,8 @@ pub enum CylinderCycle {
 }
 
 impl CylinderCycle {
-    fn pressure(&self) -> &PeriodicCurve {
+    /// Pressure over the angle since firing top dead centre [Pa].
+    pub fn pressure(&self) -> &PeriodicCurve {
         match self {
             CylinderCycle::Ideal(cycle) => &cycle.pressure,
             CylinderCycle::SingleZone(cycle) => &cycle.pressure,
@@ -201,7 +202,11 @@ fn computed(
 ) -> Result<Vec<ComputedCycle>, GasError> {
     let mut cycles: Vec<ComputedCycle> = Vec::new();
     for (index, volume) in volumes.iter().enumerate() {
-        let alike = cycles.iter_mut().find(|known| volumes[known.cylinders[0] - 1].moves_as(volume));
+        // Pistons of one chamber have one pressure.
+        let alike = cycles.iter_mut().find(|known| {
+            known.cylinders.contains(&(volume.chamber() + 1))
+                || volumes[known.cylinders[0] - 1].moves_as(volume)
+        });
         if let Some(known) = alike {
             known.cylinders.push(index + 1);
             continue;

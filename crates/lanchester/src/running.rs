@@ -79,6 +79,7 @@ impl Running {
             torque: &report.torque,
             source: &report.source,
             brake: report.brake.as_ref(),
+            cycles: &report.cycles,
             ripples: &report.ripples,
             flywheel: report.flywheel.as_ref(),
             speeds: &report.speeds,

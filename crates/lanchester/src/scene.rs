@@ -16,7 +16,7 @@ mod proportions;
 mod rod;
 mod symbolic;
 
-use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism};
+use lanchester_mechanism::firing_period;
 use lanchester_model::{Engine, Rotation};
 use mesh::Meshes;
 use serde::Serialize;
@@ -187,14 +187,11 @@ fn part(name: String, kind: SceneKind, path: impl Into<String>, motion: SceneMot
     ScenePart { name, kind, path: Some(path.into()), cylinder: None, weight: None, mesh: 0, motion }
 }
 
-/// That of the loads; a working cycle where ratios have none in common.
+/// That of the loads with gas; a working cycle where ratios have none in common.
 fn period(engine: &Engine) -> f64 {
-    let request = LoadRequest { kinematics: Kinematics::Exact, ..LoadRequest::default() };
     let cycle = engine.strokes.revolutions();
-    let shafts = Mechanism::new(engine, &request).map(|mechanism| mechanism.period());
-    let revolutions = shafts.map_or(cycle, |period| (period / TAU).round() as u32);
-    let common = if revolutions.is_multiple_of(cycle) { revolutions } else { revolutions * cycle };
-    TAU * f64::from(common)
+    let common = firing_period(engine).unwrap_or(cycle);
+    TAU * f64::from(if common.is_multiple_of(cycle) { common } else { common * cycle })
 }
 
 /// Rounded to a micrometre, or to a millionth of a radian.

@@ -1,20 +1,21 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
+use crate::cycle_results::cycle_results;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
-    BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, PowerCurve, SpeedRipple,
-    Torque, TorqueAtSpeed, TorqueError, TorqueRequest, TurningInertia, bearing_loads, flywheel_need,
+    BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, PowerCurve,
+    RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads, flywheel_need,
     speed_ripple, torque,
 };
 use lanchester_model::{
     Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange,
 };
-use lanchester_report::BearingSizes;
+use lanchester_report::{BearingSizes, CycleResult};
 use serde::Serialize;
 
 /// Version of the form of [`TorqueReport`].
-pub const TORQUE_REPORT_VERSION: u32 = 1;
+pub const TORQUE_REPORT_VERSION: u32 = 2;
 
 /// What to compute.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -42,10 +43,13 @@ pub struct TorqueReport {
     pub source: String,
     /// Torque, work, orders, energy, firing.
     pub torque: Torque,
+    /// The cycles behind the pressures, where they are computed.
+    pub cycles: Vec<CycleResult>,
     /// What friction leaves, where it is known.
     pub brake: Option<Brake>,
-    /// Speed ripple at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`.
-    pub ripples: Vec<SpeedRipple>,
+    /// Speed within the cycle at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`:
+    /// periodic, or why not.
+    pub ripples: Vec<RippleOutcome>,
     /// The flywheel for the fluctuation asked for, at that speed of the file's flywheel that needs most; without these at the lowest
     /// speed of the engine.
     pub flywheel: Option<FlywheelNeed>,
@@ -91,13 +95,11 @@ pub fn torque_report(
     let friction = request.friction.or(engine.friction);
     let none = Flywheel::default();
     let wheel = engine.flywheel.as_ref().unwrap_or(&none);
-    let given = TurningInertia {
-        flywheel: request.flywheel.or(wheel.inertia).unwrap_or(0.0),
-        crankshaft: request.crankshaft.unwrap_or_else(|| crankshaft_inertia(engine)),
+    let of_file = known_inertia(engine);
+    let given = KnownInertia {
+        flywheel: request.flywheel.or(of_file.flywheel),
+        crankshaft: request.crankshaft.or(of_file.crankshaft),
     };
-    if given.crankshaft == 0.0 {
-        warnings.push(UNKNOWN_CRANKSHAFT.into());
-    }
     let idle = engine.speed.lowest;
     let mut speeds = if wheel.speeds.is_empty() { vec![idle, speed] } else { wheel.speeds.clone() };
     speeds.dedup();
@@ -107,9 +109,9 @@ pub fn torque_report(
     for own in speeds {
         let own_gas =
             if own == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, own)?.cylinders };
-        ripples.push(speed_ripple(engine, &own_gas, own, given)?);
+        ripples.push(speed_ripple(engine, Some(&own_gas), own, given)?);
         if let Some(wanted) = fluctuation.filter(|_| own == idle || !wheel.speeds.is_empty()) {
-            let need = flywheel_need(engine, &own_gas, own, given, wanted)?;
+            let need = flywheel_need(engine, Some(&own_gas), own, given, wanted)?;
             // None that keeps it is more than any.
             let amount = |need: &FlywheelNeed| need.flywheel.unwrap_or(f64::INFINITY);
             if flywheel.as_ref().is_none_or(|most| amount(&need) > amount(most)) {
@@ -144,8 +146,10 @@ pub fn torque_report(
     if brake.is_some_and(|brake| brake.torque <= 0.0) {
         warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
     }
+    let cycles = cycle_results(engine, &gas).map_err(GasError::from)?;
     Ok(TorqueReport {
         version: TORQUE_REPORT_VERSION,
+        cycles,
         source: gas.source,
         brake,
         torque: found,
@@ -157,20 +161,25 @@ pub fn torque_report(
     })
 }
 
-/// What the user is told where [`crankshaft_inertia`] is 0.
+/// What the user is told of a flywheel where the inertia of the crankshafts is not known.
 pub(crate) const UNKNOWN_CRANKSHAFT: &str =
-    "the inertia of the crankshaft itself is not known: speed ripple and flywheel leave it out";
+    "the inertia of the crankshaft is not known: the flywheel found includes it";
 
-/// Inertia of the crankshafts as seen at crankshaft 1 [kg m^2]: that of the file, or of all crankshafts that are bodies; 0 where
-/// neither is known.
-pub(crate) fn crankshaft_inertia(engine: &Engine) -> f64 {
-    if let Some(given) = engine.flywheel.as_ref().and_then(|wheel| wheel.crankshaft_inertia) {
-        return given;
-    }
+/// Flywheel of the file; crankshafts as seen at crankshaft 1: those of the file, or all crankshafts that are bodies.
+pub(crate) fn known_inertia(engine: &Engine) -> KnownInertia {
+    let wheel = engine.flywheel.as_ref();
+    let crankshaft =
+        wheel.and_then(|wheel| wheel.crankshaft_inertia).or_else(|| crankshaft_of_bodies(engine));
+    KnownInertia { flywheel: wheel.and_then(|wheel| wheel.inertia), crankshaft }
+}
+
+/// Inertia of all crankshafts as bodies, seen at crankshaft 1 [kg m^2].
+fn crankshaft_of_bodies(engine: &Engine) -> Option<f64> {
     let of = |(index, shaft): (usize, &lanchester_model::Crankshaft)| {
-        crankshaft(engine, index).map_or(0.0, |body| body.polar_inertia * shaft.ratio.value().powi(2))
+        crankshaft(engine, index).ok().map(|body| body.polar_inertia * shaft.ratio.value().powi(2))
     };
-    if engine.crank_body.is_none() { 0.0 } else { engine.crankshafts.iter().enumerate().map(of).sum() }
+    engine.crank_body.as_ref()?;
+    engine.crankshafts.iter().enumerate().map(of).sum()
 }
 
 /// Loads of the bearings of `engine` with its own gas; without gas in the file those of inertia alone.

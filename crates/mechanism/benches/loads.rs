@@ -39,6 +39,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
                     joint: RodJoint::Crankpin,
                 },
                 firing_angle: None,
+                chamber: None,
             }
         })
         .collect();

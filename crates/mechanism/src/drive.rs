@@ -16,6 +16,14 @@ pub(crate) enum Linkage {
 }
 
 impl Linkage {
+    /// Travel of the piston pin [m] with its derivatives by the crank angle `phi` from the (master's) axis.
+    pub fn travel(&self, phi: f64) -> Jet {
+        match self {
+            Linkage::Plain(slider) => slider.stroke(phi).travel,
+            Linkage::Articulated(articulated) => articulated.stroke(phi).travel,
+        }
+    }
+
     /// Distance [rad] of the nearest singularity of the motion from the real crank angle: how close it comes to
     /// locking. A grid much finer than this resolves the motion.
     pub fn analytic_margin(&self) -> f64 {

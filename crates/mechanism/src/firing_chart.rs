@@ -20,7 +20,8 @@ pub struct FiringChart {
     pub strokes: Strokes,
     /// Period [rad] of crankshaft 1: a whole number of working cycles of every crankshaft.
     pub period: f64,
-    /// Firings in their sequence, from the first at or after `theta = 0`; cylinders that fire together stand by number.
+    /// Firings in their sequence, from the first at or after `theta = 0`; cylinders that fire together stand by number. A chamber that pistons
+    /// share fires once, under the number of its first cylinder.
     pub firings: Vec<Firing>,
     /// Interval of even firing [rad]: period over number of firings.
     pub even_interval: f64,
@@ -169,7 +170,12 @@ fn chart(engine: &Engine, motion: &[CylinderMotion], period: f64) -> Result<Firi
         let mut own: Vec<f64> =
             (0..count).map(|k| wrapped(first + turn * strokes * k as f64, period)).collect();
         own.sort_by(f64::total_cmp);
-        let down = (motion.bottom_dead_centre - motion.top_dead_centre).rem_euclid(turn);
+        // Of a chamber that pistons share the strokes are those of its volume.
+        let [top, bottom] = match &motion.chamber {
+            Some(chamber) => [chamber.top_dead_centre, chamber.bottom_dead_centre],
+            None => [motion.top_dead_centre, motion.bottom_dead_centre],
+        };
+        let down = (bottom - top).rem_euclid(turn);
         let mut spans: Vec<StrokeSpan> =
             own.iter().flat_map(|theta| spans(engine.strokes, *theta, turn, down)).collect();
         for span in &mut spans {
@@ -178,7 +184,10 @@ fn chart(engine: &Engine, motion: &[CylinderMotion], period: f64) -> Result<Firi
         }
         spans.sort_by(|a, b| a.from.total_cmp(&b.from));
         cylinders.push(CylinderStrokes { cylinder: index + 1, strokes: spans });
-        firings.extend(own.into_iter().map(|theta| (theta, index + 1, throw.angle)));
+        // A chamber fires once, under the number of its first cylinder.
+        if engine.cylinders[index].chamber.is_none() {
+            firings.extend(own.into_iter().map(|theta| (theta, index + 1, throw.angle)));
+        }
     }
     firings.sort_by(|a, b| if (a.0 - b.0).abs() <= SAME { a.1.cmp(&b.1) } else { a.0.total_cmp(&b.0) });
     let count = firings.len();

@@ -18,13 +18,18 @@ use crate::gas::CylinderGas;
 use crate::gas_train::GasTrain;
 use crate::request::LoadError;
 use crate::result::{Extreme, Extremes};
+use crate::ripple_outcome::{KnownInertia, RippleOutcome, STOPPED};
 use crate::torque_request::{Lever, TorqueError, TorqueRequest};
-use crate::train::Mechanism;
+use crate::train::{Mechanism, period};
 use lanchester_model::{Engine, RodJoint};
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
-pub const FLYWHEEL_VERSION: u32 = 1;
+pub const FLYWHEEL_VERSION: u32 = 2;
+
+/// Stretches of a revolution without gas.
+const STRETCHES: usize = 120;
 
 /// Angles of a revolution at which the ripple is listed, and between which the square of its speed is taken as cubic.
 const SAMPLES: usize = 720;
@@ -56,6 +61,8 @@ pub struct TrainInertia {
 }
 
 /// Speed over the period, at one mean speed.
+///
+/// Without gas the load is 0 and the energy stays: the inertia of pistons and rods alone makes the speed swing.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SpeedRipple {
     /// [`FLYWHEEL_VERSION`].
@@ -100,6 +107,8 @@ pub struct FlywheelNeed {
     /// Flywheel with which the true speed, of variable inertia, just keeps the fluctuation [kg m^2]; 0 where none is needed,
     /// `None` where none up to half a million times the formula's keeps it.
     pub flywheel: Option<f64>,
+    /// Whether the inertia of the crankshafts is known; if not, `train` leaves it out and the flywheels include it.
+    pub crankshaft_known: bool,
 }
 
 /// The kinetic energy of an engine's train, prepared.
@@ -110,6 +119,8 @@ struct KineticTrain {
     constant: f64,
     big_ends: f64,
     given: TurningInertia,
+    /// Revolutions of crankshaft 1 after which all shafts stand as before.
+    revolutions: u32,
 }
 
 impl KineticTrain {
@@ -139,6 +150,7 @@ impl KineticTrain {
             constant: given.flywheel + given.crankshaft + big_ends,
             big_ends,
             given,
+            revolutions: period(engine)?,
         })
     }
 
@@ -223,17 +235,20 @@ struct RippleGrid {
 }
 
 impl RippleGrid {
-    fn new(train: &KineticTrain, gas: &GasTrain, speed: f64) -> RippleGrid {
-        let period = gas.period();
-        let count = SAMPLES * gas.revolutions as usize;
+    fn new(train: &KineticTrain, gas: Option<&GasTrain>, speed: f64) -> RippleGrid {
+        let revolutions = gas.map_or(train.revolutions, |gas| gas.revolutions);
+        let period = TAU * f64::from(revolutions);
+        let count = SAMPLES * revolutions as usize;
         let theta: Vec<f64> = (0..count).map(|j| period * j as f64 / count as f64).collect();
-        let load = gas.mean_torques().iter().sum::<f64>();
-        let breaks = gas.breaks();
-        let work = breaks.accumulated_at(&theta, |theta| gas.torque(theta) - load);
+        let load = gas.map_or(0.0, |gas| gas.mean_torques().iter().sum::<f64>());
+        let parts = STRETCHES * revolutions as usize;
+        let breaks = gas.map_or_else(|| Breaks::new(period, std::iter::empty(), parts), GasTrain::breaks);
+        let of_gas = |theta: f64| gas.map_or(0.0, |gas| gas.torque(theta)) - load;
+        let work = breaks.accumulated_at(&theta, of_gas);
         let square = speed * speed;
-        let total = |theta: f64| gas.torque(theta) + square * train.mechanism.shaft_torque(theta);
+        let total = |theta: f64| of_gas(theta) + load + square * train.mechanism.shaft_torque(theta);
         let excess = breaks.sample(total).energy(load).excess;
-        let drive = theta.iter().map(|theta| gas.torque(*theta) - load).collect();
+        let drive = theta.iter().map(|theta| of_gas(*theta)).collect();
         let braked = theta.iter().map(|theta| train.mechanism.shaft_torque(*theta)).collect();
         RippleGrid {
             period,
@@ -244,6 +259,12 @@ impl RippleGrid {
             load,
             excess,
         }
+    }
+
+    /// Inertia at the grid with a flywheel [kg m^2] beside `without`; `None` where nothing turns.
+    fn with_flywheel(&self, without: &[f64], flywheel: f64) -> Option<Vec<f64>> {
+        let inertia: Vec<f64> = without.iter().map(|j| j + flywheel).collect();
+        inertia.iter().all(|j| *j > 0.0).then_some(inertia)
     }
 
     /// Squares of the speed times inertia, less their lowest: `2 (C + W) = x + rise`.
@@ -306,20 +327,25 @@ impl RippleGrid {
     }
 }
 
-/// The periodic speed of `engine` under `gas` about the mean `speed` [rad/s], with `given` turning beside pistons and rods.
+/// The periodic speed of `engine` under `gas` about the mean `speed` [rad/s], with `known` turning beside pistons and rods; without gas that of
+/// inertia alone. A speed that is not known, or an engine that stops, is an outcome with its reason.
 ///
 /// # Errors
 /// As [`crate::torque`]; an inertia that is negative, or none at all.
 pub fn speed_ripple(
     engine: &Engine,
-    gas: &[CylinderGas],
+    gas: Option<&[CylinderGas]>,
     speed: f64,
-    given: TurningInertia,
-) -> Result<SpeedRipple, TorqueError> {
+    known: KnownInertia,
+) -> Result<RippleOutcome, TorqueError> {
     check_speed(speed)?;
-    let train = KineticTrain::new(engine, given)?;
-    let gas = GasTrain::new(engine, gas, Lever::Exact)?;
-    let grid = RippleGrid::new(&train, &gas, speed);
+    let train = KineticTrain::new(engine, known.known())?;
+    let gas = gas.map(|gas| GasTrain::new(engine, gas, Lever::Exact)).transpose()?;
+    let missing = known.missing();
+    if !missing.is_empty() {
+        return Ok(RippleOutcome::incomplete(speed, missing));
+    }
+    let grid = RippleGrid::new(&train, gas.as_ref(), speed);
     let inertia = inertia_over(&train, &grid.theta);
     if inertia.extremes.min.value <= 0.0 {
         let got = inertia.extremes.min.value;
@@ -327,9 +353,18 @@ pub fn speed_ripple(
     }
     let speeds = grid.speeds(&inertia.total, speed);
     let extremes = grid.extremes(&inertia.total, &speeds);
+    if stops(&speeds, speed) {
+        let without: Vec<f64> = inertia.total.iter().map(|j| j - train.given.flywheel).collect();
+        let keeps = |flywheel: f64| {
+            let own = grid.with_flywheel(&without, flywheel);
+            own.is_some_and(|own| !stops(&grid.speeds(&own, speed), speed))
+        };
+        let unit = (grid.excess / (speed * speed)).max(inertia.mean).max(f64::MIN_POSITIVE);
+        return Ok(RippleOutcome::stops(speed, least_flywheel(unit, keeps)));
+    }
     let accelerations = grid.accelerations(&inertia.total, &speeds);
     let acceleration = accelerations.into_iter().map(f64::abs).fold(0.0, f64::max);
-    Ok(SpeedRipple {
+    Ok(RippleOutcome::Periodic(Box::new(SpeedRipple {
         version: FLYWHEEL_VERSION,
         mean_speed: speed,
         load: grid.load,
@@ -342,51 +377,56 @@ pub fn speed_ripple(
         theta: grid.theta,
         speed: speeds,
         inertia,
-    })
+    })))
 }
 
-/// Flywheel of `engine` under `gas` at `speed` [rad/s] for the fluctuation wanted; the flywheel in `given` does not count.
+/// Whether an engine of these speeds counts as stopped.
+fn stops(speeds: &[f64], mean: f64) -> bool {
+    speeds.iter().copied().fold(f64::INFINITY, f64::min) < STOPPED * mean
+}
+
+/// Least flywheel [kg m^2] that `keeps` what is wanted, 0 included; `None` if none up to half a million `unit`s does.
+fn least_flywheel(unit: f64, keeps: impl Fn(f64) -> bool) -> Option<f64> {
+    if keeps(0.0) {
+        return Some(0.0);
+    }
+    let top = (0..20).map(|k| unit * f64::from(1u32 << k)).find(|j| keeps(*j))?;
+    let (mut low, mut high) = (0.0, top);
+    for _ in 0..100 {
+        let trial = 0.5 * (low + high);
+        if high - low <= 1e-12 * high {
+            break;
+        }
+        if keeps(trial) { high = trial } else { low = trial }
+    }
+    Some(high)
+}
+
+/// Flywheel of `engine` under `gas` at `speed` [rad/s] for the fluctuation wanted; the flywheel in `known` does not count. Without the inertia of the
+/// crankshafts the flywheel includes it.
 ///
 /// # Errors
 /// As [`speed_ripple`]; a fluctuation that is not between 0 and 2.
 pub fn flywheel_need(
     engine: &Engine,
-    gas: &[CylinderGas],
+    gas: Option<&[CylinderGas]>,
     speed: f64,
-    given: TurningInertia,
+    known: KnownInertia,
     fluctuation: f64,
 ) -> Result<FlywheelNeed, TorqueError> {
     if !(fluctuation > 0.0 && fluctuation < 2.0) {
         return Err(refused("fluctuation of the speed", "between 0 and 2", fluctuation));
     }
     check_speed(speed)?;
-    let train = KineticTrain::new(engine, TurningInertia { flywheel: 0.0, ..given })?;
-    let gas = GasTrain::new(engine, gas, Lever::Exact)?;
-    let grid = RippleGrid::new(&train, &gas, speed);
+    let train = KineticTrain::new(engine, TurningInertia { flywheel: 0.0, ..known.known() })?;
+    let gas = gas.map(|gas| GasTrain::new(engine, gas, Lever::Exact)).transpose()?;
+    let grid = RippleGrid::new(&train, gas.as_ref(), speed);
     let own = inertia_over(&train, &grid.theta);
     let by_formula = grid.excess / (fluctuation * speed * speed);
-    let ripple = |flywheel: f64| {
-        let inertia: Vec<f64> = own.total.iter().map(|j| j + flywheel).collect();
-        if inertia.iter().any(|j| *j <= 0.0) {
-            return f64::INFINITY;
-        }
-        grid.extremes(&inertia, &grid.speeds(&inertia, speed)).range() / speed
-    };
-    let unit = by_formula.max(own.mean).max(f64::MIN_POSITIVE);
-    let flywheel = if ripple(0.0) <= fluctuation {
-        Some(0.0)
-    } else {
-        let top = (0..20).map(|k| unit * f64::from(1u32 << k)).find(|j| ripple(*j) <= fluctuation);
-        top.map(|top| {
-            let (mut low, mut high) = (0.0, top);
-            for _ in 0..100 {
-                let trial = 0.5 * (low + high);
-                if high - low <= 1e-12 * high {
-                    break;
-                }
-                if ripple(trial) > fluctuation { low = trial } else { high = trial }
-            }
-            high
+    let keeps = |flywheel: f64| {
+        let inertia = grid.with_flywheel(&own.total, flywheel);
+        inertia.is_some_and(|inertia| {
+            grid.extremes(&inertia, &grid.speeds(&inertia, speed)).range() / speed <= fluctuation
         })
     };
     Ok(FlywheelNeed {
@@ -395,7 +435,8 @@ pub fn flywheel_need(
         by_formula,
         train: own.mean,
         flywheel_by_formula: (by_formula - own.mean).max(0.0),
-        flywheel,
+        flywheel: least_flywheel(by_formula.max(own.mean).max(f64::MIN_POSITIVE), keeps),
+        crankshaft_known: known.crankshaft.is_some(),
     })
 }
 

@@ -39,6 +39,9 @@ use std::f64::consts::{PI, TAU};
 /// A part of a quadrature is no wider than this [rad], nor than half of what the motion's nearest singularity is away.
 const WIDEST: f64 = 0.2;
 
+/// Crank angles at firing that differ by less than this [rad] are the same.
+const SAME_PHASE: f64 = 1e-12;
+
 /// Below this share of the first one, orders of the travel add nothing.
 const NEGLIGIBLE: f64 = 1e-17;
 
@@ -76,6 +79,16 @@ impl GasPiston {
 
     fn sense(&self) -> f64 {
         f64::from(self.ratio.numerator().signum())
+    }
+
+    /// Whether another piston has the same torque on its own crankshaft at the same angles after its firing, to the last digit of the pressures.
+    fn works_as(&self, other: &GasPiston) -> bool {
+        let turned = (self.at_firing - other.at_firing + PI).rem_euclid(TAU) - PI;
+        turned.abs() < SAME_PHASE
+            && self.ratio == other.ratio
+            && self.radius == other.radius
+            && self.linkage == other.linkage
+            && self.force == other.force
     }
 
     /// Lever [m] of a force towards the crank, positive where it drives the own crankshaft.
@@ -267,6 +280,19 @@ impl GasTrain {
         Ok(GasTrain { pistons, motion, areas, revolutions, lever, cycle })
     }
 
+    /// Clearance volume [m^3] of a cylinder by the compression ratio; of a chamber that pistons share the part that goes with its piston's
+    /// displacement.
+    pub(crate) fn clearance(&self, index: usize, compression_ratio: f64) -> f64 {
+        let own = |index: usize| self.areas[index] * self.motion[index].stroke;
+        match &self.motion[index].chamber {
+            Some(chamber) => {
+                let all: f64 = chamber.cylinders.iter().map(|number| own(number - 1)).sum();
+                chamber.swept / (compression_ratio - 1.0) * own(index) / all
+            }
+            None => own(index) / (compression_ratio - 1.0),
+        }
+    }
+
     /// Period of the torque [rad] of crankshaft 1: a whole number of revolutions and of working cycles of every crankshaft.
     pub fn period(&self) -> f64 {
         TAU * f64::from(self.revolutions)
@@ -291,14 +317,20 @@ impl GasTrain {
         let mut orders: BTreeMap<u64, Complex64> = BTreeMap::new();
         let revolutions = u64::from(self.revolutions);
         let strokes = (self.cycle / TAU).round() as u64;
+        // Pistons that move alike under one pressure have the same harmonics, counted from their own firing.
+        let mut known: Vec<(&GasPiston, Vec<Complex64>)> = Vec::new();
         for piston in &self.pistons {
             let (n, d) =
                 (u64::from(piston.ratio.numerator().unsigned_abs()), u64::from(piston.ratio.denominator()));
             // Harmonic 1 of the working cycle, as a key: order times revolutions.
             let key = n * revolutions / (d * strokes);
             let highest = u64::from(max_order) * revolutions / key;
-            let harmonics = piston.harmonics(highest as usize, self.lever);
-            for (place, harmonic) in harmonics.into_iter().enumerate() {
+            let place = known.iter().position(|(other, _)| other.works_as(piston));
+            let place = place.unwrap_or_else(|| {
+                known.push((piston, piston.harmonics(highest as usize, self.lever)));
+                known.len() - 1
+            });
+            for (place, harmonic) in known[place].1.iter().enumerate() {
                 let order = (place as u64 * key) as f64 / revolutions as f64;
                 let sides = if place == 0 { 1.0 } else { 2.0 };
                 let turned = harmonic * Complex64::from_polar(sides, -order * piston.firing);

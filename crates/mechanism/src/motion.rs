@@ -1,5 +1,6 @@
 //! Motion of every cylinder: dead centres, strokes, speeds, rod angles.
 
+use crate::chamber::chamber_motion;
 use crate::drive::{Drive, Linkage};
 use crate::extremes::extremes_over_turn;
 use crate::request::{LoadError, LoadRequest};
@@ -65,7 +66,32 @@ pub fn motion(engine: &Engine, request: &LoadRequest) -> Result<Vec<CylinderMoti
     let count = request.samples * revolutions as usize;
     let step = TAU * f64::from(revolutions) / count as f64;
     let theta: Vec<f64> = (0..count).map(|j| step * j as f64).collect();
-    (0..engine.cylinders.len()).map(|index| cylinder_motion(engine, request, index, &theta)).collect()
+    let mut motion = (0..engine.cylinders.len())
+        .map(|index| cylinder_motion(engine, request, index, &theta))
+        .collect::<Result<Vec<_>, LoadError>>()?;
+    for first in 0..motion.len() {
+        let pistons = engine.chamber_pistons(first);
+        if pistons.len() < 2 || pistons[0] != first {
+            continue;
+        }
+        let chamber = chamber_motion(engine, &pistons, &motion)?;
+        // All pistons of a chamber fire at its dead centre, that next to the firing of the first.
+        let fires = firing_angle(engine, first, chamber.top_dead_centre);
+        for &index in &pistons {
+            motion[index].firing_angle = fires;
+            motion[index].chamber = Some(chamber.clone());
+        }
+    }
+    Ok(motion)
+}
+
+/// The firing angle next to that of the file, where the chamber of a cylinder is at a top dead centre [rad].
+fn firing_angle(engine: &Engine, index: usize, top_dead_centre: f64) -> Option<f64> {
+    let nominal = engine.cylinders[index].firing_angle?;
+    let crankshaft = engine.throws[engine.cylinders[index].throw].crankshaft;
+    let turn = TAU / engine.crankshafts[crankshaft].ratio.value().abs();
+    let turns = ((nominal - top_dead_centre) / turn).round();
+    Some(reduced(top_dead_centre + turns * turn, engine.working_cycle(index)))
 }
 
 fn cylinder_motion(
@@ -122,7 +148,6 @@ fn cylinder_motion(
         }
         _ => None,
     };
-    let cycle = TAU * f64::from(engine.strokes.revolutions());
     Ok(CylinderMotion {
         cylinder: index + 1,
         top_dead_centre,
@@ -133,10 +158,8 @@ fn cylinder_motion(
         max_acceleration: rate * rate * acceleration.max.value,
         max_deceleration: -rate * rate * acceleration.min.value,
         max_rod_angle: largest_rod_angle(&own_linkage),
-        firing_angle: cylinder.firing_angle.map(|nominal| {
-            let turns = ((nominal - top_dead_centre) / turn).round();
-            reduced(top_dead_centre + turns * turn, cycle)
-        }),
+        firing_angle: firing_angle(engine, index, top_dead_centre),
+        chamber: None,
         residual_inertia: cylinder.rod.residual_inertia(),
         articulation,
         trace,

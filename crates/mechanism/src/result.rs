@@ -3,6 +3,7 @@
 //! All in SI and radians. Components are those of the frame (book, "Conventions"): what the moving parts exert on
 //! the block, couples about the reference point of [`Loads::reference`].
 
+use crate::chamber::ChamberMotion;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -203,8 +204,12 @@ pub struct CylinderMotion {
     pub max_deceleration: f64,
     /// Largest angle of the rod from the cylinder axis [rad].
     pub max_rod_angle: f64,
-    /// Firing angle: its top dead centre in the cycle [rad], where the file gives a firing.
+    /// Firing angle: its top dead centre, or that of the chamber that it shares, in the first working cycle of its own crankshaft
+    /// [rad of crankshaft 1], where the file gives a firing.
     pub firing_angle: Option<f64>,
+    /// The chamber that its piston shares with others: its firing angle is that of this chamber.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chamber: Option<ChamberMotion>,
     /// Residual inertia `m_A a^2 + m_B b^2 - I` of its rod [kg m^2]; 0 for a two-mass rod.
     pub residual_inertia: f64,
     /// For an articulated rod: largest swing of the knuckle pin's line off the cylinder axis, and how its stroke and

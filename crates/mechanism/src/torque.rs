@@ -99,7 +99,7 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
         .map(|index| {
             let own = InertiaTorque::of(engine, request, Selection::Cylinder(index))?;
             Ok(CylinderTorque {
-                clearance: ratio.map(|ratio| train.areas[index] * train.motion[index].stroke / (ratio - 1.0)),
+                clearance: ratio.map(|ratio| train.clearance(index, ratio)),
                 ..cylinder_torque(&train, gas, index, &theta, over(&|theta| own.at(theta)))
             })
         })
@@ -271,7 +271,12 @@ fn cylinder_torque(
     let half_off = (at + 0.5 * period).rem_euclid(period) - 0.5 * period;
     let ratio = piston.ratio.value().abs();
     let turn = TAU;
-    let down = ((motion.bottom_dead_centre - motion.top_dead_centre) * ratio).rem_euclid(turn);
+    // Of a chamber that pistons share the strokes are those of its volume.
+    let [top, bottom] = match &motion.chamber {
+        Some(chamber) => [chamber.top_dead_centre, chamber.bottom_dead_centre],
+        None => [motion.top_dead_centre, motion.bottom_dead_centre],
+    };
+    let down = ((bottom - top) * ratio).rem_euclid(turn);
     CylinderTorque {
         cylinder: index + 1,
         firing_angle: piston.firing,

@@ -336,7 +336,10 @@ pub(crate) fn linkage(engine: &Engine, index: usize) -> Result<Linkage, LoadErro
 }
 
 /// Revolutions of crankshaft 1 after which all shafts stand as before and all working cycles start anew.
-pub(crate) fn firing_period(engine: &Engine) -> Result<u32, LoadError> {
+///
+/// # Errors
+/// [`LoadError::PeriodTooLong`] where the ratios have no common period within reach.
+pub fn firing_period(engine: &Engine) -> Result<u32, LoadError> {
     let strokes = engine.strokes.revolutions();
     let used = engine.cylinders.iter().map(|c| engine.crankshafts[engine.throws[c.throw].crankshaft].ratio);
     let revolutions = used.into_iter().try_fold(period(engine)?, |all, ratio| {

@@ -77,6 +77,7 @@ static CODES: &[(&str, &str)] = &[
     ("E0601", "a firing order that the crank cannot fire"),
     ("E0602", "firing angles"),
     ("E0603", "firing away from top dead centre"),
+    ("E0604", "pistons that share a chamber"),
     ("E0701", "a layout that cannot be"),
     ("E0702", "main bearings that cannot be"),
     ("E0901", "a shape that cannot be"),

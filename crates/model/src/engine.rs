@@ -190,8 +190,13 @@ pub struct Cylinder {
     pub piston_mass: f64,
     /// Its connecting rod.
     pub rod: Rod,
-    /// `theta` [rad] in the cycle at which it fires, at or near its own TDC; `None` if the file gives no firing.
+    /// `theta` [rad] at which it fires, at or near its own TDC, in the first working cycle of its own crankshaft
+    /// ([`Engine::working_cycle`]); `None` if the file gives no firing.
     pub firing_angle: Option<f64>,
+    /// Index of the first piston of the combustion chamber that it shares (opposed pistons), a lower one; `None`: its chamber is its own,
+    /// or it is the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub chamber: Option<usize>,
 }
 
 impl Cylinder {
@@ -344,6 +349,18 @@ impl ShaftWeight {
 }
 
 impl Engine {
+    /// Indices of the pistons of the chamber of cylinder `index`, rising: one but where pistons share it.
+    pub fn chamber_pistons(&self, index: usize) -> Vec<usize> {
+        let first = |index: usize| self.cylinders[index].chamber.unwrap_or(index);
+        (0..self.cylinders.len()).filter(|other| first(*other) == first(index)).collect()
+    }
+
+    /// Angle of crankshaft 1 [rad] in which cylinder `index` fires once: a working cycle of its own crankshaft.
+    pub fn working_cycle(&self, index: usize) -> f64 {
+        let crankshaft = self.throws[self.cylinders[index].throw].crankshaft;
+        crate::firing::working_cycle(self.strokes, self.crankshafts[crankshaft].ratio)
+    }
+
     /// Angle of the pin of throw `throw` [rad] at crank angle `theta` [rad].
     pub fn pin_angle(&self, throw: usize, theta: f64) -> f64 {
         let throw = &self.throws[throw];

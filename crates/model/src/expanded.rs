@@ -104,10 +104,11 @@ impl File {
             engine.cylinders.iter().map(|cylinder| cylinder.firing_angle).collect();
         let Some(angles) = angles else { return };
         let Some(&start) = angles.first() else { return };
-        let cycle = TAU * f64::from(engine.strokes.revolutions());
         let list: Vec<String> = angles
             .iter()
-            .map(|&fired| {
+            .enumerate()
+            .map(|(index, &fired)| {
+                let cycle = engine.working_cycle(index);
                 let after = if fired == start { 0.0 } else { turn(fired - start, cycle) };
                 format!(
                     "\"{}\"",
@@ -171,6 +172,9 @@ impl File {
         self.entry_unless_zero("pin_offset", cylinder.pin_offset, Dimension::Length);
         if let Some(bore) = cylinder.bore {
             self.entry("bore", &quantity(bore, Dimension::Length));
+        }
+        if let Some(first) = cylinder.chamber {
+            self.entry("chamber", &(first + 1).to_string());
         }
         self.entry("piston", &format!("{{ mass = {} }}", quantity(cylinder.piston_mass, Dimension::Mass)));
         let sharing = engine

@@ -4,6 +4,7 @@ mod orders;
 
 use crate::engine::Strokes;
 use crate::layout::Problem;
+use crate::ratio::{Ratio, greatest_common_divisor};
 use std::f64::consts::TAU;
 
 /// Two crank angles closer than this [rad] are one.
@@ -11,6 +12,29 @@ const SAME: f64 = 1e-6;
 
 /// Orders that a message lists at most.
 const MOST_LISTED: usize = 8;
+
+/// Revolutions of crankshaft 1 beyond which crankshafts have no common period.
+const MOST_REVOLUTIONS: u32 = 1 << 16;
+
+/// Angle of crankshaft 1 [rad] in which a cylinder on a crankshaft of this ratio fires once: a working cycle of its own crankshaft.
+pub(crate) fn working_cycle(strokes: Strokes, ratio: Ratio) -> f64 {
+    TAU * f64::from(strokes.revolutions()) / ratio.value().abs()
+}
+
+/// Angle of crankshaft 1 [rad] after which cylinders on crankshafts of these ratios fire as before: the shortest that is a whole number of
+/// revolutions and of their working cycles; without a common one the longest of their cycles.
+pub(crate) fn common_cycle(strokes: Strokes, ratios: impl Iterator<Item = Ratio> + Clone) -> f64 {
+    let common = ratios.clone().try_fold(1_u32, |all, ratio| {
+        // The fewest revolutions R for which R n / d is a whole number of working cycles.
+        let own = strokes.revolutions().checked_mul(ratio.denominator())?;
+        let own = own / greatest_common_divisor(ratio.numerator().unsigned_abs(), own);
+        (all / greatest_common_divisor(all, own)).checked_mul(own).filter(|all| *all <= MOST_REVOLUTIONS)
+    });
+    match common {
+        Some(revolutions) => TAU * f64::from(revolutions),
+        None => ratios.map(|ratio| working_cycle(strokes, ratio)).fold(0.0, f64::max),
+    }
+}
 
 /// The angle in [0, period); an angle that misses the period by rounding is 0.
 pub(crate) fn turn(angle: f64, period: f64) -> f64 {

@@ -260,7 +260,7 @@ pub struct HeatRelease {
 }
 
 /// Heat to the walls.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Walls {
     /// Whose heat transfer coefficient.
     pub model: WallModel,
@@ -279,11 +279,23 @@ pub struct Walls {
 }
 
 /// Whose heat transfer coefficient.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum WallModel {
     /// Woschni 1967.
     Woschni,
     /// Hohenberg 1979.
     Hohenberg,
+    /// The same at every angle.
+    Constant {
+        /// Heat transfer coefficient [W/(m^2 K)].
+        coefficient: f64,
+    },
+    /// Given over the angle since firing top dead centre, straight between its points, repeating after a cycle.
+    Table {
+        /// Angles [rad], rising, within one cycle.
+        angles: Vec<f64>,
+        /// Heat transfer coefficients [W/(m^2 K)], one an angle.
+        coefficients: Vec<f64>,
+    },
 }

@@ -2,6 +2,7 @@
 
 mod arrangement;
 mod balance;
+mod chamber;
 mod clearance;
 mod crank;
 mod crank_body;
@@ -128,6 +129,7 @@ impl<'a> Reader<'a> {
         let middle = drafts.middle();
         let tops = self.tops(&drafts, crankshafts.as_deref());
         let firing_angles = self.firing_angles(firing, strokes, tops, drafts.cylinders.len());
+        let chambers = self.chambers(&drafts, crankshafts.as_deref());
         let origin = origin.or(middle.unwrap_or(0.0));
         let (mut throws, cylinders): (Option<Vec<_>>, Option<Vec<_>>) = drafts.into_parts();
         if let (Some(throws), Some(origin)) = (&mut throws, origin) {
@@ -191,6 +193,7 @@ impl<'a> Reader<'a> {
         for (cylinder, angle) in engine.cylinders.iter_mut().zip(firing_angles?) {
             cylinder.firing_angle = angle;
         }
+        self.share_chambers(&mut engine, chambers?)?;
         self.check_tolerances(&engine);
         engine.balance = self.balance_task(balance?, &engine, origin)?;
         Some((engine, origin))

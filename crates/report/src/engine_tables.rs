@@ -45,10 +45,9 @@ pub fn firing_order(engine: &Engine) -> Option<String> {
         firing.push((cylinder.firing_angle?, index + 1));
     }
     let first = firing.first()?.0;
-    let cycle = f64::from(engine.strokes.revolutions()) * TAU;
     for entry in &mut firing {
         // A hair below the cycle is 0: cylinder 1 leads even after rounding.
-        entry.0 = (entry.0 - first + 1e-6).rem_euclid(cycle);
+        entry.0 = (entry.0 - first + 1e-6).rem_euclid(engine.working_cycle(entry.1 - 1));
     }
     firing.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     let mut out = String::new();

@@ -29,6 +29,8 @@ mod crank_view;
 mod crankshaft_section;
 mod crankshaft_tables;
 mod csv;
+mod cycle_result;
+mod cycle_tables;
 mod dimension;
 mod drawing;
 mod engine_tables;
@@ -125,6 +127,8 @@ pub use crankshaft_tables::{
     obstacle_name,
 };
 pub use csv::{motion_csv, orders_csv, trace_csv};
+pub use cycle_result::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};
+pub use cycle_tables::{cycle_angle_table, cycle_figures, cycle_table};
 pub use drawing::drawing;
 pub use engine_tables::{firing_order, main_data, masses_table, throws_table, weights_table};
 pub use figure::{Figure, Panel};
@@ -181,7 +185,7 @@ pub use tornado::tornado_figure;
 pub use torque_figures::{power_figure, ripple_figure, torque_figures};
 pub use torque_section::{TorqueInput, torque_section_figures};
 pub use torque_tables::{
-    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table, torque_csv,
-    torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table, torque_text,
+    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, ripple_words, stroke_table,
+    torque_csv, torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table, torque_text,
 };
 pub use web_bounds::{BoundedWeight, web_bounds_table};

@@ -36,6 +36,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
             joint: RodJoint::Crankpin,
         },
         firing_angle: Some((cylinders[k].1 - cylinders[k].0).to_radians().rem_euclid(TAU)),
+        chamber: None,
     };
     Engine {
         name: format!("Sample of {count}"),
@@ -174,7 +175,9 @@ fn motion(engine: &Engine, index: usize, cylinder: &Cylinder) -> CylinderMotion 
         max_deceleration: 11156.0,
         max_rod_angle: (throw.radius / cylinder.rod.length).asin(),
         firing_angle: cylinder.firing_angle,
+        chamber: cylinder.chamber,
         residual_inertia: cylinder.rod.residual_inertia(),
+        chamber: None,
         articulation: None,
         trace: MotionTrace::default(),
     }

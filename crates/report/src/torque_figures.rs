@@ -6,7 +6,7 @@ use crate::number;
 use crate::plot::{AnglePlot, Bar, BarPlot, LEFT, RIGHT, Series, WIDTH};
 use crate::svg::{Anchor, Svg};
 use crate::xy_plot::{XyCurve, XyPlot};
-use lanchester_mechanism::{FiringChart, PowerCurve, SpeedRipple, Torque};
+use lanchester_mechanism::{FiringChart, PowerCurve, RippleOutcome, SpeedRipple, Torque};
 use std::f64::consts::TAU;
 
 fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
@@ -218,11 +218,12 @@ fn firing_star(firing: &FiringChart) -> Figure {
     }
 }
 
-/// Speed over the cycle at each of the mean speeds.
-pub fn ripple_figure(ripples: &[SpeedRipple]) -> Figure {
-    let panels = ripples
+/// Speed over the cycle at each of the mean speeds at which it is periodic; `None` if it is at none.
+pub fn ripple_figure(ripples: &[RippleOutcome]) -> Option<Figure> {
+    let panels: Vec<Panel> = ripples
         .iter()
-        .map(|ripple| {
+        .filter_map(RippleOutcome::periodic)
+        .map(|ripple: &SpeedRipple| {
             let rpm: Vec<f64> = ripple.speed.iter().map(|w| 100.0 * (w / ripple.mean_speed - 1.0)).collect();
             let speed = number::terminal(number::rpm(ripple.mean_speed), 0);
             AnglePlot {
@@ -235,7 +236,8 @@ pub fn ripple_figure(ripples: &[SpeedRipple]) -> Figure {
             .panel()
         })
         .collect();
-    figure("speed-ripple", "Speed ripple", "With the inertia of the crank train over the angle.", panels)
+    let caption = "With the inertia of the crank train over the angle.";
+    (!panels.is_empty()).then(|| figure("speed-ripple", "Speed ripple", caption, panels))
 }
 
 /// Power and torque over speed with the cubic through the origin.

@@ -1,14 +1,16 @@
 //! The section of the report on torque: gas, inertia, work, firing, speed ripple, flywheel and power.
 
+use crate::cycle_result::CycleResult;
+use crate::cycle_tables::{cycle_figures, cycle_table};
 use crate::figure::Figure;
 use crate::number;
 use crate::table::Table;
 use crate::torque_figures::{power_figure, ripple_figure, torque_figures};
 use crate::torque_tables::{
-    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, stroke_table,
+    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, ripple_words, stroke_table,
     torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table,
 };
-use lanchester_mechanism::{Brake, FlywheelNeed, PowerCurve, SpeedRipple, Torque, TorqueAtSpeed};
+use lanchester_mechanism::{Brake, FlywheelNeed, PowerCurve, RippleOutcome, Torque, TorqueAtSpeed};
 
 /// Torque at one speed, and what follows from it.
 #[derive(Debug, Clone, Copy)]
@@ -19,8 +21,10 @@ pub struct TorqueInput<'a> {
     pub source: &'a str,
     /// What friction leaves, where it is known.
     pub brake: Option<&'a Brake>,
-    /// Speed ripple at several speeds; shown where the inertia of flywheel or crankshaft is known.
-    pub ripples: &'a [SpeedRipple],
+    /// The cycles behind the pressures, where they are computed.
+    pub cycles: &'a [CycleResult],
+    /// Speed within the cycle at several speeds, or why it is not known.
+    pub ripples: &'a [RippleOutcome],
     /// The flywheel that a fluctuation needs, where one is wanted.
     pub flywheel: Option<&'a FlywheelNeed>,
     /// Torque and energy at several speeds.
@@ -44,12 +48,9 @@ impl TorqueSection {
             // One cylinder is the engine.
             figures.retain(|figure| figure.id != "torque-by-cylinder");
         }
-        // Without flywheel and crankshaft what turns is not known.
-        let heavy =
-            |ripple: &&SpeedRipple| ripple.inertia.given.flywheel + ripple.inertia.given.crankshaft > 0.0;
-        let ripples: Vec<SpeedRipple> = input.ripples.iter().filter(heavy).cloned().collect();
-        if !ripples.is_empty() {
-            figures.push(ripple_figure(&ripples));
+        figures.extend(ripple_figure(input.ripples));
+        if !input.cycles.is_empty() {
+            figures.extend(cycle_figures(input.cycles));
         }
         figures.extend(input.power.map(power_figure));
         let mut tables = vec![
@@ -60,8 +61,11 @@ impl TorqueSection {
             firing_table(&torque.firing),
             stroke_table(&torque.firing),
         ];
-        if !ripples.is_empty() {
-            tables.push(ripple_table(&ripples));
+        if !input.cycles.is_empty() {
+            tables.push(cycle_table(input.cycles));
+        }
+        if input.ripples.iter().any(|ripple| ripple.periodic().is_some()) {
+            tables.push(ripple_table(input.ripples));
         }
         tables.extend(input.flywheel.map(flywheel_table));
         if !input.speeds.is_empty() {
@@ -69,11 +73,9 @@ impl TorqueSection {
         }
         tables.extend(input.power.map(power_table));
         let mut paragraphs = vec![words(input)];
-        if ripples.is_empty() {
-            paragraphs.push(
-                "The speed ripple is not shown: the file knows neither the inertia of a flywheel nor that of the crankshaft ([flywheel])."
-                    .to_owned(),
-            );
+        let words = ripple_words(input.ripples);
+        if !words.is_empty() {
+            paragraphs.push(words);
         }
         TorqueSection { paragraphs, figures, tables }
     }

@@ -3,7 +3,7 @@
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, csv_number, numbers, push_csv_line, words};
 use lanchester_mechanism::{
-    Brake, FiringChart, FlywheelNeed, PowerCurve, SpeedRipple, Torque, TorqueAtSpeed,
+    Brake, FiringChart, FlywheelNeed, PowerCurve, RippleOutcome, SpeedRipple, Torque, TorqueAtSpeed,
 };
 use std::fmt::Write;
 
@@ -180,18 +180,26 @@ pub fn stroke_table(firing: &FiringChart) -> Table {
     )
 }
 
-/// Speed ripple at several speeds.
-pub fn ripple_table(ripples: &[SpeedRipple]) -> Table {
+/// Speed ripple at several speeds; where the speed is not known or the engine stops, the outcome says so.
+pub fn ripple_table(ripples: &[RippleOutcome]) -> Table {
     let column = |head: &str, unit, f: fn(&SpeedRipple) -> f64, digits| {
-        numbers(head, unit, ripples.iter().map(f).collect::<Vec<_>>().into_iter(), digits)
+        let cell =
+            |ripple: &RippleOutcome| ripple.periodic().map_or(Cell::Empty, |r| Cell::number(f(r), digits));
+        (Column::numbers(head, unit), ripples.iter().map(cell).collect::<Vec<_>>())
     };
-    Table::of_columns(
+    let outcome = |ripple: &RippleOutcome| match ripple {
+        RippleOutcome::Periodic(_) => "periodic",
+        RippleOutcome::IncompleteInertia(_) => "inertia not known",
+        RippleOutcome::Stops(_) => "stops",
+    };
+    let mut table = Table::of_columns(
         "speed-ripple-table",
         "Speed ripple",
         "Periodic speed with the inertia of the train over the angle, under a load that takes the mean torque. C_s: highest minus lowest over mean speed; \
          by formula: largest excess energy over inertia times speed squared.",
         vec![
-            column("speed", "rpm", |r| number::rpm(r.mean_speed), 5),
+            numbers("speed", "rpm", ripples.iter().map(|r| number::rpm(r.mean_speed())), 5),
+            words("outcome", ripples.iter().map(|ripple| outcome(ripple).to_owned())),
             column("highest", "rpm", |r| number::rpm(r.extremes.max.value), 6),
             column("lowest", "rpm", |r| number::rpm(r.extremes.min.value), 6),
             column("C_s", "%", |r| 100.0 * r.fluctuation, 4),
@@ -201,22 +209,48 @@ pub fn ripple_table(ripples: &[SpeedRipple]) -> Table {
             column("of it flywheel", "g m^2", |r| 1e3 * r.inertia.given.flywheel, 5),
             column("acceleration", "rad/s^2", |r| r.acceleration, 4),
         ],
-    )
+    );
+    table.remark = ripple_words(ripples);
+    table
+}
+
+/// Why there is no periodic speed, and what fixes it: a sentence for each reason; empty where there is one at every speed.
+pub fn ripple_words(ripples: &[RippleOutcome]) -> String {
+    let mut said: Vec<(String, Vec<String>)> = Vec::new();
+    for ripple in ripples {
+        let Some([reason, fix]) = ripple.trouble() else { continue };
+        let words = format!("no speed ripple, because {reason}; {fix}.");
+        let speed = number::terminal(number::rpm(ripple.mean_speed()), 0);
+        match said.iter_mut().find(|(known, _)| *known == words) {
+            Some((_, speeds)) => speeds.push(speed),
+            None => said.push((words, vec![speed])),
+        }
+    }
+    let sentences: Vec<String> =
+        said.into_iter().map(|(words, speeds)| format!("At {} rpm {words}", speeds.join(" and "))).collect();
+    sentences.join(" ")
 }
 
 /// The flywheel that a fluctuation needs.
 pub fn flywheel_table(need: &FlywheelNeed) -> Table {
+    let [by_formula, by_ripple] = match need.crankshaft_known {
+        true => ["flywheel by formula", "flywheel by the true ripple"],
+        false => ["flywheel and crankshaft by formula", "flywheel and crankshaft by the true ripple"],
+    };
     let mut rows = vec![
         ("wanted fluctuation C_s", 100.0 * need.fluctuation, "%", 3),
         ("inertia needed by formula", 1e3 * need.by_formula, "g m^2", 5),
         ("the crank train has, in the mean", 1e3 * need.train, "g m^2", 5),
-        ("flywheel by formula", 1e3 * need.flywheel_by_formula, "g m^2", 5),
+        (by_formula, 1e3 * need.flywheel_by_formula, "g m^2", 5),
     ];
     if let Some(flywheel) = need.flywheel {
-        rows.push(("flywheel by the true ripple", 1e3 * flywheel, "g m^2", 5));
+        rows.push((by_ripple, 1e3 * flywheel, "g m^2", 5));
     }
     let note = format!("At {} rpm.", number::terminal(number::rpm(need.speed), 0));
     let mut table = named("flywheel", "Flywheel", &note, rows);
+    if !need.crankshaft_known {
+        table.remark = "The inertia of the crankshaft is not known.".to_owned();
+    }
     if need.flywheel.is_none() {
         table.remark = "No flywheel keeps it.".to_owned();
     }

@@ -22,6 +22,7 @@ mod lanes;
 mod openapi;
 mod problem;
 mod reading;
+mod remembered;
 mod results;
 mod server;
 mod session;

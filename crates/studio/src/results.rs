@@ -219,10 +219,12 @@ fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {
     }
     let engine = engine(&question.text)?;
     let traces = asker.studio.folder.traces(&engine)?;
-    // The points are the mounts themselves: how far each of them moves is drawn.
-    let points: Vec<[f64; 3]> = engine.mounts.iter().map(|mount| [mount.x, mount.y, mount.z]).collect();
-    mounts(&engine, &MountSpeeds::Range(steps), MOUNT_ORDERS, Some(&traces), &points)
-        .map_err(Problem::refused)
+    asker.studio.mounted.answer((engine, traces, steps), |(engine, traces, steps)| {
+        // The points are the mounts themselves: how far each of them moves is drawn.
+        let points: Vec<[f64; 3]> = engine.mounts.iter().map(|mount| [mount.x, mount.y, mount.z]).collect();
+        mounts(engine, &MountSpeeds::Range(*steps), MOUNT_ORDERS, Some(traces), &points)
+            .map_err(Problem::refused)
+    })
 }
 
 fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Problem> {

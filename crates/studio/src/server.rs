@@ -7,6 +7,7 @@ use crate::folder::Folder;
 use crate::gate::{Gate, random_token};
 use crate::lanes::Lanes;
 use crate::problem::Problem;
+use crate::remembered::Remembered;
 use crate::watch::events;
 use axum::Router;
 use axum::body::{Body, to_bytes};
@@ -18,6 +19,9 @@ use axum::routing::get;
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use lanchester::TraceFile;
+use lanchester::mechanism::MountStudy;
+use lanchester::model::Engine;
 use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
@@ -51,6 +55,9 @@ pub struct Options {
     pub program: String,
 }
 
+/// All that the block on its mounts depends on.
+pub(crate) type MountsAsked = (Engine, Vec<TraceFile>, usize);
+
 /// What answers are made of.
 pub(crate) struct Studio {
     pub(crate) program: String,
@@ -58,6 +65,8 @@ pub(crate) struct Studio {
     /// Name of the file that was opened or saved last: its changes are told.
     pub(crate) open: Mutex<Option<String>>,
     pub(crate) lanes: Lanes,
+    /// The block on its mounts, by engine, traces and number of speeds.
+    pub(crate) mounted: Remembered<MountsAsked, MountStudy>,
     /// Computations at a time: as many as there are processors.
     pub(crate) processors: Arc<Semaphore>,
 }
@@ -96,6 +105,7 @@ pub fn serve(options: &Options, announce: impl FnOnce(&str)) -> Result<(), Studi
         folder,
         open: Mutex::new(open),
         lanes: Lanes::default(),
+        mounted: Remembered::default(),
         processors: Arc::new(Semaphore::new(processors)),
     };
     let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build();

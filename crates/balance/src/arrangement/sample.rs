@@ -31,6 +31,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
             joint: RodJoint::Crankpin,
         },
         firing_angle: None,
+        chamber: None,
     });
     Engine {
         name: "sample".to_owned(),

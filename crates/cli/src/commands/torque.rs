@@ -4,13 +4,13 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::torque_arguments::{LeverOption, TorqueArguments};
+use crate::torque_arguments::{LeverOption, TorqueArguments, TorqueTable};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{Lever, TorqueRequest};
 use lanchester::model::{Friction, option};
 use lanchester::report::{
-    Figure, flywheel_table, power_figure, power_table, ripple_figure, ripple_table, torque_csv,
-    torque_figures, torque_speeds_table, torque_text,
+    Figure, Table, cycle_angle_table, cycle_figures, cycle_table, flywheel_table, power_figure, power_table,
+    ripple_figure, ripple_table, torque_csv, torque_figures, torque_speeds_table, torque_text,
 };
 use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
 
@@ -24,6 +24,15 @@ pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
     }
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &figures(&report))?;
+    }
+    if let Some(table) = arguments.table {
+        let table = one_table(&report, table)?;
+        match arguments.format {
+            Format::Text => print(&table.text())?,
+            Format::Csv => print(&table.csv())?,
+            Format::Json => print(&json(&report)?)?,
+        }
+        return Ok(DONE);
     }
     print(&match arguments.format {
         Format::Text => text(&report),
@@ -65,9 +74,26 @@ fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> 
     })
 }
 
+fn one_table(report: &TorqueReport, table: TorqueTable) -> Result<Table, Failure> {
+    let none = |message: &str| Err(Failure::refused(message));
+    match table {
+        TorqueTable::Cycle | TorqueTable::CycleAngle if report.cycles.is_empty() => none(
+            "the pressures are measured: there is no computed cycle\nhint: give [gas.cycle] in place of [[gas.trace]]",
+        ),
+        TorqueTable::Cycle => Ok(cycle_table(&report.cycles)),
+        TorqueTable::CycleAngle => Ok(cycle_angle_table(&report.cycles)),
+        TorqueTable::SpeedRipple => Ok(ripple_table(&report.ripples)),
+        TorqueTable::Speeds if report.speeds.is_empty() => {
+            none("no speeds are asked for\nhint: add --speeds '1000 rpm, 2000 rpm, 3000 rpm'")
+        }
+        TorqueTable::Speeds => Ok(torque_speeds_table(&report.speeds)),
+    }
+}
+
 fn text(report: &TorqueReport) -> String {
     let mut out = torque_text(&report.torque, report.brake.as_ref());
     let tables = [
+        (!report.cycles.is_empty()).then(|| cycle_table(&report.cycles)),
         Some(ripple_table(&report.ripples)),
         report.flywheel.as_ref().map(flywheel_table),
         (!report.speeds.is_empty()).then(|| torque_speeds_table(&report.speeds)),
@@ -82,7 +108,10 @@ fn text(report: &TorqueReport) -> String {
 
 fn figures(report: &TorqueReport) -> Vec<Figure> {
     let mut figures = torque_figures(&report.torque);
-    figures.push(ripple_figure(&report.ripples));
+    if !report.cycles.is_empty() {
+        figures.extend(cycle_figures(&report.cycles));
+    }
+    figures.extend(ripple_figure(&report.ripples));
     figures.extend(report.power.as_ref().map(power_figure));
     figures
 }

@@ -63,6 +63,113 @@ fn torque_is_the_work_over_the_cycle() {
     assert!(refused.contains("three or more different speeds"), "{refused}");
 }
 
+/// The shipped single gives neither flywheel nor crankshaft: no speed is made up, and the keys that are missing are named.
+#[test]
+fn an_inertia_that_is_not_known_makes_no_speed() {
+    let folder = folder("torque-inertia");
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/single-gas.toml");
+    let file = std::fs::read_to_string(shipped).expect("it is shipped");
+    std::fs::write(folder.join("four.toml"), &file).expect("the folder is ours");
+    let text = output(&folder, 0, &["torque", "four.toml"]);
+    assert!(
+        text.contains("inertia not known") && text.contains("`crankshaft_inertia` to [flywheel]"),
+        "{text}"
+    );
+    let json = output_json(&folder, 0, &["torque", "four.toml", "--format", "json"]);
+    for ripple in json["ripples"].as_array().expect("a list") {
+        assert_eq!(ripple["outcome"], "incomplete-inertia");
+        assert_eq!(ripple["keys"][1], "flywheel.crankshaft_inertia");
+        assert!(ripple.get("fluctuation").is_none());
+    }
+    // Too light an engine stops at idle, and the flywheel that keeps it turning does.
+    let light = "[flywheel]\ninertia = \"0 kg m2\"\ncrankshaft_inertia = \"0.001 kg m2\"\n";
+    std::fs::write(folder.join("four.toml"), format!("{file}\n{light}")).expect("the folder is ours");
+    let json = output_json(&folder, 0, &["torque", "four.toml", "--format", "json"]);
+    assert_eq!(
+        (&json["ripples"][0]["outcome"], &json["ripples"][0]["key"]),
+        (&"stops".into(), &"flywheel.inertia".into())
+    );
+    let text = output(&folder, 0, &["torque", "four.toml"]);
+    assert!(text.contains("the engine stops: the speed falls below 5 % of its mean"), "{text}");
+    let enough = json["ripples"][0]["flywheel"].as_f64().expect("a flywheel") * 1.01;
+    let option = format!("{enough} kg m2");
+    let json = output_json(&folder, 0, &["torque", "four.toml", "--flywheel", &option, "--format", "json"]);
+    assert_eq!(json["ripples"][0]["outcome"], "periodic");
+    let refused = message(
+        &folder,
+        2,
+        &["sensitivity", "four.toml", "--speed", "1500 rpm", "--output", "speed fluctuation"],
+    );
+    assert!(refused.contains("the engine stops"), "{refused}");
+    // Without gas the file is valid, and the inertia of the piston makes the speed swing.
+    let (train, _) = file.split_once("[gas] ").expect("it has gas");
+    let heavy = "[flywheel]\ninertia = \"0.01 kg m2\"\ncrankshaft_inertia = \"0.001 kg m2\"\n";
+    std::fs::write(folder.join("four.toml"), format!("{train}{heavy}")).expect("the folder is ours");
+    let json = output_json(
+        &folder,
+        0,
+        &["sensitivity", "four.toml", "--output", "inertia speed fluctuation", "--format", "json"],
+    );
+    assert!(json["outputs"][0]["nominal"].as_f64().expect("a number") > 0.001, "{json}");
+}
+
+/// The cycle tells what it finds: in text, JSON, CSV and the report, with one set of numbers.
+#[test]
+fn the_cycle_tells_what_it_finds() {
+    let folder = folder("torque-cycle");
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/single-gas.toml");
+    std::fs::copy(shipped, folder.join("single.toml")).expect("it is shipped");
+    let arguments = ["torque", "single.toml", "--speed", "4000 rpm"];
+    let json = output_json(&folder, 0, &[&arguments[..], &["--format", "json"]].concat());
+    let number = |pointer: &str| json.pointer(pointer).and_then(serde_json::Value::as_f64).expect("a number");
+    let (work, heat) = (number("/cycles/0/work"), number("/cycles/0/heat"));
+    assert!((number("/cycles/0/thermal_efficiency") - work / heat).abs() < 1e-6);
+    assert!((number("/cycles/0/indicated_efficiency") - 0.96 * work / heat).abs() < 1e-6);
+    assert!((0.01..0.2).contains(&number("/cycles/0/exchange/residual_share")));
+    assert!((0.05..0.4).contains(&number("/cycles/0/exchange/wall_heat_share")));
+    assert!(number("/cycles/0/exchange/energy_residual_share").abs() < 1e-7);
+    assert!(number("/cycles/0/exchange/mass_residual_share").abs() < 1e-7);
+    let trapped = number("/cycles/0/trapped_mass");
+    let count = json["cycles"][0]["trace"]["mass"].as_array().expect("a list").len();
+    assert_eq!(count, 720);
+    // Heat released and heat to the walls over the angle add up to those of the cycle.
+    let sum = |name: &str| {
+        let list = json["cycles"][0]["trace"][name].as_array().expect("a list");
+        list.iter().filter_map(serde_json::Value::as_f64).sum::<f64>() * std::f64::consts::PI / 180.0
+    };
+    assert!((sum("heat_release") / heat - 1.0).abs() < 1e-3, "{}", sum("heat_release"));
+    assert!((sum("wall_heat") / number("/cycles/0/exchange/wall_heat") - 1.0).abs() < 1e-3);
+    assert!((sum("exhaust") / sum("intake") - 1.0).abs() < 1e-2, "what comes in goes out");
+    let text = output(&folder, 0, &arguments);
+    assert!(
+        text.contains("residual gas, of the trapped mass") && text.contains("volumetric efficiency"),
+        "{text}"
+    );
+    let table = output(&folder, 0, &[&arguments[..], &["--table", "cycle", "--format", "csv"]].concat());
+    let line = table.lines().find(|line| line.starts_with("trapped mass")).expect("a line");
+    let value: f64 = line.rsplit(',').next().and_then(|cell| cell.parse().ok()).expect("a number");
+    assert!((value - 1e6 * trapped).abs() < 1e-6 * value, "{line}");
+    let over = output(&folder, 0, &[&arguments[..], &["--table", "cycle-angle", "--format", "csv"]].concat());
+    assert_eq!(over.lines().count(), 721);
+    assert!(
+        over.lines()
+            .next()
+            .is_some_and(|head| head.contains("temperature [K]") && head.contains("mass [mg]"))
+    );
+    output(&folder, 0, &["report", "single.toml", "--output", "single.html"]);
+    let page = std::fs::read_to_string(folder.join("single.html")).expect("it was written");
+    let names = names_of(&page);
+    for name in ["cycle", "cycle-diagrams", "cycle-temperature", "cycle-mass", "cycle-heat"] {
+        assert_eq!(names.iter().filter(|other| **other == name).count(), 1, "{name}: {names:?}");
+    }
+    // Measured pressures have no cycle.
+    let traces = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/traces/pressure-3000.csv");
+    std::fs::copy(traces, folder.join("p.csv")).expect("the traces are shipped");
+    written(&folder, &format!("{FOUR}[[gas.trace]]\nfile = \"p.csv\"\n"));
+    let refused = message(&folder, 2, &["torque", "four.toml", "--table", "cycle"]);
+    assert!(refused.contains("no computed cycle"), "{refused}");
+}
+
 #[test]
 fn bearings_with_gas_and_without() {
     let folder = folder("bearings");
@@ -105,7 +212,7 @@ fn names_of(page: &str) -> Vec<&str> {
 #[test]
 fn the_report_has_torque_and_bearings_where_the_file_has_gas() {
     let folder = folder("report-gas");
-    let more = "[flywheel]\ninertia = \"0.05 kg m2\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
+    let more = "[flywheel]\ninertia = \"0.05 kg m2\"\ncrankshaft_inertia = \"0.01 kg m2\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
     written(&folder, &format!("{FOUR}{GAS}{more}"));
     output(&folder, 0, &["report", "four.toml", "--figures", "figures"]);
     let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
@@ -157,7 +264,10 @@ fn the_report_of_measured_pressures_has_the_power_over_their_speeds() {
     written(&folder, &format!("{four}{gas}"));
     output(&folder, 0, &["report", "four.toml"]);
     let page = std::fs::read_to_string(folder.join("four.html")).expect("it was written");
-    assert!(names_of(&page).contains(&"power") && page.contains("The speed ripple is not shown"));
+    assert!(
+        names_of(&page).contains(&"power")
+            && page.contains("no speed ripple, because the inertia of the flywheel")
+    );
     // Torque and bearings are told at the speed asked for.
     output(&folder, 0, &["report", "four.toml", "--speed", "2000 rpm", "--output", "slow.html"]);
     let slow = std::fs::read_to_string(folder.join("slow.html")).expect("it was written");

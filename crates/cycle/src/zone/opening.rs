@@ -17,25 +17,31 @@ pub(crate) struct Area<'a> {
     closes: f64,
     /// Depth of the piston where ports open, and how far it goes beyond [m].
     port: [f64; 2],
+    /// Whether of several pistons of the chamber the last one uncovers the ports, not the first.
+    last: bool,
 }
 
 impl<'a> Area<'a> {
-    pub(crate) fn new(opening: Opening, volume: &'a CylinderVolume) -> Area<'a> {
+    /// `is_intake`: where pistons share the chamber the last one uncovers intake ports, the first one exhaust ports.
+    pub(crate) fn new(opening: Opening, volume: &'a CylinderVolume, is_intake: bool) -> Area<'a> {
         let opens = opening.opens;
+        let last = is_intake;
         let (closes, port) = match opening.shape {
             OpeningShape::Valve { closes, .. } | OpeningShape::Area { closes, .. } => (closes, [0.0; 2]),
             OpeningShape::Port { .. } => {
-                let edge = volume.depth(opens)[0];
-                // The way up reaches the edge between bottom and next top dead centre.
-                let (mut low, mut high) = (volume.bottom_angle(), TAU);
+                let (at_opening, stroke) = volume.depth_of(opens, last);
+                let edge = at_opening[0];
+                // The way up reaches the edge between bottom and next top dead centre: of the piston itself.
+                let up = if volume.pistons() == 1 { TAU } else { opens + TAU };
+                let (mut low, mut high) = (lowest(volume, last), up);
                 for _ in 0..80 {
                     let middle = low + (high - low) / 2.0;
-                    if volume.depth(middle)[0] > edge { low = middle } else { high = middle }
+                    if volume.depth_of(middle, last).0[0] > edge { low = middle } else { high = middle }
                 }
-                (high, [edge, volume.stroke() - edge])
+                (high, [edge, stroke - edge])
             }
         };
-        Area { volume, opening, opens, closes, port }
+        Area { volume, opening, opens, closes, port, last }
     }
 
     /// Angle at which it closes [rad], less than a cycle beyond that at which it opens.
@@ -75,11 +81,27 @@ impl<'a> Area<'a> {
             }
             OpeningShape::Area { area, .. } => area * share(),
             OpeningShape::Port { area } => {
-                area * ((self.volume.depth(psi)[0] - self.port[0]) / self.port[1]).max(0.0)
+                let depth = self.volume.depth_of(psi, self.last).0[0];
+                area * ((depth - self.port[0]) / self.port[1]).max(0.0)
             }
         };
         geometric * self.opening.discharge_coefficient
     }
+}
+
+/// Angle after firing [rad] at which the first or last piston of a chamber is at its own bottom dead centre.
+fn lowest(volume: &CylinderVolume, last: bool) -> f64 {
+    if volume.pistons() == 1 {
+        return volume.bottom_angle();
+    }
+    // The root of its rate about the bottom dead centre of the chamber, a quarter of a turn on either side.
+    let bottom = volume.bottom_angle();
+    let (mut low, mut high) = (bottom - TAU / 4.0, bottom + TAU / 4.0);
+    for _ in 0..80 {
+        let middle = low + (high - low) / 2.0;
+        if volume.depth_of(middle, last).0[1] > 0.0 { low = middle } else { high = middle }
+    }
+    high
 }
 
 /// Least distance of open valves from the piston.

@@ -3,14 +3,14 @@
 use super::flow::FlowGas;
 use super::opening::{Area, piston_gap};
 use super::release::Wiebe;
-use super::result::{Balance, ZoneCycle, ZoneOutcome};
+use super::result::{Balance, SinceClosing, ZoneCycle, ZoneOutcome};
 use super::state::{Chamber, Contents, Scale, State, Zone};
 use super::walls::{Phase, Reference, WallLosses};
 use crate::error::CycleError;
 use crate::ideal::released;
 use crate::volume::CylinderVolume;
 use lanchester_mechanism::{End, PeriodicCurve};
-use lanchester_model::{GasCycle, SingleZone};
+use lanchester_model::{GasCycle, SingleZone, WallModel};
 use std::f64::consts::PI;
 
 /// How exactly a cycle is computed.
@@ -91,12 +91,16 @@ impl<'a> Run<'a> {
         settings: &'a ZoneSettings,
     ) -> Run<'a> {
         let period = volume.cycle();
-        let areas = [zone.intake, zone.exhaust].map(|opening| Area::new(opening, volume));
+        let areas = [Area::new(zone.intake, volume, true), Area::new(zone.exhaust, volume, false)];
         let stages: Vec<Wiebe> =
             zone.combustion.iter().flat_map(|combustion| &combustion.stages).map(Wiebe::new).collect();
         let start = areas[0].closes().max(areas[1].closes()) - period;
         let mut events: Vec<f64> = areas.iter().flat_map(Area::kinks).collect();
         events.extend(stages.iter().flat_map(|stage| [stage.start, stage.end]));
+        // A table of heat transfer coefficients has a kink at each of its angles.
+        if let Some(WallModel::Table { angles, .. }) = zone.walls.as_ref().map(|walls| &walls.model) {
+            events.extend(angles);
+        }
         let mut events: Vec<f64> =
             events.into_iter().map(|angle| start + (angle - start).rem_euclid(period)).collect();
         events.extend([start, start + period]);
@@ -134,7 +138,7 @@ impl<'a> Run<'a> {
     fn once(&self, from: Contents, mut sample: Option<&mut Vec<Sample>>) -> Result<State, CycleError> {
         let heat = self.zone.combustion.as_ref().map_or(0.0, |burning| released(&burning.fuel, from.fresh));
         let closed = self.volume.at(self.start)[0];
-        let losses = self.zone.walls.map(|walls| WallLosses {
+        let losses = self.zone.walls.as_ref().map(|walls| WallLosses {
             walls,
             volume: self.volume,
             mean_piston_speed: self.volume.stroke() * self.speed / PI,
@@ -148,14 +152,12 @@ impl<'a> Run<'a> {
         let mut state = self.scale.state(from);
         for interval in &self.intervals {
             let chamber = |psi: f64, Contents { pressure, mass, .. }: Contents| {
-                let [depth, rate] = self.volume.depth(psi);
-                let bore = self.volume.area();
-                let volume = [self.volume.clearance() + bore * depth, bore * rate];
+                let volume = self.volume.at(psi);
                 let temperature = pressure * volume[0] / (mass * self.gas.gas_constant);
                 let rate: f64 = interval.burning.iter().map(|stage| self.stages[*stage].rate(psi)).sum();
                 let area = |side: usize| if interval.open[side] { self.areas[side].at(psi) } else { 0.0 };
                 let wall_heat = losses.as_ref().map_or(0.0, |losses| {
-                    losses.flow([pressure, temperature], volume[0], depth, interval.phase) / self.speed
+                    losses.flow([pressure, temperature], volume[0], psi, interval.phase) / self.speed
                 });
                 Chamber {
                     volume,
@@ -187,15 +189,14 @@ impl<'a> Run<'a> {
                 angles.zip(states).map(|(psi, state)| self.sample(&zone, psi, &state)).collect();
             samples.extend(taken.windows(2).map(|pair| Sample {
                 angle: pair[0].angle,
-                pressure: [pair[0].pressure[0], pair[1].pressure[0]],
-                temperature: [pair[0].temperature[0], pair[1].temperature[0]],
+                ends: std::array::from_fn(|k| [pair[0].ends[k][0], pair[1].ends[k][0]]),
             }));
             state = end;
         }
         Ok(state)
     }
 
-    /// Pressure and temperature with their slopes.
+    /// What a cycle returns over the angle, with its slopes.
     fn sample<F: Fn(f64, Contents) -> Chamber>(&self, zone: &Zone<F>, psi: f64, state: &State) -> Sample {
         let rates = zone.rates(psi, state);
         let Contents { pressure, mass, .. } = self.scale.contents(state);
@@ -203,9 +204,21 @@ impl<'a> Run<'a> {
         let [volume, volume_rate] = self.volume.at(psi);
         let temperature = pressure * volume / (mass * self.gas.gas_constant);
         let relative = slope / pressure + volume_rate / volume - rates[1] * self.scale.mass / mass;
-        let pressure = End { value: pressure, slope };
-        let temperature = End { value: temperature, slope: temperature * relative };
-        Sample { angle: psi, pressure: [pressure; 2], temperature: [temperature; 2] }
+        let Scale { mass: m, energy: e, .. } = self.scale;
+        let of = |k: usize, scale: f64| End { value: state[k] * scale, slope: rates[k] * scale };
+        let ends = [
+            End { value: pressure, slope },
+            End { value: temperature, slope: temperature * relative },
+            of(1, m),
+            of(3, e),
+            of(4, e),
+            of(5, e),
+            of(6, m),
+            of(7, m),
+            of(8, e),
+            of(9, e),
+        ];
+        Sample { angle: psi, ends: ends.map(|end| [end; 2]) }
     }
 
     fn periodic(&self) -> Result<ZoneCycle, CycleError> {
@@ -242,9 +255,9 @@ impl<'a> Run<'a> {
         outcome: ZoneOutcome,
         samples: &[Sample],
     ) -> Result<ZoneCycle, CycleError> {
-        let curve = |ends: &dyn Fn(&Sample) -> [End; 2]| {
+        let curve = |place: usize| {
             let knots = samples.iter().map(|sample| sample.angle).collect();
-            let ends: Vec<[End; 2]> = samples.iter().map(ends).collect();
+            let ends: Vec<[End; 2]> = samples.iter().map(|sample| sample.ends[place]).collect();
             PeriodicCurve::from_ends(self.volume.cycle(), knots, &ends)
         };
         let passed = self.scale.passed(end);
@@ -261,14 +274,22 @@ impl<'a> Run<'a> {
         let displaced =
             intake.pressure * self.volume.displaced() / (self.gas.gas_constant * intake.temperature);
         Ok(ZoneCycle {
-            pressure: curve(&|sample| sample.pressure)?,
-            temperature: curve(&|sample| sample.temperature)?,
+            pressure: curve(0)?,
+            temperature: curve(1)?,
+            mass: curve(2)?,
+            since_closing: SinceClosing {
+                work: curve(3)?,
+                wall_heat: curve(4)?,
+                released: curve(5)?,
+                mass: [curve(6)?, curve(7)?],
+                enthalpy: [curve(8)?, curve(9)?],
+            },
             outcome,
             closing_angle: self.start,
             trapped,
             residual_share: 1.0 - trapped.fresh / trapped.mass,
             volumetric_efficiency: passed.mass[0] / displaced,
-            trapping_efficiency: trapped.fresh / passed.mass[0],
+            trapping_efficiency: trapped.fresh / passed.fresh,
             heat: passed.released,
             passed,
             balance: Balance {
@@ -278,13 +299,19 @@ impl<'a> Run<'a> {
                 mass_share: mass.abs() / trapped.mass,
             },
             indicated_efficiency: (passed.released > 0.0).then(|| passed.work / passed.released),
+            fuel_efficiency: self
+                .zone
+                .combustion
+                .as_ref()
+                .filter(|_| passed.released > 0.0)
+                .map(|burning| burning.fuel.efficiency * passed.work / passed.released),
         })
     }
 }
 
-/// A piece: its angle, pressure [Pa] and temperature [K] at both ends.
+/// A piece: its angle; at both ends pressure [Pa], temperature [K], mass [kg], and since closing work, heat to the walls and heat released
+/// [J], mass in from both sides [kg], enthalpy in from both sides [J].
 struct Sample {
     angle: f64,
-    pressure: [End; 2],
-    temperature: [End; 2],
+    ends: [[End; 2]; 10],
 }

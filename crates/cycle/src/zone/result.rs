@@ -13,6 +13,12 @@ pub struct ZoneCycle {
     /// Temperature of the gas [K] over the same angle.
     #[serde(skip)]
     pub temperature: PeriodicCurve,
+    /// Mass of the gas [kg] over the same angle.
+    #[serde(skip)]
+    pub mass: PeriodicCurve,
+    /// What has passed since the cylinder closed, over the same angle.
+    #[serde(skip)]
+    pub since_closing: SinceClosing,
     /// How it came to repeat itself.
     pub outcome: ZoneOutcome,
     /// Angle at which the cylinder closes [rad], negative: before firing.
@@ -31,8 +37,26 @@ pub struct ZoneCycle {
     pub passed: ThroughFlow,
     /// Whether energy and mass close.
     pub balance: Balance,
-    /// Net indicated work over the heat released; `None` where it is motored.
+    /// Net indicated work over the heat released (thermal efficiency); `None` where it is motored.
     pub indicated_efficiency: Option<f64>,
+    /// Net indicated work over the energy of the fuel, what does not burn included (fuel conversion efficiency); `None` where it is motored.
+    pub fuel_efficiency: Option<f64>,
+}
+
+/// What has passed since the cylinder closed, over the angle since firing top dead centre. At the closing angle each jumps back to 0; slopes are the rates
+/// a radian.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SinceClosing {
+    /// Work of the gas on the pistons [J].
+    pub work: PeriodicCurve,
+    /// Heat to the walls [J].
+    pub wall_heat: PeriodicCurve,
+    /// Heat released [J].
+    pub released: PeriodicCurve,
+    /// Mass in from the intake and from the exhaust [kg].
+    pub mass: [PeriodicCurve; 2],
+    /// Enthalpy in with these masses [J].
+    pub enthalpy: [PeriodicCurve; 2],
 }
 
 /// How a cycle came to repeat itself.

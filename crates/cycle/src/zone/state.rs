@@ -7,8 +7,8 @@ use lanchester_model::Reservoir;
 use serde::Serialize;
 
 /// What is integrated, each over its scale: pressure, mass, fresh mass; then since the start: work, heat to the walls, heat released, mass in from the
-/// intake and from the exhaust, enthalpy in from each.
-pub(crate) type State = [f64; 10];
+/// intake and from the exhaust, enthalpy in from each, fresh mass in through the intake.
+pub(crate) type State = [f64; 11];
 
 /// The gas in a chamber.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
@@ -34,6 +34,8 @@ pub struct ThroughFlow {
     pub mass: [f64; 2],
     /// Enthalpy in with these masses [J].
     pub enthalpy: [f64; 2],
+    /// Fresh mass in through the intake, less what of it flows back [kg].
+    pub fresh: f64,
 }
 
 /// What happens in a chamber at an angle, apart from its gas.
@@ -61,7 +63,7 @@ pub(crate) struct Scale {
 
 impl Scale {
     pub(crate) fn state(&self, contents: Contents) -> State {
-        let mut state = [0.0; 10];
+        let mut state = [0.0; 11];
         state[0] = contents.pressure / self.pressure;
         state[1] = contents.mass / self.mass;
         state[2] = contents.fresh / self.mass;
@@ -84,6 +86,7 @@ impl Scale {
             released,
             mass: [state[6] * self.mass, state[7] * self.mass],
             enthalpy: [state[8] * self.energy, state[9] * self.energy],
+            fresh: state[10] * self.mass,
         }
     }
 }
@@ -114,6 +117,7 @@ impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
         let mut masses = [0.0; 2];
         let mut enthalpies = [0.0; 2];
         let mut fresh_rate = -chamber.burning;
+        let mut fresh_in = 0.0;
         for side in 0..2 {
             let Reservoir { pressure: outside, temperature: reservoir } = self.reservoirs[side];
             let area = chamber.areas[side];
@@ -129,6 +133,9 @@ impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
             masses[side] = flow * self.time;
             enthalpies[side] = masses[side] * specific * upstream;
             fresh_rate += masses[side] * share;
+            if side == 0 {
+                fresh_in = masses[side] * share;
+            }
         }
         let heat = chamber.release - chamber.wall_heat + enthalpies[0] + enthalpies[1];
         let pressure_rate = ((gamma - 1.0) * heat - gamma * pressure * volume_rate) / volume;
@@ -144,6 +151,7 @@ impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
             masses[1] / m,
             enthalpies[0] / e,
             enthalpies[1] / e,
+            fresh_in / m,
         ]
     }
 
@@ -176,7 +184,15 @@ impl<F: Fn(f64, Contents) -> Chamber> Zone<F> {
             .solve()
             .map_err(|error| failed(&error))?;
         let mut states = solution.y;
-        let end = states.pop().unwrap_or(state);
+        if states.len() > points.len() {
+            let end = states.pop().unwrap_or(state);
+            return Ok((end, states));
+        }
+        // Where its last step ends a rounding short of `to`, the solver leaves that point out.
+        let (end, _) = self.run([from, to], state, &[], tolerance)?;
+        if states.len() < points.len() {
+            return Err(failed(&format_args!("StatesMissing")));
+        }
         Ok((end, states))
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::volume::CylinderVolume;
 use lanchester_model::{WallModel, Walls};
-use std::f64::consts::PI;
 
 /// Closed state to which Woschni's motored pressure refers: pressure [Pa], volume [m^3], temperature [K].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,15 +25,17 @@ pub(crate) enum Phase {
 /// Heat flow to the walls [W].
 ///
 /// ```text
-/// Q = factor h (A_piston (T - T_piston) + A_head (T - T_head) + pi B s (T - T_liner))               (28.15)
+/// Q = factor h (A_piston (T - T_piston) + A_head (T - T_head) + A_liner (T - T_liner))              (28.15)
 /// Woschni     h = 3.26 B^-0.2 p^0.8 T^-0.55 w^0.8        p [kPa], w = C_1 S_p + C_2 V_d T_r/(p_r V_r) (p - p_m)       (28.16)
 ///             gas exchange C_1 = 6.18, C_2 = 0; compression 2.28, 0; from the start of the heat release 2.28, 3.24e-3 m/(s K)
 /// Hohenberg   h = 130 V^-0.06 p^0.8 T^-0.4 (S_p + 1.4)^0.8       p [bar]                              (28.17)
 /// ```
+/// A coefficient that the file gives stands for that of (28.16) or (28.17).
+///
 /// `S_p` is the mean piston speed, `p_m = p_r (V_r/V)^gamma` the pressure without heat release from the reference state at
 /// closing. Sources: [Woschni1967], [Heywood1988] sec. 12.4.3; [Hohenberg1979].
 pub(crate) struct WallLosses<'a> {
-    pub(crate) walls: Walls,
+    pub(crate) walls: &'a Walls,
     pub(crate) volume: &'a CylinderVolume,
     pub(crate) mean_piston_speed: f64,
     pub(crate) gamma: f64,
@@ -42,10 +43,20 @@ pub(crate) struct WallLosses<'a> {
 }
 
 impl WallLosses<'_> {
-    /// Coefficient [W/(m^2 K)] at a pressure [Pa], temperature [K] and volume [m^3].
-    pub(crate) fn coefficient(&self, pressure: f64, temperature: f64, volume: f64, phase: Phase) -> f64 {
+    /// Coefficient [W/(m^2 K)] at a pressure [Pa], temperature [K] and volume [m^3], at the angle `psi` [rad].
+    pub(crate) fn coefficient(
+        &self,
+        [pressure, temperature]: [f64; 2],
+        volume: f64,
+        psi: f64,
+        phase: Phase,
+    ) -> f64 {
         let speed = self.mean_piston_speed;
-        let coefficient = match self.walls.model {
+        let coefficient = match &self.walls.model {
+            WallModel::Constant { coefficient } => *coefficient,
+            WallModel::Table { angles, coefficients } => {
+                between(angles, coefficients, psi, self.volume.cycle())
+            }
             WallModel::Woschni => {
                 let [c1, c2] = match phase {
                     Phase::Exchange => [6.18, 0.0],
@@ -77,21 +88,28 @@ impl WallLosses<'_> {
         self.walls.factor * coefficient
     }
 
-    /// Heat flow [W] with the piston at `depth` [m] below its top dead centre.
-    pub(crate) fn flow(
-        &self,
-        [pressure, temperature]: [f64; 2],
-        volume: f64,
-        depth: f64,
-        phase: Phase,
-    ) -> f64 {
-        let (walls, bore) = (&self.walls, self.volume.area());
+    /// Heat flow [W] at the angle `psi` [rad].
+    pub(crate) fn flow(&self, [pressure, temperature]: [f64; 2], volume: f64, psi: f64, phase: Phase) -> f64 {
+        let walls = self.walls;
         let areas = [
-            (walls.piston_area * bore, walls.piston_temperature),
-            (walls.head_area * bore, walls.head_temperature),
-            (PI * self.volume.bore() * depth.max(0.0), walls.liner_temperature),
+            (walls.piston_area * self.volume.area(), walls.piston_temperature),
+            (walls.head_area * self.volume.head_area(), walls.head_temperature),
+            (self.volume.liner_area(psi), walls.liner_temperature),
         ];
         let driving: f64 = areas.iter().map(|(area, wall)| area * (temperature - wall)).sum();
-        self.coefficient(pressure, temperature, volume, phase) * driving
+        self.coefficient([pressure, temperature], volume, psi, phase) * driving
     }
+}
+
+/// Value at `psi` on the straight lines between points over one `cycle` [rad], of which there is one at least.
+fn between(angles: &[f64], values: &[f64], psi: f64, cycle: f64) -> f64 {
+    let count = angles.len().min(values.len());
+    let turned = angles[0] + (psi - angles[0]).rem_euclid(cycle);
+    let place = angles[..count].partition_point(|angle| *angle <= turned).max(1) - 1;
+    let (from, value) = (angles[place], values[place]);
+    let (to, next) = match place + 1 < count {
+        true => (angles[place + 1], values[place + 1]),
+        false => (angles[0] + cycle, values[0]),
+    };
+    value + (next - value) * (turned - from) / (to - from)
 }

@@ -97,6 +97,7 @@ pub fn cylinder(throw: usize, angle: f64, z: f64) -> Cylinder {
             joint: RodJoint::Crankpin,
         },
         firing_angle: None,
+        chamber: None,
     }
 }
 

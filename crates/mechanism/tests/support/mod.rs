@@ -47,6 +47,7 @@ pub fn cylinder(throw: usize, angle: f64, z: f64) -> Cylinder {
         piston_mass: 0.5,
         rod: rod(0.15, 0.4, 0.2),
         firing_angle: None,
+        chamber: None,
     }
 }
 

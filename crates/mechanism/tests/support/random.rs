@@ -62,6 +62,7 @@ prop_compose! {
         let cylinder = Cylinder {
             throw: 0, angle, z: shift, offset: offset[0], pin_offset: offset[1], bore: None, piston_mass, rod,
             firing_angle: None,
+            chamber: None,
         };
         (cylinder, factor, shape.articulated && slave > 0.4, knuckle_radius, knuckle_error)
     }

@@ -144,8 +144,27 @@ impl File {
     fn walls(&mut self, zone: &SingleZone) {
         let Some(walls) = &zone.walls else { return };
         self.header("[gas.walls]", "");
-        let model = if walls.model == WallModel::Hohenberg { "hohenberg" } else { "woschni" };
+        let list = |values: &[f64], dimension| {
+            let texts: Vec<String> = values.iter().map(|value| quantity(*value, dimension)).collect();
+            format!("[{}]", texts.join(", "))
+        };
+        let model = match &walls.model {
+            WallModel::Woschni => "woschni",
+            WallModel::Hohenberg => "hohenberg",
+            WallModel::Constant { .. } => "constant",
+            WallModel::Table { .. } => "table",
+        };
         self.entry("model", &quoted(model));
+        match &walls.model {
+            WallModel::Woschni | WallModel::Hohenberg => {}
+            WallModel::Constant { coefficient } => {
+                self.entry("coefficient", &quantity(*coefficient, Dimension::HeatTransfer));
+            }
+            WallModel::Table { angles, coefficients } => {
+                self.entry("angles", &list(angles, Dimension::Angle));
+                self.entry("coefficients", &list(coefficients, Dimension::HeatTransfer));
+            }
+        }
         self.entry("factor", &format!("{:?}", walls.factor));
         for (key, value) in [
             ("piston_temperature", walls.piston_temperature),

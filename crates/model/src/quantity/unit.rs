@@ -25,6 +25,7 @@ pub(crate) enum Dimension {
     Energy,
     SpecificEnergy,
     SpecificHeat,
+    HeatTransfer,
     Stiffness,
     Damping,
     PressurePerSpeed,
@@ -33,7 +34,7 @@ pub(crate) enum Dimension {
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub(crate) const ALL: [Dimension; 22] = [
+    pub(crate) const ALL: [Dimension; 23] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -52,6 +53,7 @@ impl Dimension {
         Dimension::Energy,
         Dimension::SpecificEnergy,
         Dimension::SpecificHeat,
+        Dimension::HeatTransfer,
         Dimension::Stiffness,
         Dimension::Damping,
         Dimension::PressurePerSpeed,
@@ -79,6 +81,7 @@ impl Dimension {
             Dimension::Energy => "an energy",
             Dimension::SpecificEnergy => "an energy per mass",
             Dimension::SpecificHeat => "a specific heat",
+            Dimension::HeatTransfer => "a heat transfer coefficient",
             Dimension::Stiffness => "a stiffness",
             Dimension::Damping => "a damping coefficient",
             Dimension::PressurePerSpeed => "a pressure per speed",
@@ -128,7 +131,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 81] = {
+pub(super) static UNITS: [Unit; 83] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -199,6 +202,8 @@ pub(super) static UNITS: [Unit; 81] = {
         unit(SpecificEnergy, "J/kg", 0, 1.0),
         unit(SpecificHeat, "J/kg/K", 0, 1.0),
         unit(SpecificHeat, "kJ/kg/K", 3, 1.0),
+        unit(HeatTransfer, "W/m2/K", 0, 1.0),
+        unit(HeatTransfer, "kW/m2/K", 3, 1.0),
         unit(Stiffness, "N/mm", 3, 1.0),
         unit(Stiffness, "N/m", 0, 1.0),
         unit(Stiffness, "kN/mm", 6, 1.0),

@@ -453,6 +453,7 @@ impl<'a> Reader<'a> {
             piston_mass: piston_mass.value,
             rod,
             firing_angle: None,
+            chamber: None,
         };
         Some(DraftCylinder {
             cylinder,

@@ -7,9 +7,10 @@ use crate::document::{Field, Section, Spot};
 use crate::engine::{Crankshaft, RodJoint, Strokes};
 use crate::firing;
 use crate::quantity::{self, Dimension};
+use crate::ratio::Ratio;
 use std::f64::consts::TAU;
 
-/// Largest angle [rad] between a firing angle and the cylinder's own top dead centre.
+/// Largest angle [rad] of its own crankshaft between a firing angle and the cylinder's own top dead centre.
 const FARTHEST_FROM_TOP: f64 = TAU / 8.0;
 
 /// Nominal top dead centre of a cylinder.
@@ -19,9 +20,19 @@ pub(super) struct Top {
     theta: f64,
     /// From one to the next [rad].
     period: f64,
+    /// Speed of its crankshaft over that of crankshaft 1.
+    ratio: Ratio,
 }
 
-/// `theta` in the cycle at which a cylinder fires that fires `after` cylinder 1, which fires at `start` [rad].
+impl Top {
+    /// Angle of crankshaft 1 in which the cylinder fires once [rad]: a working cycle of its own crankshaft.
+    fn cycle(self, strokes: Strokes) -> f64 {
+        firing::working_cycle(strokes, self.ratio)
+    }
+}
+
+/// `theta` at which a cylinder fires that fires `after` cylinder 1, which fires at `start` [rad]; `cycle`: its own, in which it fires
+/// once.
 pub(crate) fn fired_after(start: f64, after: f64, cycle: f64) -> f64 {
     angle::snapped(firing::turn(start + after, cycle))
 }
@@ -65,7 +76,7 @@ impl<'a> Reader<'a> {
                 };
                 let pin = crankshaft.phase + throw.angle;
                 let theta = angle::snapped(firing::nominal_top(ratio, pin, cylinder.angle, offset, reach));
-                Some(Top { theta, period: TAU / ratio.abs() })
+                Some(Top { theta, period: TAU / ratio.abs(), ratio: crankshaft.ratio })
             })
             .collect()
     }
@@ -162,7 +173,9 @@ impl<'a> Reader<'a> {
             }
             return None;
         }
-        let cycle = TAU * f64::from(strokes.revolutions());
+        // Every cylinder fires once in a working cycle of its own crankshaft; any of its firings may be given.
+        let own = tops.iter().flatten().map(|top| top.ratio);
+        let period = firing::common_cycle(strokes, own.chain([Ratio::ONE]));
         let mut is_good = true;
         for (index, angle) in angles.value.iter().enumerate() {
             let shown = quantity::readable(angle.value, Dimension::Angle);
@@ -171,11 +184,11 @@ impl<'a> Reader<'a> {
                     format!("cylinder 1 must fire at 0 deg, got {shown}"),
                     format!("the angles count from the firing of cylinder 1: take {shown} off all of them"),
                 )),
-                _ if !(0.0..cycle).contains(&angle.value) => Some((
+                _ if !(0.0..period).contains(&angle.value) => Some((
                     format!("a firing angle of {shown} lies outside the cycle"),
                     format!(
                         "write an angle from 0 deg to below {}",
-                        quantity::readable(cycle, Dimension::Angle)
+                        quantity::readable(period, Dimension::Angle)
                     ),
                 )),
                 _ => None,
@@ -192,11 +205,11 @@ impl<'a> Reader<'a> {
         let start = tops.first()?.theta;
         let mut fired = Vec::new();
         for (index, (angle, top)) in angles.value.iter().zip(&tops).enumerate() {
-            let theta = fired_after(start, angle.value, cycle);
+            let theta = fired_after(start, angle.value, top.cycle(strokes));
             let off = (theta - top.theta + top.period / 2.0).rem_euclid(top.period) - top.period / 2.0;
-            if off.abs() > FARTHEST_FROM_TOP {
+            if off.abs() * TAU / top.period > FARTHEST_FROM_TOP {
                 let number = index + 1;
-                let nearest = firing::turn(angle.value - off, cycle);
+                let nearest = firing::turn(angle.value - off, period);
                 let [off, nearest] =
                     [off.abs(), nearest].map(|angle| quantity::readable(angle, Dimension::Angle));
                 self.mistakes.push(

@@ -3,6 +3,7 @@
 mod burning;
 mod cycle;
 mod opening;
+mod walls;
 
 use super::{Drafts, Reader};
 use crate::diagnostic::Mistake;

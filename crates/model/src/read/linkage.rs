@@ -117,6 +117,7 @@ mod tests {
             piston_mass: 0.5,
             rod,
             firing_angle: None,
+            chamber: None,
         }
     }
 

@@ -75,7 +75,6 @@ impl<'a> Reader<'a> {
     ) -> Option<Option<Flywheel>> {
         let (section, broken) = self.section("flywheel");
         let Some(section) = section else { return (!broken).then_some(None) };
-        self.needs_gas("flywheel", "without gas the speed has no ripple that it could keep");
         let inertia = optional(section.number("inertia"));
         let crankshaft_inertia = optional(section.number("crankshaft_inertia"));
         if section.has("crankshaft_inertia") && matches!(body, Some(Some(_))) {

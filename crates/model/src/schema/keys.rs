@@ -261,7 +261,8 @@ static FIRING: Table = Table {
             "angles",
             Kind::Quantities(Angle, Any),
             Optional,
-            "For each cylinder the crank angle at which it fires, counted from the firing of cylinder 1.",
+            "For each cylinder the angle of crankshaft 1 at which it fires, counted from the firing of cylinder 1. A geared cylinder fires once in a working cycle of its \
+             own crankshaft; any of its firings may be given.",
             "[\"0 deg\", \"180 deg\"]",
         ),
     ],

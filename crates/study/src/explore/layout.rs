@@ -168,6 +168,7 @@ impl Layout {
                     angle: axes[bank],
                     z: self.group_plane(group) + places[bank],
                     firing_angle: self.firing_angles.as_ref().map(|angles| angles[index]),
+                    chamber: None,
                     ..cylinder(parts, self.rod_ratio)
                 }
             })
@@ -229,6 +230,7 @@ pub(crate) fn cylinder(parts: &Parts, rod_ratio: f64) -> Cylinder {
             joint: RodJoint::Crankpin,
         },
         firing_angle: None,
+        chamber: None,
     }
 }
 

@@ -115,11 +115,14 @@ pub enum SensitivityError {
         /// Its name.
         output: String,
     },
-    /// A fluctuation without a flywheel.
-    #[error(
-        "the speed fluctuation needs the flywheel, and the engine file says nothing of it\nhint: add [flywheel] with inertia = \"0.2 kg m2\""
-    )]
-    NoFlywheel,
+    /// A fluctuation of a speed that is not known or not periodic.
+    #[error("there is no speed fluctuation: {reason}\nhint: {fix}")]
+    NoFluctuation {
+        /// Why.
+        reason: String,
+        /// What fixes it.
+        fix: String,
+    },
     /// A load of which gas and inertia have no part of their own.
     #[error("there is no {load} of gas or inertia alone\nhint: leave `gas` or `inertia` out")]
     NoSuchPartOf {

@@ -1,7 +1,7 @@
 //! What is differentiated: an engine at one speed, under its gas.
 
 use super::follow::Weights;
-use lanchester_mechanism::{CylinderGas, TurningInertia};
+use lanchester_mechanism::{CylinderGas, KnownInertia};
 use lanchester_model::Engine;
 
 /// An engine at one speed with the pressures on its pistons.
@@ -17,7 +17,7 @@ pub struct OperatingPoint {
     /// Pressures of every cylinder at that speed; `None` where the file says nothing of gas, or no output needs it.
     pub gas: Option<Vec<CylinderGas>>,
     /// Flywheel and crankshafts, for the fluctuation of the speed.
-    pub turning: TurningInertia,
+    pub turning: KnownInertia,
     /// What the counterweights do while throws and masses vary.
     pub weights: Weights,
 }
@@ -25,12 +25,6 @@ pub struct OperatingPoint {
 impl OperatingPoint {
     /// An engine without gas and flywheel.
     pub fn of_inertia(engine: Engine, speed: f64) -> OperatingPoint {
-        OperatingPoint {
-            engine,
-            speed,
-            gas: None,
-            turning: TurningInertia::default(),
-            weights: Weights::Fixed,
-        }
+        OperatingPoint { engine, speed, gas: None, turning: KnownInertia::default(), weights: Weights::Fixed }
     }
 }

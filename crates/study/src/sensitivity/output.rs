@@ -2,7 +2,7 @@
 
 use super::error::SensitivityError;
 use super::operating_point::OperatingPoint;
-use lanchester_mechanism::BearingPart;
+use lanchester_mechanism::{BearingPart, missing_fix, missing_words};
 use lanchester_model::Engine;
 use serde::Serialize;
 
@@ -177,8 +177,10 @@ impl Output {
         {
             return Err(SensitivityError::Order { got: order });
         }
-        if self.needs().flywheel && point.turning.flywheel <= 0.0 {
-            return Err(SensitivityError::NoFlywheel);
+        let missing = point.turning.missing();
+        if self.needs().flywheel && !missing.is_empty() {
+            let (reason, fix) = (missing_words(&missing), missing_fix(&missing));
+            return Err(SensitivityError::NoFluctuation { reason, fix });
         }
         if self.needs().gas && point.gas.is_none() {
             return Err(SensitivityError::NoGas { output: self.name(engine) });

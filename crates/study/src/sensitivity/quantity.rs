@@ -370,8 +370,12 @@ impl Quantity {
             Quantity::GasPressure | Quantity::CrankcasePressure | Quantity::PressureDelay => {
                 point.gas.as_ref().map_or(0, Vec::len)
             }
-            Quantity::FlywheelInertia => usize::from(point.turning.flywheel > 0.0),
-            Quantity::CrankshaftInertia => usize::from(point.turning.crankshaft > 0.0),
+            Quantity::FlywheelInertia => {
+                usize::from(point.turning.flywheel.is_some_and(|inertia| inertia > 0.0))
+            }
+            Quantity::CrankshaftInertia => {
+                usize::from(point.turning.crankshaft.is_some_and(|inertia| inertia > 0.0))
+            }
             Quantity::BlockMass
             | Quantity::BlockCentre(_)
             | Quantity::BlockInertia(_)
@@ -460,8 +464,8 @@ impl Quantity {
             Quantity::ShaftX => engine.shafts.iter_mut().map(|s| &mut s.x).collect(),
             Quantity::ShaftY => engine.shafts.iter_mut().map(|s| &mut s.y).collect(),
             Quantity::Bore => engine.cylinders.iter_mut().filter_map(|c| c.bore.as_mut()).collect(),
-            Quantity::FlywheelInertia => vec![&mut point.turning.flywheel],
-            Quantity::CrankshaftInertia => vec![&mut point.turning.crankshaft],
+            Quantity::FlywheelInertia => point.turning.flywheel.iter_mut().collect(),
+            Quantity::CrankshaftInertia => point.turning.crankshaft.iter_mut().collect(),
             Quantity::BlockMass => engine.block.iter_mut().map(|b| &mut b.mass).collect(),
             Quantity::BlockCentre(axis) => {
                 engine.block.iter_mut().map(|b| &mut b.centre[axis.index()]).collect()

@@ -59,7 +59,7 @@ pub(super) struct Ripple<'a> {
 impl Train<'_> {
     /// Inertia of all that moves, seen at crankshaft 1 [kg m^2].
     fn inertia(&self, theta: Dual64) -> Dual64 {
-        let turning = self.prepared.point.turning;
+        let turning = self.prepared.point.turning.known();
         let given = self.of(Quantity::FlywheelInertia, 0, turning.flywheel)
             + self.of(Quantity::CrankshaftInertia, 0, turning.crankshaft);
         let energy = |index: usize| {

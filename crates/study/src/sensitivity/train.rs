@@ -150,8 +150,19 @@ impl<'a> Train<'a> {
 
     /// The top dead centre near `theta` [rad]: where the piston has no rate (book, eq. 32.5).
     fn top(&self, index: usize, theta: f64) -> Dual64 {
-        let travel = self.rod(known(theta), index).travel;
-        Dual64::new(theta, -travel.rate.eps * self.speed.re / travel.bend.re)
+        let pistons = self.engine.chamber_pistons(index);
+        if pistons.len() == 1 {
+            let travel = self.rod(known(theta), index).travel;
+            return Dual64::new(theta, -travel.rate.eps * self.speed.re / travel.bend.re);
+        }
+        // The chamber that pistons share: where the sum of areas times travels is highest. The bores move it too.
+        let terms = pistons.iter().map(|&piston| {
+            let bore = self.of(Quantity::Bore, piston, self.engine.cylinders[piston].bore.unwrap_or(1.0));
+            let travel = self.rod(known(theta), piston).travel;
+            ((bore * bore * travel.rate).eps, bore.re * bore.re * travel.bend.re)
+        });
+        let (rate, bend) = terms.fold((0.0, 0.0), |sum, term| (sum.0 + term.0, sum.1 + term.1));
+        Dual64::new(theta, -rate * self.speed.re / bend)
     }
 
     /// Direction of what turns at `ratio`, at the angle `own` of its shaft where crankshaft 1 stands at `theta`.

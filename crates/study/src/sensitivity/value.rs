@@ -113,8 +113,15 @@ impl Known {
                 Ok(of_torque(&self.torques[place].1, output))
             }
             Target::SpeedFluctuation => {
-                let gas = point.gas.as_deref().unwrap_or_default();
-                Ok(speed_ripple(&point.engine, gas, point.speed, point.turning)?.fluctuation)
+                let gas = point.gas.as_deref().filter(|_| output.needs().gas);
+                let found = speed_ripple(&point.engine, gas, point.speed, point.turning)?;
+                match found.trouble() {
+                    Some([reason, fix]) => Err(SensitivityError::NoFluctuation {
+                        reason: reason.to_owned(),
+                        fix: fix.to_owned(),
+                    }),
+                    None => Ok(found.periodic().map_or(0.0, |ripple| ripple.fluctuation)),
+                }
             }
             Target::BendingMoment(one) => bending_moment(point, one),
             Target::MountForce(one) => {

@@ -3,7 +3,7 @@
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section};
 use crate::engine::Strokes;
-use crate::gas::{GasCycle, GasProcess, HeatSplit, IdealHeat, Reservoir, SingleZone, WallModel, Walls};
+use crate::gas::{GasCycle, GasProcess, HeatSplit, IdealHeat, Reservoir, SingleZone, Walls};
 use crate::read::Reader;
 
 /// Specific gas constant of dry air [J/(kg K)]: 8.314462618 J/(mol K) over 28.9647 g/mol.
@@ -158,17 +158,14 @@ impl<'a> Reader<'a> {
         let intake = self.opening(gas, "intake", strokes);
         let exhaust = self.opening(gas, "exhaust", strokes);
         let combustion = self.combustion(gas);
-        let walls = self.walls(gas);
+        let walls = self.walls(gas, strokes);
         let zone = SingleZone { intake: intake?, exhaust: exhaust?, combustion: combustion?, walls: walls? };
         self.check_timing(gas, &zone, strokes).then_some(zone)
     }
 
-    fn walls(&mut self, gas: &'a Section) -> Option<Option<Walls>> {
+    fn walls(&mut self, gas: &'a Section, strokes: Strokes) -> Option<Option<Walls>> {
         let Some(section) = Self::gas_table(gas, "walls")? else { return Some(None) };
-        let model = section.word("model").or("woschni").map(|word| match word {
-            "hohenberg" => WallModel::Hohenberg,
-            _ => WallModel::Woschni,
-        });
+        let model = self.wall_model(section, strokes);
         let number = |key, usual: f64| section.number(key).or(usual);
         let all = number("temperature", WALL_TEMPERATURE);
         let [piston_temperature, head_temperature, liner_temperature] =

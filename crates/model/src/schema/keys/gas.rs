@@ -5,7 +5,7 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::{key, quantity};
 use crate::quantity::Dimension::{
-    Angle, Area, Energy, Length, Pressure, SpecificEnergy, SpecificHeat, Speed, Temperature,
+    Angle, Area, Energy, HeatTransfer, Length, Pressure, SpecificEnergy, SpecificHeat, Speed, Temperature,
 };
 
 /// Files of traces, one a speed.
@@ -344,10 +344,31 @@ static WALLS: Table = Table {
     keys: &[
         key(
             "model",
-            Kind::Choice(&["woschni", "hohenberg"]),
+            Kind::Choice(&["woschni", "hohenberg", "constant", "table"]),
             Optional,
-            "Whose heat transfer coefficient; default Woschni's.",
+            "Whose heat transfer coefficient, or given: the same at every angle, or a table over the angle; default Woschni's.",
             "\"hohenberg\"",
+        ),
+        quantity(
+            "coefficient",
+            HeatTransfer,
+            Positive,
+            "`constant`: heat transfer coefficient.",
+            "\"600 W/m2/K\"",
+        ),
+        key(
+            "angles",
+            Kind::Quantities(Angle, Any),
+            Optional,
+            "`table`: angles from the firing top dead centre, rising, within one cycle.",
+            "[\"-180 deg\", \"0 deg\", \"60 deg\"]",
+        ),
+        key(
+            "coefficients",
+            Kind::Quantities(HeatTransfer, Positive),
+            Optional,
+            "`table`: heat transfer coefficients at these angles, straight between them.",
+            "[\"150 W/m2/K\", \"900 W/m2/K\", \"1400 W/m2/K\"]",
         ),
         key("factor", Kind::Number(Positive), Optional, "Factor on the coefficient; default 1.", "1.1"),
         quantity(

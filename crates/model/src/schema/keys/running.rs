@@ -47,7 +47,7 @@ pub(super) static FRICTION: Table = Table {
 
 pub(super) static FLYWHEEL: Table = Table {
     header: "[flywheel]",
-    doc: "What turns with crankshaft 1 beside the crank train, and how evenly it is to turn; needs `[gas]`.",
+    doc: "What turns with crankshaft 1 beside the crank train, and how evenly it is to turn.",
     keys: &[
         quantity(
             "inertia",

@@ -248,6 +248,14 @@ pub(super) static CYLINDER: Table = Table {
         ),
         PIN_OFFSET,
         BORE,
+        key(
+            "chamber",
+            Kind::Whole(1, MOST_CYLINDERS),
+            Optional,
+            "Opposed pistons, and others that share a combustion chamber: number of the first cylinder of the chamber, lower than its own. All of its pistons \
+             have one pressure.",
+            "1",
+        ),
         key("piston", Kind::Table(&CYLINDER_PISTON), Optional, "Its piston.", "{ mass = \"0.78 kg\" }"),
         key("rod", Kind::Table(&CYLINDER_ROD), Optional, "Its rod.", "{ mass = \"0.63 kg\" }"),
     ],
