@@ -42,7 +42,7 @@ fn fired_in_line(angles: &[f64]) -> (Engine, Vec<CylinderGas>) {
 
 /// A speed that repeats.
 fn periodic(engine: &Engine, gas: Option<&[CylinderGas]>, speed: f64, given: TurningInertia) -> SpeedRipple {
-    match speed_ripple(engine, gas, speed, KnownInertia::of(given)).unwrap() {
+    match speed_ripple(engine, gas, speed, KnownInertia::of(given)).expect("a valid engine") {
         RippleOutcome::Periodic(ripple) => *ripple,
         other => panic!("{other:?}"),
     }

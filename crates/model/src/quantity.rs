@@ -141,7 +141,6 @@ pub(crate) fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> 
         Dimension::SpecificEnergy => ("MJ/kg", "J/kg"),
         Dimension::SpecificHeat => ("J/kg/K", "J/kg/K"),
         Dimension::HeatTransfer => ("W/m2/K", "W/m2/K"),
-        Dimension::HeatTransfer => ("W/m2/K", "W/m2/K"),
         Dimension::Stiffness => ("N/mm", "N/m"),
         Dimension::Damping => ("N s/m", "N s/m"),
         Dimension::PressurePerSpeed => ("bar s/m", "Pa s/m"),

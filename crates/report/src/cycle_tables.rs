@@ -7,6 +7,9 @@ use crate::table::{Cell, Column, Table, numbers};
 use crate::xy_plot::{XyCurve, XyPlot};
 use std::f64::consts::PI;
 
+/// A column of a cycle over its angles.
+type OverAngle = fn(&CycleResult) -> &Vec<f64>;
+
 /// The cylinders that have a cycle: "1, 2, 3, 4".
 fn cylinders(cycle: &CycleResult) -> String {
     cycle.cylinders.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
@@ -140,10 +143,7 @@ pub fn cycle_figures(cycles: &[CycleResult]) -> Vec<Figure> {
         XyPlot { abscissa: heads[0], ordinate: heads[1], units, polar: None, curves: curves.collect() }
             .panel()
     };
-    let over_angle = |quantity: &str,
-                      unit: &'static str,
-                      lists: &[(&str, fn(&CycleResult) -> &Vec<f64>)],
-                      scale: f64| {
+    let over_angle = |quantity: &str, unit: &'static str, lists: &[(&str, OverAngle)], scale: f64| {
         let scaled: Vec<(String, usize, Vec<f64>)> = cycles
             .iter()
             .flat_map(|cycle| {

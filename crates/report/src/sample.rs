@@ -175,7 +175,6 @@ fn motion(engine: &Engine, index: usize, cylinder: &Cylinder) -> CylinderMotion 
         max_deceleration: 11156.0,
         max_rod_angle: (throw.radius / cylinder.rod.length).asin(),
         firing_angle: cylinder.firing_angle,
-        chamber: cylinder.chamber,
         residual_inertia: cylinder.rod.residual_inertia(),
         chamber: None,
         articulation: None,

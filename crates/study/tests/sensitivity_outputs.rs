@@ -6,8 +6,8 @@
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, InternalRequest,
     KnownInertia, Lever, MountSystem, PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest,
-    bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple, torque,
-    vector_amplitude,
+    TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple,
+    torque, vector_amplitude,
 };
 use lanchester_model::{Engine, MovingParts, Strokes, read, template};
 use lanchester_study::sensitivity::*;
@@ -374,7 +374,7 @@ fn torque_and_energy() {
 fn fluctuations_of_the_speed() {
     for (name, curve) in [("single-gas", smooth as Gas), ("in-line-4-mounts", smooth), ("radial-7", smooth)] {
         let mut point = point(name, curve);
-        point.turning = KnownInertia::of(KnownInertia { flywheel: 0.11, crankshaft: 0.03 });
+        point.turning = KnownInertia::of(TurningInertia { flywheel: 0.11, crankshaft: 0.03 });
         // Without gas the inertia of the pistons alone makes the speed swing.
         for part in [BearingPart::All, BearingPart::Inertia] {
             let output = whole(Target::SpeedFluctuation, Size::Peak, part);
