@@ -26,6 +26,7 @@ mod search_request;
 mod sensitivity_arguments;
 mod shape_request;
 mod share_option;
+mod still_computing;
 mod studio_arguments;
 mod torque_arguments;
 mod trace_files;
@@ -38,6 +39,24 @@ use clap::Parser;
 use std::io::IsTerminal;
 use std::process::ExitCode;
 
+/// The name of a command that computes and tells no progress of its own.
+fn without_progress(command: &Command) -> Option<&'static str> {
+    Some(match command {
+        Command::Loads(_) => "loads",
+        Command::Torque(_) => "torque",
+        Command::Bearings(_) => "bearings",
+        Command::Mounts(_) => "mounts",
+        Command::Balance(arguments) if arguments.search.search => "balance --search",
+        Command::Counterweight(_) => "counterweight",
+        Command::Compare(_) => "compare",
+        Command::Sensitivity(_) => "sensitivity",
+        Command::Report(_) => "report",
+        Command::Validate(_) => "validate",
+        Command::Workshop(_) => "workshop",
+        _ => return None,
+    })
+}
+
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let colour = match arguments.colour {
@@ -45,6 +64,9 @@ fn main() -> ExitCode {
         Colour::Never => false,
         Colour::Auto => std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
     };
+    if let Some(command) = without_progress(&arguments.command) {
+        still_computing::still_computing(command);
+    }
     let outcome = match arguments.command {
         Command::Check(arguments) => commands::check::run(&arguments, colour),
         Command::Show(arguments) => commands::show::run(&arguments, colour),

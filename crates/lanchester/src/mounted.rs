@@ -2,8 +2,8 @@
 
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_mechanism::{
-    GasTrain, Lever, MountError, MountRequest, MountStudy, OrderLoads, TorqueError, inertia_excitations,
-    merged_orders, mount_study,
+    GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, OrderLoads, TorqueError,
+    inertia_excitations, merged_orders, mount_study,
 };
 use lanchester_model::{Engine, Gas, GasProcess, GasSource};
 
@@ -67,6 +67,8 @@ pub fn mounts(
     gas: Option<&[TraceFile]>,
     points: &[[f64; 3]],
 ) -> Result<MountStudy, MountedError> {
+    // What cannot be held is refused before any gas is computed.
+    MountSystem::new(engine)?;
     let mut excitations = inertia_excitations(engine, &speeds.of(engine), max_order)?;
     let mut words = "inertia loads".to_owned();
     let mut warnings: Vec<String> = Vec::new();
@@ -209,6 +211,16 @@ mod tests {
         let last = study.transmissibility.ratio.last().expect("there are frequencies");
         assert!(last.iter().all(|t| *t < 0.5), "{last:?}");
         assert!((study.transmissibility.ratio[0][0] - 1.0).abs() < 0.2);
+    }
+
+    #[test]
+    fn a_block_that_is_not_held_is_refused_before_the_gas() {
+        // No load is computed at a speed below 0: what is refused first is the block.
+        let mut engine = example();
+        engine.mounts.clear();
+        let speeds = MountSpeeds::List(vec![-1.0]);
+        let refused = mounts(&engine, &speeds, 4, Some(&[]), &[]).expect_err("nothing holds it");
+        assert!(matches!(refused, MountedError::Mounts(MountError::NoMounts)), "{refused}");
     }
 
     #[test]

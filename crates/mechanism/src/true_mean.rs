@@ -82,14 +82,14 @@ mod tests {
     #[test]
     fn jumps_close_together_and_on_samples() {
         // 1 on a stretch of a step and a half that starts on a sample, cos elsewhere: mean by hand.
-        let step = TAU / 72.0;
+        let step = TAU / 288.0;
         let (from, to) = (10.0 * step, 11.5 * step);
         let value = |theta: f64| {
             let theta = theta.rem_euclid(TAU);
             if theta >= from && theta < to { 1.0 } else { 2.0 + theta.cos() }
         };
         let want = (2.0 * TAU - 2.0 * (to - from) - (to.sin() - from.sin()) + (to - from)) / TAU;
-        let mean = true_mean(&samples(72, value), TAU, &[from, to], value);
+        let mean = true_mean(&samples(288, value), TAU, &[from, to], value);
         assert!((mean - want).abs() < 1e-11, "{mean} {want}");
     }
 }

@@ -61,7 +61,7 @@ pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     row("cycles until it repeats itself", "1", 3, &of(|e| e.cycles as f64));
     let process = cycles.first().map_or(String::new(), |cycle| cycle.process.clone());
     Table {
-        id: "cycle",
+        id: "gas-cycle",
         title: "Cycle of the gas".to_owned(),
         note: format!(
             "{process}. Residuals: what is missing from the balances of energy and mass over the last cycle."

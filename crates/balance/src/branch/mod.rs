@@ -91,12 +91,6 @@ pub(crate) fn is_needed(task: &BalanceTask) -> bool {
         || task.most_optional.is_some()
 }
 
-/// Whether there is more to choose about a weight on a crankshaft than its unbalance.
-fn is_crank_choice(weight: &FreeWeight) -> bool {
-    let chosen = weight.optional || weight.least > 0.0 || matches!(weight.z, Place::Between(..));
-    chosen && matches!(weight.seat, Seat::Crankshaft(_))
-}
-
 /// Whether one of the choices cannot be said by a convex programme.
 pub(crate) fn is_choice(task: &BalanceTask) -> bool {
     let place = |place: Place| matches!(place, Place::Between(..));
@@ -124,11 +118,10 @@ pub(crate) fn search(
     let loads = EngineLoads::of(&bare, kinematics)?;
     let asked = stages(task);
     let asked_count = asked.len();
-    // An axis that is to be found is not left to chance by those who do not name the roll moment, nor are choices of weights
-    // on a crankshaft by those who do not name its bearings.
-    let of_crank = task.weights.iter().any(is_crank_choice);
+    // An axis that is to be found is not left to chance by those who do not name the roll moment. The bearings of a crankshaft
+    // decide with the choices kept: to search all choices for them takes many times as long.
     let mut decisive = implied(engine, task);
-    decisive.retain(|criterion| of_crank || has_free_axis(task) && !is_of_crank(criterion));
+    decisive.retain(|criterion| has_free_axis(task) && !is_of_crank(criterion));
     let decisive = decisive.into_iter().map(|criterion| Stage { terms: vec![(1.0, criterion)] });
     let mut task = BalanceTask { stages: asked.into_iter().chain(decisive).collect(), ..task.clone() };
     if !sees_axes(&task) {

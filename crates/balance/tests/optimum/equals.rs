@@ -65,17 +65,13 @@ fn roll_moment_decides_where_a_device_is_free_for_its_sake() {
     let block = [Load::Force, Load::Couple, Load::RollMoment].map(Criterion::Peak);
     let criteria = |a: &Answer| a.among_equals.iter().map(|s| s.terms[0].0).collect::<Vec<_>>();
     let named = |a: &Answer| criteria(a).into_iter().filter(|c| block.contains(c)).collect::<Vec<_>>();
-    let bearings = |a: &Answer| {
-        a.effects.iter().find(|e| e.criterion == Criterion::MainRms(Mains::All)).expect("always there").after
-    };
 
     let fixed = optimise(&engine, &task(Place::At(0.0), &[])).unwrap();
     let lightest = optimise(&engine, &task(Place::At(0.0), &weighed)).unwrap();
     assert_proved(&engine, &fixed);
     assert_proved(&engine, &lightest);
     assert_eq!(named(&fixed), []);
-    // The force has its peaks at two angles alone: what it is between them is left to the bearings.
-    assert!(bearings(&fixed) < bearings(&lightest) && amount(&lightest) < amount(&fixed));
+    assert!((amount(&fixed) - amount(&lightest)).abs() < 1e-6 * amount(&fixed));
 
     let found = optimise(&engine, &task(Place::Between(-0.1, 0.15), &[])).unwrap();
     assert_proved(&engine, &found);

@@ -106,7 +106,7 @@ fn wrong_options_say_what_is_needed() {
     for (arguments, expected) in [
         (&["loads", "TWIN", "--speed", "4000"][..], "rpm"),
         (&["loads", "TWIN", "--speed", "4 m"], "speed"),
-        (&["loads", "TWIN", "--speed", "-4 rpm"], "positive"),
+        (&["loads", "TWIN", "--speed", "-4 rpm"], "more than 0"),
         (&["loads", "TWIN", "--about", "1 mm, 2 mm"], "three coordinates"),
         (&["loads", "TWIN", "--series", "taylor"], "power:N:P"),
         (&["loads", "TWIN", "--grid", "0"], "peak grid"),

@@ -43,7 +43,7 @@ fn a_change_of_the_file_does_what_was_said() {
     assert!(folder.join("figures/sensitivity.svg").exists());
     let csv =
         output(&folder, 0, &["sensitivity", &twin, "--output", "force order 2", "--each", "--format", "csv"]);
-    assert!(csv.lines().all(|line| line.split(',').count() == 12) && csv.contains("piston mass 2"), "{csv}");
+    assert!(csv.lines().all(|line| line.split(',').count() == 14) && csv.contains("piston mass 2"), "{csv}");
 }
 
 #[test]

@@ -134,7 +134,15 @@ pub fn firing_mismatches(evidence: &Evidence, engine: &Engine, loads: &Loads) ->
         let after = (fires - first).rem_euclid(cycle);
         order.push((if cycle - after < 1e-9 { 0.0 } else { after }, number));
         let off_claim = around(fires - first - claim.angle_deg.to_radians(), cycle).abs();
-        let off_tdc = turn(tdc - motion.top_dead_centre).abs();
+        // Equal pistons of one chamber enclose least half-way between their own dead centres.
+        let tops: Vec<f64> = engine
+            .chamber_pistons(index)
+            .into_iter()
+            .map(|piston| loads.motion[piston].top_dead_centre)
+            .collect();
+        let apart = |top: &f64| turn(top - motion.top_dead_centre);
+        let top = motion.top_dead_centre + tops.iter().map(apart).sum::<f64>() / tops.len() as f64;
+        let off_tdc = turn(tdc - top).abs();
         let off_nominal = around(tdc - fires, cycle).abs();
         let agrees = off_claim <= slack && off_nominal <= slack && off_tdc <= ANGLE;
         if !agrees {

@@ -96,9 +96,9 @@ fn prefixed(text: &str, dimension: Dimension) -> Option<(&'static Unit, i32)> {
     })
 }
 
-/// Whether a unit is the text but for blanks and capitals; small m and capital M of a prefix are not alike.
+/// Whether a unit is the text but for blanks, hyphens and capitals; small m and capital M of a prefix are not alike.
 fn is_respelled(text: &str, name: &str) -> bool {
-    let plain = |text: &str| text.replace(' ', "").to_lowercase();
+    let plain = |text: &str| text.replace([' ', '-'], "").to_lowercase();
     plain(text) == plain(name) && !(name.starts_with('M') && text.starts_with('m'))
 }
 

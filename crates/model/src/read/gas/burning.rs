@@ -118,7 +118,11 @@ impl<'a> Reader<'a> {
             return Some(value);
         }
         let message = format!("`{key}` must be more than 0 % and at most 100 %, got {} %", 100.0 * value);
-        self.mistakes.push(Mistake::error("E1205", section.value_span(key), message).label("out of range"));
+        self.mistakes.push(
+            Mistake::error("E1205", section.value_span(key), message)
+                .label("out of range")
+                .hint("it is a share of the whole, such as \"98 %\""),
+        );
         None
     }
 }

@@ -143,7 +143,10 @@ impl<'a> Reader<'a> {
                         "`constant_volume_share` must be at most 100 %, got {} %",
                         100.0 * spot.value
                     );
-                    self.mistakes.push(Mistake::error("E1205", spot.span, message).label("out of range"));
+                    self.mistakes
+                        .push(Mistake::error("E1205", spot.span, message).label("out of range").hint(
+                        "it is the share of the heat that is released at constant volume, such as \"50 %\"",
+                    ));
                     return None;
                 }
                 Some(HeatSplit::ConstantVolumeShare { share: spot.value })

@@ -50,7 +50,8 @@ impl<'a> Reader<'a> {
             let message = format!("`discharge_coefficient` must be at most 1, got {coefficient}");
             self.mistakes.push(
                 Mistake::error("E1202", section.value_span("discharge_coefficient"), message)
-                    .label("out of range"),
+                    .label("out of range")
+                    .hint("it is the effective area over the geometric one, such as 0.7"),
             );
         }
         let closes = match (opens, closes?) {
