@@ -350,8 +350,7 @@ pub struct BalanceArguments {
     /// Which weights on the crankshaft are free; default: those of [balance].
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
-    /// Largest unbalance of every free weight on the crankshaft; 'what fits': the largest of the shapes of [counterweight_design] that keep the
-    /// clearances on its web.
+    /// Largest unbalance of every free weight on the crankshaft.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
     /// Least unbalance of every free weight on the crankshaft that is used.

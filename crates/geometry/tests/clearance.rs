@@ -12,7 +12,7 @@ use hand_made::{
 use lanchester_geometry::clearance::{
     CLEARANCE_GAP, Clearance, ClearanceError, ClearanceModel, Clearances, DepthAlong, Obstacle,
 };
-use lanchester_geometry::{Chamfer, Contour, Corner, CounterweightShape, Cut, Face, Outline, Point};
+use lanchester_geometry::{Chamfer, Contour, Corner, Cut, Face, Outline, Point};
 use lanchester_model::{CrankBody, Engine, Envelope};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -403,56 +403,6 @@ proptest! {
             // A piston that stands behind another one along the crank alone is left out.
             if all(&engine).bodies[0].clearances.iter().any(|c| c.obstacle == obstacle) {
                 check(&engine, obstacle, turns * TURN);
-            }
-        }
-    }
-}
-
-/// What the envelope leaves is free, what it takes away is not: discs on a bracket beside the crank axis, whose outermost point lies on the envelope in a
-/// direction, against the distance proved over the whole cycle.
-#[test]
-fn the_envelope_is_what_the_clearance_leaves() {
-    let envelope = Envelope {
-        least: Some(0.0015),
-        crankcase_radius: Some(0.085),
-        skirt: skirt(0.03, None),
-        liner: liner(0.079, 0.004),
-        ..Envelope::default()
-    };
-    let faces = [0.012, 0.028];
-    let mut engine = single(0.065, envelope);
-    for offset in [0.0, 0.004] {
-        engine.cylinders[0].offset = offset;
-        let model = model(&engine);
-        let found = model.envelope(0, faces, 0.2).unwrap().unwrap();
-        assert!(found.is_exact);
-        let room = model.largest_swept_radius(0, faces).unwrap().unwrap();
-        near("nearest", found.nearest.radius, room.radius, 1e-6);
-        assert_eq!((found.nearest.limit, found.nearest.least), (PISTON, 0.0015));
-        for angle in [PI, PI - 0.3, PI + 0.5, 2.0, 0.7] {
-            // A sector about the crank axis, narrow: it passes the planes by its corners alone.
-            let reach = found.around(angle);
-            let shape = |radius: f64| CounterweightShape {
-                web_radius: 0.01,
-                rectangle_height: 0.02,
-                shoulder_height: 0.01,
-                arc_radius: radius,
-                arc_angle: 0.9,
-            };
-            let (mut low, mut high) = (0.03, 0.2);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                let is_within =
-                    reach.excess(&shape(middle)) <= 0.0 && shape(middle).swept_radius() <= found.circle;
-                if is_within { low = middle } else { high = middle }
-            }
-            for (radius, is_kept) in [(low, true), (low + 2e-6, false)] {
-                let outline = Outline::from(shape(radius).outline()).turned(angle - PI);
-                let mut with = engine.clone();
-                with.counterweights = vec![counterweight(outline, faces, Some(1))];
-                let all = all(&with);
-                let own = all.bodies[0].clearances.iter().all(|one| one.is_kept);
-                assert_eq!(own, is_kept, "{offset} {angle}: {radius} {:?}", all.smallest);
             }
         }
     }

@@ -1,9 +1,9 @@
 //! Crankshaft and counterweights as they stand in the file, checked.
 
 use crate::clearance::EngineClearanceError;
-use crate::counterweight_error::CounterweightError;
-use crate::counterweight_fit::on_web;
+use crate::counterweights::CounterweightError;
 use lanchester_geometry::clearance::{Clearances, SweptOverlap, swept_overlaps};
+use lanchester_geometry::counterweight_properties;
 use lanchester_geometry::crankshaft::{CrankshaftBody, crankshaft};
 use lanchester_model::Engine;
 use serde::Serialize;
@@ -27,12 +27,8 @@ pub struct CheckedCounterweight {
     pub unbalance: f64,
     /// Whether it is within a hundredth of what it should be.
     pub is_met: bool,
-    /// Its mass beyond the plain web [kg]: what the crankshaft gains.
+    /// Its mass beyond the plain web [kg].
     pub mass: f64,
-    /// Of a shape of the family beyond the disc of its web, what lies within the flank of the plain web [kg].
-    pub within_web: f64,
-    /// The whole part as a CAD file holds it, with the disc of the web [kg].
-    pub whole_part: f64,
     /// Its polar inertia about the crank axis beyond the plain web [kg m^2].
     pub polar_inertia: f64,
     /// Swept radius [m].
@@ -97,7 +93,7 @@ pub fn check_counterweights(engine: &Engine) -> Result<CounterweightCheck, Count
     let mut counterweights = Vec::new();
     for (index, weight) in engine.counterweights.iter().enumerate() {
         let Some(part) = &weight.part else { continue };
-        let masses = on_web(engine, part)?;
+        let properties = counterweight_properties(engine, part)?;
         let is_met = is_met(part.wanted, weight.unbalance);
         counterweights.push(CheckedCounterweight {
             name: weight.name.clone(),
@@ -105,10 +101,8 @@ pub fn check_counterweights(engine: &Engine) -> Result<CounterweightCheck, Count
             wanted: part.wanted,
             unbalance: weight.unbalance,
             is_met,
-            mass: masses.mass,
-            within_web: masses.within_web,
-            whole_part: masses.whole_part,
-            polar_inertia: masses.polar_inertia,
+            mass: properties.mass,
+            polar_inertia: properties.polar_inertia(),
             swept_radius: part.part.outline().swept_radius(),
             thickness: part.part.thickness(),
         });

@@ -1,19 +1,18 @@
 //! The counterweights of an engine as parts: which of them, their duties, the best shapes.
 
-use crate::clearance::{clearance_model, clearances};
-use crate::counterweight_error::CounterweightError;
-use crate::counterweight_fit::{OnWeb, WebSeat, fitted_part, on_web, plane, with_counterweights};
-use lanchester_geometry::clearance::{ClearanceEnvelope, SweptRoom};
+use crate::clearance::{EngineClearanceError, clearances, largest_swept_radius};
+use lanchester_geometry::clearance::SweptRoom;
+use lanchester_geometry::crankshaft::CrankshaftError;
 use lanchester_geometry::{
-    Design, DesignOutcome, DesignTask, Evolution, Front, Objective, Reach, ShapeTask, Shoulder, design_on,
-    evolve_within, front_on,
+    Design, DesignOutcome, DesignTask, Evolution, Front, GeometryError, Objective, Outline, Part, ShapeTask,
+    design, evolve, front,
 };
-use lanchester_model::{Counterweight, CounterweightForm, Engine};
+use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault, PartWeight};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
 /// Version of [`CounterweightDesigns`]; raised when a field changes its meaning or goes.
-pub const COUNTERWEIGHT_DESIGNS_VERSION: u32 = 2;
+pub const COUNTERWEIGHT_DESIGNS_VERSION: u32 = 1;
 
 /// What counterweights are asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,18 +47,11 @@ pub struct DesignedCounterweight {
     pub duty: f64,
     /// What of its shape the plain web has already, beyond the disc [kg m]: the shape is designed for that much more.
     pub shared: f64,
-    /// The masses of what was found; none where no shape was.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub on_web: Option<OnWeb>,
-    /// Where the clearance envelope is nearest to the crank axis, where it limits the shape; none where the best shape of all keeps the
-    /// clearance, or there is nothing to stay clear of.
+    /// The room that the wanted clearance leaves, where it limits the swept radius; none where the best shape of all keeps the clearance,
+    /// or there is nothing to stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub room: Option<SweptRoom>,
-    /// With a room: whether every shape that leaves the envelope comes too near to something, so that the optimum is that of all
-    /// shapes that keep the clearance.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub room_is_exact: Option<bool>,
-    /// With a room: what is made small, of the best shape without it [SI], as the crankshaft gains it.
+    /// With a room: what is made small, of the best shape without it [SI]. No shape that keeps the clearance has less.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub without_room: Option<f64>,
     /// What was found.
@@ -87,19 +79,116 @@ pub struct CounterweightDesigns {
 pub struct CounterweightFront {
     /// Indices of the weights in [`Engine::counterweights`].
     pub weights: Vec<usize>,
-    /// Where the clearance envelope, to which all shapes are limited, is nearest to the crank axis; none where there is nothing to stay clear of.
+    /// The room that the wanted clearance leaves, to which all swept radii are limited; none where there is nothing to stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub room: Option<SweptRoom>,
     /// The designs.
     pub front: Front,
-    /// Their masses on the first of the webs, in the same order.
-    pub on_web: Vec<OnWeb>,
+}
+
+/// Why no counterweight can be designed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CounterweightError {
+    /// No weight on any web.
+    #[error(
+        "no counterweight stands on a web\nhint: {}", match .has_weights {
+            true => "name one with --weight, or give the weights a web: `web = 1` in [[counterweight]], `at = \"webs\"` in [counterweights]",
+            false => "`lanchester balance FILE --counterweights webs --write` finds them"
+        }
+    )]
+    NoneOnAWeb {
+        /// Whether there are weights elsewhere.
+        has_weights: bool,
+    },
+    /// A name that no weight has.
+    #[error("no counterweight is called \"{name}\"\nhint: the names are {known}")]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
+    /// A weight without any unbalance.
+    #[error(
+        "counterweight \"{name}\" has no unbalance to be designed for\nhint: give one, or leave the weight out"
+    )]
+    NoDuty {
+        /// Its name.
+        name: String,
+    },
+    /// Weights of different duties where one is due.
+    #[error(
+        "the weights have different duties: {}\nhint: name one of them, or give one unbalance for all", .duties.join(", ")
+    )]
+    Duties {
+        /// Each weight with its duty, in words.
+        duties: Vec<String>,
+    },
+    /// A name that several weights have.
+    #[error("{count} counterweights are called \"{name}\"\nhint: give each its own name")]
+    Several {
+        /// The name.
+        name: String,
+        /// How many have it.
+        count: usize,
+    },
+    /// A whole web where the engine has no plain one to take the place of.
+    #[error(
+        "the outline of a whole web needs a weight on a web, and [crank.body] for the plain web that it replaces; \"{name}\" has not both\nhint: draw the counterweight alone, or add them to the engine file"
+    )]
+    NoPlainWeb {
+        /// Name of the weight.
+        name: String,
+    },
+    /// A part that is no single weight, or does not fit its web.
+    #[error("counterweight \"{name}\": {fault}\nhint: change its outline or its inserts")]
+    Fault {
+        /// Name of the weight.
+        name: String,
+        /// What is wrong.
+        fault: String,
+    },
+    /// Something that the crankshaft must stay clear of and that is not told completely.
+    #[error(transparent)]
+    Clearance(#[from] EngineClearanceError),
+    /// A crankshaft that is no body.
+    #[error(transparent)]
+    Crankshaft(#[from] CrankshaftError),
+    /// A name that no balance shaft has.
+    #[error("no balance shaft is called \"{name}\"\nhint: {}", match .known.as_str() {
+        "" => "the file has no [[shaft]]".to_owned(),
+        known => format!("the names are {known}"),
+    })]
+    UnknownShaft {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: String,
+    },
+    /// A balance shaft none of whose weights is a part.
+    #[error(
+        "no weight of the shaft \"{name}\" has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes where the file has a section [shaft_weight_design]"
+    )]
+    BareShaft {
+        /// Name of the shaft.
+        name: String,
+    },
+    /// No weight that is a part.
+    #[error(
+        "no counterweight and no weight of a balance shaft has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes, `counterweight import` takes them from a drawing"
+    )]
+    NoPart,
+    /// Numbers of the task that have no meaning.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
 }
 
 /// The best shape for each weight that is asked for, with its proof.
 ///
-/// Where the engine says what the crankshaft must stay clear of, the shapes are those within the clearance envelope. What a shape shares with
-/// its plain web beyond the disc is the web's, so that the shape gets that much more.
+/// Where the engine says what the crankshaft must stay clear of, and the best shape does not, the swept radius is limited to what keeps
+/// the wanted clearance whatever the shape: sufficient, not necessary. What a shape shares with its plain web beyond the disc is the
+/// web's, so that the shape gets that much more.
 ///
 /// # Errors
 /// Where a weight is not there or has no duty, or a number of the task has no meaning. Limits that no shape meets are an
@@ -109,29 +198,29 @@ pub fn design_counterweights(
     request: &CounterweightRequest,
 ) -> Result<CounterweightDesigns, CounterweightError> {
     let mut weights: Vec<DesignedCounterweight> = Vec::new();
-    let mut done: Vec<(f64, f64, Surroundings, usize)> = Vec::new();
+    let mut done: Vec<(f64, f64, Option<SweptRoom>, usize)> = Vec::new();
     for (index, duty) in duties(engine, request)? {
         let weight = &engine.counterweights[index];
         let name = weight.name.clone();
-        let around = Surroundings::of(engine, index, &request.task)?;
+        let room = room(engine, weight, request.task.thickness.most)?;
         // Weights of one duty that stand alike on their webs have one shape.
         let tilt = tilt(engine, weight);
-        let alike = |known: &&(f64, f64, Surroundings, usize)| {
-            known.0 == duty && (known.1 - tilt).abs() < 1e-9 && known.2.is_like(&around)
+        let alike = |known: &&(f64, f64, Option<SweptRoom>, usize)| {
+            known.0 == duty
+                && (known.1 - tilt).abs() < 1e-9
+                && known.2.as_ref().map(|room| room.radius) == room.as_ref().map(|room| room.radius)
         };
         if let Some((.., first)) = done.iter().find(alike) {
             weights.push(DesignedCounterweight { name, index, ..weights[*first].clone() });
             continue;
         }
-        let designed = cleared(engine, index, duty, &around)?;
-        let reach = around.reach.as_ref().filter(|_| designed.room.is_some());
-        let shapes = within(&around.task, around.envelope.as_ref().filter(|_| designed.room.is_some()));
-        let asked = DesignTask::new(duty + designed.shared / shapes.least_balance, &shapes);
-        let search = |search: EvolutionRequest| {
-            evolve_within(&asked, around.task.minimise, search.seed, search.evaluations, reach)
-        };
+        done.push((duty, tilt, room.clone(), weights.len()));
+        let designed = cleared(engine, index, duty, &request.task, room)?;
+        let task = within(&request.task, designed.room.as_ref());
+        let asked = DesignTask::new(duty + designed.shared / task.least_balance, &task);
+        let search =
+            |search: EvolutionRequest| evolve(&asked, task.minimise, search.seed, search.evaluations);
         let evolution = request.evolution.map(search).transpose()?;
-        done.push((duty, tilt, around, weights.len()));
         weights.push(DesignedCounterweight { name, evolution, ..designed });
     }
     Ok(CounterweightDesigns {
@@ -142,113 +231,34 @@ pub fn design_counterweights(
     })
 }
 
-/// What is around a weight.
-#[derive(Debug, Clone)]
-pub(crate) struct Surroundings {
-    /// The shapes, no thicker than the rods beside the web leave it.
-    pub task: ShapeTask,
-    /// Whether rods limit the thickness.
-    pub is_thinner: bool,
-    /// What crankcase, pistons and liners leave.
-    pub envelope: Option<ClearanceEnvelope>,
-    /// The envelope as the weight stands now.
-    pub reach: Option<Reach>,
-}
-
-impl Surroundings {
-    /// Of the weight of this index, among the shapes of a task.
-    ///
-    /// # Errors
-    /// Where what it must stay clear of is not told completely.
-    pub fn of(engine: &Engine, index: usize, task: &ShapeTask) -> Result<Surroundings, CounterweightError> {
-        let mut around = Surroundings { task: *task, is_thinner: false, envelope: None, reach: None };
-        if engine.envelope.is_none() || !task.faults().is_empty() {
-            return Ok(around);
-        }
-        let weight = &engine.counterweights[index];
-        let model = clearance_model(engine)?;
-        let z = plane(weight);
-        let throw = web_of(engine, weight).map(|web| web / 2);
-        if let Some(most) = model.largest_thickness(weight.crankshaft, throw, z)
-            && most < task.thickness.most
-        {
-            around.task.thickness.most = most.max(task.thickness.least);
-            around.is_thinner = true;
-        }
-        let half = around.task.thickness.most / 2.0;
-        let height = match task.shoulder {
-            Shoulder::Height(range) => range.most,
-            Shoulder::Angle(range) => task.arc_radius.most * range.most.tan(),
-        };
-        let farthest = task.rectangle_height.most + height + 2.0 * task.arc_radius.most;
-        let farthest = task.limits.swept_radius.map_or(farthest, |limit| limit.min(farthest));
-        around.envelope = model
-            .envelope(weight.crankshaft, [z - half, z + half], farthest)
-            .map_err(crate::clearance::EngineClearanceError::from)?;
-        let angle = weight.part.as_ref().map_or(weight.angle, |part| part.angle);
-        around.reach = around.envelope.as_ref().map(|envelope| envelope.around(angle));
-        Ok(around)
-    }
-
-    /// Whether both leave the same, but for rounding.
-    fn is_like(&self, other: &Surroundings) -> bool {
-        let reaches = match (&self.reach, &other.reach) {
-            (None, None) => true,
-            (Some(one), Some(other)) => one.is_like(other),
-            _ => false,
-        };
-        let circle = |around: &Surroundings| around.envelope.as_ref().map(|envelope| envelope.circle);
-        let circles = match (circle(self), circle(other)) {
-            (Some(one), Some(other)) => one == other || (one - other).abs() <= 1e-9,
-            (one, other) => one == other,
-        };
-        self.task == other.task && reaches && circles
-    }
-
-    /// Whether all that leaves the envelope comes too near to something, for a design of this thickness [m]: the envelope is that of the
-    /// largest thickness.
-    fn is_exact(&self, thickness: f64) -> bool {
-        let is_thickest = thickness >= self.task.thickness.most * (1.0 - 1e-9);
-        is_thickest && self.envelope.as_ref().is_some_and(|envelope| envelope.is_exact)
-    }
-}
-
-/// The best shape that keeps the wanted clearance: the best of all, if that one does; else the best within the clearance envelope.
+/// The best shape that keeps the wanted clearance: the best of all, if that one does; else the best within a swept radius that keeps it
+/// whatever the shape.
 fn cleared(
     engine: &Engine,
     index: usize,
     duty: f64,
-    around: &Surroundings,
+    task: &ShapeTask,
+    room: Option<SweptRoom>,
 ) -> Result<DesignedCounterweight, CounterweightError> {
-    let free = designed(engine, index, duty, &around.task, None)?;
-    let (Some(envelope), DesignOutcome::Found(best)) = (&around.envelope, &free.outcome) else {
-        return Ok(free);
+    let name = engine.counterweights[index].name.clone();
+    let (outcome, shared) = designed(engine, index, duty, task)?;
+    let free = DesignedCounterweight {
+        name,
+        index,
+        duty,
+        shared,
+        room: None,
+        without_room: None,
+        outcome,
+        evolution: None,
     };
-    let (part, _) = fitted_part(engine, index, &best.design, around.task.density)?;
-    let is_within = best.design.swept_radius <= envelope.circle
-        && envelope.around(part.angle).excess(&best.design.shape) <= 0.0;
-    if is_within || (!envelope.is_exact && keeps_clear(engine, index, &best.design, around.task.density)?) {
+    let (Some(room), DesignOutcome::Found(best)) = (room, &free.outcome) else { return Ok(free) };
+    if best.design.swept_radius <= room.radius || keeps_clear(engine, index, &best.design, task.density)? {
         return Ok(free);
     }
-    let without_room = free.on_web.map(|masses| masses.value(best.objective, best.value));
-    let limited = designed(engine, index, duty, &around.task, Some(envelope))?;
-    let thickness = match &limited.outcome {
-        DesignOutcome::Found(best) => best.design.thickness,
-        DesignOutcome::Infeasible(_) => around.task.thickness.most,
-    };
-    let room_is_exact = Some(around.is_exact(thickness));
-    Ok(DesignedCounterweight { room: Some(envelope.nearest.clone()), room_is_exact, without_room, ..limited })
-}
-
-/// The task with the swept radius within the circle of an envelope.
-pub(crate) fn within(task: &ShapeTask, envelope: Option<&ClearanceEnvelope>) -> ShapeTask {
-    let mut task = *task;
-    if let Some(circle) = envelope.map(|envelope| envelope.circle).filter(|circle| circle.is_finite()) {
-        // A radius of nothing is no limit that a task can have: no shape is that small.
-        let circle = circle.max(1e-9);
-        task.limits.swept_radius = Some(task.limits.swept_radius.map_or(circle, |limit| limit.min(circle)));
-    }
-    task
+    let without_room = Some(best.value);
+    let (outcome, shared) = designed(engine, index, duty, &within(task, Some(&room)))?;
+    Ok(DesignedCounterweight { shared, room: Some(room), without_room, outcome, ..free })
 }
 
 /// Whether a weight with this design keeps the wanted clearance to everything, proved.
@@ -266,37 +276,59 @@ fn keeps_clear(
     Ok(all.all(|one| one.is_kept))
 }
 
-/// The best shape within an envelope whose weight on its web is the duty.
+/// The best shape whose weight on its web is the duty, and what of it the plain web has already [kg m].
 fn designed(
     engine: &Engine,
     index: usize,
     duty: f64,
     task: &ShapeTask,
-    envelope: Option<&ClearanceEnvelope>,
-) -> Result<DesignedCounterweight, CounterweightError> {
-    let mut seat = WebSeat::new(engine, task.density, [(index, envelope.cloned())]);
-    let asked = DesignTask::new(duty, &within(task, envelope));
-    let outcome = design_on(&asked, task.minimise, &mut seat)?;
-    if let Some(fault) = seat.fault {
-        return Err(fault);
+) -> Result<(DesignOutcome, f64), CounterweightError> {
+    let mut shared = 0.0;
+    // What is shared changes little with the shape: each step leaves a small part of the step before.
+    for _ in 0..MOST_STEPS {
+        let outcome = design(&DesignTask::new(duty + shared / task.least_balance, task), task.minimise)?;
+        let DesignOutcome::Found(best) = &outcome else { return Ok((outcome, shared)) };
+        let (_, weight) = fitted_part(engine, index, &best.design, task.density)?;
+        let now = best.design.unbalance - weight.unbalance;
+        if (now - shared).abs() <= SAME * duty {
+            return Ok((outcome, now));
+        }
+        shared = now;
     }
-    let name = engine.counterweights[index].name.clone();
-    let none = DesignedCounterweight {
-        name,
-        index,
-        duty,
-        shared: 0.0,
-        on_web: None,
-        room: None,
-        room_is_exact: None,
-        without_room: None,
-        outcome,
-        evolution: None,
-    };
-    let DesignOutcome::Found(best) = &none.outcome else { return Ok(none) };
-    let (part, weight) = fitted_part(engine, index, &best.design, task.density)?;
-    let shared = best.design.unbalance - weight.unbalance;
-    Ok(DesignedCounterweight { shared, on_web: Some(on_web(engine, &part)?), ..none })
+    let outcome = design(&DesignTask::new(duty + shared / task.least_balance, task), task.minimise)?;
+    Ok((outcome, shared))
+}
+
+/// Steps after which what is shared is known to rounding, or never.
+const MOST_STEPS: usize = 8;
+/// Directions closer than this are the same [rad].
+const SAME_DIRECTION: f64 = 1e-11;
+/// Share of the duty within which what is shared is known.
+const SAME: f64 = 1e-10;
+
+/// The room that the wanted clearance leaves around a weight of this largest thickness [m], if there is anything to stay clear of.
+fn room(
+    engine: &Engine,
+    weight: &Counterweight,
+    thickness: f64,
+) -> Result<Option<SweptRoom>, CounterweightError> {
+    if engine.envelope.is_none() {
+        return Ok(None);
+    }
+    let z = weight.part.as_ref().map_or(weight.z, |part| part.z);
+    let faces = [z - thickness / 2.0, z + thickness / 2.0];
+    Ok(largest_swept_radius(engine, weight.crankshaft, faces)?)
+}
+
+/// The task with the swept radius within a room.
+fn within(task: &ShapeTask, room: Option<&SweptRoom>) -> ShapeTask {
+    let mut task = *task;
+    if let Some(room) = room {
+        // A radius of nothing is no limit that a task can have: no shape is that small.
+        let radius = room.radius.max(1e-9);
+        task.limits.swept_radius = Some(task.limits.swept_radius.map_or(radius, |limit| limit.min(radius)));
+    }
+    task
 }
 
 /// How far a weight stands from the opposite of its crankpin, without its sign [rad].
@@ -306,8 +338,8 @@ fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
     ((off + PI).rem_euclid(TAU) - PI).abs()
 }
 
-/// The front between what the task makes small and `against`, for weights of one duty: every design within the clearance envelope, and with
-/// what the shape shares with the flank of its web made up for.
+/// The front between what the task makes small and `against`, for weights of one duty. What a shape shares with the flank of its
+/// web is not made up for here: [`adopted`] does that for the design that is taken.
 ///
 /// # Errors
 /// As [`design_counterweights`], and where the weights have different duties or there are not two objectives.
@@ -324,39 +356,20 @@ pub fn counterweight_front(
             |(index, duty): &(usize, f64)| format!("{} {:.6} kg m", engine.counterweights[*index].name, duty);
         return Err(CounterweightError::Duties { duties: duties.iter().map(words).collect() });
     }
-    // Of weights that stand alike one tells for all.
-    let mut places: Vec<(usize, f64, Surroundings)> = Vec::new();
-    for (index, _) in &duties {
-        let around = Surroundings::of(engine, *index, &request.task)?;
-        let tilt = tilt(engine, &engine.counterweights[*index]);
-        if !places.iter().any(|known| (known.1 - tilt).abs() < 1e-9 && known.2.is_like(&around)) {
-            places.push((*index, tilt, around));
-        }
-    }
-    let mut task = request.task;
-    for (.., around) in &places {
-        task.thickness.most = task.thickness.most.min(around.task.thickness.most);
-        task = within(&task, around.envelope.as_ref());
-    }
-    let nearest = places.iter().filter_map(|(.., around)| around.envelope.as_ref());
-    let room = nearest.map(|envelope| envelope.nearest.clone());
-    let room = room.min_by(|a, b| a.radius.total_cmp(&b.radius));
-    let seats = places.iter().map(|(index, _, around)| (*index, around.envelope.clone()));
-    let mut seat = WebSeat::new(engine, task.density, seats);
-    let front = front_on(&DesignTask::new(duty, &task), [task.minimise, against], count, &mut seat)?;
-    if let Some(fault) = seat.fault {
-        return Err(fault);
-    }
-    let masses = front.designs.iter().map(|design| {
-        let (part, _) = fitted_part(engine, duties[0].0, design, task.density)?;
-        on_web(engine, &part)
-    });
-    let on_web = masses.collect::<Result<Vec<OnWeb>, CounterweightError>>()?;
+    let rooms: Vec<SweptRoom> = duties
+        .iter()
+        .filter_map(|(index, _)| {
+            room(engine, &engine.counterweights[*index], request.task.thickness.most).transpose()
+        })
+        .collect::<Result<_, _>>()?;
+    let room = rooms.into_iter().min_by(|a, b| a.radius.total_cmp(&b.radius));
+    let task = within(&request.task, room.as_ref());
+    let front = front(&DesignTask::new(duty, &task), [task.minimise, against], count)?;
     let weights = duties.into_iter().map(|(index, _)| index).collect();
-    Ok(CounterweightFront { weights, room, front, on_web })
+    Ok(CounterweightFront { weights, room, front })
 }
 
-/// A design of a front for all of its weights, each with what it shares with the flank of its own web made up for: the best shape with no
+/// A design of a front for all of its weights, each with what the shape shares with the flank of its web made up for: the best shape with no
 /// more of the second objective, or, at that end of the front, the one with the least of it.
 ///
 /// # Errors
@@ -367,23 +380,19 @@ pub fn adopted(
     front: &CounterweightFront,
     design: &Design,
 ) -> Result<Vec<(usize, Design)>, CounterweightError> {
+    let end = within(&request.task, front.room.as_ref());
     let [first, second] = front.front.objectives;
+    let mut task = ShapeTask { minimise: first, ..end };
+    match second {
+        Objective::Mass => task.limits.mass = Some(design.mass),
+        Objective::SweptRadius => task.limits.swept_radius = Some(design.swept_radius),
+        Objective::Inertia => task.limits.inertia = Some(design.inertia),
+        Objective::Thickness => task.thickness.most = design.thickness,
+    }
     let adopt = |index: &usize| {
-        let around = Surroundings::of(engine, *index, &request.task)?;
-        let end = ShapeTask { minimise: first, ..around.task };
-        let mut task = end;
-        // A little more than the design has, so that there is more than one shape left.
-        let room = |value: f64| value * (1.0 + ROOM);
-        match second {
-            Objective::Mass => task.limits.mass = Some(room(design.mass)),
-            Objective::SweptRadius => task.limits.swept_radius = Some(room(design.swept_radius)),
-            Objective::Inertia => task.limits.inertia = Some(room(design.inertia)),
-            Objective::Thickness => task.thickness.most = room(design.thickness).min(end.thickness.most),
-        }
         let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[*index]));
         for task in [task, ShapeTask { minimise: second, ..end }] {
-            let found = designed(engine, *index, duty, &task, around.envelope.as_ref())?;
-            if let DesignOutcome::Found(best) = found.outcome {
+            if let (DesignOutcome::Found(best), _) = designed(engine, *index, duty, &task)? {
                 return Ok((*index, best.design));
             }
         }
@@ -392,11 +401,99 @@ pub fn adopted(
     front.weights.iter().map(adopt).collect()
 }
 
-/// Part of the second objective by which an adopted design may pass that of the front.
-const ROOM: f64 = 1e-7;
+/// The engine with `design`s, of this density [kg/m^3], in the place of the weights of these indices.
+///
+/// # Errors
+/// Where a design is no part: a density or a thickness that no part can have, or one that does not fit its web.
+pub fn with_counterweights(
+    engine: &Engine,
+    designs: &[(usize, Design)],
+    density: f64,
+) -> Result<Engine, CounterweightError> {
+    let mut fitted = engine.clone();
+    for (index, design) in designs {
+        let (part, weight) = fitted_part(engine, *index, design, density)?;
+        fit(&mut fitted, *index, part, weight);
+    }
+    Ok(fitted)
+}
+
+/// The engine with an outline of the user's own in the place of the weight of this name.
+///
+/// # Errors
+/// Where there is no such weight or there are several, where a whole web stands on no web or the engine says nothing of plain
+/// webs, or where the part is no single weight.
+pub fn with_outline(
+    engine: &Engine,
+    name: &str,
+    form: CounterweightForm,
+    part: Part,
+) -> Result<Engine, CounterweightError> {
+    let indices = chosen(engine, &[name.to_owned()])?;
+    let [index] = indices[..] else {
+        return Err(CounterweightError::Several { name: name.to_owned(), count: indices.len() });
+    };
+    let old = &engine.counterweights[index];
+    let web = web_of(engine, old);
+    if form == CounterweightForm::Web && (web.is_none() || engine.crank_body.is_none()) {
+        return Err(CounterweightError::NoPlainWeb { name: name.to_owned() });
+    }
+    let angle = old.part.as_ref().map_or(old.angle, |part| part.angle);
+    let part = CounterweightPart { form, part, web, z: plane(old), angle, wanted: Some(duty_of(old)) };
+    let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+    let mut fitted = engine.clone();
+    fit(&mut fitted, index, part, weight);
+    Ok(fitted)
+}
+
+/// Puts a part in the place of a weight: plane, unbalance and direction become those of the part.
+fn fit(fitted: &mut Engine, index: usize, part: CounterweightPart, weight: PartWeight) {
+    let old = &mut fitted.counterweights[index];
+    (old.z, old.unbalance, old.angle) = (weight.z, weight.unbalance, weight.angle);
+    old.part = Some(Box::new(part));
+}
+
+/// A design as the part in the place of a weight, turned such that its unbalance points where that of the weight does: what it shares
+/// with the flank of its web may lie to one side.
+fn fitted_part(
+    engine: &Engine,
+    index: usize,
+    design: &Design,
+    density: f64,
+) -> Result<(CounterweightPart, PartWeight), CounterweightError> {
+    let old = &engine.counterweights[index];
+    let part = Part::new(Outline::from(design.shape.outline()), design.thickness, density)?;
+    let mut part = CounterweightPart {
+        form: CounterweightForm::Family(design.shape),
+        part,
+        web: web_of(engine, old),
+        z: plane(old),
+        angle: old.angle,
+        wanted: Some(duty_of(old)),
+    };
+    for _ in 0..MOST_STEPS {
+        let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+        let off = (old.angle - weight.angle + PI).rem_euclid(TAU) - PI;
+        if off.abs() <= SAME_DIRECTION {
+            return Ok((part, weight));
+        }
+        part.angle += off;
+    }
+    let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
+    Ok((part, weight))
+}
+
+/// Plane in which the middle of a part stands that takes the place of a weight [m].
+fn plane(old: &Counterweight) -> f64 {
+    old.part.as_ref().map_or(old.z, |part| part.z)
+}
+
+fn refused(engine: &Engine, index: usize, fault: &PartFault) -> CounterweightError {
+    CounterweightError::Fault { name: engine.counterweights[index].name.clone(), fault: fault.to_string() }
+}
 
 /// The unbalance that a weight should have [kg m].
-pub(crate) fn duty_of(weight: &Counterweight) -> f64 {
+fn duty_of(weight: &Counterweight) -> f64 {
     weight.part.as_ref().and_then(|part| part.wanted).unwrap_or(weight.unbalance)
 }
 
@@ -444,8 +541,13 @@ pub(crate) fn chosen(engine: &Engine, names: &[String]) -> Result<Vec<usize>, Co
     Ok(found)
 }
 
+/// Whether a weight stands in the plane of a web.
+pub(crate) fn stands_on_a_web(engine: &Engine, weight: &Counterweight) -> bool {
+    web_of(engine, weight).is_some()
+}
+
 /// The web in whose plane a weight stands, counted through all throws.
-pub(crate) fn web_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
+fn web_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
     if let Some(part) = &weight.part {
         return part.web;
     }
@@ -462,7 +564,7 @@ pub(crate) fn web_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_geometry::{DesignLimits, Range};
+    use lanchester_geometry::{DesignLimits, Range, Shoulder};
 
     const SINGLE: &str = r#"
 name = "single"

@@ -1,7 +1,6 @@
 //! What of crankshafts and balance shafts goes into a CAD file.
 
-use crate::counterweight_error::CounterweightError;
-use crate::counterweights::chosen;
+use crate::counterweights::{CounterweightError, chosen};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_geometry::export::PlacedPart;
 use lanchester_geometry::shaft_solids;

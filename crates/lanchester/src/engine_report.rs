@@ -4,8 +4,7 @@ use crate::consequences::consequences;
 use crate::counterweight_check::{CounterweightCheck, check_counterweights};
 use crate::pressure::TraceFile;
 use crate::running::{Running, running};
-use crate::what_fits::optimise_what_fits;
-use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
+use lanchester_balance::{Answer, Consequences, fitted, optimise};
 use lanchester_mechanism::{
     InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
 };
@@ -131,8 +130,8 @@ impl FoundOptimum {
 /// What the section `[balance]` of the file asks, answered; a question without meaning is one more warning.
 fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<FoundOptimum>, LoadError> {
     let Some(task) = &engine.balance else { return Ok(None) };
-    let answer = match optimise_what_fits(engine, task, &BalanceSettings::default(), &|_| Next::Continue) {
-        Ok(bounded) => bounded.answer,
+    let answer = match optimise(engine, task) {
+        Ok(answer) => answer,
         Err(error) => {
             warnings.push(format!("the section [balance] has no answer: {error}"));
             return Ok(None);

@@ -21,8 +21,6 @@ mod clearance;
 mod comparison;
 mod consequences;
 mod counterweight_check;
-mod counterweight_error;
-mod counterweight_fit;
 mod counterweights;
 mod crankshaft_parts;
 mod cycle_results;
@@ -43,7 +41,6 @@ mod shaft_weights;
 mod torque_report;
 pub mod validate;
 mod weights_as_parts;
-mod what_fits;
 
 pub use arrangements::arrangements;
 pub use clearance::{
@@ -55,11 +52,10 @@ pub use counterweight_check::{
     COUNTERWEIGHT_CHECK_VERSION, CheckedCounterweight, CheckedShaftWeight, CounterweightCheck,
     check_counterweights,
 };
-pub use counterweight_error::CounterweightError;
-pub use counterweight_fit::{OnWeb, with_counterweights, with_outline};
 pub use counterweights::{
-    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightFront, CounterweightRequest,
-    DesignedCounterweight, EvolutionRequest, adopted, counterweight_front, design_counterweights,
+    COUNTERWEIGHT_DESIGNS_VERSION, CounterweightDesigns, CounterweightError, CounterweightFront,
+    CounterweightRequest, DesignedCounterweight, EvolutionRequest, adopted, counterweight_front,
+    design_counterweights, with_counterweights, with_outline,
 };
 pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
 pub use cycle_results::cycle_results;
@@ -93,4 +89,3 @@ pub use torque_report::{
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};
-pub use what_fits::{BoundedAnswer, FitLimit, WebBound, WhatFitsError, optimise_what_fits};

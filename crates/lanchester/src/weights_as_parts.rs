@@ -1,10 +1,11 @@
 //! What the weights that balancing found weigh as real parts.
 
-use crate::counterweight_error::CounterweightError;
-use crate::counterweights::{CounterweightRequest, design_counterweights, web_of};
+use crate::counterweights::{
+    CounterweightError, CounterweightRequest, design_counterweights, stands_on_a_web,
+};
 use crate::shaft_weights::design_shaft_weights;
 use lanchester_balance::Answer;
-use lanchester_geometry::ShaftWeightOutcome;
+use lanchester_geometry::{DesignOutcome, ShaftWeightOutcome};
 use lanchester_model::{Engine, Seat};
 use serde::Serialize;
 
@@ -17,7 +18,7 @@ pub struct WeightAsPart {
     pub unbalance: f64,
     /// What it weighs with its centre at the radius that the task gives [kg], where it gives one.
     pub at_radius: Option<f64>,
-    /// What the best shape weighs [kg], a counterweight beyond its plain web; none where no shape of the ranges has the unbalance.
+    /// What the best shape weighs [kg], a counterweight beyond the disc of its web; none where no shape of the ranges has the unbalance.
     pub mass: Option<f64>,
 }
 
@@ -45,7 +46,7 @@ pub fn weights_as_parts(answer: &Answer, fitted: &Engine) -> Result<Vec<WeightAs
                 && fitted
                     .counterweights
                     .iter()
-                    .any(|weight| weight.name == found.name && web_of(fitted, weight).is_some())
+                    .any(|weight| weight.name == found.name && stands_on_a_web(fitted, weight))
         });
         let on_webs: Vec<_> = on_webs.map(|(_, found)| *found).collect();
         if !on_webs.is_empty() {
@@ -53,7 +54,10 @@ pub fn weights_as_parts(answer: &Answer, fitted: &Engine) -> Result<Vec<WeightAs
             let request = CounterweightRequest { weights, unbalance: None, task, evolution: None };
             for weight in design_counterweights(fitted, &request)?.weights {
                 let found = on_webs.iter().find(|found| found.name == weight.name);
-                let mass = weight.on_web.map(|on_web| on_web.mass);
+                let mass = match &weight.outcome {
+                    DesignOutcome::Found(best) => Some(best.design.mass),
+                    DesignOutcome::Infeasible(_) => None,
+                };
                 let at_radius = found.and_then(|found| found.mass);
                 parts.push(WeightAsPart { name: weight.name, unbalance: weight.duty, at_radius, mass });
             }

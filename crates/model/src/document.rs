@@ -156,7 +156,6 @@ impl Section {
     pub(crate) fn dimension(&self, name: &str) -> Option<Dimension> {
         match self.table.key(name)?.kind {
             Kind::Quantity(dimension, _)
-            | Kind::QuantityOrWord(dimension, ..)
             | Kind::Quantities(dimension, _)
             | Kind::QuantityOrPair(dimension, _)
             | Kind::QuantityOrThree(dimension, _) => Some(dimension),

@@ -88,8 +88,6 @@ pub(crate) enum Kind {
     Choice(&'static [&'static str]),
     /// A quantity with its unit.
     Quantity(Dimension, Bound),
-    /// A quantity with its unit, or one of a few words.
-    QuantityOrWord(Dimension, Bound, &'static [&'static str]),
     /// A list of quantities.
     Quantities(Dimension, Bound),
     /// A quantity, or a list of two.
@@ -138,10 +136,6 @@ impl Kind {
                 format!("one of the words {}", crate::quantity::one_of(words.iter().copied()))
             }
             Kind::Quantity(dimension, _) => format!("{} with its unit", dimension.with_article()),
-            Kind::QuantityOrWord(dimension, _, words) => {
-                let words = crate::quantity::one_of(words.iter().copied());
-                format!("{} with its unit, or {words}", dimension.with_article())
-            }
             Kind::Quantities(dimension, _) => {
                 format!("a list, each entry {} with its unit", dimension.with_article())
             }

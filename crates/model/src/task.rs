@@ -7,9 +7,6 @@
 use crate::ratio::Ratio;
 use serde::Serialize;
 
-/// In place of a largest amount: what the web of a weight holds.
-pub const WHAT_FITS: &str = "what fits";
-
 /// Free weights, shafts and inertias, with what is to be minimised and what must hold.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct BalanceTask {
@@ -100,10 +97,6 @@ pub struct FreeWeight {
     pub least: f64,
     /// Largest amount [kg m]; equal to `least` for a given amount.
     pub most: Option<f64>,
-    /// Whether the largest amount is what its web holds, in place of `most`: the largest unbalance of the shapes that the engine's file
-    /// allows there.
-    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
-    pub fits: bool,
     /// Direction at `theta = 0` in the engine's frame (crankshaft phase included).
     pub phase: Phase,
     /// Whether it may be left out.
@@ -122,7 +115,6 @@ impl FreeWeight {
             z,
             least: 0.0,
             most: None,
-            fits: false,
             phase: Phase::Free,
             optional: false,
             radius: None,

@@ -4,7 +4,7 @@ use crate::default_task::{CrankWeightPlaces, crank_weights};
 use crate::engine::Engine;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
-use crate::task::{BalanceTask, Seat, WHAT_FITS};
+use crate::task::{BalanceTask, Seat};
 
 /// Options as text, each as `lanchester balance` takes it.
 #[derive(Debug, Clone, Default)]
@@ -23,7 +23,7 @@ pub struct TaskOptions {
     pub cancel: Vec<String>,
     /// Least unbalance of every free weight on a crankshaft that is used.
     pub least: Option<String>,
-    /// Largest unbalance of every free weight on a crankshaft, or [`WHAT_FITS`].
+    /// Largest unbalance of every free weight on a crankshaft.
     pub most: Option<String>,
     /// Whether every free weight on a crankshaft may be left out.
     pub optional: bool,
@@ -119,16 +119,13 @@ impl TaskOptions {
         let amount = |text: &Option<String>, option: &str| {
             text.as_ref().map(|text| option::unbalance(text, &self.name(option))).transpose()
         };
-        let fits = self.most.as_deref().is_some_and(|text| text.trim() == WHAT_FITS);
-        let most = if fits { None } else { amount(&self.most, "most")? };
-        let least = amount(&self.least, "least")?;
+        let (least, most) = (amount(&self.least, "least")?, amount(&self.most, "most")?);
         let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
         for (index, weight) in task.weights.iter_mut().enumerate() {
             if !matches!(weight.seat, Seat::Crankshaft(_)) {
                 continue;
             }
-            weight.most = if fits { None } else { most.or(weight.most) };
-            weight.fits = fits && !followers.contains(&index) || (weight.fits && most.is_none());
+            weight.most = most.or(weight.most);
             // A follower does what its leader does.
             if !followers.contains(&index) {
                 weight.least = least.unwrap_or(weight.least);

@@ -15,30 +15,6 @@ pub struct DesignedShape<'a> {
     pub shared: f64,
     /// The design.
     pub design: &'a Design,
-    /// Its masses.
-    pub masses: ShapeMasses,
-}
-
-/// What a design weighs on its web.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShapeMasses {
-    /// Beyond the plain web [kg]: what the crankshaft gains.
-    pub mass: f64,
-    /// Polar inertia about the crank axis beyond the plain web [kg m^2].
-    pub polar_inertia: f64,
-    /// The whole part with the disc of the web [kg], as a CAD file holds it.
-    pub whole_part: f64,
-}
-
-impl ShapeMasses {
-    /// A value of an objective [SI]: mass and inertia as the crankshaft gains them.
-    pub fn value(&self, design: &Design, objective: Objective) -> f64 {
-        match objective {
-            Objective::Mass => self.mass,
-            Objective::Inertia => self.polar_inertia,
-            Objective::SweptRadius | Objective::Thickness => design.value(objective),
-        }
-    }
 }
 
 /// What an objective is called.
@@ -71,23 +47,20 @@ pub fn designed_properties_table(shapes: &[DesignedShape<'_>]) -> Table {
     let of = |value: fn(&Design) -> f64| shapes.iter().map(move |shape| value(shape.design));
     let on_web =
         |factor: f64| shapes.iter().map(move |shape| factor * (shape.design.unbalance - shape.shared));
-    let masses = |value: fn(&ShapeMasses) -> f64| shapes.iter().map(move |shape| value(&shape.masses));
-    let centre = on_web(1e3).zip(shapes).map(|(unbalance, shape)| unbalance / shape.masses.mass);
     let balance = on_web(100.0).zip(shapes).map(|(unbalance, shape)| unbalance / shape.duty);
     Table::of_columns(
         "counterweights",
         "The counterweights",
-        "Mass, unbalance and polar inertia about the crank axis: what the crankshaft gains beyond the plain web. Whole part: with the disc of the web, as a CAD file holds it.",
+        "Mass, unbalance and polar inertia about the crank axis without the disc of the web, which is balanced.",
         vec![
             words("weight", shapes.iter().map(|shape| shape.names.to_owned())),
-            numbers("mass", "g", masses(|m| 1e3 * m.mass), 5),
+            numbers("mass", "g", of(|d| 1e3 * d.mass), 5),
             numbers("unbalance", "kg mm", on_web(1e3), 5),
             numbers("wanted", "kg mm", shapes.iter().map(|shape| 1e3 * shape.duty), 5),
             numbers("balance", "%", balance, 5),
             numbers("swept radius", "mm", of(|d| 1e3 * d.swept_radius), 4),
-            numbers("inertia", "kg mm²", masses(|m| 1e6 * m.polar_inertia), 4),
-            numbers("centre", "mm", centre, 4),
-            numbers("whole part", "g", masses(|m| 1e3 * m.whole_part), 5),
+            numbers("inertia", "kg mm²", of(|d| 1e6 * d.inertia), 4),
+            numbers("centre", "mm", of(|d| 1e3 * d.centre), 4),
         ],
     )
 }
@@ -116,22 +89,19 @@ pub fn designed_dimensions_table(shapes: &[DesignedShape<'_>]) -> Table {
     )
 }
 
-/// The designs of a front, numbered from 1, with their masses in the same order.
-pub fn front_designs_table(front: &Front, masses: &[ShapeMasses]) -> Table {
-    let on_web = |value: fn(&ShapeMasses) -> f64| masses.iter().map(value);
+/// The designs of a front, numbered from 1.
+pub fn front_designs_table(front: &Front) -> Table {
     let of = |value: fn(&Design) -> f64| front.designs.iter().map(value);
     let [first, second] = front.objectives.map(objective_name);
     Table::of_columns(
         "counterweight-front",
         format!("From the least {first} to the least {second}"),
-        format!(
-            "No shape has less {first} without more {second}. Mass and polar inertia are what the crankshaft gains beyond the plain web."
-        ),
+        format!("No shape has less {first} without more {second}."),
         vec![
             words("no.", (1..=front.designs.len()).map(|k| k.to_string())),
-            numbers("mass", "g", on_web(|m| 1e3 * m.mass), 5),
+            numbers("mass", "g", of(|d| 1e3 * d.mass), 5),
             numbers("swept radius", "mm", of(|d| 1e3 * d.swept_radius), 5),
-            numbers("inertia", "kg mm²", on_web(|m| 1e6 * m.polar_inertia), 5),
+            numbers("inertia", "kg mm²", of(|d| 1e6 * d.inertia), 5),
             numbers("thickness", "mm", of(|d| 1e3 * d.thickness), 4),
             numbers("r", "mm", of(|d| 1e3 * d.shape.web_radius), 4),
             numbers("h", "mm", of(|d| 1e3 * d.shape.rectangle_height), 4),

@@ -33,7 +33,7 @@ pub fn counterweight_parts_table(engine: &Engine) -> Option<Table> {
     Some(Table::of_columns(
         "counterweight-parts",
         "Counterweights as parts",
-        "Mass and polar inertia about the crank axis: what the crankshaft gains beyond the plain web. Whole part: as a CAD file holds it.",
+        "Mass and polar inertia about the crank axis are what the part has beyond its plain web.",
         vec![
             words("weight", parts.iter().map(|(name, ..)| (*name).to_owned())),
             numbers("unbalance", "kg mm", parts.iter().map(|part| 1e3 * part.1), 5),
@@ -47,7 +47,6 @@ pub fn counterweight_parts_table(engine: &Engine) -> Option<Table> {
                 4,
             ),
             numbers("thickness", "mm", parts.iter().map(|(.., p)| 1e3 * p.part.thickness()), 4),
-            numbers("whole part", "g", parts.iter().map(|(.., p)| 1e3 * p.part.mass_properties().mass), 5),
         ],
     ))
 }

@@ -1,7 +1,7 @@
 //! The front between two objectives of a counterweight.
 
 use crate::axis::Axis;
-use crate::counterweight_tables::{ShapeMasses, objective_name};
+use crate::counterweight_tables::objective_name;
 use crate::figure::{Figure, Panel};
 use crate::number;
 use crate::plot::{BOTTOM, LEFT, RIGHT, value_axis};
@@ -12,8 +12,8 @@ const WIDTH: f64 = 620.0;
 const HEIGHT: f64 = 380.0;
 const TOP: f64 = 30.0;
 
-/// Mass against swept radius, or any other two, with the masses of the designs in the same order: every design a point with its number at both ends and in the middle.
-pub fn front_plot(front: &Front, masses: &[ShapeMasses]) -> Figure {
+/// Mass against swept radius, or any other two: every design a point with its number at both ends and in the middle.
+pub fn front_plot(front: &Front) -> Figure {
     let [first, second] = front.objectives;
     let printed = |objective: Objective| -> (String, f64) {
         match objective {
@@ -27,8 +27,7 @@ pub fn front_plot(front: &Front, masses: &[ShapeMasses]) -> Figure {
     let points: Vec<(f64, f64)> = front
         .designs
         .iter()
-        .zip(masses)
-        .map(|(design, own)| (own.value(design, second) * x_factor, own.value(design, first) * y_factor))
+        .map(|design| (design.value(second) * x_factor, design.value(first) * y_factor))
         .collect();
     let ends = |values: &dyn Fn(&(f64, f64)) -> f64| {
         let values = points.iter().map(values);

@@ -87,7 +87,6 @@ mod torque_figures;
 mod torque_section;
 mod torque_tables;
 mod view;
-mod web_bounds;
 pub mod workshop;
 mod xy_plot;
 
@@ -116,7 +115,7 @@ pub use consequence_tables::consequences_table;
 pub use consequence_text::consequence_words;
 pub use counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
 pub use counterweight_tables::{
-    DesignedShape, ShapeMasses, designed_dimensions_table, designed_properties_table, front_designs_table,
+    DesignedShape, designed_dimensions_table, designed_properties_table, front_designs_table,
     nearest_limits_table, objective_name, objective_words,
 };
 pub use crank_curve::crank_curve;
@@ -188,4 +187,3 @@ pub use torque_tables::{
     cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, ripple_words, stroke_table,
     torque_csv, torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table, torque_text,
 };
-pub use web_bounds::{BoundedWeight, web_bounds_table};

@@ -49,7 +49,7 @@ pub fn part_masses_table(weights: &[PartMass<'_>]) -> Table {
     let mut table = Table::of_columns(
         "part-masses",
         "The weights as parts",
-        "Mass of the best shapes that the file allows, a counterweight beyond its plain web. The optimum counts unbalance over radius, where `added mass` is asked for.",
+        "Mass of the best shapes that the file allows, a counterweight beyond the disc of its web. The optimum counts unbalance over radius, where `added mass` is asked for.",
         columns,
     );
     if is_missing {

@@ -7,7 +7,7 @@ use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
-    Next, Outcome, SearchState, Target, arrangements, fitted, searched_engine,
+    Next, Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
@@ -15,7 +15,6 @@ use lanchester::model::{
     TaskOptions, crank_weights, default_task, option, write_back,
 };
 use lanchester::report::{consequence_words, headline};
-use lanchester::{WebBound, WhatFitsError, optimise_what_fits};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -93,8 +92,6 @@ struct BalanceAnswer {
     after: Option<Loads>,
     /// What it does to the engine.
     effect: Option<WeightEffect>,
-    /// What fits on the webs of the weights that are bounded by it.
-    web_bounds: Vec<WebBound>,
     /// Added shafts that may strike the crank or stand far out.
     warnings: Vec<Warning>,
 }
@@ -196,22 +193,13 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => settings.next(began.elapsed().as_secs_f64()),
         false => Next::Abandon,
     };
-    let bounded = optimise_what_fits(&engine, &task, &settings, &watch).map_err(|error| match error {
-        WhatFitsError::Balance(BalanceError::BrokenOff) => superseded(),
+    let answer = optimise_watched(&engine, &task, &settings, &watch).map_err(|error| match error {
+        BalanceError::BrokenOff => superseded(),
         error => Problem::refused(error),
     })?;
-    let (answer, web_bounds) = (bounded.answer, bounded.bounds);
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
-        return Ok(BalanceAnswer {
-            answer,
-            headline,
-            text: None,
-            after: None,
-            effect: None,
-            web_bounds,
-            warnings,
-        });
+        return Ok(BalanceAnswer { answer, headline, text: None, after: None, effect: None, warnings });
     }
     let best = fitted(&engine, &answer);
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
@@ -220,7 +208,7 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => None,
         false => Some(WeightEffect::of(&engine, &best, Some(&answer.task))?),
     };
-    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), effect, web_bounds, warnings })
+    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), effect, warnings })
 }
 
 /// How far a search over choices goes.

@@ -3,18 +3,18 @@
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::balance_request::balance_task;
 use crate::commands::found::{consequences, csv, loads_of, put_into_file};
-use crate::commands::{json, open, published, search, sweep, web_bounds};
+use crate::commands::{json, open, published, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
 use crate::search_limit_arguments::hint;
 use crate::watch::Watch;
-use lanchester::balance::{Answer, Consequences, Outcome, fitted};
+use lanchester::balance::{Answer, Consequences, Outcome, fitted, optimise_watched};
 use lanchester::model::Engine;
 use lanchester::report::{
     PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
 };
-use lanchester::{BoundedAnswer, WebBound, WeightAsPart, optimise_what_fits, weights_as_parts};
+use lanchester::{WeightAsPart, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
 
@@ -66,10 +66,9 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let settings = arguments.limits.settings()?;
     let watch = Watch::new(engine, settings);
-    let bounded = optimise_what_fits(engine, &task, &settings, &|state| watch.look(state));
+    let answer = optimise_watched(engine, &task, &settings, &|state| watch.look(state));
     drop(watch);
-    let bounded = bounded.map_err(Failure::refused)?;
-    let BoundedAnswer { answer, bounds } = &bounded;
+    let answer = answer.map_err(Failure::refused)?;
     if let Outcome::Stopped { cause, .. } = &answer.outcome {
         let hint = hint(*cause, &settings);
         if !hint.is_empty() {
@@ -77,7 +76,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         }
     }
     let found = !matches!(answer.outcome, Outcome::Infeasible { .. });
-    let after = fitted(engine, answer);
+    let after = fitted(engine, &answer);
     let loads_after = loads_of(&after)?;
     let effect = match answer.weights.is_empty() {
         true => None,
@@ -87,34 +86,31 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         && found
     {
         let before = loads_of(engine)?;
-        let of_answer = optimum_figures(engine, answer, &before, &after, &loads_after);
+        let of_answer = optimum_figures(engine, &answer, &before, &after, &loads_after);
         let of_effect = effect.as_ref().map(|effect| consequence_figures(&after, effect));
         let all = of_answer.into_iter().chain(of_effect.into_iter().flatten());
-        for figure in all.chain(sweep::curve(&after, answer)) {
+        for figure in all.chain(sweep::curve(&after, &answer)) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
     if found && put_into_file(&opened, arguments, &after, effect.as_ref(), colour)? {
-        return Ok(status(answer));
+        return Ok(status(&answer));
     }
-    if status(answer) != DONE && arguments.format != Format::Text {
-        tell(headline(engine, answer));
+    if status(&answer) != DONE && arguments.format != Format::Text {
+        tell(headline(engine, &answer));
     }
-    let as_parts = if found { as_parts(answer, &after) } else { Vec::new() };
+    let as_parts = if found { as_parts(&answer, &after) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
-            let mut text = balance_text(engine, answer, effect.as_ref(), &loads_after.diagnosis.summary);
-            if found && let Some(table) = web_bounds::table(&bounded) {
-                text += &format!("\n{}", table.text());
-            }
+            let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
             text + &masses(&as_parts).map_or(String::new(), |table| format!("\n{}", table.text()))
         }
         (Format::Json, _) => {
-            json(&Found { answer, as_parts: &as_parts, consequences: effect.as_ref(), web_bounds: bounds })?
+            json(&Found { answer: &answer, as_parts: &as_parts, consequences: effect.as_ref() })?
         }
-        (Format::Csv, table) => csv(engine, answer, effect.as_ref(), table),
+        (Format::Csv, table) => csv(engine, &answer, effect.as_ref(), table),
     })?;
-    Ok(status(answer))
+    Ok(status(&answer))
 }
 
 /// What was found, with the weights as parts where the file says among which shapes they are searched.
@@ -126,9 +122,6 @@ struct Found<'a> {
     as_parts: &'a [WeightAsPart],
     #[serde(skip_serializing_if = "Option::is_none")]
     consequences: Option<&'a Consequences>,
-    /// What fits on the webs of the weights that are bounded by it.
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    web_bounds: &'a [WebBound],
 }
 
 /// The found weights as parts; what is in the way of that is a warning.

@@ -11,10 +11,9 @@ mod import;
 use crate::counterweight_arguments::{CounterweightArguments, CounterweightCommand};
 use crate::failure::Failure;
 use crate::files::write_result;
-use lanchester::OnWeb;
 use lanchester::geometry::clearance::SweptRoom;
 use lanchester::model::Engine;
-use lanchester::report::{ShapeMasses, counterweight_drawings, obstacle_name, shaft_weight_drawings};
+use lanchester::report::{counterweight_drawings, obstacle_name, shaft_weight_drawings};
 use std::path::Path;
 
 pub fn run(arguments: &CounterweightArguments, colour: bool) -> Result<u8, Failure> {
@@ -32,19 +31,14 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// What shapes are searched within.
+/// What keeps clear of everything.
 fn room_words(room: &SweptRoom) -> String {
     format!(
-        "all shapes searched keep {:.2} mm of clearance over the whole cycle; their envelope is nearest to the crank axis below {}, at {:.2} mm.",
-        1e3 * room.least,
-        obstacle_name(room.limit),
+        "a swept radius up to {:.2} mm keeps {:.2} mm of clearance whatever the shape; first in the way is {}.",
         1e3 * room.radius,
+        1e3 * room.least,
+        obstacle_name(room.limit)
     )
-}
-
-/// The masses of a design, as tables have them.
-fn masses(on_web: &OnWeb) -> ShapeMasses {
-    ShapeMasses { mass: on_web.mass, polar_inertia: on_web.polar_inertia, whole_part: on_web.whole_part }
 }
 
 /// Draws the counterweights and the weights of balance shafts of an engine into the folder, those of one shape once.

@@ -24,7 +24,6 @@ pub mod studio;
 pub mod sweep;
 pub mod torque;
 pub mod validate;
-mod web_bounds;
 pub mod workshop;
 
 use crate::failure::Failure;

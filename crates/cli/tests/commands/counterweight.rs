@@ -20,111 +20,12 @@ fn the_lightest_shape_keeps_its_limit_and_its_duty() {
         // What lies within the flank of the web is the web's.
         let on_web = number("unbalance") - weight["shared"].as_f64().unwrap();
         assert!((on_web - 0.08876).abs() < 1e-10, "{design}");
-        // Within the crankcase of 100 mm, less 1.5 mm; the liners leave less.
-        assert!(number("swept_radius") <= 0.0985, "{design}");
-        assert_eq!(weight["room_is_exact"], true);
+        assert!(number("swept_radius") <= 0.093 * (1.0 + 1e-9), "{design}");
     }
     let text = output(&folder, 0, &["counterweight", "design", &three()]);
     assert!(text.contains("web 1, web 2, web 5, web 6: the least mass"), "{text}");
     let csv = output(&folder, 0, &["counterweight", "design", &three(), "--format", "csv"]);
     assert!(csv.starts_with("weight,mass [g],") && csv.lines().count() == 2, "{csv}");
-}
-
-/// A counterweight has one mass, that which the crankshaft gains, in `design`, `front`, `check` and the sections of the crankshaft; beside it stands what
-/// the whole part has.
-#[test]
-fn one_mass_is_told_of_a_counterweight() {
-    let folder = folder("counterweight-masses");
-    std::fs::copy(three(), folder.join("three.toml")).unwrap();
-    let design = ["counterweight", "design", "three.toml"];
-    let designed = output_json(&folder, 0, &[&design[..], &["--format", "json"]].concat());
-    let weight = &designed["weights"][0];
-    let number = |value: &serde_json::Value| value.as_f64().unwrap();
-    let (mass, whole) = (number(&weight["on_web"]["mass"]), number(&weight["on_web"]["whole_part"]));
-    let own = &weight["outcome"]["found"]["design"];
-    let (within, thickness) = (number(&weight["on_web"]["within_web"]), number(&own["thickness"]));
-    assert!(within > 0.0 && (number(&own["mass"]) - mass - within).abs() < 1e-12, "{weight}");
-    let radius = number(&own["shape"]["web_radius"]);
-    let disc = 7850.0 * thickness * std::f64::consts::PI * radius * radius;
-    assert!((whole - disc - mass - within).abs() < 1e-9, "{weight}");
-
-    let front = ["counterweight", "front", "three.toml", "--against", "inertia", "--designs", "3"];
-    let front = output_json(&folder, 0, &[&front[..], &["--format", "json"]].concat());
-    // Both ends are proved to a millionth.
-    assert!((number(&front["on_web"][0]["mass"]) / mass - 1.0).abs() < 2e-6, "{}", front["on_web"]);
-
-    output(&folder, 0, &[&design[..], &["--write"]].concat());
-    let checked = output_json(&folder, 0, &["counterweight", "check", "three.toml", "--format", "json"]);
-    let counterweight = &checked["counterweights"][0];
-    assert!((number(&counterweight["mass"]) / mass - 1.0).abs() < 1e-7, "{counterweight}");
-    assert!((number(&counterweight["whole_part"]) / whole - 1.0).abs() < 1e-7, "{counterweight}");
-    let sections = checked["crankshafts"][0]["sections"].as_array().unwrap();
-    let section = sections.iter().find(|one| one["kind"] == "counterweight").unwrap();
-    assert!((number(&section["mass"]) / mass - 1.0).abs() < 1e-7, "{section}");
-    let export = ["counterweight", "export", "three.toml", "--weight", "web 1", "--output", "web.step"];
-    let told = message(&folder, 0, &export);
-    assert!(told.contains(&format!("whole part {:.1} g", 1e3 * whole)), "{told}");
-}
-
-/// The optimum lies on the envelope of the clearance, and the check proves the same clearance.
-#[test]
-fn the_best_shape_within_the_envelope_keeps_the_clearance_just_so() {
-    let folder = folder("counterweight-envelope");
-    std::fs::copy(three(), folder.join("three.toml")).unwrap();
-    let design = ["counterweight", "design", "three.toml"];
-    let designed = output_json(&folder, 0, &[&design[..], &["--format", "json"]].concat());
-    let weight = &designed["weights"][0];
-    let mass = weight["on_web"]["mass"].as_f64().unwrap();
-    // Within the circle of 92.5 mm that keeps any shape clear it was 1.6053 kg; without any clearance it is 1.29 kg.
-    assert!(mass < 1.605 && mass > weight["without_room"].as_f64().unwrap(), "{weight}");
-    output(&folder, 0, &[&design[..], &["--write"]].concat());
-    let checked = output_json(&folder, 0, &["counterweight", "check", "three.toml", "--format", "json"]);
-    let bodies = checked["clearances"]["bodies"].as_array().unwrap();
-    let own = bodies.iter().find(|body| body["name"] == "web 1").unwrap();
-    let distances = own["clearances"].as_array().unwrap().iter();
-    let distances = distances.filter(|one| one["obstacle"]["kind"] != "big-end-side");
-    let least = distances.map(|one| one["distance"].as_f64().unwrap()).fold(f64::INFINITY, f64::min);
-    assert!((least - 1.5e-3).abs() < 1e-6, "{least}");
-}
-
-/// The optimum whose weights are bounded by what fits can be built at once.
-#[test]
-fn the_optimum_of_what_fits_can_be_built() {
-    let folder = folder("counterweight-what-fits");
-    std::fs::copy(three(), folder.join("three.toml")).unwrap();
-    let found = output_json(&folder, 0, &["balance", "three.toml", "--format", "json"]);
-    let bounds = found["web_bounds"].as_array().unwrap();
-    assert_eq!(bounds.len(), 4, "{found}");
-    for (bound, weight) in bounds.iter().zip(found["weights"].as_array().unwrap()) {
-        assert_eq!(bound["name"], weight["name"]);
-        let part = |index: usize| weight["unbalance"][index].as_f64().unwrap();
-        assert!(part(0).hypot(part(1)) <= bound["most"].as_f64().unwrap() * (1.0 + 1e-6), "{weight} {bound}");
-        assert_eq!(bound["is_default"], true);
-        assert!(!bound["limits"].as_array().unwrap().is_empty(), "{bound}");
-    }
-    let text = output(&folder, 0, &["balance", "three.toml", "--most", "what fits"]);
-    assert!(text.contains("What fits on the webs") && text.contains("clearance to piston"), "{text}");
-    output(&folder, 0, &["balance", "three.toml", "--write"]);
-    output(&folder, 0, &["counterweight", "design", "three.toml", "--write"]);
-    let checked = output_json(&folder, 0, &["counterweight", "check", "three.toml", "--format", "json"]);
-    assert_eq!(checked["is_kept"], true);
-    for weight in checked["counterweights"].as_array().unwrap() {
-        assert_eq!(weight["is_met"], true, "{weight}");
-    }
-    // As much as fits, and not a hundredth more.
-    let most = bounds[0]["most"].as_f64().unwrap();
-    let design = |factor: f64, status: i32| {
-        let unbalance = format!("{:.9} kg m", factor * most);
-        let angle = bounds[0]["direction"].as_f64().unwrap();
-        assert!(angle.is_finite());
-        let asked = ["counterweight", "design", "three.toml", "--weight", "web 1", "--unbalance", &unbalance];
-        output(&folder, status, &asked)
-    };
-    design(1.0, 0);
-    design(1.01, 1);
-    let plain = examples().join("in-line-3.toml").display().to_string();
-    let told = message(&folder, 2, &["balance", &plain, "--most", "what fits"]);
-    assert!(told.contains("what fits") && told.contains("[counterweight_design]"), "{told}");
 }
 
 #[test]
@@ -148,8 +49,7 @@ fn a_front_has_designs_to_adopt() {
     let csv = output(&folder, 0, &[&front[..], &["--format", "csv"]].concat());
     assert!((4..=6).contains(&csv.lines().count()), "{csv}");
     let text = output(&folder, 0, &front);
-    assert!(text.contains("all shapes searched keep 1.50 mm of clearance"), "{text}");
-    assert!(text.contains("below piston 1, at 92.50 mm"), "{text}");
+    assert!(text.contains("swept radius up to 92.50 mm keeps 1.50 mm"), "{text}");
     output(&folder, 0, &[&front[..], &["--adopt", "2", "--figures", "figures"]].concat());
     for figure in ["counterweight-front.svg", "counterweight-web-5-web-6.svg"] {
         let svg = std::fs::read_to_string(folder.join("figures").join(figure)).unwrap();

@@ -14,7 +14,6 @@
 
 mod clearance_model;
 mod contact;
-mod envelope;
 mod error;
 mod evaluation;
 mod frame;
@@ -27,7 +26,6 @@ mod swept;
 mod turning_body;
 
 pub use clearance_model::ClearanceModel;
-pub use envelope::ClearanceEnvelope;
 pub use error::ClearanceError;
 pub use motion::{RodBounds, RodMotion, RodPose};
 pub use result::{

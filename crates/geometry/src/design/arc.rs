@@ -51,26 +51,6 @@ pub(super) fn segment(angle: f64, order: usize) -> [f64; 3] {
     [area[order], lever[order + 1] / 3.0, polar]
 }
 
-/// How far a segment whose chord is 2 stands out from the middle of the chord in the direction `beta` from its axis, or a derivative of it by half
-/// its angle, of an order from 0 to 2 (book, eq. 22.33).
-///
-/// ```text
-/// a <= beta:  sin beta        a > beta:  sin beta + 2 sin^2((a - beta)/2)/sin a = (1 - cos a cos beta)/sin a
-/// ```
-/// Both meet with the same slope, zero. Beyond, the second derivative is `((cos beta - cos a)^2 + sin^2 beta)/sin^3 a > 0`.
-pub(super) fn support(angle: f64, beta: f64, order: usize) -> f64 {
-    if angle <= beta {
-        return if order == 0 { beta.sin() } else { 0.0 };
-    }
-    let sine = angle.sin();
-    let (less, more) = ((0.5 * (angle - beta)).sin(), (0.5 * (angle + beta)).sin());
-    match order {
-        0 => beta.sin() + 2.0 * less * less / sine,
-        1 => 2.0 * more * less / (sine * sine),
-        _ => (4.0 * more * more * less * less + beta.sin().powi(2)) / sine.powi(3),
-    }
-}
-
 /// Area and `3/2 area - a`, each with three derivatives, by their power series.
 fn series(angle: f64) -> [[f64; 4]; 2] {
     let square = angle * angle;
@@ -149,35 +129,6 @@ mod tests {
         for order in 0..3 {
             for (a, b) in segment(below, order).iter().zip(segment(above, order)) {
                 assert!((a - b).abs() < 1e-13, "{order}: {a} {b}");
-            }
-        }
-    }
-
-    #[test]
-    fn the_support_is_that_of_points_of_the_arc() {
-        for angle in [0.3, 1.0, 1.57, 2.2, 3.0f64] {
-            let (radius, depth) = (1.0 / angle.sin(), angle.cos() / angle.sin());
-            for beta in [0.0, 0.2, 0.9, 1.4, 2.5] {
-                let at = |part: f64| {
-                    let theta = angle * part;
-                    (radius * theta.cos() - depth) * f64::cos(beta) + radius * theta.sin() * beta.sin()
-                };
-                let most = (0..=20_000).map(|k| at(f64::from(k) / 20_000.0)).fold(f64::MIN, f64::max);
-                let exact = support(angle, beta, 0);
-                assert!(
-                    exact >= most - 1e-13 && exact < most + 1e-6 * radius,
-                    "{angle} {beta}: {exact} {most}"
-                );
-                for order in 0..2 {
-                    let step = 1e-6;
-                    let by = |angle| support(angle, beta, order);
-                    let difference = (by(angle + step) - by(angle - step)) / (2.0 * step);
-                    let slope = support(angle, beta, order + 1);
-                    assert!(
-                        (difference - slope).abs() < 1e-7 * (1.0 + slope * radius.powi(2)),
-                        "{angle} {beta}"
-                    );
-                }
             }
         }
     }

@@ -143,10 +143,6 @@ impl<T: Base> Number for Curve<T> {
         let slope = (T::of(1.0) + tangent.square()).times(0.5);
         self.chain(tangent, slope, tangent * slope)
     }
-    fn support(self, beta: f64) -> Self {
-        let [value, slope, bend] = [0, 1, 2].map(|order| self.value.support_by(beta, order));
-        self.chain(value, slope, bend)
-    }
     fn segment(self) -> [Self; 3] {
         let [values, slopes, bends] = [0, 1, 2].map(|order| self.value.segment_by(order));
         std::array::from_fn(|k| self.chain(values[k], slopes[k], bends[k]))

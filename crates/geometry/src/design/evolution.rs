@@ -5,7 +5,6 @@
 //! smaller objective is better, any of them is better than one that does not, and of two that do not the one that misses less.
 
 use super::optimum::{DESIGN_VERSION, Design};
-use super::reach::Reach;
 use super::task::DesignTask;
 use fcmaes_core::{De, DeParams, Fitness};
 use lanchester_model::{Objective, Range, Shoulder};
@@ -60,20 +59,6 @@ pub fn evolve(
     seed: u64,
     evaluations: usize,
 ) -> Result<Evolution, GeometryError> {
-    evolve_within(task, objective, seed, evaluations, None)
-}
-
-/// The same among shapes within a reach.
-///
-/// # Errors
-/// As [`evolve`].
-pub fn evolve_within(
-    task: &DesignTask,
-    objective: Objective,
-    seed: u64,
-    evaluations: usize,
-    reach: Option<&Reach>,
-) -> Result<Evolution, GeometryError> {
     task.check()?;
     if evaluations == 0 {
         return Err(GeometryError::Number {
@@ -110,7 +95,7 @@ pub fn evolve_within(
     while search.evaluations < evaluations {
         let left = evaluations - search.evaluations;
         let ranks: Vec<f64> = (population.ask().iter().take(left))
-            .map(|parts| search.take(task, reach, std::array::from_fn(|k| at(ranges[k], parts[k]))))
+            .map(|parts| search.take(task, std::array::from_fn(|k| at(ranges[k], parts[k]))))
             .collect();
         population.tell(&ranks);
     }
@@ -122,7 +107,6 @@ impl Evolution {
     fn take(
         &mut self,
         task: &DesignTask,
-        reach: Option<&Reach>,
         [web_radius, height, flank, arc_radius, arc_angle]: [f64; 5],
     ) -> f64 {
         self.evaluations += 1;
@@ -146,8 +130,7 @@ impl Evolution {
             return 1e6;
         }
         let design = Design::of(task, shape, needed.max(task.thickness.least));
-        let passed = reach.map_or(0.0, |reach| reach.excess(&shape).max(0.0) / shape.web_radius);
-        let missed = design.missed(task) + passed;
+        let missed = design.missed(task);
         if missed > MET {
             return 1.0 + missed;
         }

@@ -77,9 +77,6 @@ impl Number for Interval {
     fn half_tangent(self) -> Interval {
         Interval { low: self.low.half_tangent(), high: self.high.half_tangent() }
     }
-    fn support(self, beta: f64) -> Interval {
-        self.support_by(beta, 0)
-    }
     fn segment(self) -> [Interval; 3] {
         self.segment_by(0)
     }

@@ -18,8 +18,6 @@ pub(super) trait Base: Number {
     fn cos(self) -> Self;
     /// Derivatives of [`Number::segment`] by the angle, of an order from 0 to 2.
     fn segment_by(self, order: usize) -> [Self; 3];
-    /// Derivatives of [`Number::support`] by the angle, of an order from 0 to 2.
-    fn support_by(self, beta: f64, order: usize) -> Self;
     /// `min(d, 0)`.
     fn negative_part(self) -> Self;
     /// One below zero, zero above: the derivative of [`Base::negative_part`].
@@ -32,9 +30,6 @@ impl Base for f64 {
     }
     fn segment_by(self, order: usize) -> [f64; 3] {
         arc::segment(self, order)
-    }
-    fn support_by(self, beta: f64, order: usize) -> f64 {
-        arc::support(self, beta, order)
     }
     fn negative_part(self) -> f64 {
         self.min(0.0)
@@ -52,20 +47,6 @@ impl Base for Interval {
     fn segment_by(self, order: usize) -> [Interval; 3] {
         let (low, high) = (arc::segment(self.low, order), arc::segment(self.high, order));
         std::array::from_fn(|k| Interval { low: low[k], high: high[k] })
-    }
-    fn support_by(self, beta: f64, order: usize) -> Interval {
-        let at = |angle: f64| arc::support(angle, beta, order);
-        // Value and slope grow; of the second derivative the numerator does.
-        if order < 2 || self.high <= beta {
-            return Interval { low: at(self.low), high: at(self.high) };
-        }
-        let beyond = Interval { low: self.low.max(beta), high: self.high };
-        let sines = Number::sin(beyond);
-        let numerator = |angle: f64| at(angle) * angle.sin().powi(3);
-        let low = if self.low < beta { 0.0 } else { numerator(beyond.low) / sines.high.powi(3) };
-        // At the kink itself the value from beyond counts.
-        let high = numerator(beyond.high.max(beta.next_up())) / sines.low.powi(3);
-        Interval { low, high }
     }
     fn negative_part(self) -> Interval {
         Interval { low: self.low.min(0.0), high: self.high.min(0.0) }
@@ -134,9 +115,6 @@ impl<T: Base, const N: usize> Number for Jet<T, N> {
     fn half_tangent(self) -> Self {
         let tangent = self.value.half_tangent();
         self.chain(tangent, (T::of(1.0) + tangent.square()).times(0.5))
-    }
-    fn support(self, beta: f64) -> Self {
-        self.chain(self.value.support_by(beta, 0), self.value.support_by(beta, 1))
     }
     fn segment(self) -> [Self; 3] {
         let (values, slopes) = (self.value.segment_by(0), self.value.segment_by(1));

@@ -14,21 +14,16 @@ mod jet;
 mod number;
 mod optimum;
 mod problem;
-mod reach;
 mod refute;
-mod seat;
 mod simplex;
 mod task;
 
-pub use evolution::{Evolution, Evolved, evolve, evolve_within};
-pub use front::{Front, front, front_on};
+pub use evolution::{Evolution, Evolved, evolve};
+pub use front::{Front, front};
 pub use lanchester_model::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 pub use optimum::{
-    DESIGN_VERSION, Design, DesignOutcome, Infeasible, LargestUnbalance, Limit, NearestLimit, Optimum,
-    PROVED_GAP, design, design_on, largest_unbalance,
+    DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, PROVED_GAP, design,
 };
-pub use reach::Reach;
-pub use seat::{Seat, Unseated};
 pub use task::DesignTask;
 
 #[cfg(test)]

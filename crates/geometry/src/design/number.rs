@@ -18,9 +18,6 @@ pub(super) trait Number:
     fn late_sine(self) -> Self;
     /// Tangent of half an angle within [0, pi[: height of a segment over half its chord.
     fn half_tangent(self) -> Self;
-    /// How far chord and arc stand out from the middle of the chord in the direction `beta` within [0, pi] from the arc's axis, over half
-    /// the chord: `sin beta` where the end of the chord lies farthest, else `(1 - cos a cos beta)/sin a` (book, eq. 22.33).
-    fn support(self, beta: f64) -> Self;
     /// Area, first moment about the chord, and polar moment about its middle, of a segment whose chord is 2.
     fn segment(self) -> [Self; 3];
 
@@ -46,9 +43,6 @@ impl Number for f64 {
     }
     fn half_tangent(self) -> f64 {
         (self / 2.0).tan()
-    }
-    fn support(self, beta: f64) -> f64 {
-        arc::support(self, beta, 0)
     }
     fn segment(self) -> [f64; 3] {
         arc::segment(self, 0)

@@ -3,7 +3,6 @@
 use super::descent::{Descent, Reached, sense};
 use super::problem::{Kind, Problem, SHAPE};
 use super::refute::{Refutation, Refuter};
-use super::seat::{Seat, Unseated};
 use super::task::DesignTask;
 use lanchester_model::Objective;
 use lanchester_shape::CounterweightShape;
@@ -19,12 +18,6 @@ pub const PROVED_GAP: f64 = 1e-6;
 const MET: f64 = 1e-9;
 /// Shapes from which the search starts, spread evenly over the ranges.
 const STARTS: usize = 6;
-/// Planes of the reach of one search.
-const MOST_PLANES: usize = 200;
-/// Steps after which what a web has of a shape stands still, or never does.
-const MOST_STEPS: usize = 12;
-/// Share of the unbalance within which what the web has of a shape is known.
-const SETTLED: f64 = 1e-10;
 
 /// A complete counterweight.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
@@ -135,78 +128,14 @@ const LIMITS: [(Limit, Kind); 6] = [
 /// # Errors
 /// A number of the task that has no meaning. Limits that no shape meets are an outcome.
 pub fn design(task: &DesignTask, objective: Objective) -> Result<DesignOutcome, GeometryError> {
-    design_on(task, objective, &mut Unseated)
-}
-
-/// The design with the least `objective` on its `seat`: within its reach, and with as much more unbalance as the web has of it already.
-///
-/// Proved is that no shape within the reach that has as much unbalance of its own is better.
-///
-/// # Errors
-/// As [`design`].
-pub fn design_on(
-    task: &DesignTask,
-    objective: Objective,
-    seat: &mut dyn Seat,
-) -> Result<DesignOutcome, GeometryError> {
     task.check()?;
-    let mut problem = Problem::new(task);
+    let problem = Problem::new(task);
     let mut search = Search::default();
-    let found = search.settle(task, &mut problem, seat, objective.into(), None);
+    let found = search.best(&problem, objective.into(), None);
     Ok(match found.best.filter(|best| within(&problem, objective.into(), best)) {
         Some(best) => DesignOutcome::Found(Box::new(optimum(task, &problem, objective, &best, &found))),
-        None => DesignOutcome::Infeasible(search.infeasible(task, &problem, seat, found.proved)),
+        None => DesignOutcome::Infeasible(search.infeasible(task, &problem, found.proved)),
     })
-}
-
-/// The largest unbalance that a task's ranges and limits hold.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct LargestUnbalance {
-    /// The design that has it.
-    pub design: Design,
-    /// What it has on its seat, without what the web has already [kg m].
-    pub unbalance: f64,
-    /// No design has more of its own than this [kg m], rounding apart; infinite where the proof was broken off.
-    pub bound: f64,
-    /// Whether every box of the search was refuted.
-    pub proved: bool,
-}
-
-/// The largest unbalance of all shapes within the ranges, limits and reach; `None` where there is no such shape. The unbalance of the task is a
-/// scale only.
-///
-/// # Errors
-/// As [`design`].
-pub fn largest_unbalance(
-    task: &DesignTask,
-    seat: &mut dyn Seat,
-) -> Result<Option<LargestUnbalance>, GeometryError> {
-    task.check()?;
-    let mut problem = Problem::new(task);
-    let mut search = Search::default();
-    let mut hint = None;
-    for _ in 0..MOST_STEPS {
-        // Within a reach the proof may take too long: what is found can be built all the same.
-        let found = match seat.reach() {
-            None => search.best(&problem, Kind::Balance, hint),
-            Some(_) => search.within_reach(&mut problem, seat, Kind::Balance, hint),
-        };
-        let Some(best) = found.best else { return Ok(None) };
-        let full = task.unbalance * task.least_balance;
-        // As thick as all limits allow: what the level of the balance stands for.
-        let shape = problem.shape(&best.x);
-        let thickness = best.level * full / (task.density * shape.moments().first.x);
-        let design = Design::of(task, shape, thickness.min(task.thickness.most));
-        let lost = seat.lost(&design);
-        if search.breaks(&mut problem, seat, &best) {
-            hint = Some(best.x);
-            continue;
-        }
-        let bound = if found.proved { best.level * full * (1.0 + PROVED_GAP) } else { f64::INFINITY };
-        let unbalance = design.unbalance - lost;
-        return Ok(Some(LargestUnbalance { design, unbalance, bound, proved: found.proved }));
-    }
-    Ok(None)
 }
 
 /// Whether a level keeps the limit that the task has for what is made small itself.
@@ -239,8 +168,7 @@ pub(super) fn optimum(
 pub(super) fn realised(task: &DesignTask, problem: &Problem, x: &[f64; SHAPE]) -> Design {
     let shape = problem.shape(x);
     let first = shape.moments().first.x;
-    let wanted = task.unbalance * task.least_balance * problem.levels.balance;
-    let needed = wanted / (task.density * first);
+    let needed = task.unbalance * task.least_balance / (task.density * first);
     Design::of(task, shape, needed.max(task.thickness.least))
 }
 
@@ -290,12 +218,6 @@ impl Search {
         if problem.is_empty() {
             return Refutation { best: None, proved: true, boxes: 0 };
         }
-        let known = self.near(problem, kind, hint);
-        self.refuter.run(problem, kind, known, PROVED_GAP, &mut self.descent)
-    }
-
-    /// A good shape, from evenly spread starts and `hint`, without a proof.
-    fn near(&mut self, problem: &Problem, kind: Kind, hint: Option<[f64; SHAPE]>) -> Option<Reached> {
         let mut best: Option<Reached> = None;
         let mut take = |found: Reached| {
             let is_better = |old: Reached| sense(kind) * found.level < sense(kind) * old.level;
@@ -312,145 +234,19 @@ impl Search {
         for at in 0..if hint.is_some() { 1 } else { STARTS } {
             known = take(self.descent.run(problem, kind, spread(problem, at), known));
         }
-        known
+        self.refuter.run(problem, kind, best, PROVED_GAP, &mut self.descent)
     }
 
-    /// The best shape within the reach of a seat, and its proof: planes of the reach are taken up as shapes pass them, until the best one
-    /// passes none. Fewer planes leave more shapes, so that the proof holds with all of them.
-    pub fn best_within(
-        &mut self,
-        problem: &mut Problem,
-        seat: &dyn Seat,
-        kind: Kind,
-        mut hint: Option<[f64; SHAPE]>,
-    ) -> Refutation {
-        if problem.is_empty() || seat.reach().is_none() {
-            return self.best(problem, kind, hint);
-        }
-        let first = problem.planes.len();
-        loop {
-            // A cheap look first: it tells most planes.
-            while let Some(known) = self.near(problem, kind, hint) {
-                hint = Some(known.x);
-                if problem.planes.len() >= first + MOST_PLANES || !self.breaks(problem, seat, &known) {
-                    break;
-                }
-            }
-            let found = self.best(problem, kind, hint);
-            match &found.best {
-                Some(best) if problem.planes.len() < first + MOST_PLANES => {
-                    if !self.breaks(problem, seat, best) {
-                        return found;
-                    }
-                    hint = Some(best.x);
-                }
-                Some(_) => return Refutation { proved: false, ..found },
-                None => return found,
-            }
-        }
-    }
-
-    /// A good shape within the reach of a seat, without a proof.
-    fn within_reach(
-        &mut self,
-        problem: &mut Problem,
-        seat: &dyn Seat,
-        kind: Kind,
-        mut hint: Option<[f64; SHAPE]>,
-    ) -> Refutation {
-        let mut best = None;
-        for _ in 0..MOST_PLANES {
-            let Some(known) = self.near(problem, kind, hint) else { break };
-            hint = Some(known.x);
-            if !self.breaks(problem, seat, &known) {
-                best = Some(known);
-                break;
-            }
-        }
-        Refutation { best, proved: false, boxes: 0 }
-    }
-
-    /// Whether a shape passes the reach of a seat; the plane that it passes most becomes one of the problem.
-    fn breaks(&self, problem: &mut Problem, seat: &dyn Seat, best: &Reached) -> bool {
-        let plane = seat.reach().and_then(|reach| reach.broken(problem, &best.x));
-        problem.planes.extend(plane);
-        plane.is_some()
-    }
-
-    /// The best shape on a seat: its unbalance is raised by what the web has of it already, until both stand still.
-    pub fn settle(
-        &mut self,
-        task: &DesignTask,
-        problem: &mut Problem,
-        seat: &mut dyn Seat,
-        kind: Kind,
-        mut hint: Option<[f64; SHAPE]>,
-    ) -> Refutation {
-        if problem.is_empty() {
-            return Refutation { best: None, proved: true, boxes: 0 };
-        }
-        let mut found = Refutation { best: None, proved: false, boxes: 0 };
-        for _ in 0..MOST_STEPS {
-            // Without proofs as long as something moves.
-            let mut known = None;
-            for _ in 0..MOST_PLANES {
-                known = self.near(problem, kind, hint);
-                let Some(best) = known else { break };
-                hint = Some(best.x);
-                let passes = self.breaks(problem, seat, &best);
-                if !(raise(task, problem, seat, &best.x) || passes) {
-                    break;
-                }
-            }
-            found = self.refuter.run(problem, kind, known, PROVED_GAP, &mut self.descent);
-            let Some(best) = found.best else { return found };
-            let passes = self.breaks(problem, seat, &best);
-            if !(raise(task, problem, seat, &best.x) || passes) {
-                return found;
-            }
-            hint = Some(best.x);
-        }
-        // A shape that still passes the reach is none.
-        Refutation { best: None, proved: false, ..found }
-    }
-
-    fn infeasible(
-        &mut self,
-        task: &DesignTask,
-        problem: &Problem,
-        seat: &dyn Seat,
-        proved: bool,
-    ) -> Infeasible {
+    fn infeasible(&mut self, task: &DesignTask, problem: &Problem, proved: bool) -> Infeasible {
         let mut nearest = Vec::new();
         for (limit, kind) in LIMITS {
             let Some(asked) = problem.levels.of(kind) else { continue };
-            let Some(best) = self.best_within(&mut problem.clone(), seat, kind, None).best else { continue };
+            let Some(best) = self.best(problem, kind, None).best else { continue };
             let unit = if kind == Kind::Balance { task.least_balance } else { problem.unit(kind) };
-            // The web's own share of the unbalance is no part of the balance.
-            let raised = if kind == Kind::Balance { problem.raised } else { 0.0 };
-            let [asked, nearest_one] = [asked, best.level].map(|level| (level - raised) * unit);
-            nearest.push(NearestLimit { limit, asked, nearest: nearest_one });
+            nearest.push(NearestLimit { limit, asked: asked * unit, nearest: best.level * unit });
         }
         Infeasible { proved, nearest }
     }
-}
-
-/// Raises the unbalance that a shape needs by what its seat has of it already, and forgets the planes of another reach; whether that moved
-/// anything.
-fn raise(task: &DesignTask, problem: &mut Problem, seat: &mut dyn Seat, x: &[f64; SHAPE]) -> bool {
-    let lost = seat.lost(&realised(task, problem, x));
-    let raised = lost / (task.unbalance * task.least_balance);
-    let mut moved = (raised - problem.raised).abs() > SETTLED;
-    if moved {
-        problem.raised = raised;
-        problem.levels.balance = 1.0 + raised;
-    }
-    if seat.changes() != problem.changes {
-        problem.changes = seat.changes();
-        problem.planes.clear();
-        moved = true;
-    }
-    moved
 }
 
 /// The point number `at` of a sequence that fills the ranges evenly: multiples of powers of the root of x^6 = x + 1.

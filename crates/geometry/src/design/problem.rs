@@ -99,25 +99,6 @@ pub(super) struct Quantities<T> {
     late_sine: T,
     shoulder: T,
     crown: T,
-    half_angle: T,
-    rectangle_height: T,
-}
-
-/// A half-plane that holds all points of a shape.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Plane {
-    /// Direction from the shape's axis, from 0 to half a turn [rad].
-    pub beta: f64,
-    /// Largest `n . p`, scaled.
-    pub limit: f64,
-}
-
-impl Plane {
-    /// Whether a shape comes near it: within a fiftieth of the largest length.
-    pub fn is_near(&self, x: &[f64; SHAPE]) -> bool {
-        let [_, h, big_h, w, a] = *x;
-        (h + big_h) * self.beta.cos() + w * a.support(self.beta) > self.limit - 0.02
-    }
 }
 
 /// The scaled task.
@@ -130,12 +111,6 @@ pub(super) struct Problem {
     thinnest: f64,
     most_balance: Option<f64>,
     shoulder_angle: Option<[f64; 2]>,
-    /// Half-planes of the reach, as far as they are known to matter.
-    pub planes: Vec<Plane>,
-    /// How often the reach had changed when these planes were its.
-    pub changes: usize,
-    /// What the web has of the unbalance already, as a part of the least that is asked for.
-    pub raised: f64,
     /// Length that is one [m].
     pub length: f64,
     unbalance: f64,
@@ -195,9 +170,6 @@ impl Problem {
             thinnest: 0.0,
             most_balance: task.most_balance.map(|most| most / task.least_balance),
             shoulder_angle: angle.map(|range| [range.least, range.most]),
-            planes: Vec::new(),
-            changes: 0,
-            raised: 0.0,
             length,
             unbalance: task.unbalance * task.least_balance,
             density: task.density,
@@ -214,13 +186,6 @@ impl Problem {
         };
         problem.thinnest = task.thickness.least / problem.unit(Kind::Thickness);
         problem
-    }
-
-    /// `other` with what this one knows of the seat: the web's share of the unbalance and the planes of the reach.
-    pub fn carried(&self, mut other: Problem) -> Problem {
-        (other.raised, other.levels.balance) = (self.raised, self.levels.balance);
-        (other.changes, other.planes) = (self.changes, self.planes.clone());
-        other
     }
 
     /// Whether a range is empty: then no shape is within it.
@@ -286,8 +251,6 @@ impl Problem {
             late_sine: a.late_sine(),
             shoulder: w - r,
             crown: y + w * a.half_tangent(),
-            half_angle: a,
-            rectangle_height: h,
         }
     }
 
@@ -309,7 +272,7 @@ impl Problem {
             push(one - levels.thickness.times(1.0 / self.thinnest), true);
         }
         if let Some(most) = self.most_balance {
-            push(q.first.times(self.thinnest) - T::of(most + self.raised), false);
+            push(q.first.times(self.thinnest) - T::of(most), false);
         }
         for (kind, level, integral) in
             [(Kind::Mass, levels.mass, q.area), (Kind::Inertia, levels.inertia, q.polar)]
@@ -326,16 +289,6 @@ impl Problem {
             push(r - reach, swept);
             push(y.square() + w.square() - reach.square(), swept);
             push(q.crown - reach, swept);
-        }
-        for Plane { beta, limit } in &self.planes {
-            let arc = y.times(beta.cos()) + w * q.half_angle.support(*beta);
-            push(arc - T::of(*limit), false);
-            // Behind the axis the corner of the rectangle may lie farther than that of the chord.
-            if *beta > PI / 2.0 {
-                let corner = q.rectangle_height.times(beta.cos()) + r.times(beta.sin());
-                push(corner - T::of(*limit), false);
-            }
-            push(r - T::of(*limit), false);
         }
         if let Some(most) = levels.half_width {
             push(w - most * q.late_sine, is(Kind::HalfWidth));

@@ -4,7 +4,7 @@ use super::curve::{self, Curve};
 use super::interval::Interval;
 use super::jet::Jet;
 use super::number::Number;
-use super::problem::{Kind, Plane, Problem, SHAPE};
+use super::problem::{Kind, Problem, SHAPE};
 use super::task::DesignTask;
 use lanchester_model::{DesignLimits, Range, Shoulder};
 use lanchester_shape::Point;
@@ -30,13 +30,6 @@ fn task() -> DesignTask {
             shoulder_height: None,
         },
     }
-}
-
-/// The task with half-planes ahead, aside and behind.
-fn problem() -> Problem {
-    let mut problem = Problem::new(&task());
-    problem.planes = [0.0, 0.4, 1.1, 1.9, 2.9].map(|beta| Plane { beta, limit: 0.9 - 0.1 * beta }).to_vec();
-    problem
 }
 
 /// Pseudo-random points of the ranges that belong to a shape of the family.
@@ -84,7 +77,7 @@ fn scaled_quantities_are_those_of_the_outline() {
 
 #[test]
 fn derivatives_are_finite_differences() {
-    let problem = problem();
+    let problem = Problem::new(&task());
     let (mut jets, mut plus, mut minus) = (Vec::new(), Vec::new(), Vec::new());
     for x in points(&problem, 100) {
         let variables: [Jet<f64, SHAPE>; SHAPE] = std::array::from_fn(|k| Jet::variable(x[k], k));
@@ -110,7 +103,7 @@ fn derivatives_are_finite_differences() {
 
 #[test]
 fn intervals_hold_values_and_derivatives() {
-    let problem = problem();
+    let problem = Problem::new(&task());
     let (mut boxed, mut jets) = (Vec::new(), Vec::new());
     for pair in points(&problem, 200).windows(2) {
         let (a, b) = (pair[0], pair[1]);
@@ -135,7 +128,7 @@ fn intervals_hold_values_and_derivatives() {
 
 #[test]
 fn second_derivatives_hold_differences_of_the_first() {
-    let problem = problem();
+    let problem = Problem::new(&task());
     let (mut boxed, mut here, mut there) = (Vec::new(), Vec::new(), Vec::new());
     for pair in points(&problem, 100).windows(2) {
         // A box from one point a tenth of the way to the next: the mean derivative between its corners lies within the enclosure.

@@ -136,20 +136,14 @@ impl Walk<'_> {
             (Kind::Wholes(least, most), Toml::Array(_)) => {
                 self.list(key, item, |walk, item| walk.whole(key, item, least, most)).map(Value::Wholes)
             }
-            (Kind::QuantityOrWord(_, _, words), Toml::String(text))
-                if words.iter().any(|word| **word == **text) =>
-            {
-                self.word(key, text, item, words)
-            }
             (
                 Kind::Quantity(dimension, bound)
-                | Kind::QuantityOrWord(dimension, bound, _)
                 | Kind::QuantityOrPair(dimension, bound)
                 | Kind::QuantityOrThree(dimension, bound),
                 Toml::String(_) | Toml::Integer(_) | Toml::Float(_),
             ) => {
                 let spot = self.quantity(key, item, dimension, bound)?;
-                Some(if matches!(key.kind, Kind::Quantity(..) | Kind::QuantityOrWord(..)) {
+                Some(if matches!(key.kind, Kind::Quantity(..)) {
                     Value::Number(spot.value)
                 } else {
                     Value::Numbers(vec![spot])

@@ -55,9 +55,6 @@ fn key_schema(key: &Key) -> Value {
         Kind::WholeChoice(choices) => json!({ "enum": choices }),
         Kind::Choice(words) => json!({ "enum": words }),
         Kind::Quantity(dimension, bound) => bounded(dimension, bound),
-        Kind::QuantityOrWord(dimension, bound, words) => {
-            json!({ "anyOf": [bounded(dimension, bound), { "enum": words }] })
-        }
         Kind::Quantities(dimension, bound) => list(bounded(dimension, bound)),
         Kind::QuantityOrPair(dimension, bound) => json!({ "anyOf": [
             bounded(dimension, bound),

@@ -64,7 +64,6 @@ fn info(key: &Key) -> KeyInfo {
         Kind::WholeChoice(choices) => ("choice", choices.iter().map(i64::to_string).collect()),
         Kind::Choice(choices) => ("choice", words(choices)),
         Kind::Quantity(..) => ("quantity", Vec::new()),
-        Kind::QuantityOrWord(_, _, words) => ("quantity", words.iter().map(|word| (*word).into()).collect()),
         Kind::Quantities(..) | Kind::QuantityOrPair(..) | Kind::QuantityOrThree(..) => {
             ("quantities", Vec::new())
         }

@@ -70,10 +70,6 @@ fn holds(kind: Kind) -> String {
             one_of(names.iter().map(String::as_str))
         }
         Kind::Quantity(dimension, bound) => bounded(dimension, bound),
-        Kind::QuantityOrWord(dimension, bound, words) => {
-            let words: Vec<String> = words.iter().map(|word| format!("`\"{word}\"`")).collect();
-            format!("{}, or {}", bounded(dimension, bound), words.join(", "))
-        }
         Kind::Quantities(dimension, bound) => format!("list: {}", bounded(dimension, bound)),
         Kind::QuantityOrPair(dimension, bound) => format!("{}; one or two", bounded(dimension, bound)),
         Kind::QuantityOrThree(dimension, bound) => format!("{}; one or three", bounded(dimension, bound)),

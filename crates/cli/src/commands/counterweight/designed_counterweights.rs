@@ -1,13 +1,13 @@
 //! What `counterweight design` found for counterweights, as text and CSV.
 
-use super::{list, masses, room_words};
+use super::{list, room_words};
 use lanchester::geometry::clearance::SweptRoom;
 use lanchester::geometry::{DesignOutcome, Evolution, Optimum};
 use lanchester::report::{
     DesignedShape, designed_dimensions_table, designed_properties_table, nearest_limits_table,
     objective_name, objective_words,
 };
-use lanchester::{CounterweightDesigns, DesignedCounterweight, OnWeb};
+use lanchester::{CounterweightDesigns, DesignedCounterweight};
 
 /// Weights of one duty, and what was found for them.
 struct Group<'a> {
@@ -15,9 +15,7 @@ struct Group<'a> {
     duty: f64,
     /// What of the shape the plain web has already [kg m].
     shared: f64,
-    on_web: Option<&'a OnWeb>,
     room: Option<&'a SweptRoom>,
-    room_is_exact: bool,
     without_room: Option<f64>,
     outcome: &'a DesignOutcome,
     evolution: Option<&'a Evolution>,
@@ -38,9 +36,7 @@ fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
             names,
             duty: weight.duty,
             shared: weight.shared,
-            on_web: weight.on_web.as_ref(),
             room: weight.room.as_ref(),
-            room_is_exact: weight.room_is_exact == Some(true),
             without_room: weight.without_room,
             outcome: &weight.outcome,
             evolution: weight.evolution.as_ref(),
@@ -49,14 +45,14 @@ fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
     groups
 }
 
-fn shapes<'a>(groups: &'a [Group<'a>]) -> Vec<(DesignedShape<'a>, &'a Group<'a>, &'a Optimum)> {
-    let found = groups.iter().filter_map(|group| match (group.outcome, group.on_web) {
-        (DesignOutcome::Found(best), Some(on_web)) => {
+fn shapes<'a>(groups: &'a [Group<'a>]) -> Vec<(DesignedShape<'a>, &'a Optimum)> {
+    let found = groups.iter().filter_map(|group| match group.outcome {
+        DesignOutcome::Found(best) => {
             let (names, duty, shared) = (group.names.as_str(), group.duty, group.shared);
-            let shape = DesignedShape { names, duty, shared, design: &best.design, masses: masses(on_web) };
-            Some((shape, group, best.as_ref()))
+            let shape = DesignedShape { names, duty, shared, design: &best.design };
+            Some((shape, best.as_ref()))
         }
-        _ => None,
+        DesignOutcome::Infeasible(_) => None,
     });
     found.collect()
 }
@@ -66,19 +62,16 @@ pub fn text(designs: &CounterweightDesigns) -> String {
     let groups = &groups(designs);
     let mut out = String::new();
     let shapes = shapes(groups);
-    for (shape, group, best) in &shapes {
+    for (shape, best) in &shapes {
         let name = objective_name(best.objective);
         let value = objective_words(best.objective, best.value);
-        let within = within_web(group, best);
-        let beyond = if within.is_empty() { "" } else { " beyond the disc of its web" };
-        let limits = if group.room.is_some() { "ranges, limits and clearance" } else { "ranges and limits" };
         out += &match best.proved {
             true => format!(
-                "{}: the least {name} of all shapes within the {limits} is {value}{beyond}, proved to one part in a million{within}.\n",
+                "{}: the least {name} of all shapes within the ranges and limits is {value}, proved to one part in a million.\n",
                 shape.names
             ),
             false => format!(
-                "{}: the least {name} found is {value}{beyond}; the proof was broken off after {} boxes{within}.\n",
+                "{}: the least {name} found is {value}; the proof was broken off after {} boxes.\n",
                 shape.names, best.boxes
             ),
         };
@@ -91,26 +84,11 @@ pub fn text(designs: &CounterweightDesigns) -> String {
             .unwrap_or_default();
     }
     if !shapes.is_empty() {
-        let shapes: Vec<DesignedShape> = shapes.into_iter().map(|(shape, ..)| shape).collect();
+        let shapes: Vec<DesignedShape> = shapes.into_iter().map(|(shape, _)| shape).collect();
         out += &format!("\n{}", designed_properties_table(&shapes).text());
         out += &format!("\n{}", designed_dimensions_table(&shapes).text());
     }
     out + &in_the_way(groups)
-}
-
-/// What of a mass or an inertia lies within the flank of the web, where some does: the crankshaft gains that much less.
-fn within_web(group: &Group<'_>, best: &Optimum) -> String {
-    let Some(on_web) = group.on_web else { return String::new() };
-    let gained = on_web.value(best.objective, best.value);
-    let words = |value: f64| objective_words(best.objective, value);
-    match (best.value - gained).abs() > 1e-9 * best.value {
-        true => format!(
-            "; {} of it lie within the flank of the web, so that the crankshaft gains {}",
-            words(best.value - gained),
-            words(gained)
-        ),
-        false => String::new(),
-    }
 }
 
 /// What clearance costs, where it does.
@@ -119,13 +97,8 @@ fn in_the_room(group: &Group<'_>) -> Option<String> {
     let mut told = format!("{}: {}", group.names, room_words(room));
     if let (Some(without), DesignOutcome::Found(best)) = (group.without_room, group.outcome) {
         told += &format!(
-            " Without it the best shape has {}{}.",
-            objective_words(best.objective, without),
-            match group.room_is_exact {
-                true => "",
-                false =>
-                    "; a shape outside the envelope may keep the clearance too, and be better than the one found",
-            }
+            " The best shape of all, which does not keep it, has {}: no shape that does has less.",
+            objective_words(best.objective, without)
         );
     }
     Some(told + "\n")
@@ -168,7 +141,7 @@ fn in_the_way(groups: &[Group<'_>]) -> String {
 /// Properties and dimensions of what was found, as CSV.
 pub fn csv(designs: &CounterweightDesigns) -> String {
     let groups = &groups(designs);
-    let shapes: Vec<DesignedShape> = shapes(groups).into_iter().map(|(shape, ..)| shape).collect();
+    let shapes: Vec<DesignedShape> = shapes(groups).into_iter().map(|(shape, _)| shape).collect();
     let mut table = designed_properties_table(&shapes);
     let dimensions = designed_dimensions_table(&shapes);
     table.columns.extend(dimensions.columns.into_iter().skip(1));

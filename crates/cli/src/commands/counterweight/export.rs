@@ -45,12 +45,7 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
         }
     };
     write_result(&arguments.output, &arguments.file, &content)?;
-    // Of counterweights alone, what the file holds: with the disc of the web.
-    let name = |part: &PlacedPart| match arguments.weight.is_empty() {
-        true => part.name.clone(),
-        false => format!("{} (whole part {:.1} g)", part.name, 1e3 * part.part.mass_properties().mass),
-    };
-    let names: Vec<String> = parts.iter().map(name).collect();
+    let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     eprintln!("{} written: {}", shown(&arguments.output), names.join(", "));
     Ok(DONE)
 }

@@ -1,6 +1,6 @@
 //! `lanchester counterweight front`: the trade between two objectives, and the adoption of one of its designs.
 
-use super::{draw, list, masses, room_words};
+use super::{draw, list, room_words};
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::counterweight_arguments::FrontArguments;
@@ -10,7 +10,7 @@ use crate::format::Format;
 use crate::shape_request::shape_request;
 use lanchester::geometry::Front;
 use lanchester::geometry::clearance::SweptRoom;
-use lanchester::report::{ShapeMasses, front_designs_table, front_plot, objective_name};
+use lanchester::report::{front_designs_table, front_plot, objective_name};
 use lanchester::{
     CounterweightFront, adopted, counterweight_front, design_counterweights, with_counterweights,
 };
@@ -22,8 +22,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     let request = shape_request(engine, &arguments.shape)?;
     let found = counterweight_front(engine, &request, arguments.against.into(), arguments.designs)
         .map_err(Failure::refused)?;
-    let CounterweightFront { front, weights, room, on_web } = &found;
-    let masses: Vec<ShapeMasses> = on_web.iter().map(masses).collect();
+    let CounterweightFront { front, weights, room } = &found;
     if front.designs.is_empty() {
         // The optimum alone says what is in the way.
         let designs = design_counterweights(engine, &request).map_err(Failure::refused)?;
@@ -31,7 +30,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
         return Ok(NOT_AS_EXPECTED);
     }
     if let Some(folder) = &arguments.figures {
-        write_result(&folder.join("counterweight-front.svg"), file, &front_plot(front, &masses).svg())?;
+        write_result(&folder.join("counterweight-front.svg"), file, &front_plot(front).svg())?;
     }
     if let Some(number) = arguments.adopt {
         let design = number.checked_sub(1).and_then(|index| front.designs.get(index)).ok_or_else(|| {
@@ -56,14 +55,14 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     }
     let names = list(weights.iter().map(|index| engine.counterweights[*index].name.as_str()));
     print(&match arguments.format {
-        Format::Text => text(&names, room.as_ref(), front, &masses),
+        Format::Text => text(&names, room.as_ref(), front),
         Format::Json => json(&found)?,
-        Format::Csv => front_designs_table(front, &masses).csv(),
+        Format::Csv => front_designs_table(front).csv(),
     })?;
     Ok(DONE)
 }
 
-fn text(names: &str, room: Option<&SweptRoom>, front: &Front, masses: &[ShapeMasses]) -> String {
+fn text(names: &str, room: Option<&SweptRoom>, front: &Front) -> String {
     let [first, second] = front.objectives.map(objective_name);
     let proof = match front.proved {
         true => {
@@ -72,5 +71,5 @@ fn text(names: &str, room: Option<&SweptRoom>, front: &Front, masses: &[ShapeMas
         false => "Not every design is proved to be the best: a search was broken off.".to_owned(),
     };
     let room = room.map(|room| room_words(room) + "\n").unwrap_or_default();
-    format!("{names}\n{room}{proof}\n\n{}", front_designs_table(front, masses).text())
+    format!("{names}\n{room}{proof}\n\n{}", front_designs_table(front).text())
 }

@@ -7,7 +7,7 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::quantity::{self, Dimension};
-use crate::task::{FreeWeight, Phase, Place, Seat, WHAT_FITS};
+use crate::task::{FreeWeight, Phase, Place, Seat};
 
 /// Why a weight needs its largest amount.
 pub(super) const PLACE_TO_BE_FOUND: &str = "a weight whose place is to be found";
@@ -44,7 +44,6 @@ pub(super) struct Properties {
     direction: Phase,
     least: f64,
     most: Option<f64>,
-    fits: bool,
     pub(super) optional: bool,
     radius: Option<f64>,
     pub(super) follows: Option<Follows>,
@@ -180,14 +179,14 @@ impl<'a> Reader<'a> {
         if name.is_bad() || along.is_bad() || line.is_bad() || radius.is_bad() {
             return None;
         }
-        let (follows, (least, most, fits), optional) = (follows?, bounds?, optional?);
+        let (follows, (least, most), optional) = (follows?, bounds?, optional?);
         if let Some(follows) = &follows {
             let keys = [direction_key, "line", "least", "most", "unbalance", "optional"];
             for key in keys.into_iter().filter(|key| section.has(key)) {
                 let why = format!("the weight follows \"{}\"", follows.leader_name);
                 self.without_effect(section, key, &why, "give it to that weight");
             }
-        } else if most.is_none() && !fits {
+        } else if most.is_none() {
             let why = if optional { Some("an optional weight") } else { why };
             if let Some(why) = why {
                 self.most_missing(&section.span, why, "most = \"0.1 kg m\"");
@@ -203,7 +202,6 @@ impl<'a> Reader<'a> {
             direction,
             least,
             most,
-            fits: fits && follows.is_none(),
             optional,
             radius: radius.given(),
             follows,
@@ -211,18 +209,15 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Least and largest amount, and whether the largest is what fits.
-    fn bounds(&mut self, section: &'a Section) -> Option<(f64, Option<f64>, bool)> {
+    /// Least and largest amount.
+    fn bounds(&mut self, section: &'a Section) -> Option<(f64, Option<f64>)> {
         let [least, most, given] = ["least", "most", "unbalance"].map(|key| section.number(key));
         if section.has("unbalance") {
             if let Some(other) = ["least", "most"].into_iter().find(|key| section.has(key)) {
                 self.two_sources(section, "unbalance", other, "the amount of the weight");
                 return None;
             }
-            return given.given().map(|amount| (amount, Some(amount), false));
-        }
-        if section.word("most").given() == Some(WHAT_FITS) {
-            return least.or(0.0).map(|least| (least, None, true));
+            return given.given().map(|amount| (amount, Some(amount)));
         }
         if most.is_bad() {
             return None;
@@ -244,7 +239,7 @@ impl<'a> Reader<'a> {
             );
             return None;
         }
-        Some((least, most, false))
+        Some((least, most))
     }
 
     /// The weight in the frame of the engine; `origin` is the z of its reference plane in the file.
@@ -288,7 +283,6 @@ impl<'a> Reader<'a> {
         Some(FreeWeight {
             least: draft.own.least,
             most: draft.own.most,
-            fits: draft.own.fits,
             phase: match draft.own.direction {
                 Phase::Free => Phase::Free,
                 Phase::Line(angle) => Phase::Line(turned(angle)),

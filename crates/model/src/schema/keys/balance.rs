@@ -5,7 +5,6 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use crate::quantity::Dimension::{Angle, Inertia, Length, Unbalance};
-use crate::task::WHAT_FITS;
 
 /// Optional devices of a file: weights, shafts and their weights, inertias.
 const MOST_OPTIONAL: i64 = 1000;
@@ -100,14 +99,6 @@ const MOST: Key = quantity(
     "Largest amount; needed if it is optional, stands on an optional shaft or at a place to be found.",
     "\"0.1 kg m\"",
 );
-const MOST_ON_CRANK: Key = key(
-    "most",
-    Kind::QuantityOrWord(Unbalance, Positive, &[WHAT_FITS]),
-    Optional,
-    "Largest amount; needed if it is optional or at a place to be found. On a web `\"what fits\"` is the largest that the shapes of \
-     [counterweight_design] and the clearances hold.",
-    "\"0.1 kg m\"",
-);
 const GIVEN: Key =
     quantity("unbalance", Unbalance, Positive, "Instead of `least` and `most`: its amount.", "\"0.05 kg m\"");
 const RADIUS: Key = quantity(
@@ -185,7 +176,7 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
         ),
         LINE,
         LEAST,
-        MOST_ON_CRANK,
+        MOST,
         GIVEN,
         RADIUS,
         OPTIONAL,
