@@ -127,7 +127,7 @@ fn bore(svg: &mut Svg, sheet: &Sheet, insert: &Insert, thickness: f64) {
         true => format!(", {} kg/m³", number::trimmed(insert.density, 5)),
         false => String::new(),
     };
-    let label = format!("⌀ {} {depth}{material}", millimetres(2.0 * insert.radius));
+    let label = format!("⌀ {}, {depth}{material}", millimetres(2.0 * insert.radius));
     let side = if insert.centre.y < 0.0 { -1.0 } else { 1.0 };
     let tip = (centre.0 + side * 0.707 * radius, centre.1 + 0.707 * radius);
     leader(svg, tip, (tip.0 + side * 26.0, tip.1 + 30.0), &label);
@@ -334,7 +334,8 @@ mod tests {
         part.part = part.part.with_insert(hole).expect("it is beside the slug");
         let svg = drawn(&part);
         assert!(svg.contains("class=\"slug\""));
-        for label in ["⌀ 16 10 deep from the free end, 18000 kg/m³", "⌀ 16 through"] {
+        let material = format!("⌀ 16, 10 deep from the free end, {} kg/m³", number::trimmed(18_000.0, 5));
+        for label in [material.as_str(), "⌀ 16, through"] {
             assert!(svg.contains(label), "{label} is missing");
         }
     }

@@ -45,7 +45,14 @@ fn of(schema: &Value, indent: &str) -> String {
         return "unknown".into();
     };
     if let Some(reference) = keys.get("$ref").and_then(Value::as_str) {
-        return reference.rsplit('/').next().unwrap_or_default().to_string();
+        let name = reference.rsplit('/').next().unwrap_or_default();
+        if !keys.contains_key("properties") {
+            return name.to_string();
+        }
+        // A variant that is a struct of its own, with the tag beside it.
+        let mut beside = keys.clone();
+        beside.remove("$ref");
+        return format!("{name} & {}", of(&Value::Object(beside), indent));
     }
     if let Some(value) = keys.get("const") {
         return value.to_string();
@@ -148,6 +155,8 @@ mod tests {
             "[number, number]"
         );
         assert_eq!(of(json!({ "type": "array", "items": { "$ref": "#/components/schemas/A" } })), "A[]");
+        let tagged = json!({ "$ref": "#/x/A", "type": "object", "properties": { "kind": { "const": "a" } }, "required": ["kind"] });
+        assert_eq!(of(tagged), "A & {\n  kind: \"a\";\n}");
         assert_eq!(of(json!({ "enum": ["a", "b"] })), "\"a\" | \"b\"");
         assert_eq!(of(json!({ "anyOf": [{ "$ref": "#/x/A" }, { "type": "null" }] })), "A | null");
         assert_eq!(

@@ -49,15 +49,16 @@ export type Aim = "mass" | "swept-radius" | "inertia" | "thickness";
 export type Answer = {
   /**
    * What decided among answers that the stages leave equal: of force and couple what no stage names, then the roll
-   * moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), each without giving up any before
-   * it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
+   * moment if an inertia or the axis of a shaft is free (unless a stage asks for the least weights), then, if a weight on a
+   * crankshaft is free, the root mean square of all main-bearing loads, the largest of them and the bending moment, each
+   * without giving up any before it. Empty where nothing was left open. Among what is still equal the answer is the lightest.
    */
   among_equals: FoundStage[];
   /** Where orders had to vanish exactly: whether they do, and the proof. */
   cancellation: Cancellation | null;
   /**
-   * Criteria before and after: force, couple and roll moment always, then those that the task names. Empty where no
-   * answer was found.
+   * Criteria before and after: force, couple, roll moment, root mean square of all main-bearing loads, the largest of them
+   * and the bending moment always, then those that the task names. Empty where no answer was found.
    */
   effects: Effect[];
   /** Name of the engine. */
@@ -70,6 +71,8 @@ export type Answer = {
   method: Method;
   /** Whether there is an optimum, and if not, why. */
   outcome: Outcome;
+  /** How far the search went, where it was one over choices. */
+  settings: BalanceSettings;
   /** Where the free shafts stand. */
   shafts: FoundShaft[];
   /** Speed of crankshaft 1 at which loads are judged [rad/s]: the highest of the engine, where all of them are largest. */
@@ -251,12 +254,16 @@ export type BalanceQuestion = {
   cancel: string[];
   /** Which weights are free. */
   free: Free;
+  /** Gap at which a search over choices ends, as `--gap` takes it; none: 1e-8. */
+  gap: string | null;
   /** Least unbalance of every free weight on a crankshaft that is used, as `--least` takes it. */
   least: string | null;
   /** Limits as `--limit` takes them. */
   limits: string[];
   /** Names of counterweights and shafts that stay as they are, with `free = "devices"`. */
   locked: string[];
+  /** Most branch-and-bound nodes for one stage, as `--max-nodes` takes it; none: 2000. */
+  max_nodes: number | null;
   /** Criteria in their order, as `--minimise` takes them; none: force, then couple. */
   minimise: string[];
   /** Largest unbalance of every free weight on a crankshaft, as `--most` takes it. */
@@ -265,6 +272,24 @@ export type BalanceQuestion = {
   shafts: string[];
   /** The engine file. */
   text: string;
+  /** Longest time of the search, as `--time-limit` takes it; none: no limit. */
+  time_limit: string | null;
+};
+
+/**
+ * How far a search over choices goes: places to be found, given and least amounts, devices that may be left out. A task that is
+ * one convex programme is always solved to a gap of 1e-8.
+ */
+export type BalanceSettings = {
+  /**
+   * The search for a stage ends at this gap between the best value and its bound, relative to the larger of the value and a
+   * millionth of the stage without the devices: 1e-8 to 0.5. Later stages may use up what it leaves.
+   */
+  gap: number;
+  /** Most branch-and-bound nodes examined for one stage, 1 or more. */
+  max_nodes: number;
+  /** Longest time of the whole search [s], above 0; none: no limit. Kept by the caller's clock: see [`BalanceSettings::next`]. */
+  time_limit: number | null;
 };
 
 /** Free weights, shafts and inertias, with what is to be minimised and what must hold. */
@@ -282,7 +307,9 @@ export type BalanceTask = {
   /**
    * What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
    * couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
-   * names them, and then roll moment are least, and of those the lightest.
+   * names them, and then roll moment are least; of those, where a weight on a crankshaft is free, the one with the least
+   * root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the
+   * lightest.
    */
   stages: Stage[];
   /** Weights that depend on one another. */
@@ -462,6 +489,20 @@ export type CancelledOrder = {
   left: number;
   /** Its peak without the free devices [N or N m]. */
   without: number;
+};
+
+/** The chamber that pistons share. */
+export type ChamberMotion = {
+  /** Crank angle at its bottom dead centre, where its volume is largest [rad], in the first turn. */
+  bottom_dead_centre: number;
+  /** Numbers of its cylinders, from 1, rising. */
+  cylinders: number[];
+  /** What the pistons leave free below their own top dead centres where its volume is least [m^3]; 0 where they are all there at once. */
+  least: number;
+  /** Largest less smallest volume [m^3]; without bores the same of the travels [m]. */
+  swept: number;
+  /** Crank angle of crankshaft 1 at its top dead centre, where its volume is least [rad], in the first turn of its crankshafts. */
+  top_dead_centre: number;
 };
 
 /** What became of a quantity. */
@@ -842,10 +883,75 @@ export type Criterion = {
   peak: Load;
 } | {
   order: [Load, number];
+} | {
+  "main-rms": Mains;
 } | "added-mass" | "added-unbalance";
 
 /** Whose curves over the crank angle are in the answer. */
 export type Curves = "all" | "whole";
+
+/** What a computed cycle gives in one chamber. */
+export type CycleResult = {
+  /** Numbers of the cylinders that have it, from 1. */
+  cylinders: number[];
+  /** Gas exchange, walls and the integration, where the gas is exchanged over the angle (single zone). */
+  exchange: ExchangeResult | null;
+  /** Work of the gas exchange [J], negative where it costs. */
+  exchange_work: number;
+  /** Work of compression and expansion [J]. */
+  gross_work: number;
+  /** Heat released [J]. */
+  heat: number;
+  /** Net indicated work over the energy of the fuel, what does not burn included (indicated efficiency, fuel conversion efficiency). */
+  indicated_efficiency: number | null;
+  /** Net indicated mean effective pressure [Pa]. */
+  mean_effective_pressure: number;
+  /** Largest pressure [Pa]. */
+  peak_pressure: number;
+  /** Its angle after firing top dead centre [rad]. */
+  peak_pressure_angle: number;
+  /** Highest temperature [K]. */
+  peak_temperature: number;
+  /** Its angle after firing top dead centre [rad]. */
+  peak_temperature_angle: number;
+  /** Which process: "Otto cycle", "single zone" and so on. */
+  process: string;
+  /** Net indicated work over the heat released (indicated thermal efficiency); `None` where it is motored. */
+  thermal_efficiency: number | null;
+  /** Over the angle. */
+  trace: CycleTrace;
+  /** Mass trapped [kg]. */
+  trapped_mass: number;
+  /** [`CYCLE_RESULT_VERSION`]. */
+  version: number;
+  /** Net indicated work of a cycle [J]. */
+  work: number;
+};
+
+/**
+ * A cycle over the angle since firing top dead centre, equally spaced from 0 to a cycle, end point excluded. Lists are empty where the cycle does not
+ * know the quantity: an ideal one knows pressure and volume.
+ */
+export type CycleTrace = {
+  /** Angle of the own crankshaft since firing top dead centre [rad]. */
+  angle: number[];
+  /** Mass out through the exhaust [kg/rad], negative: back. */
+  exhaust: number[];
+  /** Heat released [J/rad]. */
+  heat_release: number[];
+  /** Mass in through the intake [kg/rad], negative: back. */
+  intake: number[];
+  /** Mass [kg]. */
+  mass: number[];
+  /** Absolute pressure [Pa]. */
+  pressure: number[];
+  /** Temperature [K]. */
+  temperature: number[];
+  /** Volume of the chamber [m^3]. */
+  volume: number[];
+  /** Heat to the walls [J/rad]. */
+  wall_heat: number[];
+};
 
 /** Piston, pins and rod of one cylinder. */
 export type CylinderBearings = {
@@ -887,9 +993,14 @@ export type CylinderMotion = {
   articulation: Articulation | null;
   /** `theta` of its bottom dead centre [rad]. */
   bottom_dead_centre: number;
+  /** The chamber that its piston shares with others: its firing angle is that of this chamber. */
+  chamber?: ChamberMotion | null;
   /** Cylinder number, from 1. */
   cylinder: number;
-  /** Firing angle: its top dead centre in the cycle [rad], where the file gives a firing. */
+  /**
+   * Firing angle: its top dead centre, or that of the chamber that it shares, in the first working cycle of its own crankshaft
+   * [rad of crankshaft 1], where the file gives a firing.
+   */
   firing_angle: number | null;
   /** Largest piston acceleration away from the crankshaft [m/s^2] (at or near bottom dead centre). */
   max_acceleration: number;
@@ -1072,9 +1183,11 @@ export type DeviceSummary = {
 
 /** What is left to do about the loads, read off the two-sided spectrum. */
 export type Diagnosis = {
-  /** One finding a load that matters, the largest first. */
+  /** One finding a load that matters, in the order of the summary: both senses of a force or couple together, roll moments last. */
   findings: Finding[];
-  /** The whole in one or two sentences. */
+  /** The roll moment in a line of its own; empty where none matters. */
+  roll: string;
+  /** The forces and couples in one or two sentences. */
   summary: string;
 };
 
@@ -1264,6 +1377,38 @@ export type Evolved = {
   value: number;
 };
 
+/** Gas exchange, heat to the walls and the check of the integration. */
+export type ExchangeResult = {
+  /** Angle at which it closes [rad], negative: before firing. */
+  closing_angle: number;
+  /** Whether the last cycle repeats the one before it. */
+  converged: boolean;
+  /** Cycles run. */
+  cycles: number;
+  /** Energy that is missing from the balance of the last cycle [J]. */
+  energy_residual: number;
+  /** The same over the largest of what passes. */
+  energy_residual_share: number;
+  /** Fresh mass trapped [kg]. */
+  fresh_mass: number;
+  /** Mass that is missing from the balance of the last cycle [kg]. */
+  mass_residual: number;
+  /** The same over the trapped mass. */
+  mass_residual_share: number;
+  /** Share of the trapped mass that is residual gas. */
+  residual_share: number;
+  /** Temperature when the cylinder closes [K]. */
+  trapped_temperature: number;
+  /** Fresh mass trapped over fresh mass taken in. */
+  trapping_efficiency: number;
+  /** Fresh mass taken in over that of the displaced volume at the state before the intake; for two strokes the delivery ratio. */
+  volumetric_efficiency: number;
+  /** Heat to the walls in a cycle [J]. */
+  wall_heat: number;
+  /** The same over the heat released; `None` where it is motored. */
+  wall_heat_share: number | null;
+};
+
 /** What is exported. */
 export type ExportQuestion = {
   /** The kind of file. */
@@ -1354,7 +1499,10 @@ export type FiringChart = {
   cylinders: CylinderStrokes[];
   /** Interval of even firing [rad]: period over number of firings. */
   even_interval: number;
-  /** Firings in their sequence, from the first at or after `theta = 0`; cylinders that fire together stand by number. */
+  /**
+   * Firings in their sequence, from the first at or after `theta = 0`; cylinders that fire together stand by number. A chamber that pistons
+   * share fires once, under the number of its first cylinder.
+   */
   firings: Firing[];
   /** Period [rad] of crankshaft 1: a whole number of working cycles of every crankshaft. */
   period: number;
@@ -1384,6 +1532,8 @@ export type FiringStar = {
 export type FlywheelNeed = {
   /** Inertia of everything by the formula `J = dE / (C_s w^2)` [kg m^2], book, eq. 25.4. */
   by_formula: number;
+  /** Whether the inertia of the crankshafts is known; if not, `train` leaves it out and the flywheels include it. */
+  crankshaft_known: boolean;
   /** Wanted fluctuation `C_s = (w_max - w_min) / w_mean` [1]. */
   fluctuation: number;
   /**
@@ -1421,14 +1571,23 @@ export type FoundLimit = {
   /** The limit, in SI units. */
   most: number;
   /**
-   * Price: how much the first stage that this limit holds up would fall if the limit were one SI unit wider, e.g.
-   * N per kg m; 0 for a limit that does not matter. Of a choice that was searched for it is the price with that
+   * Shadow price: how much the first stage that this limit holds up would fall if the limit were relaxed by one SI unit: a
+   * largest value made larger, a least one smaller, e.g. N per kg m; 0 for a limit that is not active. Of a given amount it is
+   * that of a smaller one, negative where a larger one helps. Of a choice that was searched for it is the price with that
    * choice kept: devices used, places, directions of given and least amounts.
    */
   price: number;
+  /** Unit of the price, such as `N per kg m`; `1 per N m` for a weighted sum; empty for a limit that is not active. */
+  price_unit: string;
+  /** On which side of its value it lies. */
+  side: LimitSide;
+  /** The stage that the price belongs to, by index. */
+  stage: number | null;
+  /** SI unit of the limit and of what was reached. */
+  unit: string;
   /** What was reached. */
   value: number;
-  /** What is limited: a criterion, the largest amount of a weight, a position. */
+  /** What is limited: a criterion, the largest, least or given amount of a weight, the largest inertia. */
   what: string;
 };
 
@@ -1452,8 +1611,12 @@ export type FoundStage = {
   gap: number;
   /** No choice of these devices that holds the limits goes below this. */
   lower_bound: number;
+  /** Weight of each term: 1 for a criterion that is minimised alone. */
+  term_weights: number[];
   /** Each term's criterion and true value. */
   terms: Array<[Criterion, number]>;
+  /** SI unit of the value: that of the criterion, or `1` for a weighted sum, whose terms are shares of given values. */
+  unit: string;
   /** The sum of weight times criterion, its true value over the continuous cycle. */
   value: number;
 };
@@ -1625,6 +1788,22 @@ export type Held = "speed" | "piston-speed";
 
 export type Hold = "speed" | "piston-speed";
 
+/** A speed that is not known for want of an inertia. */
+export type IncompleteInertia = {
+  /** What fixes it. */
+  fix: string;
+  /** Keys of the engine file that give it. */
+  keys: string[];
+  /** Mean speed asked for [rad/s]. */
+  mean_speed: number;
+  /** What is not known. */
+  missing: MissingInertia[];
+  /** Why, in words. */
+  reason: string;
+  /** [`FLYWHEEL_VERSION`]. */
+  version: number;
+};
+
 /** Indicated numbers: from the pressures alone, net (the whole working cycle, pumping included), without friction. */
 export type Indicated = {
   /** Mean effective pressure of what is under the pistons [Pa], positive where it takes work from the crank. */
@@ -1746,10 +1925,15 @@ export type Limit = {
   most: number;
 };
 
+/** On which side of its value a limit lies. */
+export type LimitSide = "at-most" | "at-least" | "given";
+
 /** A load over the cycle whose largest amount is judged; about the origin. */
 export type Load = "force" | "force-x" | "force-y" | "couple" | "couple-x" | "couple-y" | "roll-moment" | {
   "mount-force": number;
-} | "largest-mount-force" | "bending-moment";
+} | "largest-mount-force" | {
+  "main-load": number;
+} | "largest-main-load" | "bending-moment";
 
 /** Loads of the whole engine, of one kind of part, or of one cylinder. */
 export type LoadSet = {
@@ -1831,6 +2015,11 @@ export type MainLoad = {
   z: number;
 };
 
+/** Which main bearings count. */
+export type Mains = "all" | "largest" | {
+  one: number;
+};
+
 /** Mass properties of a solid. */
 export type MassProperties = {
   /** Centre of mass [m]: in the plane as [`Point`], and along the crank axis. */
@@ -1857,6 +2046,9 @@ export type Method = {
   /** Cone programmes solved. */
   solves: number;
 };
+
+/** An inertia that is not known. */
+export type MissingInertia = "flywheel" | "crankshaft";
 
 /** Motion of a piston and its rod over the crank angle, at the angles of the loads' [`Trace`]. */
 export type MotionTrace = {
@@ -2152,8 +2344,10 @@ export type Outcome = {
   /** The reason in words, with numbers and units. */
   reason: string;
 } | {
-  kind: "stopped";
   /** Why. */
+  cause: StopCause;
+  kind: "stopped";
+  /** Why, in words. */
   reason: string;
 };
 
@@ -2224,7 +2418,7 @@ export type Phase = "free" | {
 export type PinLoad = {
   /** At every angle [N]. */
   load: Array<[number, number]>;
-  /** Mean size [N]. */
+  /** Mean size over the continuous angle [N]. */
   mean: number;
   /** Largest size and its angle, over the continuous angle. */
   peak: Extreme;
@@ -2417,6 +2611,15 @@ export type ReportQuestion = {
   name: string;
   /** The engine file. */
   text: string;
+};
+
+/** The speed within the cycle, or why there is none. */
+export type RippleOutcome = SpeedRipple & {
+  outcome: "periodic";
+} | IncompleteInertia & {
+  outcome: "incomplete-inertia";
+} | StoppedEngine & {
+  outcome: "stops";
 };
 
 /** What is saved. */
@@ -2711,7 +2914,11 @@ export type SpeedResponse = {
   speed: number;
 };
 
-/** Speed over the period, at one mean speed. */
+/**
+ * Speed over the period, at one mean speed.
+ *
+ * Without gas the load is 0 and the energy stays: the inertia of pistons and rods alone makes the speed swing.
+ */
 export type SpeedRipple = {
   /** Largest size of the angular acceleration [rad/s^2], among the samples. */
   acceleration: number;
@@ -2776,6 +2983,27 @@ export type StiffnessCentre = {
   point: [number, number, number];
   /** Stiffness along the principal directions [N/m], rising. */
   stiffness: [number, number, number];
+};
+
+/** Why a search ended before its gap was closed. */
+export type StopCause = "max-nodes" | "time-limit" | "cancelled" | "rounding";
+
+/** An engine without energy enough for its cycle. */
+export type StoppedEngine = {
+  /** What fixes it. */
+  fix: string;
+  /** Flywheel inertia with which the lowest speed stays just above the limit [kg m^2]; `None` where none does. */
+  flywheel: number | null;
+  /** Key of the engine file that gives it. */
+  key: string;
+  /** Lowest speed over the mean below which an engine counts as stopped [1]: [`STOPPED`]. */
+  limit: number;
+  /** Mean speed asked for [rad/s]. */
+  mean_speed: number;
+  /** Why, in words. */
+  reason: string;
+  /** [`FLYWHEEL_VERSION`]. */
+  version: number;
 };
 
 /** A stroke of the working cycle. */
@@ -2933,6 +3161,8 @@ export type TorqueHarmonic = {
 export type TorqueReport = {
   /** What friction leaves, where it is known. */
   brake: Brake | null;
+  /** The cycles behind the pressures, where they are computed. */
+  cycles: CycleResult[];
   /**
    * The flywheel for the fluctuation asked for, at that speed of the file's flywheel that needs most; without these at the lowest
    * speed of the engine.
@@ -2940,8 +3170,11 @@ export type TorqueReport = {
   flywheel: FlywheelNeed | null;
   /** Power over speed, at the brake where friction is known, else net indicated. */
   power: PowerCurve | null;
-  /** Speed ripple at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`. */
-  ripples: SpeedRipple[];
+  /**
+   * Speed within the cycle at the speeds of the file's flywheel; without these at the lowest speed of the engine and at that of `torque`:
+   * periodic, or why not.
+   */
+  ripples: RippleOutcome[];
   /** Where the pressures come from, in words. */
   source: string;
   /** Torque and energy at the speeds asked for. */

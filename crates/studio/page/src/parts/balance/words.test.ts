@@ -62,6 +62,7 @@ describe("proofs", () => {
     expect([stage, sum].map(isWeightedSum)).toEqual([false, true]);
     const limit: FoundLimit = {
       what: "largest amount of `a`",
+      criterion: null,
       side: "at-most",
       unit: "kg m",
       most: 0.01,
