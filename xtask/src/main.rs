@@ -37,7 +37,7 @@ tasks of the workspace
   cargo xtask advisories CLONE                  take the advisories of our crates from a clone of the RustSec database
   cargo xtask book                              build the book into docs/book
   cargo xtask stress [--seconds N] [--only T]   draw new cases for the properties over random engines
-  cargo xtask hostile [--seconds N] [--seed N]  mutated files, kills, laws over random engines, attacks on the studio; --short as in CI
+  cargo xtask hostile [--seconds N] [--seed N]  mutated files, kills, laws over random engines, attacks on the studio; --short for a quick round
   cargo xtask fuzz [--seconds N] [--target T]   fuzz reader, loads, workshop and optimum (nightly, cargo-fuzz)
 ";
 

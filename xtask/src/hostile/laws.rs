@@ -42,14 +42,12 @@ impl Engine {
 
     fn text(&self) -> String {
         let cylinders = self.angles.len();
-        let order: Vec<String> = (1..=cylinders).map(|k| k.to_string()).collect();
         let angles: Vec<String> = self.angles.iter().map(|angle| format!("\"{angle} deg\"")).collect();
         format!(
-            "name = \"random\"\nstrokes = 4\nspeed = \"{} rpm\"\n[firing]\norder = [{}]\n[layout]\ntype = \"in-line\"\n\
+            "name = \"random\"\nstrokes = 4\nspeed = \"{} rpm\"\n[layout]\ntype = \"in-line\"\n\
              cylinders = {cylinders}\nspacing = \"{} mm\"\ncrank_angles = [{}]\n[crank]\nstroke = \"{} mm\"\n[piston]\n\
              mass = \"{} kg\"\nbore = \"{} mm\"\n[rod]\nlength = \"{} mm\"\nmass = \"{} kg\"\n",
             self.speed,
-            order.join(", "),
             self.spacing,
             angles.join(", "),
             self.stroke,
