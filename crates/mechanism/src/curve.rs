@@ -112,7 +112,17 @@ impl PeriodicCurve {
         let from = self.knots[0];
         let beyond = (t - from).rem_euclid(self.period);
         let turned = if beyond < self.period { beyond + from } else { from };
-        let piece = self.knots.partition_point(|knot| *knot <= turned).saturating_sub(1);
+        // Knots are nearly always at equal distances: then the piece is where it should be.
+        let guess = ((turned - from) / self.period * self.knots.len() as f64) as usize;
+        let holds = |piece: usize| {
+            let next = self.knots.get(piece + 1).is_none_or(|next| turned < *next);
+            self.knots.get(piece).is_some_and(|knot| *knot <= turned) && next
+        };
+        let piece = if holds(guess) {
+            guess
+        } else {
+            self.knots.partition_point(|knot| *knot <= turned).saturating_sub(1)
+        };
         (piece, turned - self.knots[piece])
     }
 
@@ -151,22 +161,27 @@ impl PeriodicCurve {
     /// ```
     pub fn coefficient(&self, n: i32) -> Complex64 {
         let rate = TAU * f64::from(n) / self.period;
-        let piece = |(from, h, piece): (f64, f64, [f64; 4])| {
+        // Points of the rule lie in pairs about the middle of a part; their turns from there are those of the part before, as a rule.
+        let (mut turned, mut turns) = (f64::NAN, [Complex64::ONE; 4]);
+        let mut sum = Complex64::ZERO;
+        for (from, h, [a, b, c, d]) in self.pieces() {
             let parts = (rate.abs() * h / 2.0).ceil().max(1.0);
             let width = h / parts;
-            let part = |k: f64| {
-                let points = GAUSS.iter().flat_map(|(x, w)| [(0.5 - x, w), (0.5 + x, w)]);
-                let values = points.map(|(x, w)| {
-                    let u = width * (k + x);
-                    let [a, b, c, d] = piece;
-                    let value = a + u * (b + u * (c + u * d));
-                    Complex64::from_polar(1.0, -rate * (from + u)) * (value * w * width)
-                });
-                values.sum::<Complex64>()
-            };
-            (0..parts as usize).map(|k| part(k as f64)).sum::<Complex64>()
-        };
-        self.pieces().map(piece).sum::<Complex64>() / self.period
+            if width != turned {
+                (turned, turns) = (width, GAUSS.map(|(x, _)| Complex64::cis(rate * width * x)));
+            }
+            for k in 0..parts as usize {
+                let middle = width * (k as f64 + 0.5);
+                let value = |u: f64| a + u * (b + u * (c + u * d));
+                let pair = |((x, weight), turn): (&(f64, f64), &Complex64)| {
+                    let (before, after) = (value(middle - width * x), value(middle + width * x));
+                    weight * (turn * before + turn.conj() * after)
+                };
+                let part: Complex64 = GAUSS.iter().zip(&turns).map(pair).sum();
+                sum += width * part * Complex64::cis(-rate * (from + middle));
+            }
+        }
+        sum / self.period
     }
 
     /// Smallest and largest value, each with an angle where it is attained, exact for the pieces.

@@ -1,6 +1,6 @@
 //! What moves a piston: its exact linkage, or a truncated series of orders.
 
-use crate::linkage::{Articulated, Jet, KnuckleMotion, Slider, Stroke, slide};
+use crate::linkage::{Articulated, Jet, KnuckleMotion, Slider, Stroke};
 use crate::request::{Kinematics, LoadError};
 use crate::sampling::sampled_orders;
 use crate::series::{MotionOrders, series_orders, slider_orders};
@@ -99,19 +99,29 @@ impl Drive {
 
     /// Motion at crank angle `phi` from the (master's) axis.
     pub fn motion(&self, phi: f64) -> DriveMotion {
+        self.motion_at(Complex64::cis(phi))
+    }
+
+    /// Motion where the crank points along `crank`, of length 1, from the (master's) axis.
+    // In line, so that derivatives which nobody asks for are not computed.
+    #[inline(always)]
+    pub fn motion_at(&self, crank: Complex64) -> DriveMotion {
         match self {
-            Drive::Exact(Linkage::Plain(slider)) => DriveMotion { stroke: slider.stroke(phi), knuckle: None },
+            Drive::Exact(Linkage::Plain(slider)) => {
+                DriveMotion { stroke: slider.stroke_at(crank), knuckle: None }
+            }
             Drive::Exact(Linkage::Articulated(articulated)) => {
-                let knuckle = articulated.knuckle(phi, articulated.master.stroke(phi).travel);
-                let (p, q) = articulated.big_end(&knuckle);
-                DriveMotion { stroke: slide(p, q, articulated.length), knuckle: Some(knuckle) }
+                let knuckle = articulated.knuckle(crank);
+                DriveMotion { stroke: articulated.stroke_with(&knuckle), knuckle: Some(knuckle) }
             }
             Drive::Series { own, master } => {
+                let phi = crank.arg();
                 let rate = jet(&own.swing_rate, phi);
+                let knuckle =
+                    master.as_ref().map(|(linkage, travel)| linkage.knuckle_with(crank, jet(travel, phi)));
                 // The angle itself moves no load.
-                let swing = [0.0, rate[0], rate[1], rate[2]];
-                let knuckle = master.as_ref().map(|(linkage, travel)| linkage.knuckle(phi, jet(travel, phi)));
-                DriveMotion { stroke: Stroke { travel: jet(&own.travel, phi), swing }, knuckle }
+                let (tilt, swing) = (Complex64::ONE, [rate[0], rate[1], rate[2]]);
+                DriveMotion { stroke: Stroke { travel: jet(&own.travel, phi), tilt, swing }, knuckle }
             }
         }
     }
@@ -139,7 +149,7 @@ fn jet(orders: &[Complex64], phi: f64) -> Jet {
 fn articulated_orders(articulated: &Articulated, highest: usize) -> MotionOrders {
     let sampled = sampled_orders(highest, 0, |phi| {
         let stroke = articulated.stroke(phi);
-        [stroke.travel[0], stroke.swing[1]]
+        [stroke.travel[0], stroke.swing[0]]
     });
     MotionOrders {
         travel: sampled.iter().map(|c| c[0]).collect(),

@@ -12,7 +12,7 @@
 //! in `J(theta)`: only the gas does work. No friction and a load that takes the mean torque at every angle: the speed is periodic.
 
 use crate::curve::{End, PeriodicCurve};
-use crate::energy::Breaks;
+use crate::energy::{Breaks, STRETCHES};
 use crate::extremes::grid_extremes;
 use crate::gas::CylinderGas;
 use crate::gas_train::GasTrain;
@@ -27,9 +27,6 @@ use std::f64::consts::TAU;
 
 /// Version of these structures; raised when a field changes its meaning or goes.
 pub const FLYWHEEL_VERSION: u32 = 2;
-
-/// Stretches of a revolution without gas.
-const STRETCHES: usize = 120;
 
 /// Angles of a revolution at which the ripple is listed, and between which the square of its speed is taken as cubic.
 const SAMPLES: usize = 720;
@@ -159,7 +156,7 @@ impl KineticTrain {
         let of = |piston: &crate::train::Piston| {
             let motion = piston.drive.motion(piston.ratio.value() * theta + piston.phase);
             let [_, s, ..] = motion.stroke.travel;
-            let [_, k, ..] = motion.stroke.swing;
+            let [k, ..] = motion.stroke.swing;
             let pin = piston.knuckle.as_ref().zip(motion.knuckle.as_ref());
             let pin = pin.map_or(0.0, |(mass, pin)| mass.mass * pin.knuckle[1].norm_sqr());
             // Masses are times the square of their own crankshaft's speed, of one rad/s at crankshaft 1.

@@ -31,6 +31,7 @@ use crate::sampling::sampled_orders;
 use crate::series::slider_orders;
 use crate::torque_request::{Lever, TorqueError};
 use crate::train::{Piston, firing_period, linkage, master_of};
+use crate::turned::Turned;
 use lanchester_model::{Engine, Ratio, RodJoint};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
@@ -39,8 +40,8 @@ use std::f64::consts::{PI, TAU};
 /// A part of a quadrature is no wider than this [rad], nor than half of what the motion's nearest singularity is away.
 const WIDEST: f64 = 0.2;
 
-/// Crank angles at firing that differ by less than this [rad] are the same.
-const SAME_PHASE: f64 = 1e-12;
+/// Crank angles that differ by less than this [rad] are the same.
+pub(crate) const SAME_PHASE: f64 = 1e-12;
 
 /// Below this share of the first one, orders of the travel add nothing.
 const NEGLIGIBLE: f64 = 1e-17;
@@ -59,6 +60,8 @@ pub(crate) struct GasPiston {
     pub at_firing: f64,
     /// `theta` at firing [rad].
     pub firing: f64,
+    /// Where the crank points at `theta = 0`, from the (master's) cylinder axis.
+    start: Complex64,
     linkage: Linkage,
     drive: Drive,
     radius: f64,
@@ -82,7 +85,7 @@ impl GasPiston {
     }
 
     /// Whether another piston has the same torque on its own crankshaft at the same angles after its firing, to the last digit of the pressures.
-    fn works_as(&self, other: &GasPiston) -> bool {
+    pub fn works_as(&self, other: &GasPiston) -> bool {
         let turned = (self.at_firing - other.at_firing + PI).rem_euclid(TAU) - PI;
         turned.abs() < SAME_PHASE
             && self.ratio == other.ratio
@@ -94,9 +97,14 @@ impl GasPiston {
     /// Lever [m] of a force towards the crank, positive where it drives the own crankshaft.
     fn lever(&self, own: f64, lever: Lever) -> f64 {
         let phi = self.phi(own);
+        self.lever_at(Complex64::cis(phi), lever)
+    }
+
+    /// The same where the crank points along `crank`, of length 1, from the (master's) cylinder axis.
+    fn lever_at(&self, crank: Complex64, lever: Lever) -> f64 {
         let by_phi = match lever {
-            Lever::Exact => -self.drive.motion(phi).stroke.travel[1],
-            Lever::Sine => self.radius * phi.sin(),
+            Lever::Exact => -self.drive.motion_at(crank).stroke.travel[1],
+            Lever::Sine => self.radius * crank.im,
         };
         self.sense() * by_phi
     }
@@ -106,15 +114,21 @@ impl GasPiston {
         self.width
     }
 
+    /// Where the crank points, from the (master's) cylinder axis.
+    fn crank(&self, turned: &Turned) -> Complex64 {
+        self.start * turned.by(self.ratio)
+    }
+
     /// Travel of the piston pin [m].
-    pub fn travel(&self, own: f64) -> f64 {
-        self.drive.motion(self.phi(own)).stroke.travel[0]
+    pub fn travel(&self, turned: &Turned) -> f64 {
+        self.drive.motion_at(self.crank(turned)).stroke.travel[0]
     }
 
     /// Torque at crankshaft 1 [N m].
-    pub fn torque(&self, theta: f64, lever: Lever) -> f64 {
-        let own = self.own_angle(theta);
-        self.ratio.value().abs() * self.force.at(own) * self.lever(own, lever)
+    pub fn torque_at(&self, turned: &Turned, lever: Lever) -> f64 {
+        let crank = self.crank(turned);
+        let force = self.force.at(self.own_angle(turned.theta));
+        self.ratio.value().abs() * force * self.lever_at(crank, lever)
     }
 
     /// Sum over Gauss points of a working cycle of `term(own angle, force, weight)`.
@@ -300,15 +314,23 @@ impl GasTrain {
 
     /// Torque of the gas at crankshaft 1 [N m], positive in the sense of rotation.
     pub fn torque(&self, theta: f64) -> f64 {
-        self.pistons.iter().map(|piston| piston.torque(theta, self.lever)).sum()
+        let turned = Turned::at(theta);
+        self.pistons.iter().map(|piston| piston.torque_at(&turned, self.lever)).sum()
     }
 
     /// Mean torque of each cylinder at crankshaft 1 [N m]: its work over the angle of its cycle.
     pub fn mean_torques(&self) -> Vec<f64> {
-        self.pistons
-            .iter()
-            .map(|piston| piston.work(self.lever) * piston.ratio.value().abs() / self.cycle)
-            .collect()
+        // Pistons that work alike have one work.
+        let mut known: Vec<(&GasPiston, f64)> = Vec::new();
+        let mut work = |piston| {
+            let found = known.iter().find(|(other, _)| other.works_as(piston)).map(|(_, work)| *work);
+            found.unwrap_or_else(|| {
+                let work = piston.work(self.lever);
+                known.push((piston, work));
+                work
+            })
+        };
+        self.pistons.iter().map(|piston| work(piston) * piston.ratio.value().abs() / self.cycle).collect()
     }
 
     /// Orders of the gas up to `max_order`: those that its cylinders can have, rising, also the vanishing ones. Only roll moment
@@ -413,11 +435,13 @@ fn gas_piston(
     let ratio = engine.crankshafts[throw.crankshaft].ratio;
     let axis = engine.cylinders[master_of(cylinder).unwrap_or(index)].angle;
     let linkage = linkage(engine, index)?;
+    let at_firing = engine.pin_angle(cylinder.throw, firing) - axis;
     Ok(GasPiston {
         force,
         ratio,
-        at_firing: engine.pin_angle(cylinder.throw, firing) - axis,
+        at_firing,
         firing,
+        start: Complex64::cis(at_firing - ratio.value() * firing),
         linkage,
         drive: Drive::Exact(linkage),
         radius: throw.radius,

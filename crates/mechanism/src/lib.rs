@@ -50,6 +50,7 @@ mod trace;
 mod train;
 mod true_mean;
 mod true_peak;
+mod turned;
 mod wording;
 
 pub use beam::{Beam, BeamModel};

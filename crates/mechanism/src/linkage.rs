@@ -30,8 +30,17 @@ pub(crate) type Jet = [f64; 4];
 pub(crate) struct Stroke {
     /// `s` and its derivatives [m].
     pub travel: Jet,
-    /// `beta` and its derivatives [rad].
-    pub swing: Jet,
+    /// `e^{i beta}`.
+    pub tilt: Complex64,
+    /// First three derivatives of `beta` [rad].
+    pub swing: [f64; 3],
+}
+
+impl Stroke {
+    /// `beta` [rad].
+    pub fn rod_angle(&self) -> f64 {
+        self.tilt.arg()
+    }
 }
 
 /// Motion of a rod of length `length` whose big end stands at `p` along and `q` beside the line of its piston pin.
@@ -45,6 +54,7 @@ pub(crate) struct Stroke {
 /// s''' = p''' - q'' k - 2 q' k' - q k''
 /// ```
 /// The forms have no difference of nearly equal numbers but those of the motion itself.
+#[inline(always)]
 pub(crate) fn slide(p: Jet, q: Jet, length: f64) -> Stroke {
     let reach = ((length - q[0]) * (length + q[0])).sqrt();
     let inverse = 1.0 / reach;
@@ -58,7 +68,8 @@ pub(crate) fn slide(p: Jet, q: Jet, length: f64) -> Stroke {
             p[2] - q[1] * k - q[0] * k1,
             p[3] - q[2] * k - 2.0 * q[1] * k1 - q[0] * k2,
         ],
-        swing: [(q[0] / length).atan2(reach / length), k, k1, k2],
+        tilt: Complex64::new(reach / length, q[0] / length),
+        swing: [k, k1, k2],
     }
 }
 
@@ -92,8 +103,13 @@ impl Slider {
 
     /// Motion at crank angle `phi` from the cylinder axis.
     pub fn stroke(&self, phi: f64) -> Stroke {
-        let (sin, cos) = phi.sin_cos();
-        let (s, c) = (self.radius * sin, self.radius * cos);
+        self.stroke_at(Complex64::cis(phi))
+    }
+
+    /// Motion where the crank points along `crank`, of length 1, from the cylinder axis.
+    #[inline(always)]
+    pub fn stroke_at(&self, crank: Complex64) -> Stroke {
+        let (s, c) = (self.radius * crank.im, self.radius * crank.re);
         slide([c, -s, -c, s], [s - self.offset, c, -s, -c], self.length)
     }
 
@@ -144,10 +160,14 @@ pub(crate) struct KnuckleMotion {
 }
 
 impl Articulated {
-    /// Motion of the knuckle pin, from the master's travel at `phi` (crank from the master's axis).
-    pub fn knuckle(&self, phi: f64, master_travel: Jet) -> KnuckleMotion {
-        let (sin, cos) = phi.sin_cos();
-        let a = Complex64::new(self.master.radius * cos, self.master.radius * sin);
+    /// Motion of the knuckle pin where the crank points along `crank`, of length 1, from the master's axis.
+    pub fn knuckle(&self, crank: Complex64) -> KnuckleMotion {
+        self.knuckle_with(crank, self.master.stroke_at(crank).travel)
+    }
+
+    /// The same with the master's travel given.
+    pub fn knuckle_with(&self, crank: Complex64, master_travel: Jet) -> KnuckleMotion {
+        let a = self.master.radius * crank;
         let crankpin = [a, a * Complex64::I, -a, -a * Complex64::I];
         let along = 1.0 - self.knuckle;
         let knuckle = std::array::from_fn(|j| {
@@ -167,8 +187,12 @@ impl Articulated {
 
     /// Motion of the slave at `phi` (crank from the master's axis).
     pub fn stroke(&self, phi: f64) -> Stroke {
-        let knuckle = self.knuckle(phi, self.master.stroke(phi).travel);
-        let (p, q) = self.big_end(&knuckle);
+        self.stroke_with(&self.knuckle(Complex64::cis(phi)))
+    }
+
+    /// Motion of the slave where its knuckle pin moves like this.
+    pub fn stroke_with(&self, knuckle: &KnuckleMotion) -> Stroke {
+        let (p, q) = self.big_end(knuckle);
         slide(p, q, self.length)
     }
 }
@@ -190,9 +214,8 @@ impl Articulated {
 
     /// Distance from the crankpin to the slave's piston pin [m], and what has the roots and signs of its derivative.
     pub fn reach(&self, phi: f64) -> (f64, f64) {
-        let pins = self.knuckle(phi, self.master.stroke(phi).travel);
-        let (p, q) = self.big_end(&pins);
-        let travel = slide(p, q, self.length).travel;
+        let pins = self.knuckle(Complex64::cis(phi));
+        let travel = self.stroke_with(&pins).travel;
         let pin = |j: usize| {
             let piston = Complex64::new(travel[j], if j == 0 { self.offset } else { 0.0 });
             piston - pins.crankpin[j] * self.turn
@@ -203,7 +226,7 @@ impl Articulated {
     /// Largest `|q| / l` over a turn: sine of the largest rod angle.
     pub fn largest_sine(&self) -> f64 {
         let beside = |phi: f64| {
-            let (_, q) = self.big_end(&self.knuckle(phi, self.master.stroke(phi).travel));
+            let (_, q) = self.big_end(&self.knuckle(Complex64::cis(phi)));
             (q[0], q[1])
         };
         extremes_over_turn(CHECK_ANGLES, beside).max_abs() / self.length
@@ -226,12 +249,13 @@ mod tests {
             let here = stroke(phi);
             for n in 0..3 {
                 let travel = difference(|at| stroke(at).travel[n], phi);
-                let swing = difference(|at| stroke(at).swing[n], phi);
+                let below = |stroke: Stroke| if n == 0 { stroke.rod_angle() } else { stroke.swing[n - 1] };
+                let swing = difference(|at| below(stroke(at)), phi);
                 assert!(
                     (here.travel[n + 1] - travel).abs() < 1e-8 * scale,
                     "travel, derivative {n} at {phi}"
                 );
-                assert!((here.swing[n + 1] - swing).abs() < 1e-8, "swing, derivative {n} at {phi}");
+                assert!((here.swing[n] - swing).abs() < 1e-8, "swing, derivative {n} at {phi}");
             }
         }
     }

@@ -120,12 +120,13 @@ fn cylinder_motion(
     let mut trace = MotionTrace { theta: angles.to_vec(), ..MotionTrace::default() };
     for theta in angles {
         let phi = ratio * theta + phase;
-        let [position, ..] = exact.motion(phi).stroke.travel;
+        let stroke = exact.motion(phi).stroke;
+        let [position, ..] = stroke.travel;
         let [_, velocity, acceleration, _] = drive.motion(phi).stroke.travel;
         trace.position.push(position);
         trace.velocity.push(signed * velocity);
         trace.acceleration.push(signed * signed * acceleration);
-        trace.rod_angle.push(exact.motion(phi).stroke.swing[0]);
+        trace.rod_angle.push(stroke.rod_angle());
     }
     let over_turn = |derivative: usize| {
         extremes_over_turn(scan, |phi| {

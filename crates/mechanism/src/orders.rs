@@ -166,7 +166,7 @@ impl Piston {
         let sampled = sampled_orders(highest, band, |phi| {
             let motion = self.drive.motion(phi);
             let [_, s1, s2, _] = motion.stroke.travel;
-            let [_, k, k1, _] = motion.stroke.swing;
+            let [k, k1, _] = motion.stroke.swing;
             let power = self.mass * s1 * s2 + self.inertia * k * k1;
             let Some(pin) = motion.knuckle else { return [s2, k1, power, 0.0, 0.0] };
             let [at, rate, change, _] = pin.knuckle;

@@ -59,7 +59,7 @@ impl Piston {
         let phi = rate * theta + self.phase;
         let motion = self.drive.motion(phi);
         let [_, s1, s2, s3] = motion.stroke.travel;
-        let [_, k, k1, k2] = motion.stroke.swing;
+        let [k, k1, k2] = motion.stroke.swing;
         let torque = -rate * (self.mass * s1 * s2 + self.inertia * k * k1);
         let roll = self.inertia * k1 - self.roll * s2;
         add(&mut point.value, -self.force * s2, -self.couple * s2, roll, torque);

@@ -78,7 +78,7 @@ impl RodForce {
         let motion = piston.drive.motion(phi);
         let acceleration = motion.stroke.travel[2];
         let along = -piston.mass * acceleration - gas;
-        let couple = piston.inertia * motion.stroke.swing[2];
+        let couple = piston.inertia * motion.stroke.swing[1];
         let thrust = |beside: f64, reach: f64| -(beside * along + couple) / reach;
         match &self.linkage {
             Linkage::Plain(slider) => {
@@ -89,7 +89,7 @@ impl RodForce {
             }
             Linkage::Articulated(articulated) => {
                 // Where the pins stand is exact, also where their accelerations are truncated.
-                let pins = articulated.knuckle(phi, articulated.master.stroke(phi).travel);
+                let pins = articulated.knuckle(Complex64::cis(phi));
                 let (_, beside) = articulated.big_end(&pins);
                 let thrust = thrust(beside[0], reach(articulated.length, beside[0]));
                 let on_knuckle = Complex64::new(along, thrust) * articulated.turn.conj();

@@ -1,6 +1,7 @@
 //! Where the rod and the piston of a cylinder stand, as geometry: pins, direction, travel, and how fast they go.
 
 use crate::drive::{Drive, Linkage};
+use crate::linkage::Stroke;
 use crate::request::LoadError;
 use crate::train::{linkage, master_of};
 use lanchester_model::Engine;
@@ -74,15 +75,15 @@ impl RodLinkage {
             }
             (Linkage::Articulated(_), Some(knuckle)) => [knuckle.knuckle[0], knuckle.knuckle[1]],
             (Linkage::Articulated(articulated), None) => {
-                let knuckle = articulated.knuckle(phi, articulated.master.stroke(phi).travel).knuckle;
+                let knuckle = articulated.knuckle(Complex64::cis(phi)).knuckle;
                 [knuckle[0], knuckle[1]]
             }
         };
         let turn = Complex64::cis(self.axis);
-        let (swing, travel) = (motion.stroke.swing, motion.stroke.travel);
+        let Stroke { travel, swing, .. } = motion.stroke;
         RodPlace {
             lower_pin: [pin[0] * turn, pin[1] * turn * self.ratio],
-            direction: [self.own_axis - swing[0], -swing[1] * self.ratio],
+            direction: [self.own_axis - motion.stroke.rod_angle(), -swing[0] * self.ratio],
             travel: [travel[0], travel[1] * self.ratio],
         }
     }

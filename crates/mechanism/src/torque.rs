@@ -1,10 +1,11 @@
 //! Torque over the working cycle: gas at every cylinder's firing angle, and inertia.
 
+use crate::curve::PeriodicCurve;
 use crate::drive::Drive;
-use crate::energy::Breaks;
+use crate::energy::{Breaks, SHARE_OF_WIDTH, STRETCHES};
 use crate::firing_chart::chart_of;
 use crate::gas::CylinderGas;
-use crate::gas_train::{GasTrain, merged_orders};
+use crate::gas_train::{GasTrain, SAME_PHASE, merged_orders};
 use crate::request::LoadError;
 use crate::result::{Extreme, OrderLoads};
 use crate::sampling::sampled_orders;
@@ -13,12 +14,10 @@ use crate::torque_result::{
     CylinderTorque, Indicated, IndicatedWork, TORQUE_VERSION, Torque, TorqueHarmonic,
 };
 use crate::train::{Mechanism, Piston, Selection};
+use crate::turned::Turned;
 use lanchester_model::Engine;
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
-
-/// Stretches of a revolution within which no torque hides an extreme, at least.
-const STRETCHES: usize = 120;
 
 /// Share of the range of a gas force that it must change by within [`JUMP_BESIDE`] of its period to be called a jump.
 const JUMP: f64 = 1e-3;
@@ -29,6 +28,8 @@ const JUMP_BESIDE: f64 = 1e-9;
 pub(crate) struct InertiaTorque {
     mechanism: Mechanism,
     lever: Lever,
+    /// Where the crank of every piston points at `theta = 0`, from the (master's) cylinder axis.
+    starts: Vec<Complex64>,
 }
 
 impl InertiaTorque {
@@ -38,14 +39,24 @@ impl InertiaTorque {
         selection: Selection,
     ) -> Result<InertiaTorque, LoadError> {
         let mechanism = Mechanism::of(engine, &request.loads(), selection)?;
-        Ok(InertiaTorque { mechanism, lever: request.lever })
+        let starts = mechanism.pistons.iter().map(|piston| Complex64::cis(piston.phase)).collect();
+        Ok(InertiaTorque { mechanism, lever: request.lever, starts })
     }
 
     /// At crankshaft 1 [N m], at constant speed, positive in the sense of rotation.
     fn at(&self, theta: f64) -> f64 {
+        self.at_turned(&Turned::at(theta))
+    }
+
+    fn at_turned(&self, turned: &Turned) -> f64 {
         match self.lever {
-            Lever::Exact => self.mechanism.shaft_torque(theta),
-            Lever::Sine => self.mechanism.pistons.iter().map(|piston| with_sine_lever(piston, theta)).sum(),
+            Lever::Exact => {
+                let pistons = self.mechanism.pistons.iter().zip(&self.starts);
+                pistons.map(|(piston, start)| piston.torque_at(start * turned.by(piston.ratio))).sum()
+            }
+            Lever::Sine => {
+                self.mechanism.pistons.iter().map(|piston| with_sine_lever(piston, turned.theta)).sum()
+            }
         }
     }
 }
@@ -68,10 +79,15 @@ impl Mechanism {
 impl Piston {
     /// Its part of the inertia torque at crankshaft 1 [N m].
     fn shaft_torque(&self, theta: f64) -> f64 {
+        self.torque_at(Complex64::cis(self.ratio.value() * theta + self.phase))
+    }
+
+    /// The same where its crank points along `crank`, of length 1, from the (master's) cylinder axis.
+    fn torque_at(&self, crank: Complex64) -> f64 {
         let rate = self.ratio.value();
-        let motion = self.drive.motion(rate * theta + self.phase);
+        let motion = self.drive.motion_at(crank);
         let [_, s1, s2, _] = motion.stroke.travel;
-        let [_, k, k1, _] = motion.stroke.swing;
+        let [k, k1, _] = motion.stroke.swing;
         let own = -rate * (self.mass * s1 * s2 + self.inertia * k * k1);
         let knuckle = self.knuckle.as_ref().zip(motion.knuckle.as_ref());
         let pin = knuckle.map(|(mass, pin)| mass.mass * (pin.knuckle[1].conj() * pin.knuckle[2]).re);
@@ -92,15 +108,18 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
     let period = train.period();
     let count = request.samples * train.revolutions as usize;
     let theta: Vec<f64> = (0..count).map(|j| period * j as f64 / count as f64).collect();
-    let over = |function: &dyn Fn(f64) -> f64| theta.iter().map(|theta| function(*theta)).collect::<Vec<_>>();
+    let turned: Vec<Turned> = theta.iter().map(|theta| Turned::at(*theta)).collect();
 
     let ratio = engine.gas.as_ref().and_then(lanchester_model::Gas::compression_ratio);
+    let mut works = KnownWorks::default();
     let cylinders = (0..engine.cylinders.len())
         .map(|index| {
             let own = InertiaTorque::of(engine, request, Selection::Cylinder(index))?;
+            let inertia = turned.iter().map(|turned| own.at_turned(turned)).collect();
+            let work = works.of(&train, gas, index);
             Ok(CylinderTorque {
                 clearance: ratio.map(|ratio| train.clearance(index, ratio)),
-                ..cylinder_torque(&train, gas, index, &theta, over(&|theta| own.at(theta)))
+                ..cylinder_torque(&train, gas, index, &turned, inertia, work)
             })
         })
         .collect::<Result<Vec<_>, TorqueError>>()?;
@@ -175,7 +194,7 @@ impl GasTrain {
         let narrowest = self
             .pistons
             .iter()
-            .map(|piston| piston.width() / piston.ratio.value().abs())
+            .map(|piston| SHARE_OF_WIDTH * piston.width() / piston.ratio.value().abs())
             .fold(2.0 * PI / STRETCHES as f64, f64::min);
         Breaks::new(period, knots, (period / narrowest).ceil() as usize)
     }
@@ -259,42 +278,74 @@ fn cylinder_torque(
     train: &GasTrain,
     gas: &[CylinderGas],
     index: usize,
-    theta: &[f64],
+    turned: &[Turned],
     inertia: Vec<f64>,
+    work: IndicatedWork,
 ) -> CylinderTorque {
     let (piston, motion, area, gas) =
         (&train.pistons[index], &train.motion[index], train.areas[index], &gas[index]);
-    let over =
-        |value: &dyn Fn(f64) -> f64| theta.iter().map(|theta| value(piston.own_angle(*theta))).collect();
+    let over = |curve: &PeriodicCurve| {
+        turned.iter().map(|turned| curve.at(piston.own_angle(turned.theta))).collect()
+    };
     let [_, (peak, at)] = gas.cylinder.extremes();
     let period = gas.cylinder.period();
     let half_off = (at + 0.5 * period).rem_euclid(period) - 0.5 * period;
-    let ratio = piston.ratio.value().abs();
-    let turn = TAU;
-    // Of a chamber that pistons share the strokes are those of its volume.
-    let [top, bottom] = match &motion.chamber {
-        Some(chamber) => [chamber.top_dead_centre, chamber.bottom_dead_centre],
-        None => [motion.top_dead_centre, motion.bottom_dead_centre],
-    };
-    let down = ((bottom - top) * ratio).rem_euclid(turn);
     CylinderTorque {
         cylinder: index + 1,
         firing_angle: piston.firing,
-        gas: theta.iter().map(|theta| piston.torque(*theta, train.lever)).collect(),
+        gas: turned.iter().map(|turned| piston.torque_at(turned, train.lever)).collect(),
         inertia,
-        pressure: over(&|own| gas.cylinder.at(own)),
-        crankcase: over(&|own| gas.crankcase.at(own)),
-        volume: over(&|own| area * (motion.top - piston.travel(own))),
+        pressure: over(&gas.cylinder),
+        crankcase: over(&gas.crankcase),
+        volume: turned.iter().map(|turned| area * (motion.top - piston.travel(turned))).collect(),
         clearance: None,
-        work: IndicatedWork {
-            swept: area * motion.stroke,
+        work,
+        peak_pressure: Extreme { value: peak, theta: half_off },
+    }
+}
+
+/// Works that were computed already: cylinders that work alike have the same.
+#[derive(Default)]
+struct KnownWorks<'a>(Vec<(&'a CylinderGas, usize, IndicatedWork)>);
+
+impl<'a> KnownWorks<'a> {
+    fn of(&mut self, train: &GasTrain, gas: &'a [CylinderGas], index: usize) -> IndicatedWork {
+        let (piston, down) = (&train.pistons[index], train.down(index));
+        let alike = |known: &&(&CylinderGas, usize, IndicatedWork)| {
+            let (curves, other, _) = **known;
+            // The pressures apart from their difference, and the strokes of what they push on.
+            *curves == gas[index]
+                && train.pistons[other].works_as(piston)
+                && train.areas[other] == train.areas[index]
+                && train.motion[other].stroke == train.motion[index].stroke
+                && (train.down(other) - down).abs() < SAME_PHASE
+        };
+        if let Some((_, _, work)) = self.0.iter().find(alike) {
+            return *work;
+        }
+        let (gas, area) = (&gas[index], train.areas[index]);
+        let work = IndicatedWork {
+            swept: area * train.motion[index].stroke,
             by_torque: piston.work(train.lever),
             by_volume: piston.work_by_volume(&piston.force),
             by_rods: piston.work_by_rods(),
             cylinder: area * piston.work_by_volume(&gas.cylinder),
-            gross: area * piston.work_between(&gas.cylinder, down - turn, down),
+            gross: area * piston.work_between(&gas.cylinder, down - TAU, down),
             crankcase: -area * piston.work_by_volume(&gas.crankcase),
-        },
-        peak_pressure: Extreme { value: peak, theta: half_off },
+        };
+        self.0.push((gas, index, work));
+        work
+    }
+}
+
+impl GasTrain {
+    /// Own angle from top to bottom dead centre [rad]; of a chamber that pistons share that of its volume.
+    fn down(&self, index: usize) -> f64 {
+        let motion = &self.motion[index];
+        let [top, bottom] = match &motion.chamber {
+            Some(chamber) => [chamber.top_dead_centre, chamber.bottom_dead_centre],
+            None => [motion.top_dead_centre, motion.bottom_dead_centre],
+        };
+        ((bottom - top) * self.pistons[index].ratio.value().abs()).rem_euclid(TAU)
     }
 }
