@@ -1,10 +1,10 @@
 //! What must hold for any input: shared by the fuzz targets and by the test that replays the kept corpus.
 
-use lanchester_balance::workshop::{correction, drilling, grade};
 use lanchester_balance::{Outcome, optimise};
 use lanchester_mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
 use lanchester_model::workshop::read_sheet;
 use lanchester_model::{Engine, expanded, read as read_text, render, templates};
+use lanchester_workshop::{correction, drilling, grade};
 
 /// Any bytes, read as an engine file: mistakes can be shown, and what is accepted survives its expanded form.
 pub fn read(data: &[u8]) {

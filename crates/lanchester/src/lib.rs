@@ -39,7 +39,6 @@ mod sample_study;
 mod scene;
 mod shaft_weights;
 mod torque_report;
-pub mod validate;
 mod weights_as_parts;
 
 pub use arrangements::arrangements;
@@ -68,6 +67,7 @@ pub use lanchester_model as model;
 pub use lanchester_report as report;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
+pub use lanchester_workshop as workshop;
 pub use layout_search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
 pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
 pub use layout_study::{LayoutRows, LayoutStudy};

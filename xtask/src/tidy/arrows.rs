@@ -4,13 +4,14 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 14] = [
+const ARROWS: [(&str, &[&str]); 16] = [
     ("lanchester-shape", &[]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
     ("lanchester-cycle", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-workshop", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
     ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-table", &[]),
     (
@@ -20,6 +21,7 @@ const ARROWS: [(&str, &[&str]); 14] = [
             "lanchester-mechanism",
             "lanchester-geometry",
             "lanchester-balance",
+            "lanchester-workshop",
             "lanchester-study",
         ],
     ),
@@ -31,14 +33,16 @@ const ARROWS: [(&str, &[&str]); 14] = [
             "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",
+            "lanchester-workshop",
             "lanchester-report",
             "lanchester-study",
             "lanchester-table",
         ],
     ),
+    ("lanchester-validation", &["lanchester"]),
     ("lanchester-files", &[]),
     ("lanchester-studio", &["lanchester", "lanchester-files"]),
-    ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio"]),
+    ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio", "lanchester-validation"]),
     ("xtask", &[]),
 ];
 

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
-use lanchester::validate::{csv, markdown, text, validate};
+use lanchester_validation::{csv, markdown, text, validate};
 
 pub fn run(arguments: &ValidateArguments) -> Result<u8, Failure> {
     let validation = validate(arguments.filter.as_deref());

@@ -3,7 +3,7 @@
 use super::mass::{grams, percent};
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::workshop::BobweightAnswer;
+use lanchester_workshop::BobweightAnswer;
 
 /// Weighed parts, bobweights, shares and the comparison with the optimum.
 pub fn bobweight_tables(answer: &BobweightAnswer) -> Vec<Table> {
@@ -88,7 +88,7 @@ fn parts(answer: &BobweightAnswer) -> Table {
 
 fn bobweights(answer: &BobweightAnswer) -> Table {
     let bobs = &answer.bobweights;
-    let masses = |of: &dyn Fn(&lanchester_balance::workshop::Bobweight) -> f64| {
+    let masses = |of: &dyn Fn(&lanchester_workshop::Bobweight) -> f64| {
         bobs.iter().map(|bob| grams(of(bob))).collect::<Vec<_>>()
     };
     let mut columns = vec![(Column::words("pin"), bobs.iter().map(|b| Cell::text(&b.pin)).collect())];

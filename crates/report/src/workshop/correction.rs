@@ -4,10 +4,8 @@ use super::grade::{grade_tables, plain};
 use super::mass::{grams, on_rotor, rotor_angle, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
-use lanchester_balance::workshop::{
-    Correction, NextStep, PlaneCorrection, Remark, RunFindings, ShownVibration,
-};
 use lanchester_model::workshop::{Action, VibrationQuantity};
+use lanchester_workshop::{Correction, NextStep, PlaneCorrection, Remark, RunFindings, ShownVibration};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Effects are told per this much unbalance: 100 g mm [kg m].

@@ -3,9 +3,7 @@
 use super::mass::{grams, on_rotor, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
-use lanchester_balance::workshop::{
-    BodyState, CrankUnbalance, ExternalBalance, InternalBalance, PlaneUnbalance,
-};
+use lanchester_workshop::{BodyState, CrankUnbalance, ExternalBalance, InternalBalance, PlaneUnbalance};
 use num_complex::Complex64;
 
 /// Which circle the angles of an engine's crank stand on.

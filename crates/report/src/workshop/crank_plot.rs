@@ -7,7 +7,7 @@ use crate::number;
 use crate::plot::value_axis;
 use crate::svg::{Anchor, Svg, text_width};
 use crate::view::View;
-use lanchester_balance::workshop::{CrankUnbalance, PlaneUnbalance};
+use lanchester_workshop::{CrankUnbalance, PlaneUnbalance};
 use num_complex::Complex64;
 
 const WIDTH: f64 = 460.0;
@@ -179,8 +179,8 @@ fn amount(unbalance: Complex64, noise: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_balance::workshop::{Plane, crank_unbalance};
     use lanchester_model::{read, template};
+    use lanchester_workshop::{Plane, crank_unbalance};
 
     fn figure(bobweight: f64) -> Figure {
         let engine = read(template("v8-crossplane").unwrap().text).engine.unwrap();

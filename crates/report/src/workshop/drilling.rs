@@ -4,7 +4,7 @@ use super::correction::remarks_text;
 use super::grade::{grade_tables, plain};
 use super::mass::{on_rotor, rotor_angle};
 use crate::table::{Cell, Column, Table};
-use lanchester_balance::workshop::{Drilling, NextStep};
+use lanchester_workshop::{Drilling, NextStep};
 
 /// The holes of every plane, and what is left.
 pub fn drilling_tables(drilling: &Drilling) -> Vec<Table> {

@@ -3,7 +3,7 @@
 use super::mass::{grams, percent};
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::workshop::{FactorAnswer, FactorEffect, FactorGiven, ThrowFactor};
+use lanchester_workshop::{FactorAnswer, FactorEffect, FactorGiven, ThrowFactor};
 
 /// Definitions, ellipses, and what one factor for all throws does.
 pub fn factor_tables(answer: &FactorAnswer) -> Vec<Table> {

@@ -3,7 +3,7 @@
 use super::mass::{on_rotor, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
-use lanchester_balance::workshop::Grade;
+use lanchester_workshop::Grade;
 use num_complex::Complex64;
 
 /// Shares of the bearings and of the correction planes; empty ones are left out.

@@ -6,7 +6,7 @@ use crate::number::{self, Scale};
 use crate::plot::Legend;
 use crate::svg::{Anchor, Path, Svg, text_width};
 use crate::view::View;
-use lanchester_balance::workshop::{FactorAnswer, PrimaryEllipse, Sense, ThrowFactor};
+use lanchester_workshop::{FactorAnswer, PrimaryEllipse, Sense, ThrowFactor};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -197,7 +197,7 @@ fn axes(svg: &mut Svg, view: &View, ellipse: &PrimaryEllipse) {
 mod tests {
     use super::*;
     use crate::sample;
-    use lanchester_balance::workshop::{FactorGiven, FactorRequest, factor_answer};
+    use lanchester_workshop::{FactorGiven, FactorRequest, factor_answer};
 
     fn figure(engine: &lanchester_model::Engine, given: FactorGiven, angle: Option<f64>) -> Figure {
         let request = FactorRequest { given, oil: 0.0, angle };

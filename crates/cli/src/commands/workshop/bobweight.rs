@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::BobweightArguments;
-use lanchester::balance::workshop::bobweight_answer;
 use lanchester::report::Table;
 use lanchester::report::workshop::{bobweight_tables, bobweight_text};
+use lanchester::workshop::bobweight_answer;
 
 pub fn run(arguments: &BobweightArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open_sheet(&arguments.sheet, colour)?;

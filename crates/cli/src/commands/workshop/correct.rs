@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::workshop_arguments::CorrectArguments;
-use lanchester::balance::workshop::{NextStep, correction};
 use lanchester::report::Table;
 use lanchester::report::workshop::{correction_tables, correction_text, vibration_figure};
+use lanchester::workshop::{NextStep, correction};
 
 pub fn run(arguments: &CorrectArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open(&arguments.sheet, colour)?;

@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::workshop_arguments::CrankArguments;
-use lanchester::balance::workshop::crank_unbalance;
 use lanchester::report::Table;
 use lanchester::report::workshop::{crank_figure, crank_tables, crank_text};
+use lanchester::workshop::crank_unbalance;
 
 pub fn run(arguments: &CrankArguments, colour: bool) -> Result<u8, Failure> {
     let crank = crank(&arguments.crank, colour)?;

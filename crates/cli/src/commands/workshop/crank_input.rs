@@ -5,11 +5,11 @@ use super::open as open_sheet;
 use crate::commands::open;
 use crate::failure::Failure;
 use crate::workshop_arguments::CrankInput;
-use lanchester::balance::workshop::{
-    CrankBody, FactorGiven, FactorRequest, Plane, balance_factors, bobweight_answer, end_planes,
-};
 use lanchester::model::workshop::{Rotor, Sheet};
 use lanchester::model::{Engine, option};
+use lanchester::workshop::{
+    CrankBody, FactorGiven, FactorRequest, Plane, balance_factors, bobweight_answer, end_planes,
+};
 use lanchester_files::shown;
 use std::path::Path;
 

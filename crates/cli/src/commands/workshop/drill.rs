@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::DrillArguments;
-use lanchester::balance::workshop::drilling;
 use lanchester::report::Table;
 use lanchester::report::workshop::{drilling_tables, drilling_text};
+use lanchester::workshop::drilling;
 
 pub fn run(arguments: &DrillArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open(&arguments.sheet, colour)?;

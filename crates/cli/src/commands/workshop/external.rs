@@ -7,10 +7,10 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::ExternalArguments;
-use lanchester::balance::workshop::external_balance;
 use lanchester::model::option;
 use lanchester::report::Table;
 use lanchester::report::workshop::{external_tables, external_text};
+use lanchester::workshop::external_balance;
 
 pub fn run(arguments: &ExternalArguments, colour: bool) -> Result<u8, Failure> {
     let (planes, radii) = weights_in_planes(&arguments.planes)?;

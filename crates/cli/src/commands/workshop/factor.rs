@@ -6,10 +6,10 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::workshop_arguments::FactorArguments;
-use lanchester::balance::workshop::{FactorRequest, factor_answer};
 use lanchester::model::option;
 use lanchester::report::Table;
 use lanchester::report::workshop::{factor_tables, factor_text, primary_ellipse_figure};
+use lanchester::workshop::{FactorRequest, factor_answer};
 
 pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
     let request = FactorRequest {

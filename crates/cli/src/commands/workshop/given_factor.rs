@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::workshop_arguments::GivenFactor;
-use lanchester::balance::workshop::FactorGiven;
 use lanchester::model::option::{self, BadQuantity};
+use lanchester::workshop::FactorGiven;
 
 /// What the options say of the factor.
 pub fn given_factor(options: &GivenFactor) -> Result<FactorGiven, Failure> {

@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::GradeArguments;
-use lanchester::balance::workshop::grade;
 use lanchester::report::Table;
 use lanchester::report::workshop::{grade_tables, grade_text};
+use lanchester::workshop::grade;
 
 pub fn run(arguments: &GradeArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open(&arguments.sheet, colour)?;

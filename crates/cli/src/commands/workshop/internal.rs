@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::InternalArguments;
-use lanchester::balance::workshop::internal_balance;
 use lanchester::report::Table;
 use lanchester::report::workshop::{internal_tables, internal_text};
+use lanchester::workshop::internal_balance;
 
 pub fn run(arguments: &InternalArguments, colour: bool) -> Result<u8, Failure> {
     let sheet = open_sheet(&arguments.sheet, colour)?;

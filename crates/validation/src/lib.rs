@@ -1,0 +1,428 @@
+//! Every published number that Lanchester can compute, printed against computed.
+//!
+//! `validation/<source>/` holds what a source prints, table by table, with the engine files that its numbers belong
+//! to. Each number is computed the whole way: the text of the engine file, changed where the table changes the
+//! engine, is read, its loads are computed in the source's convention, and one quantity is taken from them. The
+//! verdict is then held against the expected one, so that a number that the source prints wrongly is checked as
+//! strictly as a right one: its row names what is correct, and ours must equal that.
+//!
+//! The tolerance of every number is half a unit of its last printed digit, and every row shows it. A *match* is ours
+//! within it, from the printed inputs; whatever explains another number afterwards has a verdict of its own.
+//!
+//! ```
+//! let validation = lanchester_validation::validate(Some("Table 4"));
+//! assert!(validation.passed());
+//! ```
+#![forbid(unsafe_code)]
+
+mod case;
+mod files;
+mod fitting;
+mod gas;
+mod inputs;
+mod method;
+mod mount;
+mod quantity;
+mod render;
+mod shape;
+mod source;
+#[cfg(test)]
+mod tests;
+mod verdict;
+mod workshop;
+
+pub use render::{csv, markdown, text};
+pub use verdict::Verdict;
+
+use case::{Bench, sheet};
+use files::Source;
+use inputs::{corners, is_input};
+use quantity::{Key, Value};
+use serde::Serialize;
+use source::{Cell, Comparison, Edit, KinematicsName, Over, Row, Table};
+use verdict::Printed;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const VALIDATION_VERSION: u32 = 2;
+
+/// Published numbers against ours.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Validation {
+    /// [`VALIDATION_VERSION`].
+    pub version: u32,
+    /// Rows by verdict.
+    pub counts: Counts,
+    /// By source.
+    pub sources: Vec<SourceResult>,
+}
+
+/// The numbers of one source.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SourceResult {
+    /// Its folder in `validation/`.
+    pub key: String,
+    /// What it is called here.
+    pub title: String,
+    /// Author, title, place, year.
+    pub citation: String,
+    /// Its tables.
+    pub tables: Vec<TableResult>,
+    /// What it prints and this version does not compute.
+    pub deferred: Vec<Deferred>,
+}
+
+/// The numbers of one table, or of the running text.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TableResult {
+    /// "Table 4", "Text".
+    pub table: String,
+    /// What it is about.
+    pub title: String,
+    /// One a printed number.
+    pub rows: Vec<RowResult>,
+}
+
+/// One printed number against ours.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RowResult {
+    /// Section of the running text.
+    pub section: Option<String>,
+    /// Column of the table.
+    pub column: Option<String>,
+    /// What the number is.
+    pub quantity: String,
+    /// Its unit; empty for a ratio.
+    pub unit: String,
+    /// As printed.
+    pub printed: String,
+    /// Ours with two more digits than printed.
+    pub ours: String,
+    /// Ours unrounded, where it is a number.
+    pub value: Option<f64>,
+    /// Half a unit of the last printed digit, in the unit of the row; `None` for a word, which must be the same.
+    pub tolerance: Option<f64>,
+    /// Smallest and largest result for all inputs that round to the printed ones, where they are rounded.
+    pub range: Option<[f64; 2]>,
+    /// Ours less the printed number, where both are numbers.
+    pub residual: Option<f64>,
+    /// How the two stand.
+    pub verdict: Verdict,
+    /// How they should.
+    pub expected: Verdict,
+    /// Whether the verdict is the expected one and ours equals [`RowResult::correct`].
+    pub ok: bool,
+    /// What ours must equal to its digits where the verdict is no match; `None` where it is unknown.
+    pub correct: Option<String>,
+    /// What gives the printed number: a rounded intermediate result, an assumption, or the error of the source.
+    pub given_by: Option<String>,
+    /// Why the verdict is no match.
+    pub reason: Option<String>,
+    /// Engine, changes, motion and quantity that ours comes from.
+    pub how: String,
+}
+
+/// What a source prints and this version does not compute.
+#[derive(Debug, Clone, PartialEq, Serialize, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Deferred {
+    /// Which numbers.
+    pub what: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// How many rows have which verdict.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Counts {
+    /// All rows.
+    pub rows: usize,
+    /// Rows of each verdict that some row has, in the order of [`Verdict::ALL`].
+    pub verdicts: Vec<VerdictCount>,
+    /// Rows that are not as expected.
+    pub unexpected: usize,
+}
+
+/// Rows of one verdict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct VerdictCount {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// How many rows have it.
+    pub rows: usize,
+}
+
+impl Validation {
+    /// Whether there is a row and every row is as expected.
+    pub fn passed(&self) -> bool {
+        self.counts.rows > 0 && self.counts.unexpected == 0
+    }
+}
+
+impl Counts {
+    /// Counts of some rows.
+    pub fn of<'a>(rows: impl IntoIterator<Item = &'a RowResult>) -> Counts {
+        let rows: Vec<&RowResult> = rows.into_iter().collect();
+        let of = |verdict| rows.iter().filter(|row| row.verdict == verdict).count();
+        let verdicts = Verdict::ALL.map(|verdict| VerdictCount { verdict, rows: of(verdict) });
+        Counts {
+            rows: rows.len(),
+            verdicts: verdicts.into_iter().filter(|count| count.rows > 0).collect(),
+            unexpected: rows.iter().filter(|row| !row.ok).count(),
+        }
+    }
+
+    /// Rows of a verdict.
+    pub fn with(&self, verdict: Verdict) -> usize {
+        self.verdicts.iter().find(|count| count.verdict == verdict).map_or(0, |count| count.rows)
+    }
+}
+
+/// Computes every published number, or those of the sources and tables that `filter` names.
+///
+/// A filter keeps the tables whose "source table" (for instance "twin-cylinder-thesis Table 4") holds it, upper and
+/// lower case alike; a filter that ends in a digit does not keep a longer number (Table 40, Table 4.2). A filter that keeps nothing gives
+/// no rows, and a validation without rows has not passed.
+pub fn validate(filter: Option<&str>) -> Validation {
+    let mut bench = Bench::default();
+    let sources: Vec<SourceResult> = files::sources()
+        .into_iter()
+        .filter_map(|source| {
+            let tables: Vec<TableResult> = source
+                .tables
+                .iter()
+                .filter(|table| filter.is_none_or(|f| keeps(f, &format!("{} {}", source.key, table.table))))
+                .map(|table| validate_table(&mut bench, &source, table))
+                .collect();
+            (!tables.is_empty()).then(|| SourceResult {
+                key: source.key.clone(),
+                title: source.title.clone(),
+                citation: source.citation.clone(),
+                tables,
+                deferred: source.deferred.clone(),
+            })
+        })
+        .collect();
+    let counts = Counts::of(sources.iter().flat_map(|source| &source.tables).flat_map(|table| &table.rows));
+    Validation { version: VALIDATION_VERSION, counts, sources }
+}
+
+fn keeps(filter: &str, name: &str) -> bool {
+    let (filter, name) = (filter.to_lowercase(), name.to_lowercase());
+    let ends_in_digit = filter.ends_with(|c: char| c.is_ascii_digit());
+    name.match_indices(&filter).any(|(at, _)| {
+        let next = name[at + filter.len()..].chars().next();
+        !(ends_in_digit && next.is_some_and(|c| c == '.' || c.is_ascii_digit()))
+    })
+}
+
+fn validate_table(bench: &mut Bench, source: &Source, table: &Table) -> TableResult {
+    let mut rows = Vec::new();
+    for row in &table.rows {
+        for (at, cell) in row.printed.cells().iter().enumerate() {
+            let column = table.columns.get(at);
+            let place = Place { source, table, row, column_edits: column.map_or(&[], |c| &c.with) };
+            let engine =
+                column.and_then(|c| c.engine.as_ref()).or(row.engine.as_ref()).unwrap_or(&table.engine);
+            rows.push(RowResult {
+                column: column.map(|c| c.name.clone()),
+                ..validate_cell(bench, &place, engine, cell)
+            });
+        }
+    }
+    TableResult { table: table.table.clone(), title: table.title.clone(), rows }
+}
+
+/// Where a cell stands.
+struct Place<'a> {
+    source: &'a Source,
+    table: &'a Table,
+    row: &'a Row,
+    column_edits: &'a [Edit],
+}
+
+fn validate_cell(bench: &mut Bench, place: &Place, engine: &[Edit], cell: &Cell) -> RowResult {
+    let row = place.row;
+    let printed = Printed::read(cell.text());
+    let plain = ours(bench, place, engine, &[]);
+    let range = range(bench, place, engine);
+    let expected = cell.stated().or(row.expected).unwrap_or(Verdict::Match);
+    let (verdict, given_by) = match (&plain, &range) {
+        (Err(_), _) | (_, Err(_)) => (Verdict::NotComputed, None),
+        (Ok(found), Ok(range)) => judge(bench, place, engine, cell, found, *range),
+    };
+    let value = plain.as_ref().ok().map(|found| found.value);
+    let is = |text: &str| value.is_some_and(|value| Printed::read(text).agrees(&value));
+    let residual = value.and_then(|value| printed.residual(&value));
+    let is_held = match (verdict, cell.correct(), cell.residual()) {
+        (Verdict::Residual, _, Some(text)) => {
+            residual.is_some_and(|residual| Printed::read(text).agrees(&Value::Number(residual)))
+        }
+        (Verdict::Residual, _, None) => false,
+        (_, Some(correct), _) => is(correct),
+        (Verdict::InputItself, None, _) => is(cell.text()),
+        (_, None, _) => true,
+    };
+    let failed = plain.as_ref().err().or(range.as_ref().err());
+    RowResult {
+        section: row.section.clone(),
+        column: None,
+        quantity: row.quantity.clone(),
+        unit: row.unit.clone(),
+        printed: cell.text().to_string(),
+        ours: match (failed, value) {
+            (None, Some(value)) => printed.show(&value),
+            (why, _) => why.cloned().unwrap_or_default(),
+        },
+        value: value.and_then(Value::number),
+        tolerance: printed.tolerance(),
+        range: range.ok().flatten(),
+        residual,
+        verdict,
+        expected,
+        ok: verdict == expected && is_held,
+        correct: cell.correct().map(str::to_string),
+        given_by,
+        reason: cell.reason().or(row.reason.as_deref()).map(str::to_string),
+        how: describe(place, engine),
+    }
+}
+
+/// How ours stands to a printed number, and what gives the printed number if ours does not.
+fn judge(
+    bench: &mut Bench,
+    place: &Place,
+    engine: &[Edit],
+    cell: &Cell,
+    found: &Ours,
+    range: Option<[f64; 2]>,
+) -> (Verdict, Option<String>) {
+    let printed = Printed::read(cell.text());
+    let mut given = |edits: &[Edit]| {
+        let agrees = !edits.is_empty()
+            && ours(bench, place, engine, edits).is_ok_and(|found| printed.agrees(&found.value));
+        agrees.then(|| edits.iter().map(Edit::to_string).collect::<Vec<_>>().join(", "))
+    };
+    let agrees = printed.agrees(&found.value);
+    if found.is_input {
+        return (Verdict::InputItself, None);
+    }
+    if place.row.synthetic.unwrap_or(place.table.synthetic) {
+        return (Verdict::Residual, None);
+    }
+    if let Some(error) = given(cell.wrong()) {
+        return (if agrees { Verdict::Accident } else { Verdict::SourceWrong }, Some(error));
+    }
+    if agrees {
+        return (Verdict::Match, None);
+    }
+    if range.is_some_and(|range| printed.lies_between(range)) {
+        return (Verdict::WithinRounding, None);
+    }
+    if let Some(intermediate) = given(cell.rounded()) {
+        return (Verdict::RoundedIntermediate, Some(intermediate));
+    }
+    if let Some(assumption) = given(cell.assumed()) {
+        return (Verdict::ExplainedAfterwards, Some(assumption));
+    }
+    // An explanation that is given must hold.
+    let is_explained = [cell.wrong(), cell.rounded(), cell.assumed()].iter().any(|edits| !edits.is_empty());
+    match cell.expected() {
+        stated if stated.is_stated() && !is_explained => (stated, None),
+        _ => (Verdict::Differs, None),
+    }
+}
+
+/// Smallest and largest result over the corners of the box of inputs that round to the printed ones.
+///
+/// What lies between two results of a connected box is a result too, so that a number between them is one for some
+/// inputs that round to the printed ones.
+fn range(bench: &mut Bench, place: &Place, engine: &[Edit]) -> Result<Option<[f64; 2]>, String> {
+    if place.table.rounded_inputs.is_empty() {
+        return Ok(None);
+    }
+    let edits = [engine, place.column_edits, &place.row.with].concat();
+    let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+    for corner in corners(&edits, &place.source.changes, &place.table.rounded_inputs)? {
+        if let Value::Number(result) = ours(bench, place, engine, &[Edit::Written(corner)])?.value {
+            range = [range[0].min(result), range[1].max(result)];
+        }
+    }
+    Ok((range[0] <= range[1]).then_some(range))
+}
+
+/// Our value of a cell.
+struct Ours {
+    value: Value,
+    /// Whether it is an input, unchanged.
+    is_input: bool,
+}
+
+/// Our value of a cell with further changes of its engine.
+fn ours(bench: &mut Bench, place: &Place, engine: &[Edit], further: &[Edit]) -> Result<Ours, String> {
+    let Place { source, row, column_edits, .. } = *place;
+    let key = Key::parse(&row.key)?;
+    let edits = [engine, column_edits, &row.with, further].concat();
+    let divisor: f64 = row.divided_by.values().product();
+    if let Key::Workshop(key) = &key {
+        let (sheet, inputs) = sheet(source, &edits)?;
+        let number = key.of(&sheet)?;
+        return Ok(Ours { value: Value::Number(number / divisor), is_input: is_input(number, &inputs) });
+    }
+    let kinematics = row.kinematics.unwrap_or(source.kinematics);
+    let about = row.about.as_deref();
+    let run = bench.run(source, &edits, kinematics, about)?;
+    let mut is_input = key.number_of(&run).is_ok_and(|number| is_input(number, &run.inputs));
+    let value = match row.comparison {
+        None => key.of(&run)?,
+        Some(comparison) => {
+            let none = Over::default();
+            let over = row.over.as_ref().unwrap_or(&none);
+            let edits = [over.engine.as_deref().unwrap_or(engine), &over.with, further].concat();
+            let reference = bench.run(source, &edits, over.kinematics.unwrap_or(kinematics), about)?;
+            let reference_key = Key::parse(over.key.as_deref().unwrap_or(&row.key))?;
+            // Two inputs compared are inputs still.
+            let other = reference_key.number_of(&reference);
+            is_input &= other.is_ok_and(|number| inputs::is_input(number, &reference.inputs));
+            Value::Number(comparison.of((&key, &run), (&reference_key, &reference))?)
+        }
+    };
+    let value = match value {
+        Value::Number(number) => Value::Number(number / divisor),
+        word => word,
+    };
+    Ok(Ours { value, is_input })
+}
+
+/// Engine, changes, motion and quantity in one line.
+fn describe(place: &Place, engine: &[Edit]) -> String {
+    let Place { source, row, column_edits, table } = place;
+    let kinematics = |k: KinematicsName| k.kinematics().name();
+    let edits = [engine, column_edits, &row.with].concat();
+    let engine = edits.iter().map(Edit::to_string).collect::<Vec<_>>().join(", ");
+    if row.key.starts_with("workshop ") {
+        return format!("{engine}; {}", row.key);
+    }
+    let mut how =
+        format!("{engine}; {}; {}", kinematics(row.kinematics.unwrap_or(source.kinematics)), row.key);
+    if let Some(about) = &row.about {
+        how += &format!(" about the {about}");
+    }
+    if let Some(comparison) = row.comparison {
+        how += &format!(", {}", Comparison::name(comparison));
+        let names = |edits: &[Edit]| edits.iter().map(Edit::to_string).collect::<Vec<_>>();
+        let over: Vec<String> = row.over.as_ref().map_or_else(Vec::new, |over| {
+            let engine = over.engine.as_deref().map_or_else(Vec::new, names);
+            let kinematics = over.kinematics.map(kinematics);
+            over.key.clone().into_iter().chain(engine).chain(names(&over.with)).chain(kinematics).collect()
+        });
+        how += " over ";
+        how += &if over.is_empty() { "the unchanged engine".to_string() } else { over.join(", ") };
+    }
+    for (what, number) in &row.divided_by {
+        how += &format!(", divided by {what} {number}");
+    }
+    if let Some(more) = &table.how {
+        how += &format!(". {more}");
+    }
+    how
+}
