@@ -69,6 +69,11 @@ pub fn run(arguments: &[String]) -> Result<()> {
     Ok(())
 }
 
+/// The short form.
+pub fn short(program: &Path) -> Result<String> {
+    trials(program, SHORT, SHORT_SEED, "")
+}
+
 fn trials(program: &Path, seconds: u64, seed: u64, only: &str) -> Result<String> {
     let chosen: Vec<_> = KINDS.iter().filter(|(name, _)| name.contains(only)).collect();
     ensure!(!chosen.is_empty(), "no kind of trials has `{only}` in its name");

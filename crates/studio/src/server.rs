@@ -36,7 +36,8 @@ const LONGEST_QUESTION: usize = 24 << 20;
 /// Most connections at a time: a window has half a dozen.
 const MOST_CONNECTIONS: usize = 256;
 
-/// The head of a question may be this long [bytes]: that of a browser has one or two thousand.
+/// A longer head of a question is refused [bytes]: that of a browser has one or two thousand. The server reads by up to half of it at a time
+/// and looks at the length between, so that heads of half this length are taken for certain.
 const LONGEST_HEAD: usize = 64 << 10;
 
 /// Who asks has so long for the head of a question, and as long again for its body: both come from this machine.
@@ -145,7 +146,7 @@ async fn answer(listener: TcpListener, app: Router) -> Infallible {
         tokio::spawn(async move {
             let _place = place;
             let mut http = http1::Builder::new();
-            http.timer(TokioTimer::new()).header_read_timeout(PATIENCE).max_buf_size(LONGEST_HEAD);
+            http.timer(TokioTimer::new()).header_read_timeout(PATIENCE).max_buf_size(LONGEST_HEAD / 2);
             // Who breaks off has gone: there is nobody to tell.
             let _ = http.serve_connection(TokioIo::new(stream), service).await;
         });

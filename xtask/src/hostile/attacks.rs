@@ -143,7 +143,7 @@ fn attack(ground: &mut Ground, studio: &Studio) -> (Vec<u8>, bool) {
             (studio.question("GET", "/api/session", &head, ""), true)
         }
         7 => {
-            let long = "a".repeat(100_000 + random.below(400_000));
+            let long = "a".repeat((64 << 10) + random.below(400_000));
             (studio.question("GET", "/api/session", &format!("{own}x-long: {long}\r\n"), ""), true)
         }
         8 => {

@@ -97,9 +97,10 @@ pub fn run(ground: &mut Ground) -> Result<u64> {
                     (factor * engine.stroke, factor * engine.rod, factor * engine.spacing);
                 ("forces grow with the lengths, couples with their square", factor, Some(factor * factor))
             }
+            // A throw at -a instead of a: every sum over throws `m e^{ina}` becomes its conjugate, of the same size.
             3 => {
                 other.angles.iter_mut().for_each(|angle| *angle = (360.0 - *angle) % 360.0);
-                ("a mirrored crank exchanges the senses", 1.0, Some(1.0))
+                ("a mirrored crank turns every order about, in its own sense", 1.0, Some(1.0))
             }
             // Couples are about the origin, which is another place then, as seen from the engine.
             _ => {
@@ -109,12 +110,7 @@ pub fn run(ground: &mut Ground) -> Result<u64> {
                 ("an engine turned end for end has the same forces", 1.0, None)
             }
         };
-        let [mut force_then, mut couple_then] = amplitudes(ground, &other)?;
-        if law == 3 {
-            for load in [&mut force_then, &mut couple_then] {
-                load.chunks_exact_mut(2).for_each(|senses| senses.swap(0, 1));
-            }
-        }
+        let [force_then, couple_then] = amplitudes(ground, &other)?;
         let same = |a: &[f64], b: &[f64], factor: f64| {
             let scale = a.iter().copied().fold(f64::MIN_POSITIVE, f64::max) * factor;
             let close = a.iter().zip(b).all(|(a, b)| (a * factor - b).abs() <= TOLERANCE * scale);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { table } from "./csv";
+import { cell, table } from "./csv";
 
 const x = { name: "Crank angle", unit: "°", si: 1 };
 const y = { name: "Force", unit: "N", si: 1 };
@@ -30,5 +30,11 @@ describe("table", () => {
   it("is in the units shown", () => {
     const text = table([{ name: "a", x: [Math.PI], y: [5], colour: 1 }], { ...x, si: Math.PI / 180 }, y);
     expect(text.split("\r\n")[1]).toBe("180,5");
+  });
+  it("holds no formula", () => {
+    expect(cell("=1+1")).toBe("'=1+1");
+    expect(cell("@a, b")).toBe('"\'@a, b"');
+    expect(cell("-12.5")).toBe("-12.5");
+    expect(cell("-bank")).toBe("'-bank");
   });
 });

@@ -9,8 +9,11 @@ export interface Column {
   si: number;
 }
 
+/** A word, quoted where needed; an apostrophe stands before one that a spreadsheet would take for a formula. */
 export function cell(text: string): string {
-  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  const formula = /^[=+\-@\t\r]/.test(text) && !Number.isFinite(Number(text));
+  const word = formula ? `'${text}` : text;
+  return /[",\r\n]/.test(word) ? `"${word.replaceAll('"', '""')}"` : word;
 }
 
 export function head(column: Column, of = ""): string {
