@@ -23,7 +23,9 @@ fn mdbook() -> Result<PathBuf> {
     if !own.exists() {
         println!("   mdbook is missing: installing {MDBOOK} below {}", tools.display());
         let mut install = cargo();
-        install.args(["install", "mdbook", "--version", MDBOOK, "--locked", "--quiet", "--root"]);
+        install.args(["install", "mdbook", "--version", MDBOOK, "--locked", "--quiet", "--debug"]);
+        // It builds one book: neither server nor optimised code is worth the minutes.
+        install.args(["--no-default-features", "--features", "search", "--root"]);
         quiet(install.arg(&tools).current_dir(root()))?;
     }
     Ok(own)

@@ -2,7 +2,7 @@
 
 use crate::command::{cargo, in_view, quiet};
 use crate::workspace::{program, root};
-use crate::{book, browser, claims, documents, engines, generate, notices, page, supply, tidy};
+use crate::{book, browser, claims, documents, engines, generate, hostile, notices, page, supply, tidy};
 use anyhow::{Context, Result};
 use std::time::{Duration, Instant};
 
@@ -32,6 +32,7 @@ pub fn run() -> Result<()> {
     })?;
     let program = program().context("the program does not build")?;
     steps.run("every example and template: check, loads, balance, report", || engines::run(&program))?;
+    steps.run("mutated files, kills, laws, attacks: a short round", || hostile::short(&program))?;
     steps.run("engine files of the README and the book", || documents::engines(&program))?;
     steps.run("claims of the README and the book", || claims::check(&program))?;
     steps.run("published numbers", || {
