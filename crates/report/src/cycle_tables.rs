@@ -10,15 +10,17 @@ use std::f64::consts::PI;
 /// A column of a cycle over its angles.
 type OverAngle = fn(&CycleResult) -> &Vec<f64>;
 
-/// The cylinders that have a cycle: "1, 2, 3, 4".
+/// The cylinders that have a cycle: "cylinders 1, 2, 3, 4".
 fn cylinders(cycle: &CycleResult) -> String {
-    cycle.cylinders.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+    let numbers = cycle.cylinders.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+    let noun = if cycle.cylinders.len() == 1 { "cylinder" } else { "cylinders" };
+    format!("{noun} {numbers}")
 }
 
 /// Trapped mass, residual gas, efficiencies, heat to the walls and residuals of every cycle: a row a quantity, a column a cycle.
 pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     let mut columns = vec![Column::words("quantity"), Column::words("unit")];
-    columns.extend(cycles.iter().map(|cycle| Column::numbers(format!("cylinders {}", cylinders(cycle)), "")));
+    columns.extend(cycles.iter().map(|cycle| Column::numbers(cylinders(cycle), "")));
     let mut rows: Vec<Vec<Cell>> = Vec::new();
     let mut row = |name: &str, unit: &str, digits: i32, value: &dyn Fn(&CycleResult) -> Option<f64>| {
         let values: Vec<Option<f64>> = cycles.iter().map(value).collect();
@@ -51,20 +53,20 @@ pub fn cycle_table(cycles: &[CycleResult]) -> Table {
     row("temperature at closing", "K", 4, &of(|e| e.trapped_temperature));
     row("closes, after firing top dead centre", "deg", 4, &of(|e| e.closing_angle.to_degrees()));
     row("highest temperature", "K", 4, &|c| Some(c.peak_temperature));
-    row("at", "deg", 3, &|c| Some(c.peak_temperature_angle.to_degrees()));
+    row("angle of the highest temperature", "deg", 3, &|c| Some(c.peak_temperature_angle.to_degrees()));
     row("highest pressure", "bar", 4, &|c| Some(c.peak_pressure / 1e5));
-    row("at", "deg", 3, &|c| Some(c.peak_pressure_angle.to_degrees()));
+    row("angle of the highest pressure", "deg", 3, &|c| Some(c.peak_pressure_angle.to_degrees()));
     row("residual of the energy", "J", 2, &of(|e| e.energy_residual));
     row("residual of the energy, of the largest term", "1", 2, &of(|e| e.energy_residual_share));
     row("residual of the mass", "mg", 2, &of(|e| 1e6 * e.mass_residual));
     row("residual of the mass, of the trapped mass", "1", 2, &of(|e| e.mass_residual_share));
-    row("cycles until it repeats itself", "1", 3, &of(|e| e.cycles as f64));
+    row("cycles until it repeats itself", "1", 1, &of(|e| e.cycles as f64));
     let process = cycles.first().map_or(String::new(), |cycle| cycle.process.clone());
     Table {
         id: "gas-cycle",
         title: "Cycle of the gas".to_owned(),
         note: format!(
-            "{process}. Residuals: what is missing from the balances of energy and mass over the last cycle."
+            "Process: {process}. Residuals: what is missing from the balances of energy and mass over the last cycle."
         ),
         remark: String::new(),
         columns,
@@ -119,7 +121,7 @@ pub fn cycle_angle_table(cycles: &[CycleResult]) -> Table {
 
 /// p-V diagram in logarithms, temperature, mass and heat over the angle.
 pub fn cycle_figures(cycles: &[CycleResult]) -> Vec<Figure> {
-    let name = |cycle: &CycleResult| format!("cylinders {}", cylinders(cycle));
+    let name = cylinders;
     let style = |k: usize| if k == 0 { 0 } else { 1 + (k - 1) % 5 };
     let figure = |id: &str, title: &str, caption: &str, panels: Vec<Panel>| Figure {
         id: id.to_owned(),
