@@ -18,6 +18,9 @@ pub struct Answer {
     pub engine: String,
     /// Speed of crankshaft 1 at which loads are judged [rad/s]: the highest of the engine, where all of them are largest.
     pub speed: f64,
+    /// Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mount_speeds: Option<MountSpeeds>,
     /// What was asked.
     pub task: BalanceTask,
     /// Whether there is an optimum, and if not, why.
@@ -78,6 +81,19 @@ pub enum Outcome {
         /// Why.
         cause: StopCause,
     },
+}
+
+/// Speeds at which forces at mounts with springs were judged.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct MountSpeeds {
+    /// Speeds of crankshaft 1 [rad/s] that hold the proof: over a range the ends, the resonances, some between and the worst of every round.
+    pub judged: Vec<f64>,
+    /// Speed [rad/s] at which the first criterion of mount force is largest with what was found.
+    pub worst: f64,
+    /// By how much a speed between passes the value, at most, as a share of it: what the search over the range left.
+    pub excess: f64,
+    /// Whether the whole range of the engine counts.
+    pub range: bool,
 }
 
 /// How an optimum was found.

@@ -53,17 +53,12 @@ pub(crate) fn vectors(
         Load::CoupleY => (channels(&[Channel::CoupleY]), false),
         Load::RollMoment => (channels(&[Channel::RollMoment]), false),
         Load::MountForce(index) => {
-            let mut all = mount_forces(engine, operator)?;
-            if index >= all.len() {
-                return Err(missing(
-                    "force at a mount",
-                    "a mount of that number",
-                    "count the [[mount]] entries",
-                ));
-            }
-            (vec![all.swap_remove(index)], true)
+            let at_speeds = mount_forces(engine, operator)?.into_iter();
+            let own = at_speeds.map(|all| all.into_iter().nth(index)).collect::<Option<Vec<_>>>();
+            let needed = "a mount of that number";
+            (own.ok_or_else(|| missing("force at a mount", needed, "count the [[mount]] entries"))?, true)
         }
-        Load::LargestMountForce => (mount_forces(engine, operator)?, true),
+        Load::LargestMountForce => (mount_forces(engine, operator)?.concat(), true),
         Load::MainLoad(index) => {
             let of_main = main_loads(operator)?.get(index).cloned();
             let needed = "a main bearing of that number";
@@ -87,7 +82,7 @@ fn main_loads(operator: &Operator) -> Result<&[[Wave; 2]], BalanceError> {
     Ok(&operator.mains)
 }
 
-fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
+fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
     if engine.mounts.is_empty() {
         return Err(missing(
             "mount force",

@@ -28,11 +28,11 @@ mod problem;
 pub mod published;
 mod rounding;
 mod settings;
+mod speed_range;
 mod stages;
 mod swept;
 mod twin_arrangement;
 mod wave;
-pub mod workshop;
 
 pub use answer::*;
 pub use arrangement::*;

@@ -28,37 +28,44 @@ const NOT_CARRIED: f64 = 1e-9;
 /// Places of the channels among force and moment about x, y and z.
 const PLACES: [usize; 5] = [0, 1, 3, 4, 5];
 
-/// Forces at each mount of `engine` under the loads of `operator`: three components each.
-pub(crate) fn forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
+/// Forces at each mount of `engine` under the loads of `operator`, three components each: at every speed on springs, all of whose
+/// forces count.
+pub(crate) fn forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
     if engine.is_on_springs() {
-        return on_springs(engine, operator);
+        return operator.speeds.iter().map(|speed| on_springs(engine, operator, *speed)).collect();
     }
     let one = |share: &[[f64; 5]; 3]| {
         let rows = share.iter().map(|row| Wave::sum(row.iter().copied().zip(&operator.channels)));
         rows.collect::<Vec<_>>()
     };
-    Ok(shares(&engine.mounts).iter().map(one).collect())
+    Ok(vec![shares(&engine.mounts).iter().map(one).collect()])
 }
 
 /// The transfer of a frequency: by mount, component and force or moment.
 type Transfer = Vec<[[Complex64; 6]; 3]>;
 
-fn on_springs(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Wave>>, BalanceError> {
+/// Forces at each mount at `speed` [rad/s]: inertia loads grow with its square, and each order passes with the transfer of its frequency.
+pub(crate) fn on_springs(
+    engine: &Engine,
+    operator: &Operator,
+    speed: f64,
+) -> Result<Vec<Vec<Wave>>, BalanceError> {
     let system = MountSystem::new(engine)?;
     let mut transfers: BTreeMap<u32, Transfer> = BTreeMap::new();
     for channel in &operator.channels {
         for key in channel.base.keys().copied().chain(channel.parts.iter().map(|p| p.1)) {
             if let Entry::Vacant(place) = transfers.entry(key) {
                 let order = f64::from(key) / f64::from(operator.grid.revolutions);
-                place.insert(system.transfer(order * operator.speed)?);
+                place.insert(system.transfer(order * speed)?);
             }
         }
     }
+    let growth = (speed / operator.speed).powi(2);
     let component = |mount: usize, j: usize| {
         let mut wave = Wave::default();
         // a cos + b sin = Re( (a - i b) e^{i key phi} )
         let passed = |key: u32, load: usize, [cos, sin]: [f64; 2]| {
-            let force = transfers[&key][mount][j][load] * Complex64::new(cos, -sin);
+            let force = growth * transfers[&key][mount][j][load] * Complex64::new(cos, -sin);
             (force.re, -force.im)
         };
         for (channel, load) in operator.channels.iter().zip(PLACES) {

@@ -98,6 +98,8 @@ pub(crate) struct AxisArea {
 pub(crate) struct Operator {
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
+    /// Speeds at which forces at mounts with springs are judged [rad/s].
+    pub speeds: Vec<f64>,
     pub grid: Rc<Grid>,
     /// By [`Channel`].
     pub channels: [Wave; 5],
@@ -154,6 +156,7 @@ impl Operator {
             .ok_or(LoadError::PeriodTooLong { limit: MOST_REVOLUTIONS })?;
         let mut operator = Operator {
             speed,
+            speeds: if task.speeds.is_empty() { vec![speed] } else { task.speeds.clone() },
             grid: Rc::new(Grid::new(1, 1)),
             channels: Default::default(),
             mains: mains.iter().map(|main| main_waves(engine, main, revolutions)).collect(),

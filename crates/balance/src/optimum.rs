@@ -14,6 +14,7 @@ use crate::limits::found_limits;
 use crate::operator::{Operator, WeightColumns, inertia_of, middle};
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause, Watch};
+use crate::speed_range::over_the_range;
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
@@ -75,9 +76,16 @@ fn found(
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
-    if branch::is_needed(task) {
-        return searched(engine, task, kinematics, settings, watch);
-    }
+    over_the_range(engine, task, kinematics, &|task| {
+        if branch::is_needed(task) {
+            return searched(engine, task, kinematics, settings, watch);
+        }
+        convex(engine, task, kinematics)
+    })
+}
+
+/// The answer of one convex programme.
+fn convex(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Result<Answer, BalanceError> {
     let places = middle(engine, task);
     let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
     let problem = Problem::new(engine, task, operator)?;
@@ -138,6 +146,7 @@ fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
         version: ANSWER_VERSION,
         engine: engine.name.clone(),
         speed: engine.speed.highest,
+        mount_speeds: None,
         task: task.clone(),
         outcome: Outcome::Optimal,
         method: Method::Convex { solves: 0 },
@@ -461,6 +470,7 @@ fn effects(
     let nothing = BalanceTask {
         stages: crate::problem::stages(task),
         limits: task.limits.clone(),
+        speeds: task.speeds.clone(),
         ..Default::default()
     };
     let operator = Operator::new(engine, &nothing, kinematics, &[])?;

@@ -339,6 +339,10 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
+    /// Speed at which forces at mounts with springs are judged, such as `2000 rpm`; may be given several times, the largest force
+    /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Vec<String>,
     /// Orders that must vanish exactly, by the lightest weights: `force order 1, couple order 1`. If they cannot, the
     /// proof is printed, and the weights that leave the least. May be given several times; in place of what [balance]
     /// wants.

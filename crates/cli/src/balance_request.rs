@@ -17,6 +17,7 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         most: arguments.most.clone(),
         optional: arguments.optional,
         most_optional: arguments.most_optional,
+        speeds: arguments.speed.clone(),
     };
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
     let changed = options.change(engine, task)?;

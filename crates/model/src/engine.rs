@@ -123,6 +123,14 @@ pub struct SpeedRange {
     pub highest: f64,
 }
 
+impl SpeedRange {
+    /// Whether a speed [rad/s] lies in it, to rounding.
+    pub fn holds(&self, speed: f64) -> bool {
+        const SAME: f64 = 1e-9;
+        speed >= self.lowest * (1.0 - SAME) && speed <= self.highest * (1.0 + SAME)
+    }
+}
+
 /// A crankshaft. Its angle is `ratio * theta + phase`.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Crankshaft {

@@ -26,6 +26,9 @@ pub struct BalanceTask {
     pub stages: Vec<Stage>,
     /// What must hold.
     pub limits: Vec<Limit>,
+    /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs are judged, the largest of all counting; empty: the
+    /// whole range of the engine. All other loads are largest at the highest speed.
+    pub speeds: Vec<f64>,
     /// Orders of loads that must vanish exactly, by the lightest weights; instead of stages and limits.
     pub cancel: Vec<(Load, f64)>,
     /// Most of the optional weights, shafts and inertias that may be used at once.

@@ -29,6 +29,8 @@ pub struct TaskOptions {
     pub optional: bool,
     /// Most optional devices that may be used at once.
     pub most_optional: Option<usize>,
+    /// Speeds at which forces at mounts with springs are judged ([`option::speed`]), in place of the task's.
+    pub speeds: Vec<String>,
 }
 
 /// A task with options, and what is odd about them.
@@ -100,6 +102,26 @@ impl TaskOptions {
             let stage = |text: &String| option::stage(text, engine, &self.name("minimise"));
             task.stages = self.minimise.iter().map(stage).collect::<Result<_, _>>()?;
             task.cancel.clear();
+        }
+        if !self.speeds.is_empty() {
+            if !engine.is_on_springs() {
+                return Err(refused(
+                    format!("{} has no effect: no mount of the engine has springs", self.name("speed")),
+                    "leave it out: all other loads are largest at the highest speed",
+                ));
+            }
+            let speed = |text: &String| option::speed(text, &self.name("speed"));
+            task.speeds = self.speeds.iter().map(speed).collect::<Result<_, _>>()?;
+            if let Some(place) = task.speeds.iter().position(|speed| !engine.speed.holds(*speed)) {
+                return Err(refused(
+                    format!(
+                        "the engine does not run at {}, as {} asks",
+                        self.speeds[place],
+                        self.name("speed")
+                    ),
+                    "give a speed between the lowest and the highest of `speed`",
+                ));
+            }
         }
         if !self.cancel.is_empty() {
             let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));

@@ -7,4 +7,5 @@ mod gallery;
 mod limits;
 mod main_loads;
 mod mounts;
+mod speeds;
 mod support;

@@ -8,7 +8,7 @@ use lanchester_model::{
 };
 
 /// An in-line three on three mounts, of which one has a table and one stands askew.
-fn engine(stiffness: f64, mass: f64) -> Engine {
+pub fn engine(stiffness: f64, mass: f64) -> Engine {
     let mount = |name: &str, [x, y, z]: [f64; 3], spring: MountSpring| Mount {
         name: name.into(),
         x,
@@ -52,7 +52,7 @@ fn engine(stiffness: f64, mass: f64) -> Engine {
     }
 }
 
-fn task(load: Load) -> BalanceTask {
+pub fn task(load: Load) -> BalanceTask {
     let (across, along) = (shaft("counter", -1, 0.0, 0.1), Seat::Shaft(0));
     BalanceTask {
         shafts: vec![across],

@@ -33,6 +33,11 @@ impl File {
                 .collect();
             self.entry("minimise", &format!("[{}]", stages.join(", ")));
         }
+        if !task.speeds.is_empty() {
+            let speeds: Vec<String> =
+                task.speeds.iter().map(|speed| quantity(*speed, Dimension::Speed)).collect();
+            self.entry("speeds", &format!("[{}]", speeds.join(", ")));
+        }
         if !task.limits.is_empty() {
             let limits: Vec<String> = task
                 .limits

@@ -25,6 +25,8 @@ pub(super) struct DraftBalance {
     limits: Vec<Limit>,
     cancel: Vec<(Load, f64)>,
     most_optional: Option<usize>,
+    /// Speeds at which forces at mounts are judged, and where `speeds` stands.
+    speeds: Option<(Vec<f64>, Span)>,
     /// Where `added mass` is asked for.
     mass_span: Option<Span>,
     /// Criteria that are about main bearings, and where they stand.
@@ -46,6 +48,13 @@ impl<'a> Reader<'a> {
         let cancel = self.cancelled(section, mounts);
         let mass_span = self.mass_span(section, mounts);
         let most_optional = section.whole("most_optional");
+        let speeds = match section.numbers("speeds") {
+            Field::Given(speeds) => {
+                Some(Some(speeds.value.iter().map(|speed| speed.value).collect::<Vec<f64>>()))
+            }
+            Field::Absent => Some(None),
+            Field::Bad => None,
+        };
         let counterweights = self.free_counterweights(section, throws, crankshafts);
         let shafts = self.free_shafts(section);
         let inertias = self.free_inertias(section);
@@ -60,6 +69,7 @@ impl<'a> Reader<'a> {
             limits: limits?,
             cancel: cancel?,
             most_optional: None,
+            speeds: speeds?.map(|speeds| (speeds, section.key_span("speeds"))),
             mass_span,
             of_mains: self.of_mains(section, mounts),
         };
@@ -90,6 +100,7 @@ impl<'a> Reader<'a> {
             limits: draft.limits,
             cancel: draft.cancel,
             most_optional: draft.most_optional,
+            speeds: draft.speeds.as_ref().map(|(speeds, _)| speeds.clone()).unwrap_or_default(),
             weights: Vec::new(),
         };
         if is_empty {
@@ -104,6 +115,26 @@ impl<'a> Reader<'a> {
             self.check_told_apart(&task, &spans);
             self.check_device_names(&task, &spans, &shaft_spans);
             self.check_room(&task, engine, &spans, &shaft_spans);
+        }
+        if let Some((speeds, span)) = &draft.speeds
+            && let Some(speed) = speeds.iter().find(|speed| !engine.speed.holds(**speed))
+        {
+            let message =
+                format!("the engine does not run at {}", quantity::readable(*speed, Dimension::Speed));
+            self.mistakes.push(
+                Mistake::error("E1304", span.clone(), message)
+                    .related(self.root.value_span("speed"), "its speeds")
+                    .hint("give speeds between the lowest and the highest of `speed`"),
+            );
+        }
+        if let Some((_, span)) = draft.speeds
+            && !engine.is_on_springs()
+        {
+            let message = "`speeds` has no effect: no mount has springs, and all other loads are largest at the highest speed";
+            self.mistakes.push(
+                Mistake::error("E0204", span, message)
+                    .hint("give [block] and stiffness to every [[mount]], or leave it out"),
+            );
         }
         if let Some(span) = draft.mass_span {
             self.check_radii(&task, span);

@@ -4,7 +4,7 @@ use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
-use crate::quantity::Dimension::{Angle, Inertia, Length, Unbalance};
+use crate::quantity::Dimension::{Angle, Inertia, Length, Speed, Unbalance};
 
 /// Optional devices of a file: weights, shafts and their weights, inertias.
 const MOST_OPTIONAL: i64 = 1000;
@@ -53,6 +53,14 @@ pub(super) static BALANCE: Table = Table {
             Optional,
             "Most of the optional weights, shafts and inertias that may be used at once; default all.",
             "2",
+        ),
+        key(
+            "speeds",
+            Kind::Quantities(Speed, Positive),
+            Optional,
+            "Speeds at which forces at mounts with springs are judged, the largest of all counting; default the whole range of `speed`, resonances included. \
+             All other loads are largest at the highest speed.",
+            "[\"1500 rpm\", \"3000 rpm\"]",
         ),
         key(
             "counterweight",
