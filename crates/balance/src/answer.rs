@@ -20,7 +20,10 @@ pub struct Answer {
     pub speed: f64,
     /// Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mount_speeds: Option<MountSpeeds>,
+    pub mount_speeds: Option<JudgedSpeeds>,
+    /// Where main-bearing loads with gas are judged: the speeds that decide [rad/s], and where the largest of them stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gas_speeds: Option<JudgedSpeeds>,
     /// What was asked.
     pub task: BalanceTask,
     /// Whether there is an optimum, and if not, why.
@@ -83,12 +86,12 @@ pub enum Outcome {
     },
 }
 
-/// Speeds at which forces at mounts with springs were judged.
+/// Speeds at which loads were judged that a higher speed need not raise: forces at mounts with springs, loads with gas.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct MountSpeeds {
+pub struct JudgedSpeeds {
     /// Speeds of crankshaft 1 [rad/s] that hold the proof: over a range the ends, the resonances, some between and the worst of every round.
     pub judged: Vec<f64>,
-    /// Speed [rad/s] at which the first criterion of mount force is largest with what was found.
+    /// Speed [rad/s] at which the first of these criteria is largest with what was found.
     pub worst: f64,
     /// By how much a speed between passes the value, at most, as a share of it: what the search over the range left.
     pub excess: f64,

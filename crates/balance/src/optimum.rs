@@ -9,15 +9,18 @@ use crate::convex::dense::norm;
 use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
+use crate::gas_places::GasPlaces;
+use crate::gas_range::{GasOverSpeed, with_gas};
 use crate::infeasible::obstacle;
 use crate::limits::found_limits;
-use crate::operator::{Operator, WeightColumns, inertia_of, middle};
+use crate::operator::{EngineLoads, Operator, WeightColumns, inertia_of, middle};
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause, Watch};
 use crate::speed_range::over_the_range;
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
+use std::rc::Rc;
 
 /// Share of what a stage is without the devices below which it vanishes.
 const VANISHES: f64 = 1e-9;
@@ -46,11 +49,11 @@ pub fn optimise_with(
     task: &BalanceTask,
     kinematics: Kinematics,
 ) -> Result<Answer, BalanceError> {
-    found(engine, task, kinematics, &BalanceSettings::default(), &|_| Next::Continue)
+    found(engine, task, kinematics, None, &BalanceSettings::default(), &|_| Next::Continue)
 }
 
 /// As [`optimise`], with settings, for a caller who watches: a search over choices tells `watch` where it stands before each of its
-/// nodes, and does what it says. Stopped, it answers with the best so far and the bound that is proved by then
+/// nodes, and does what it says. `gas`: the pressures, which main-bearing loads with gas need. Stopped, it answers with the best so far and the bound that is proved by then
 /// ([`Outcome::Stopped`]). Convex programmes take milliseconds and are always finished.
 ///
 /// # Errors
@@ -58,17 +61,19 @@ pub fn optimise_with(
 pub fn optimise_watched(
     engine: &Engine,
     task: &BalanceTask,
+    gas: Option<&dyn GasOverSpeed>,
     settings: &BalanceSettings,
     watch: &dyn Fn(&SearchState<'_>) -> Next,
 ) -> Result<Answer, BalanceError> {
     settings.check()?;
-    found(engine, task, Kinematics::Exact, settings, watch)
+    found(engine, task, Kinematics::Exact, gas, settings, watch)
 }
 
 fn found(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    gas: Option<&dyn GasOverSpeed>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Answer, BalanceError> {
@@ -77,17 +82,26 @@ fn found(
     }
     check(engine, task)?;
     over_the_range(engine, task, kinematics, &|task| {
-        if branch::is_needed(task) {
-            return searched(engine, task, kinematics, settings, watch);
-        }
-        convex(engine, task, kinematics)
+        with_gas(engine, task, gas, &|task, places| {
+            if branch::is_needed(task) {
+                return searched(engine, task, kinematics, places, settings, watch);
+            }
+            convex(engine, task, kinematics, places)
+        })
     })
 }
 
 /// The answer of one convex programme.
-fn convex(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Result<Answer, BalanceError> {
+fn convex(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    gas: &Rc<GasPlaces>,
+) -> Result<Answer, BalanceError> {
     let places = middle(engine, task);
-    let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
+    let bare = bare(engine, task);
+    let loads = EngineLoads::of(&bare, kinematics)?.with_gas(gas);
+    let operator = Operator::with(&loads, &bare, task, &places, &[])?;
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
     let mut answer = empty(engine, task);
@@ -110,10 +124,11 @@ fn searched(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    gas: &Rc<GasPlaces>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Answer, BalanceError> {
-    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, settings, watch)?;
+    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, gas, settings, watch)?;
     let mut answer = Answer { settings: *settings, ..empty(engine, task) };
     let chosen = branch::is_choice(task);
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
@@ -147,6 +162,7 @@ fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
         engine: engine.name.clone(),
         speed: engine.speed.highest,
         mount_speeds: None,
+        gas_speeds: None,
         task: task.clone(),
         outcome: Outcome::Optimal,
         method: Method::Convex { solves: 0 },

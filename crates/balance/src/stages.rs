@@ -11,7 +11,7 @@
 //! row, a ten-thousand-millionth wider than the value reached.
 
 use crate::convex::curve::Member;
-use crate::convex::dense::{Matrix, RowFactors, norm};
+use crate::convex::dense::{Matrix, RowFactors, add_scaled, norm};
 use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
 use crate::convex::{Failure, better, proved, solve};
 use crate::criterion::Judged;
@@ -35,6 +35,9 @@ const KEEPS: f64 = 1e-10;
 
 /// Multipliers below this share of the group's weight fix nothing.
 const NOISE: f64 = 1e-6;
+
+/// With more multipliers than this, as of a mean over the cycle, a vector's level is not an unknown of the face.
+const MANY: usize = 400;
 
 /// Levels below this share of the unbalanced load vanish.
 const VANISHES: f64 = 1e-10;
@@ -302,6 +305,8 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         line.iter_mut().for_each(|value| *value /= size);
         rows.push(&line);
     };
+    let many = solution.support.len() > MANY;
+    let mut followers: Vec<Option<Vec<f64>>> = vec![None; groups];
     for one in &solution.support {
         let weight = programme.weight(one.group, &solution.prices);
         let size = norm(&one.y);
@@ -311,6 +316,18 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         }
         let reach = programme.groups[one.group].reach;
         let directions = member.directions(one.angle);
+        if many && programme.groups[one.group].members.len() == 1 && matches!(member, Member::Vector { .. }) {
+            // Its level follows the variables: only what is across it is fixed.
+            let mut along = vec![0.0; n];
+            directions.add_transposed(&one.y, 1.0 / size, &mut along);
+            for m in 0..directions.rows {
+                let mut across = directions.row(m).to_vec();
+                add_scaled(&mut across, -one.y[m] / size, &along);
+                fix(&across, &[], reach);
+            }
+            followers[one.group] = Some(along);
+            continue;
+        }
         for m in 0..directions.rows {
             fix(directions.row(m), &[(one.group, -one.y[m] / size)], reach);
         }
@@ -330,10 +347,25 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         }
     }
     let costs: Vec<(usize, f64)> = programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect();
-    fix(&programme.linear, &costs, f64::MIN_POSITIVE);
+    let mut kept = |directions: &[f64], shares: &[(usize, f64)]| {
+        let mut directions = directions.to_vec();
+        let mut own: Vec<(usize, f64)> = Vec::new();
+        for &(group, share) in shares {
+            match &followers[group] {
+                Some(along) => add_scaled(&mut directions, share, along),
+                None => own.push((group, share)),
+            }
+        }
+        // What follows adds up to rounding where the costs are least.
+        if !followers.iter().all(Option::is_none) && own.is_empty() {
+            return;
+        }
+        fix(&directions, &own, f64::MIN_POSITIVE);
+    };
+    kept(&programme.linear, &costs);
     for (row, price) in programme.rows.iter().zip(&solution.prices) {
         if *price > NOISE {
-            fix(&row.directions, &row.shares, f64::MIN_POSITIVE);
+            kept(&row.directions, &row.shares);
         }
     }
     let (_, free) = RowFactors::of(&rows, 1e-8).bases();

@@ -2,10 +2,11 @@
 
 use crate::consequences::consequences;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::speed_gas::optimised;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
 use lanchester_balance::{
-    Affected, ArrangementOptions, BalanceError, Consequences, Outcome, TwinArrangement, arranged,
-    as_it_stands, fitted, optimise,
+    Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, Next, Outcome,
+    TwinArrangement, arranged, as_it_stands, fitted,
 };
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, Torque,
@@ -309,7 +310,7 @@ impl Candidate {
                 let with = arranged(&own, arrangement, &options).map_err(balance)?;
                 (with, Some(arrangement.name().to_owned()))
             }
-            ComparedWith::Optimum => (optimal(&own, warnings)?, Some("optimum".to_owned())),
+            ComparedWith::Optimum => (optimal(&own, &entry.traces, warnings)?, Some("optimum".to_owned())),
         };
         let refused = |error| CompareError::Load { engine: own_name.clone(), error: Box::new(error) };
         let strokes =
@@ -514,9 +515,13 @@ fn mounts_apart(spacing: f64) -> Vec<Mount> {
 }
 
 /// The engine with the best devices for the task of its file.
-fn optimal(engine: &Engine, warnings: &mut Vec<String>) -> Result<Engine, CompareError> {
+fn optimal(
+    engine: &Engine,
+    traces: &[TraceFile],
+    warnings: &mut Vec<String>,
+) -> Result<Engine, CompareError> {
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
-    let answer = optimise(engine, &task)
+    let answer = optimised(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
         .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: error.into() })?;
     match &answer.outcome {
         Outcome::Optimal => {}

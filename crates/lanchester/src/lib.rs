@@ -38,6 +38,7 @@ mod running;
 mod sample_study;
 mod scene;
 mod shaft_weights;
+mod speed_gas;
 mod torque_report;
 mod weights_as_parts;
 
@@ -84,6 +85,7 @@ pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
+pub use speed_gas::optimised;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,

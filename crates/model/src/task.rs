@@ -212,6 +212,18 @@ pub enum Mains {
     One(usize),
 }
 
+/// What counts of a load over the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Statistic {
+    /// Root mean square.
+    Rms,
+    /// Mean of the amount.
+    Mean,
+    /// Largest amount.
+    Peak,
+}
+
 /// What is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -222,6 +234,10 @@ pub enum Criterion {
     Order(Load, f64),
     /// Root mean square of main-bearing loads of inertia over the continuous cycle [N], at the highest speed.
     MainRms(Mains),
+    /// Mean of the amount of main-bearing loads of inertia over equal angles of the cycle [N], at the highest speed.
+    MainMean(Mains),
+    /// Main-bearing loads of inertia and gas [N], the largest over the range of speeds, or over the speeds of the task.
+    MainsWithGas(Statistic, Mains),
     /// Mass of all free weights [kg]: every one needs its radius.
     AddedMass,
     /// Sum of the amounts of all free weights [kg m].

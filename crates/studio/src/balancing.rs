@@ -7,13 +7,14 @@ use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
-    Next, Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
+    Next, Outcome, SearchState, Target, arrangements, counts_gas, fitted, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
     BalanceTask, ChangedTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Place, RoomFault, Seat,
     TaskOptions, crank_weights, default_task, option, write_back,
 };
+use lanchester::optimised;
 use lanchester::report::{consequence_words, headline};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -193,7 +194,11 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => settings.next(began.elapsed().as_secs_f64()),
         false => Next::Abandon,
     };
-    let answer = optimise_watched(&engine, &task, &settings, &watch).map_err(|error| match error {
+    let traces = match counts_gas(&task) {
+        true => asker.studio.folder.traces(&engine)?,
+        false => Vec::new(),
+    };
+    let answer = optimised(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
         BalanceError::BrokenOff => superseded(),
         error => Problem::refused(error),
     })?;

@@ -22,6 +22,7 @@ mod search;
 
 use crate::error::BalanceError;
 use crate::fitted::bare;
+use crate::gas_places::GasPlaces;
 use crate::operator::EngineLoads;
 use crate::problem::{Problem, has_free_axis, implied, is_of_crank, stages};
 use crate::settings::{BalanceSettings, StopCause, Watch};
@@ -31,6 +32,7 @@ use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
 use relaxed::Ground;
 use search::{Effort, Found, Goal, Search};
+use std::rc::Rc;
 
 /// The best choice with its convex programme.
 pub(crate) struct Chosen {
@@ -111,11 +113,12 @@ pub(crate) fn search(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    gas: &Rc<GasPlaces>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Searched, BalanceError> {
     let bare = bare(engine, task);
-    let loads = EngineLoads::of(&bare, kinematics)?;
+    let loads = EngineLoads::of(&bare, kinematics)?.with_gas(gas);
     let asked = stages(task);
     let asked_count = asked.len();
     // An axis that is to be found is not left to chance by those who do not name the roll moment. The bearings of a crankshaft
@@ -147,7 +150,7 @@ fn sees_axes(task: &BalanceTask) -> bool {
         Criterion::Peak(load) | Criterion::Order(load, _) => {
             matches!(load, Load::RollMoment | Load::MountForce(_) | Load::LargestMountForce)
         }
-        Criterion::MainRms(_) => false,
+        Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,
         Criterion::AddedMass | Criterion::AddedUnbalance => false,
     })
 }
