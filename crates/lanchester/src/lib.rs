@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 mod arrangements;
+mod best_shape;
 mod clearance;
 mod comparison;
 mod consequences;
@@ -38,12 +39,15 @@ mod running;
 mod sample_study;
 mod scene;
 mod shaft_weights;
+mod shape_front;
 mod torque_report;
 mod weights_as_parts;
 
 pub use arrangements::arrangements;
+pub use best_shape::SharedWithWeb;
 pub use clearance::{
-    EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
+    EngineClearanceError, ExactRod, body_clearances, clearance_curve, clearance_model, clearances,
+    largest_swept_radius,
 };
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
 pub use consequences::consequences;

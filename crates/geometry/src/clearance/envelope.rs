@@ -50,6 +50,13 @@ impl RadialEnvelope {
         RadialEnvelope { radii, ..self.clone() }
     }
 
+    /// No farther than a radius [m] in any direction.
+    #[must_use]
+    pub fn rounded(&self, radius: f64) -> RadialEnvelope {
+        let radii = self.radii.iter().map(|own| own.min(radius)).collect();
+        RadialEnvelope { radii, ..self.clone() }
+    }
+
     /// Least radius [m].
     pub fn smallest(&self) -> f64 {
         self.radii.iter().copied().fold(f64::INFINITY, f64::min)
@@ -126,6 +133,48 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
             radii.push(radius);
         }
         Ok(RadialEnvelope { directions, radii, least, limit })
+    }
+
+    /// The largest thickness [m] within a range of a counterweight with its middle in the plane `z` that the rods of its own crankshaft leave beside
+    /// them: they pass the crank axis, so that nothing else keeps clear of them. The largest of the range where even its least is too much.
+    pub fn thickness_between_rods(
+        &self,
+        crankshaft: usize,
+        throw: Option<usize>,
+        z: f64,
+        [thinnest, thickest]: [f64; 2],
+    ) -> f64 {
+        let least = self.envelope.least.unwrap_or(0.0);
+        let is_own = |rod: &Obstacle| match rod {
+            Obstacle::Rod { cylinder } => cylinder
+                .checked_sub(1)
+                .and_then(|at| self.engine.cylinders.get(at))
+                .is_some_and(|cylinder| self.engine.throws[cylinder.throw].crankshaft == crankshaft),
+            _ => false,
+        };
+        let rods: Vec<Obstacle> =
+            self.obstacles(crankshaft, throw).into_iter().flatten().filter(is_own).collect();
+        let is_free = |thickness: f64| {
+            let plate = [Plate::axis([z - thickness / 2.0, z + thickness / 2.0])];
+            let keeps = |rod: &Obstacle| {
+                let contacts = self.contacts(&plate, crankshaft, throw, *rod);
+                contacts.iter().all(|contact| contact.section.least() >= least + LEFT)
+            };
+            rods.iter().all(keeps)
+        };
+        if is_free(thickest) || !is_free(thinnest) {
+            return thickest;
+        }
+        let (mut free, mut taken) = (thinnest, thickest);
+        while taken - free > 1e-9 {
+            let middle = 0.5 * (free + taken);
+            if is_free(middle) {
+                free = middle;
+            } else {
+                taken = middle;
+            }
+        }
+        free
     }
 
     /// How far it is free outwards in a direction [m], at most `most`.

@@ -56,6 +56,17 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
         })
     }
 
+    /// The clearances of one counterweight or web, by its index in [`Clearances::bodies`].
+    ///
+    /// # Errors
+    /// [`ClearanceError`] where there is no such counterweight or web; [`ClearanceError::PeriodTooLong`].
+    pub fn body_clearances(&self, body: usize) -> Result<BodyClearances, ClearanceError> {
+        match self.bodies.get(body) {
+            Some(body) => self.of_body(body),
+            None => Err(ClearanceError::Unknown { what: format!("counterweight or web of index {body}") }),
+        }
+    }
+
     /// The distance of a counterweight or web, by its index in [`Clearances::bodies`], from an obstacle at `count` angles.
     ///
     /// # Errors

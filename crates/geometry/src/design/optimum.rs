@@ -22,14 +22,14 @@ const STARTS: usize = 6;
 /// As many within each range of directions of an envelope, of which there are many.
 const STARTS_OF_A_SECTOR: usize = 2;
 
-/// A complete counterweight.
+/// A complete counterweight, beyond the disc of its web; on an engine's web beyond the web as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Design {
     /// Its shape.
     pub shape: CounterweightShape,
     /// Its thickness [m].
     pub thickness: f64,
-    /// Its mass, without the web's disc [kg].
+    /// Its mass, without the web [kg].
     pub mass: f64,
     /// Its unbalance [kg m].
     pub unbalance: f64,
@@ -39,7 +39,7 @@ pub struct Design {
     pub centre: f64,
     /// Farthest point of web and counterweight from the crank axis [m].
     pub swept_radius: f64,
-    /// Polar inertia about the crank axis, without the web's disc [kg m^2].
+    /// Polar inertia about the crank axis, without the web [kg m^2].
     pub inertia: f64,
     /// Half of its largest width [m].
     pub half_width: f64,

@@ -48,8 +48,12 @@ pub(super) struct Sector {
 impl Sector {
     /// All of an envelope; `length` is the problem's [m]. Where the radius stays the same there is one.
     pub fn all(envelope: &RadialEnvelope, length: f64) -> Vec<Sector> {
-        let all: Vec<[f64; 2]> =
-            envelope.directions.iter().zip(&envelope.radii).map(|(at, radius)| [*at, radius / length]).collect();
+        let all: Vec<[f64; 2]> = envelope
+            .directions
+            .iter()
+            .zip(&envelope.radii)
+            .map(|(at, radius)| [*at, radius / length])
+            .collect();
         let is_same = |a: f64, b: f64| (a - b).abs() <= SAME * a.abs().max(b.abs());
         // A direction amid equal radii says nothing new.
         let says = |at: &usize| {
