@@ -1,6 +1,6 @@
 //! The best shape of one counterweight on its web, within everything that moves past it.
 
-use crate::clearance::{body_clearances, clearance_model, largest_swept_radius};
+use crate::clearance::{clearance_model, largest_swept_radius};
 use crate::counterweights::{CounterweightError, EvolutionRequest, duty_of, web_of};
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::{
@@ -300,19 +300,15 @@ pub(crate) fn missed(
     design: &Design,
     density: f64,
 ) -> Result<Option<f64>, CounterweightError> {
-    let Some(envelope) = engine.envelope else { return Ok(None) };
+    if engine.envelope.is_none() {
+        return Ok(None);
+    }
     let (part, weight) = fitted_part(engine, index, design, density)?;
     let mut fitted = engine.clone();
     fit(&mut fitted, index, part, weight);
     // Counterweights with a shape come first, in their order.
     let body = fitted.counterweights[..index].iter().filter(|weight| weight.part.is_some()).count();
-    let own = body_clearances(&fitted, body)?;
-    let least = envelope.least.unwrap_or(0.0);
-    let missed = own.clearances.iter().filter(|one| !one.is_kept).map(|one| {
-        let overlap = one.overlap.as_ref().map_or(0.0, |overlap| overlap.depth);
-        (least - one.bound).max(0.0) + overlap
-    });
-    Ok(missed.reduce(f64::max))
+    Ok(clearance_model(&fitted)?.missed(body).map_err(crate::EngineClearanceError::from)?)
 }
 
 /// How far a weight may reach in each direction, turned on its web as a design of it is.

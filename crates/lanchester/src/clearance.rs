@@ -2,8 +2,8 @@
 
 use lanchester_geometry::Point;
 use lanchester_geometry::clearance::{
-    BodyClearances, ClearanceCurve, ClearanceError, ClearanceModel, Clearances, Obstacle, RodBounds,
-    RodMotion, RodPose, SweptRoom,
+    ClearanceCurve, ClearanceError, ClearanceModel, Clearances, Obstacle, RodBounds, RodMotion, RodPose,
+    SweptRoom,
 };
 use lanchester_mechanism::{LoadError, RodLinkage};
 use lanchester_model::Engine;
@@ -55,14 +55,6 @@ pub fn clearance_model(engine: &Engine) -> Result<ClearanceModel<'_, ExactRod>, 
 /// As [`clearance_model`], and where nothing that turns has a shape or geared crankshafts have too long a period.
 pub fn clearances(engine: &Engine) -> Result<Clearances, EngineClearanceError> {
     Ok(clearance_model(engine)?.clearances()?)
-}
-
-/// The clearances of one counterweight or web, by its index in [`Clearances::bodies`]: [`ClearanceModel::body_clearances`].
-///
-/// # Errors
-/// As [`clearances`], and where there is no such counterweight or web.
-pub fn body_clearances(engine: &Engine, body: usize) -> Result<BodyClearances, EngineClearanceError> {
-    Ok(clearance_model(engine)?.body_clearances(body)?)
 }
 
 /// The distance of a counterweight or web, by its index in [`Clearances::bodies`], from an obstacle at `count` angles:

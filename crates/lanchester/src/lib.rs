@@ -46,8 +46,7 @@ mod weights_as_parts;
 pub use arrangements::arrangements;
 pub use best_shape::SharedWithWeb;
 pub use clearance::{
-    EngineClearanceError, ExactRod, body_clearances, clearance_curve, clearance_model, clearances,
-    largest_swept_radius,
+    EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
 pub use consequences::consequences;

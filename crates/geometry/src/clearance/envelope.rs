@@ -16,8 +16,8 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Directions from that of the counterweight to a quarter turn from it: every two degrees.
 const DIRECTIONS: usize = 46;
-/// What may be left of the clearance where a walk ends [m].
-const LEFT: f64 = 1e-7;
+/// What is left of the clearance where a walk ends [m]: as little as no drawing shows, and enough for a quick proof that a shape keeps it.
+const LEFT: f64 = 1e-6;
 /// Steps of a walk after which it ends where it is.
 const MOST_STEPS: usize = 200;
 
@@ -98,7 +98,7 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
         if let Some(radius) = self.envelope.crankcase_radius
             && radius - least < cap
         {
-            (cap, limit) = ((radius - least).max(0.0), Some(Obstacle::Crankcase));
+            (cap, limit) = ((radius - least - LEFT).max(0.0), Some(Obstacle::Crankcase));
         }
         let mut moving = Vec::new();
         for kind in self.obstacles(crankshaft, throw).into_iter().take(4) {
@@ -196,8 +196,8 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
             if contacts.iter().all(|contact| contact.section.least() >= least + LEFT) {
                 return Ok(most);
             }
-            let free = nearest(&contacts, &self.motions, 0.0, period).bound - least;
-            if free <= LEFT {
+            let free = nearest(&contacts, &self.motions, 0.0, period).bound - least - LEFT;
+            if free <= 0.1 * LEFT {
                 break;
             }
             radius += free;

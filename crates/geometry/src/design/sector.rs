@@ -43,6 +43,8 @@ pub(super) struct Sector {
     behind: Option<f64>,
     /// Earlier directions.
     nodes: Vec<Node>,
+    /// The nearest of them along the shape's own direction: the chord lies before all.
+    ahead: f64,
 }
 
 impl Sector {
@@ -68,6 +70,8 @@ impl Sector {
             let ([from, first], [to, last]) = (pair[0], pair[1]);
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
             let b = (last - first) / half.sin();
+            let nodes: Vec<Node> = ends[1..=number].iter().copied().map(node).collect();
+            let ahead = nodes.iter().map(|node| node.radius * node.cosine).fold(f64::INFINITY, f64::min);
             let behind = ends[number + 1..].iter().map(|end| end[1]).fold(f64::INFINITY, f64::min);
             Sector {
                 from,
@@ -77,10 +81,17 @@ impl Sector {
                 slope: [-b * middle.sin(), b * middle.cos()],
                 square: first * last,
                 behind: (behind < first.max(last) * (1.0 - SAME)).then_some(behind),
-                nodes: ends[1..=number].iter().copied().map(node).collect(),
+                nodes,
+                ahead,
             }
         };
         ends.windows(2).enumerate().map(sector).collect()
+    }
+
+    /// Whether a corner lies within the directions.
+    pub fn holds(&self, y: f64, w: f64) -> bool {
+        let direction = w.atan2(y);
+        direction >= self.from - SAME && direction <= self.to + SAME
     }
 
     /// What must not be positive: `y` is the distance of the chord, `w` half of it, `u` the tangent of half the arc's half angle.
@@ -96,11 +107,11 @@ impl Sector {
         if self.nodes.is_empty() {
             return;
         }
+        push(y - T::of(self.ahead));
         let flat = w - w * u.square();
         let (whole, high) = (u * (w2 - y2) + flat * y, u * y);
         for node in &self.nodes {
             let ahead = node.radius * node.cosine;
-            push(y - T::of(ahead));
             push(whole + high.times(2.0 * ahead) - u.times(node.radius * node.radius) - flat.times(ahead));
         }
     }
