@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 mod arrangements;
+mod best_shape;
 mod clearance;
 mod comparison;
 mod consequences;
@@ -39,10 +40,12 @@ mod sample_study;
 mod scene;
 mod shaft_weights;
 mod speed_gas;
+mod shape_front;
 mod torque_report;
 mod weights_as_parts;
 
 pub use arrangements::arrangements;
+pub use best_shape::SharedWithWeb;
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
