@@ -2,7 +2,8 @@
 
 use crate::error::BalanceError;
 use crate::operator::ratio_of;
-use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Phase, Place, Seat};
+use crate::problem::implied;
+use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, GiveUp, Phase, Place, Seat};
 
 /// Places closer than this are the same [m].
 const SAME_PLACE: f64 = 1e-9;
@@ -54,6 +55,7 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
             return Err(number("limit", &format!("{:?}", limit.criterion), "0 or more", limit.most));
         }
     }
+    give_ups(engine, task)?;
     alike(engine, task)?;
     let mass = task
         .stages
@@ -64,6 +66,30 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
         && let Some(weight) = task.weights.iter().find(|w| w.radius.is_none())
     {
         return Err(BalanceError::NoRadius { weight: weight.name.clone() });
+    }
+    Ok(())
+}
+
+/// Refuses shares and amounts that are none, stages that are not there, and what nobody could use.
+fn give_ups(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
+    let count = task.stages_or_default().len();
+    for (stage, give_up) in task.give_up.iter().enumerate() {
+        let (GiveUp::Share(value) | GiveUp::Amount(value)) = *give_up else { continue };
+        let name = format!("stage {}", stage + 1);
+        if stage >= count {
+            return Err(number("give-up", &name, "for a stage that is there", value));
+        }
+        if !(value >= 0.0 && value.is_finite()) {
+            return Err(number("give-up", &name, "0 or more", value));
+        }
+        if stage + 1 == count && value > 0.0 && implied(engine, task).is_empty() {
+            return Err(BalanceError::Unsuited {
+                method: "what the last stage gives up",
+                needed: "something after it that could use it",
+                got: "nothing that is decided after it".into(),
+                hint: "add another criterion to what is minimised, or leave the give-up out",
+            });
+        }
     }
     Ok(())
 }

@@ -76,12 +76,31 @@ fn found(
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
-    over_the_range(engine, task, kinematics, &|task| {
+    let mut answer = over_the_range(engine, task, kinematics, &|task| {
         if branch::is_needed(task) {
             return searched(engine, task, kinematics, settings, watch);
         }
         convex(engine, task, kinematics)
-    })
+    })?;
+    if answer.outcome == Outcome::Optimal && answer.stages.iter().any(|stage| stage.give_up.is_some()) {
+        let strict = BalanceTask { give_up: Vec::new(), ..task.clone() };
+        compare_gains(&mut answer, &found(engine, &strict, kinematics, settings, watch)?);
+    }
+    Ok(answer)
+}
+
+/// Notes what the stages behind one that gives up something reach without that: in `strict` nobody gives up anything.
+fn compare_gains(answer: &mut Answer, strict: &Answer) {
+    let first = answer.stages.iter().position(|stage| stage.give_up.is_some()).unwrap_or(0);
+    for (stage, strict) in answer.stages.iter_mut().zip(&strict.stages).skip(first + 1) {
+        stage.without_give_up = Some(strict.value);
+    }
+    for stage in &mut answer.among_equals {
+        let Some((criterion, _)) = stage.terms.first() else { continue };
+        // What nobody can move without the give-up stands among the effects alone.
+        let effect = strict.effects.iter().find(|effect| effect.criterion == *criterion);
+        stage.without_give_up = effect.map(|effect| effect.after);
+    }
 }
 
 /// The answer of one convex programme.
@@ -370,10 +389,18 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
         ([1.0], [(criterion, _)]) => criterion_unit(criterion),
         _ => "1",
     };
+    let used = if proof.allowed > 0.0 { (value - proof.least).max(0.0) } else { 0.0 };
+    let give_up = (proof.allowed > 0.0).then(|| StageGiveUp {
+        least: proof.least,
+        most: proof.least + proof.allowed,
+        used,
+    });
     FoundStage {
         value,
         lower_bound,
-        gap: value - lower_bound,
+        gap: value - used - lower_bound,
+        give_up,
+        without_give_up: None,
         unit: unit.into(),
         terms: values,
         term_weights,

@@ -339,6 +339,10 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
+    /// What a stage may lose for those after it: `force = 1 %` of its least value, or `force = 5 N`; without a name, in the order
+    /// of the stages. May be given several times.
+    #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]
+    pub give_up: Vec<String>,
     /// Speed at which forces at mounts with springs are judged, such as `2000 rpm`; may be given several times, the largest force
     /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
     #[arg(long, value_name = "SPEED")]

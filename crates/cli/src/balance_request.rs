@@ -18,6 +18,7 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         optional: arguments.optional,
         most_optional: arguments.most_optional,
         speeds: arguments.speed.clone(),
+        give_up: arguments.give_up.clone(),
     };
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
     let changed = options.change(engine, task)?;

@@ -112,6 +112,8 @@ pub(crate) enum Kind {
     Orders,
     /// A table of criteria and the largest value of each.
     Limits,
+    /// A table of criteria and the share or amount of each that later stages may give up.
+    GiveUps,
     /// A whole number or a fraction such as `"1/2"`, not 0.
     Ratio,
     /// A table.
@@ -154,6 +156,7 @@ impl Kind {
             Kind::Stages => "a list of criteria".into(),
             Kind::Orders => "a list of orders of loads".into(),
             Kind::Limits => "a table of criteria and their largest values".into(),
+            Kind::GiveUps => "a table of criteria and what each may give up".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),
             Kind::Tables(..) => "a list of tables".into(),

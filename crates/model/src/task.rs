@@ -24,6 +24,9 @@ pub struct BalanceTask {
     /// root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the
     /// lightest.
     pub stages: Vec<Stage>,
+    /// How far later stages may raise each stage above its least value, in the order of the stages (of the default ones where
+    /// none are named); a stage without an entry gives up nothing.
+    pub give_up: Vec<GiveUp>,
     /// What must hold.
     pub limits: Vec<Limit>,
     /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs are judged, the largest of all counting; empty: the
@@ -36,6 +39,14 @@ pub struct BalanceTask {
 }
 
 impl BalanceTask {
+    /// The stages: those named or, where none are, force and then couple.
+    pub fn stages_or_default(&self) -> Vec<Stage> {
+        if !self.stages.is_empty() {
+            return self.stages.clone();
+        }
+        [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
+    }
+
     /// Takes all other weights out, with the ties that they are in.
     pub fn keep_weights(&mut self, keep: impl Fn(&FreeWeight) -> bool) {
         let kept: Vec<bool> = self.weights.iter().map(keep).collect();
@@ -242,6 +253,30 @@ impl Stage {
             *weight = 1.0;
         }
         Stage { terms }
+    }
+}
+
+/// How far later stages may raise a stage above its least value.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GiveUp {
+    /// Not at all.
+    #[default]
+    Nothing,
+    /// By this share of the least value: 0.01 is 1 %.
+    Share(f64),
+    /// By this much, in the SI unit of the stage's criterion.
+    Amount(f64),
+}
+
+impl GiveUp {
+    /// How far a stage with this least value may be raised, in its unit.
+    pub fn amount(self, least: f64) -> f64 {
+        match self {
+            GiveUp::Nothing => 0.0,
+            GiveUp::Share(share) => share * least,
+            GiveUp::Amount(amount) => amount,
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::default_task::{CrankWeightPlaces, crank_weights};
 use crate::engine::Engine;
+use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
 use crate::task::{BalanceTask, Seat};
@@ -17,6 +18,8 @@ pub struct TaskOptions {
     pub shafts: Vec<String>,
     /// What is minimised ([`option::stage`]), in place of the task's stages and orders to cancel.
     pub minimise: Vec<String>,
+    /// What stages give up for those after them ([`option::give_up`]), in place of what the task says.
+    pub give_up: Vec<String>,
     /// What must hold ([`option::limit`]); replaces limits on the same.
     pub limits: Vec<String>,
     /// Orders that must vanish ([`option::cancel`]), in place of the task's stages and limits.
@@ -86,14 +89,15 @@ impl TaskOptions {
 
     /// What is minimised, what must hold, what must vanish.
     fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
-        let wanted = self.minimise.len() + self.limits.len();
+        let wanted = self.minimise.len() + self.limits.len() + self.give_up.len();
         if !self.cancel.is_empty() && wanted > 0 {
             return Err(refused(
                 format!(
-                    "orders that must vanish stand in place of what is minimised and of limits, got {} beside {} or {}",
+                    "orders that must vanish stand in place of what is minimised and of limits, got {} beside {}, {} or {}",
                     self.name("cancel"),
                     self.name("minimise"),
-                    self.name("limit")
+                    self.name("limit"),
+                    self.name("give-up")
                 ),
                 "ask for one of them",
             ));
@@ -102,6 +106,30 @@ impl TaskOptions {
             let stage = |text: &String| option::stage(text, engine, &self.name("minimise"));
             task.stages = self.minimise.iter().map(stage).collect::<Result<_, _>>()?;
             task.cancel.clear();
+            task.give_up.clear();
+        }
+        if !self.give_up.is_empty() {
+            if !task.cancel.is_empty() {
+                return Err(refused(
+                    format!("{} has no effect: [balance] asks for orders that must vanish", self.name("give-up")),
+                    &format!("add {} with what is to be minimised", self.name("minimise")),
+                ));
+            }
+            let stages = task.stages_or_default();
+            let mut list = Vec::new();
+            let mut taken = Vec::new();
+            for (place, text) in self.give_up.iter().enumerate() {
+                let (stage, given) = option::give_up(text, place, &stages, engine, &self.name("give-up"))?;
+                if taken.contains(&stage) {
+                    return Err(refused(
+                        format!("{} '{text}' is for stage {}, which has one already", self.name("give-up"), stage + 1),
+                        "give one for each stage",
+                    ));
+                }
+                taken.push(stage);
+                give_up::put(&mut list, stage, given);
+            }
+            task.give_up = list;
         }
         if !self.speeds.is_empty() {
             if !engine.is_on_springs() {
@@ -127,6 +155,7 @@ impl TaskOptions {
             let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));
             let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
             (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
+            task.give_up.clear();
         }
         for text in &self.limits {
             let limit = option::limit(text, engine, &self.name("limit"))?;

@@ -1,8 +1,8 @@
 //! The section `[balance]` of an engine file.
 
 use lanchester_model::{
-    BalanceTask, Criterion, Engine, Load, Phase, Place, Ratio, Seat, Severity, default_task, expanded,
-    json_schema, read, render, templates,
+    BalanceTask, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity, Stage, default_task,
+    expanded, json_schema, option, read, render, templates,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -57,6 +57,54 @@ fn criteria_with_their_units() {
         limits,
         [(Criterion::Order(Load::MountForce(0), 2.0), 200.0), (Criterion::AddedUnbalance, 5e-4)]
     );
+}
+
+#[test]
+fn stages_give_up_shares_and_amounts() {
+    let of = |section: &str| task("in-line-3", &format!("[balance]\n{section}\n")).give_up;
+    // Of the default stages, force and couple.
+    assert_eq!(of("give_up = { couple = \"2 N m\" }"), [GiveUp::Nothing, GiveUp::Amount(2.0)]);
+    let stages = "minimise = [\"couple\", { force = \"1 kN\", \"roll moment\" = \"40 N m\" }, \"bending moment\"]";
+    assert_eq!(
+        of(&format!("{stages}\ngive_up = {{ \"roll moment\" = \"0.5 %\", couple = \"1 %\" }}")),
+        [GiveUp::Share(0.01), GiveUp::Share(0.005)]
+    );
+    assert_eq!(of(stages), []);
+}
+
+#[test]
+fn what_stages_give_up_on_a_command_line() {
+    let engine = engine(template("in-line-3"));
+    let stages = BalanceTask::default().stages_or_default();
+    let of = |text: &str, place: usize| option::give_up(text, place, &stages, &engine, "--give-up");
+    for (text, place, want) in [
+        ("force = 1 %", 1, (0, GiveUp::Share(0.01))),
+        ("couple 2 N m", 0, (1, GiveUp::Amount(2.0))),
+        ("1 %", 1, (1, GiveUp::Share(0.01))),
+        ("5 N", 0, (0, GiveUp::Amount(5.0))),
+    ] {
+        assert_eq!(of(text, place), Ok(want), "{text}");
+    }
+    let order = [Stage { terms: vec![(1.0, Criterion::Order(Load::Force, 2.0))] }];
+    assert_eq!(
+        option::give_up("force order 2 1 %", 0, &order, &engine, "--give-up"),
+        Ok((0, GiveUp::Share(0.01)))
+    );
+    for (text, says) in [
+        ("-1 %", "must not be negative"),
+        ("force =", "gives up nothing"),
+        ("", "needs a stage"),
+        ("force = 1", "needs its unit"),
+        ("force = 1 kg", "needs a force"),
+        ("bending moment = 1 %", "no stage minimises"),
+        ("forse = 1 %", "no criterion"),
+        ("nan %", "needs"),
+    ] {
+        let refused = of(text, 0).expect_err(text);
+        assert!(refused.message.contains(says) && !refused.hint.is_empty(), "{text}: {refused:?}");
+    }
+    let third = of("1 %", 2).expect_err("there are two stages");
+    assert!(third.message.contains("stage 3, and there are 2"), "{third:?}");
 }
 
 #[test]

@@ -11,6 +11,7 @@ use crate::infeasible::relaxation;
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause};
 use crate::stages::{GAP, Held, Walk};
+use lanchester_model::GiveUp;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -180,6 +181,10 @@ impl<'a> Search<'a> {
     ) -> Result<Found, BalanceError> {
         let mut hunt = Hunt {
             goal,
+            give_up: match goal {
+                Goal::Stage(stage) => self.ground.task.give_up.get(stage).copied().unwrap_or_default(),
+                Goal::Relaxation => GiveUp::Nothing,
+            },
             held,
             effort,
             best: None,
@@ -402,6 +407,8 @@ impl<'a> Search<'a> {
 /// The state of one search.
 struct Hunt<'a> {
     goal: Goal,
+    /// What the stage gives up for later ones: boxes that are worse by no more than that stay theirs.
+    give_up: GiveUp,
     held: &'a [Held],
     effort: Effort,
     best: Option<Incumbent>,
@@ -427,9 +434,10 @@ impl Hunt<'_> {
         }
     }
 
-    /// Whether everything in a box with this bound is worse than the best by more than the gap.
+    /// Whether everything in a box with this bound is worse than the best by more than the gap and what may be given up.
     fn is_worse(&self, bound: f64) -> bool {
-        self.best.as_ref().is_some_and(|best| bound > best.value + best.slack)
+        let most = |best: &Incumbent| best.value + best.slack + self.give_up.amount(best.value);
+        self.best.as_ref().is_some_and(|best| bound > most(best))
     }
 
     fn found(self, stopped: Option<StopCause>) -> Found {

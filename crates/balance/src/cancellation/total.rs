@@ -43,6 +43,8 @@ impl Total {
             value,
             lower_bound,
             gap: value - lower_bound,
+            give_up: None,
+            without_give_up: None,
             unit: criterion_unit(&self.criterion).into(),
             terms: vec![(self.criterion, value)],
             term_weights: vec![1.0],

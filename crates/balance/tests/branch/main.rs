@@ -7,6 +7,7 @@ mod amounts;
 mod axes;
 mod choices;
 mod example;
+mod give_up;
 mod limits;
 mod places;
 mod prices;

@@ -85,7 +85,7 @@ fn holds(kind: Kind) -> String {
         Kind::Truth => "`true` or `false`".into(),
         Kind::Stages => "list of criteria".into(),
         Kind::Orders => "list of criteria, one order each".into(),
-        Kind::Limits => "table of criteria".into(),
+        Kind::Limits | Kind::GiveUps => "table of criteria".into(),
         Kind::Ratio => "whole number, or a fraction as text".into(),
         Kind::Table(table) => format!("table `{}`", table.header),
         Kind::Tables(table, most) => format!("tables `{}`, at most {most}", table.header),

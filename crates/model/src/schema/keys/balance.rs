@@ -34,6 +34,15 @@ pub(super) static BALANCE: Table = Table {
             "[\"force\", { couple = \"10 N m\", \"roll moment\" = \"40 N m\" }]",
         ),
         key(
+            "give_up",
+            Kind::GiveUps,
+            Optional,
+            "What stages after it may cost a stage: criteria of `minimise` (or `force` and `couple` where it is left out), each \
+             with a share of the least value that it reached, or an amount in its unit. A weighted sum goes by any of its \
+             criteria and takes a share. Default nothing.",
+            "{ force = \"1 %\" }",
+        ),
+        key(
             "limits",
             Kind::Limits,
             Optional,
