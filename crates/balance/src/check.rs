@@ -3,7 +3,7 @@
 use crate::error::BalanceError;
 use crate::operator::ratio_of;
 use crate::problem::implied;
-use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, GiveUp, Phase, Place, Seat};
+use lanchester_model::{BalanceTask, Catalogue, Criterion, Engine, FreeWeight, GiveUp, Phase, Place, Seat};
 
 /// Places closer than this are the same [m].
 const SAME_PLACE: f64 = 1e-9;
@@ -137,6 +137,7 @@ fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<()
         Phase::Free | Phase::Line(_) | Phase::Direction(_) => {}
     }
     weight.radius.map_or(Ok(()), |radius| positive("radius", name, radius))?;
+    catalogue(task, weight)?;
     let on_free_shaft = match weight.seat {
         Seat::Shaft(index) => {
             let shaft = &task.shafts[index];
@@ -149,6 +150,59 @@ fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<()
         return Err(BalanceError::Unbounded { device: name.clone() });
     }
     Ok(())
+}
+
+/// Refuses catalogues that are none, that leave no amount, and equal parts of unlike catalogues.
+fn catalogue(task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError> {
+    let unsuited = |needed: &'static str, got: String, hint: &'static str| {
+        Err(BalanceError::Unsuited { method: "a catalogue of amounts", needed, got, hint })
+    };
+    let name = &weight.name;
+    let Some(catalogue) = &weight.catalogue else {
+        if weight.equal_parts.is_some() {
+            return unsuited(
+                "a step or a list of amounts where parts are equal",
+                format!("neither for `{name}`"),
+                "give `step` or `catalogue`, or tie the weights with `equal_to`",
+            );
+        }
+        return Ok(());
+    };
+    match catalogue {
+        Catalogue::Steps(step) => positive("step", name, *step)?,
+        Catalogue::Amounts(list) => {
+            list.iter().try_for_each(|amount| positive("amount of the catalogue", name, *amount))?;
+            if list.is_empty() || !list.is_sorted_by(|a, b| a < b) {
+                return unsuited(
+                    "one amount or more, rising",
+                    format!("{} for `{name}`", list.len()),
+                    "sort them and give each once",
+                );
+            }
+        }
+    }
+    let last = weight.most.map_or(catalogue.last(), |most| catalogue.below(most));
+    if weight.least > 0.0 && catalogue.amount(last) < weight.least * (1.0 - 1e-9) {
+        return unsuited(
+            "an amount from the least to the largest one",
+            format!("none for `{name}`"),
+            "widen `least` and `most`, or add an amount",
+        );
+    }
+    if task.ties.iter().any(|tie| task.weights[tie.second].name == *name) {
+        return unsuited("weights that follow no other", format!("`{name}`"), "give the leader the catalogue");
+    }
+    let unlike = |other: &&FreeWeight| {
+        other.equal_parts == weight.equal_parts && other.catalogue.as_ref() != Some(catalogue)
+    };
+    match task.weights.iter().find(unlike).filter(|_| weight.equal_parts.is_some()) {
+        Some(other) => unsuited(
+            "the same catalogue for equal parts",
+            format!("others for `{name}` and `{}`", other.name),
+            "give both the same amounts, or another name of the parts",
+        ),
+        None => Ok(()),
+    }
 }
 
 /// Refuses two weights in one plane of one axis at one speed that are not tied and have a direction in common.
@@ -178,7 +232,7 @@ fn alike(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
             let same_speed = ratio_of(engine, task, first.seat) == ratio_of(engine, task, second.seat);
             let tied =
                 task.ties.iter().any(|t| (t.first, t.second) == (i, j) || (t.first, t.second) == (j, i));
-            let chosen = first.optional || second.optional || first.least > 0.0 || second.least > 0.0;
+            let chosen = [first, second].iter().any(|w| w.optional || w.least > 0.0 || w.catalogue.is_some());
             if same_axis
                 && same_speed
                 && (z1 - z2).abs() < SAME_PLACE

@@ -375,7 +375,7 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
     reason
 }
 
-fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
+pub(crate) fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
     let values: Vec<(Criterion, f64)> =
         terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
     let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
@@ -443,6 +443,13 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64
         // Rounding is no weight.
         if unbalance.norm() <= 1e-12 * columns.unit {
             unbalance = num_complex::Complex64::ZERO;
+        }
+        // Rounding is no other amount of a catalogue.
+        if let Some(catalogue) = weight.catalogue.as_ref().filter(|_| unbalance.norm() > 0.0) {
+            let amount = catalogue.amount(catalogue.nearest(unbalance.norm()));
+            if (amount - unbalance.norm()).abs() <= LEFTOVER * columns.unit {
+                unbalance *= amount / unbalance.norm();
+            }
         }
         found.push(FoundWeight {
             name: weight.name.clone(),

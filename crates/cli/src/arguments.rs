@@ -347,7 +347,7 @@ pub struct BalanceArguments {
     /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
-    /// Orders that must vanish exactly, by the lightest weights: `force order 1, couple order 1`. If they cannot, the
+    /// Orders that must vanish exactly: `force order 1, couple order 1`; of all weights that do it those that the bearings need. If they cannot, the
     /// proof is printed, and the weights that leave the least. May be given several times; in place of what [balance]
     /// wants.
     #[arg(long, value_name = "ORDERS", conflicts_with_all = ["minimise", "limit"])]

@@ -40,7 +40,9 @@ pub(crate) fn amount(text: &str, stage: &Stage, name: &str) -> Result<GiveUp, Re
     }
     if trimmed.ends_with('%') {
         let share = parse(trimmed, Dimension::Share, name)?;
-        return within(share, Dimension::Share, Bound::NotNegative, name, trimmed, None).map(GiveUp::Share);
+        return within(share, Dimension::Share, Bound::NotNegative, name, trimmed, None)
+            .map(GiveUp::Share)
+            .map_err(|refusal| Refusal { hint: format!("write {either}"), ..refusal });
     }
     let Some(own) = own else {
         let message = format!("`{name}` belongs to a weighted sum, which gives up a share, got \"{trimmed}\"");
@@ -48,7 +50,9 @@ pub(crate) fn amount(text: &str, stage: &Stage, name: &str) -> Result<GiveUp, Re
     };
     let amount = parse(trimmed, own, name)
         .map_err(|refusal| Refusal { hint: format!("write {either}"), ..refusal })?;
-    within(amount, own, Bound::NotNegative, name, trimmed, None).map(GiveUp::Amount)
+    within(amount, own, Bound::NotNegative, name, trimmed, None)
+        .map(GiveUp::Amount)
+        .map_err(|refusal| Refusal { hint: format!("write {either}"), ..refusal })
 }
 
 /// Puts what a stage gives up at its place.

@@ -32,7 +32,8 @@ pub struct BalanceTask {
     /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs are judged, the largest of all counting; empty: the
     /// whole range of the engine. All other loads are largest at the highest speed.
     pub speeds: Vec<f64>,
-    /// Orders of loads that must vanish exactly, by the lightest weights; instead of stages and limits.
+    /// Orders of loads that must vanish exactly, instead of stages and limits. Of all weights that do it those come first that the
+    /// default stages and what decides among equals put first.
     pub cancel: Vec<(Load, f64)>,
     /// Most of the optional weights, shafts and inertias that may be used at once.
     pub most_optional: Option<usize>,
@@ -117,6 +118,10 @@ pub struct FreeWeight {
     pub optional: bool,
     /// Distance of its centre of gravity from the axis it turns about [m]: its mass is amount over radius.
     pub radius: Option<f64>,
+    /// Amounts that can be made, within `least` and `most`; none: every amount.
+    pub catalogue: Option<Catalogue>,
+    /// Name of the parts that it is one of: used weights with the same name have the same amount of their catalogue.
+    pub equal_parts: Option<String>,
 }
 
 impl FreeWeight {
@@ -132,7 +137,58 @@ impl FreeWeight {
             phase: Phase::Free,
             optional: false,
             radius: None,
+            catalogue: None,
+            equal_parts: None,
         }
+    }
+}
+
+/// Amounts of which a free weight has one, or none at all.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Catalogue {
+    /// Whole multiples of this [kg m].
+    Steps(f64),
+    /// These [kg m], rising, all above 0.
+    Amounts(Vec<f64>),
+}
+
+impl Catalogue {
+    /// Amounts that differ by less than this share are one.
+    const ONE_AMOUNT: f64 = 1e-9;
+
+    /// Its amount number `index` [kg m]; number 0 is none at all. Beyond the last one it is infinite.
+    pub fn amount(&self, index: usize) -> f64 {
+        match (self, index) {
+            (_, 0) => 0.0,
+            (_, usize::MAX) => f64::INFINITY,
+            (Catalogue::Steps(step), _) => step * index as f64,
+            (Catalogue::Amounts(list), _) => list.get(index - 1).copied().unwrap_or(f64::INFINITY),
+        }
+    }
+
+    /// Number of its last amount; `usize::MAX` where it has no end.
+    pub fn last(&self) -> usize {
+        match self {
+            Catalogue::Steps(_) => usize::MAX,
+            Catalogue::Amounts(list) => list.len(),
+        }
+    }
+
+    /// Number of its largest amount that is no larger than `amount`, to rounding.
+    pub fn below(&self, amount: f64) -> usize {
+        let most = amount * (1.0 + Self::ONE_AMOUNT);
+        match self {
+            Catalogue::Steps(step) => (most / step).floor().max(0.0) as usize,
+            Catalogue::Amounts(list) => list.iter().take_while(|one| **one <= most).count(),
+        }
+    }
+
+    /// Number of its amount that is nearest to `amount`.
+    pub fn nearest(&self, amount: f64) -> usize {
+        let below = self.below(amount);
+        let is_next = self.amount(below.saturating_add(1)) - amount < amount - self.amount(below);
+        if is_next { below + 1 } else { below }
     }
 }
 

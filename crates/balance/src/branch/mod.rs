@@ -85,7 +85,7 @@ pub(crate) struct Searched {
 /// Whether a task asks for more than one convex programme.
 pub(crate) fn is_needed(task: &BalanceTask) -> bool {
     let place = |place: Place| matches!(place, Place::Between(..));
-    task.weights.iter().any(|w| w.least > 0.0 || place(w.z))
+    task.weights.iter().any(|w| w.least > 0.0 || place(w.z) || w.catalogue.is_some())
         || has_free_axis(task)
         || task.inertias.len() > 1
         || task.most_optional.is_some()
@@ -97,6 +97,7 @@ pub(crate) fn is_choice(task: &BalanceTask) -> bool {
     let open = |w: &FreeWeight| {
         !matches!(w.phase, Phase::Direction(_)) && (w.least > 0.0 || place(w.z))
             || w.least > 0.0 && w.optional
+            || w.catalogue.is_some()
             // A crankshaft bends otherwise on either side of a plane, and other mains carry it on either side of a main.
             || place(w.z) && matches!(w.seat, Seat::Crankshaft(_))
     };

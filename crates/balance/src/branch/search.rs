@@ -323,7 +323,11 @@ impl<'a> Search<'a> {
         }
         let reading = Reading::of(self.ground.task, &choices, &problem, &optimum.x);
         if !hunt.closes(bound) {
+            let before = hunt.best.as_ref().map_or(f64::INFINITY, |best| best.value);
             self.attempt(hunt, &reading.nearest())?;
+            if hunt.best.as_ref().is_some_and(|best| best.value < before) {
+                self.step_about(hunt)?;
+            }
         }
         let spoiled = if spoils { parent.spoiled + 1 } else { 0 };
         let mut splits = reading.splits();
@@ -377,6 +381,25 @@ impl<'a> Search<'a> {
             let Ok(moved) = self.optimum(&problem, hunt.goal, hunt.held) else { return Ok(()) };
             let nearest = Reading::of(self.ground.task, &along, &problem, &moved.x).nearest();
             choices = reading.freed(nearest);
+        }
+        Ok(())
+    }
+
+    /// Moves the amounts of catalogues up and down by one, as long as that helps.
+    fn step_about(&mut self, hunt: &mut Hunt) -> Result<(), BalanceError> {
+        for _ in 0..MOVES {
+            let Some(before) = hunt.best.as_ref().map(|best| best.value) else { return Ok(()) };
+            for weight in 0..self.ground.task.weights.len() {
+                for up in [true, false] {
+                    let Some(best) = &hunt.best else { return Ok(()) };
+                    if let Some(stepped) = best.choices.stepped(self.ground.task, weight, up) {
+                        self.attempt(hunt, &stepped)?;
+                    }
+                }
+            }
+            if hunt.best.as_ref().is_none_or(|best| before - best.value <= best.slack) {
+                return Ok(());
+            }
         }
         Ok(())
     }

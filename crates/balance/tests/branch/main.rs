@@ -5,6 +5,7 @@ mod support;
 
 mod amounts;
 mod axes;
+mod catalogues;
 mod choices;
 mod example;
 mod give_up;

@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
         };
         for other in ["minimise", "give_up", "limits"] {
             if section.has(other) {
-                let why = "`cancel` asks for the lightest weights that make its orders vanish";
+                let why = "`cancel` asks for weights that make its orders vanish";
                 self.without_effect(section, other, why, "leave one of them out");
             }
         }

@@ -53,7 +53,8 @@ pub(super) static BALANCE: Table = Table {
             "cancel",
             Kind::Orders,
             Optional,
-            "Orders of loads that must vanish exactly, by the lightest weights; instead of `minimise` and `limits`.",
+            "Orders of loads that must vanish exactly, instead of `minimise` and `limits`; of all weights that do it those with the least \
+             force, couple and main-bearing loads, then the lightest.",
             "[\"force order 1\", \"couple order 1\"]",
         ),
         key(
