@@ -361,6 +361,13 @@ pub struct BalanceArguments {
     /// Largest unbalance of every free weight on the crankshaft.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
+    /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius
+    /// that [balance] gives.
+    #[arg(long, value_name = "AMOUNT")]
+    pub step: Option<String>,
+    /// All free weights on the crankshafts are the same part: one amount of their steps or lists, each in its own direction.
+    #[arg(long)]
+    pub equal_parts: bool,
     /// Least unbalance of every free weight on the crankshaft that is used.
     #[arg(long, value_name = "UNBALANCE")]
     pub least: Option<String>,

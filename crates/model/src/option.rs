@@ -128,6 +128,28 @@ pub fn unbalance(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Unbalance, Bound::NotNegative, option)
 }
 
+/// An unbalance [kg m], given as itself or as a mass at `radius`; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if it is neither, not above 0, or a mass without a radius.
+pub fn mass_or_unbalance(text: &str, radius: Option<f64>, option: &str) -> Result<f64, BadQuantity> {
+    let example = "write a mass such as \"5 g\", which counts at the radius of the weight, or an unbalance such as \"200 g mm\"";
+    let hinted = |refusal: Refusal| BadQuantity { message: refusal.message, hint: example.into() };
+    let mass = parse(text, Dimension::Mass, option);
+    let own = if mass.is_ok() { Dimension::Mass } else { Dimension::Unbalance };
+    let is_mass = mass.is_ok();
+    let value = mass.or_else(|_| parse(text, Dimension::Unbalance, option)).map_err(hinted)?;
+    let value = within(value, own, Bound::Positive, option, text, None).map_err(hinted)?;
+    match (is_mass, radius) {
+        (false, _) => Ok(value),
+        (true, Some(radius)) => Ok(value * radius),
+        (true, None) => Err(BadQuantity {
+            message: format!("a mass in `{option}` needs the radius of every weight"),
+            hint: "give an unbalance such as \"200 g mm\", or radius in [balance]".into(),
+        }),
+    }
+}
+
 /// A limit such as "couple = 5 N m" or "force order 1=200 N"; `option` names what asks for it in the message.
 ///
 /// # Errors

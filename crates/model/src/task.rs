@@ -175,6 +175,11 @@ impl Catalogue {
         }
     }
 
+    /// Its largest amount [kg m]; none where it has no end.
+    pub fn largest(&self) -> Option<f64> {
+        Some(self.amount(self.last())).filter(|amount| amount.is_finite())
+    }
+
     /// Number of its largest amount that is no larger than `amount`, to rounding.
     pub fn below(&self, amount: f64) -> usize {
         let most = amount * (1.0 + Self::ONE_AMOUNT);

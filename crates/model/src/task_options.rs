@@ -5,7 +5,7 @@ use crate::engine::Engine;
 use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
-use crate::task::{BalanceTask, Seat};
+use crate::task::{BalanceTask, Catalogue, Seat};
 
 /// Options as text, each as `lanchester balance` takes it.
 #[derive(Debug, Clone, Default)]
@@ -28,6 +28,10 @@ pub struct TaskOptions {
     pub least: Option<String>,
     /// Largest unbalance of every free weight on a crankshaft.
     pub most: Option<String>,
+    /// Step in which every free weight on a crankshaft is made ([`option::mass_or_unbalance`]).
+    pub step: Option<String>,
+    /// Whether all free weights on crankshafts have the same amount of their steps or lists.
+    pub equal_parts: bool,
     /// Whether every free weight on a crankshaft may be left out.
     pub optional: bool,
     /// Most optional devices that may be used at once.
@@ -181,6 +185,26 @@ impl TaskOptions {
             if !followers.contains(&index) {
                 weight.least = least.unwrap_or(weight.least);
                 weight.optional |= self.optional;
+                if let Some(step) = &self.step {
+                    let step = option::mass_or_unbalance(step, weight.radius, &self.name("step"))?;
+                    let ends = weight.most.filter(|most| *most < step * (1.0 - 1e-9));
+                    if ends.is_some() {
+                        return Err(refused(
+                            format!("{} is larger than the largest amount of \"{}\"", self.name("step"), weight.name),
+                            "give a smaller step, or a larger largest amount",
+                        ));
+                    }
+                    weight.catalogue = Some(Catalogue::Steps(step));
+                }
+                if self.equal_parts && weight.catalogue.is_none() {
+                    return Err(refused(
+                        format!("{} has no effect on \"{}\": it has any amount", self.name("equal-parts"), weight.name),
+                        &format!("add {} '200 g mm'", self.name("step")),
+                    ));
+                }
+                if self.equal_parts {
+                    weight.equal_parts = Some("counterweight".into());
+                }
             }
         }
         let Some(most) = self.most_optional else { return Ok(()) };

@@ -1,7 +1,7 @@
 //! The section `[balance]` of an engine file.
 
 use lanchester_model::{
-    BalanceTask, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity, Stage, default_task,
+    BalanceTask, Catalogue, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity, Stage, default_task,
     expanded, json_schema, option, read, render, templates,
 };
 use proptest::prelude::*;
@@ -105,6 +105,31 @@ fn what_stages_give_up_on_a_command_line() {
     }
     let third = of("1 %", 2).expect_err("there are two stages");
     assert!(third.message.contains("stage 3, and there are 2"), "{third:?}");
+}
+
+#[test]
+fn amounts_in_steps_from_lists_and_of_equal_parts() {
+    let task = task(
+        "in-line-3",
+        "[balance]\n\
+         [[balance.counterweight]]\nthrow = 1\nradius = \"50 mm\"\nstep = \"5 g\"\nequal_parts = \"end\"\n\
+         [[balance.counterweight]]\nthrow = 2\ncatalogue = [\"3000 g mm\", \"0.002 kg m\", \"3 kg mm\"]\n\
+         [[balance.counterweight]]\nthrow = 3\nradius = \"50 mm\"\nstep = \"250 g mm\"\nequal_parts = \"end\"\nmost = \"0.02 kg m\"\n",
+    );
+    let [first, second, third] = &task.weights[..] else { panic!("{task:?}") };
+    let Some(Catalogue::Steps(step)) = first.catalogue else { panic!("{first:?}") };
+    assert!((step - 0.25e-3).abs() < 1e-18 && first.most.is_none());
+    // Sorted, each once; its end is the largest amount.
+    assert_eq!(second.catalogue, Some(Catalogue::Amounts(vec![0.002, 0.003])));
+    assert_eq!(second.most, Some(0.003));
+    assert_eq!((first.equal_parts.as_deref(), third.equal_parts.as_deref()), (Some("end"), Some("end")));
+    assert_eq!(third.most, Some(0.02));
+    // Numbers of amounts, with rounding and ends.
+    let steps = Catalogue::Steps(0.1);
+    assert_eq!([steps.below(0.3), steps.below(0.299_999), steps.nearest(0.26), steps.nearest(0.24)], [3, 2, 3, 2]);
+    let list = Catalogue::Amounts(vec![1.0, 4.0]);
+    assert_eq!([list.below(0.5), list.below(1e9), list.nearest(0.6), list.nearest(9.0), list.last()], [0, 2, 1, 2, 2]);
+    assert_eq!((list.largest(), steps.largest(), list.amount(0)), (Some(4.0), None, 0.0));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::{File, quantity, quoted, ratio, turn_between};
 use crate::criterion::{dimension, name_among};
 use crate::engine::Engine;
 use crate::quantity::{Dimension, text_that};
-use crate::task::{BalanceTask, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
+use crate::task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
 
 impl File {
     pub(super) fn balance(&mut self, engine: &Engine) {
@@ -155,6 +155,15 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
                 entries.extend(most.map(|most| ("most", amount(most))));
             }
         }
+        match &weight.catalogue {
+            Some(Catalogue::Steps(step)) => entries.push(("step", amount(*step))),
+            Some(Catalogue::Amounts(list)) => {
+                let list: Vec<String> = list.iter().map(|one| amount(*one)).collect();
+                entries.push(("catalogue", format!("[{}]", list.join(", "))));
+            }
+            None => {}
+        }
+        entries.extend(weight.equal_parts.as_ref().map(|name| ("equal_parts", quoted(name))));
         if weight.optional {
             entries.push(("optional", "true".to_string()));
         }

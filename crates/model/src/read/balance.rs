@@ -1,5 +1,6 @@
 //! `[balance]`: what may be done to balance the engine, and what is wanted.
 
+mod catalogue;
 mod criteria;
 mod devices;
 mod free_shaft;

@@ -85,6 +85,11 @@ fn key_schema(key: &Key) -> Value {
             "items": { "anyOf": [{ "type": "string" }, criteria_with_values(&CRITERION_DIMENSIONS)] },
             "minItems": 1,
         }),
+        Kind::Amounts => {
+            let amounts = [Dimension::Mass, Dimension::Unbalance].map(|own| bounded(own, Bound::Positive));
+            let one = json!({ "anyOf": amounts });
+            json!({ "anyOf": [one, list(one.clone())] })
+        }
         Kind::Orders => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
         Kind::Limits => criteria_with_values(&CRITERION_DIMENSIONS),
         Kind::GiveUps => {

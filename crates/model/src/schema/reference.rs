@@ -84,6 +84,7 @@ fn holds(kind: Kind) -> String {
         },
         Kind::Truth => "`true` or `false`".into(),
         Kind::Stages => "list of criteria".into(),
+        Kind::Amounts => "mass or unbalance; one or a list".into(),
         Kind::Orders => "list of criteria, one order each".into(),
         Kind::Limits | Kind::GiveUps => "table of criteria".into(),
         Kind::Ratio => "whole number, or a fraction as text".into(),

@@ -126,6 +126,28 @@ const RADIUS: Key = quantity(
     "Distance of its centre of gravity from the axis; needed for `added mass`.",
     "\"60 mm\"",
 );
+const STEP: Key = key(
+    "step",
+    Kind::Amounts,
+    Optional,
+    "It is made in whole steps of this: a mass at `radius`, or an unbalance. None at all is allowed too, unless `least` says more.",
+    "\"5 g\"",
+);
+const CATALOGUE: Key = key(
+    "catalogue",
+    Kind::Amounts,
+    Optional,
+    "It is one of these, or left away: masses at `radius`, or unbalances.",
+    "[\"120 g\", \"150 g\", \"180 g\"]",
+);
+const EQUAL_PARTS: Key = key(
+    "equal_parts",
+    Kind::Text(100),
+    Optional,
+    "Name of the part that it is: all weights with this name that are used have the same amount, each in its own direction. With `step` or \
+     `catalogue`, the same for all of them.",
+    "\"web weight\"",
+);
 const OPTIONAL: Key =
     key("optional", Kind::Truth, Optional, "Whether it may be left out; default false.", "true");
 const EQUAL_TO: Key = key(
@@ -197,6 +219,9 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
         MOST,
         GIVEN,
         RADIUS,
+        STEP,
+        CATALOGUE,
+        EQUAL_PARTS,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,
@@ -272,6 +297,9 @@ static FREE_SHAFT_WEIGHT: Table = Table {
         MOST,
         GIVEN,
         RADIUS,
+        STEP,
+        CATALOGUE,
+        EQUAL_PARTS,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,
