@@ -164,8 +164,14 @@ pub struct FoundStage {
     pub value: f64,
     /// No choice of these devices that holds the limits goes below this.
     pub lower_bound: f64,
-    /// `value - lower_bound`.
+    /// `value - lower_bound`, without what later stages took of what this one gives up.
     pub gap: f64,
+    /// What it gives up for later stages, if anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub give_up: Option<StageGiveUp>,
+    /// The value of this stage if no earlier one gave up anything, where one does: the difference is what that gains.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub without_give_up: Option<f64>,
     /// SI unit of the value: that of the criterion, or `1` for a weighted sum, whose terms are shares of given values.
     pub unit: String,
     /// Each term's criterion and true value.
@@ -174,6 +180,17 @@ pub struct FoundStage {
     pub term_weights: Vec<f64>,
     /// The parts of the cycle that hold the optimum up; none where the stage vanishes.
     pub active: Vec<Active>,
+}
+
+/// What a stage gives up for later ones.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct StageGiveUp {
+    /// The least value that the stage reached by itself, in its unit; its proof is about this one.
+    pub least: f64,
+    /// The value that later stages had to keep, in its unit.
+    pub most: f64,
+    /// How far they raised it, in its unit.
+    pub used: f64,
 }
 
 /// A crank angle at which a criterion stands at its peak and holds the optimum up.

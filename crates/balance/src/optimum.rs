@@ -81,14 +81,33 @@ fn found(
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
-    over_the_range(engine, task, kinematics, &|task| {
+    let mut answer = over_the_range(engine, task, kinematics, &|task| {
         with_gas(engine, task, gas, &|task, places| {
             if branch::is_needed(task) {
                 return searched(engine, task, kinematics, places, settings, watch);
             }
             convex(engine, task, kinematics, places)
         })
-    })
+    })?;
+    if answer.outcome == Outcome::Optimal && answer.stages.iter().any(|stage| stage.give_up.is_some()) {
+        let strict = BalanceTask { give_up: Vec::new(), ..task.clone() };
+        compare_gains(&mut answer, &found(engine, &strict, kinematics, gas, settings, watch)?);
+    }
+    Ok(answer)
+}
+
+/// Notes what the stages behind one that gives up something reach without that: in `strict` nobody gives up anything.
+fn compare_gains(answer: &mut Answer, strict: &Answer) {
+    let first = answer.stages.iter().position(|stage| stage.give_up.is_some()).unwrap_or(0);
+    for (stage, strict) in answer.stages.iter_mut().zip(&strict.stages).skip(first + 1) {
+        stage.without_give_up = Some(strict.value);
+    }
+    for stage in &mut answer.among_equals {
+        let Some((criterion, _)) = stage.terms.first() else { continue };
+        // What nobody can move without the give-up stands among the effects alone.
+        let effect = strict.effects.iter().find(|effect| effect.criterion == *criterion);
+        stage.without_give_up = effect.map(|effect| effect.after);
+    }
 }
 
 /// The answer of one convex programme.
@@ -372,7 +391,7 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
     reason
 }
 
-fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
+pub(crate) fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
     let values: Vec<(Criterion, f64)> =
         terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
     let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
@@ -386,10 +405,18 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
         ([1.0], [(criterion, _)]) => criterion_unit(criterion),
         _ => "1",
     };
+    let used = if proof.allowed > 0.0 { (value - proof.least).max(0.0) } else { 0.0 };
+    let give_up = (proof.allowed > 0.0).then(|| StageGiveUp {
+        least: proof.least,
+        most: proof.least + proof.allowed,
+        used,
+    });
     FoundStage {
         value,
         lower_bound,
-        gap: value - lower_bound,
+        gap: value - used - lower_bound,
+        give_up,
+        without_give_up: None,
         unit: unit.into(),
         terms: values,
         term_weights,
@@ -432,6 +459,13 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64
         // Rounding is no weight.
         if unbalance.norm() <= 1e-12 * columns.unit {
             unbalance = num_complex::Complex64::ZERO;
+        }
+        // Rounding is no other amount of a catalogue.
+        if let Some(catalogue) = weight.catalogue.as_ref().filter(|_| unbalance.norm() > 0.0) {
+            let amount = catalogue.amount(catalogue.nearest(unbalance.norm()));
+            if (amount - unbalance.norm()).abs() <= LEFTOVER * columns.unit {
+                unbalance *= amount / unbalance.norm();
+            }
         }
         found.push(FoundWeight {
             name: weight.name.clone(),

@@ -47,6 +47,10 @@ const VANISHES: f64 = 1e-10;
 pub(crate) struct StageProof {
     /// Lower bound, in the unit of the stage.
     pub bound: f64,
+    /// The least value that was reached, in the unit of the stage.
+    pub least: f64,
+    /// How far later stages may raise it, in the unit of the stage.
+    pub allowed: f64,
     /// What a level of 1 is in the unit of the stage.
     pub scale: f64,
     /// Gap that was aimed at, in the unit of the stage.
@@ -71,8 +75,8 @@ pub(crate) struct Reached {
 /// All stages and the lightest answer. `Err`: the first stage has no solution.
 pub(crate) fn run(problem: &Problem, solves: &mut usize) -> Result<Reached, Failure> {
     let mut walk = Walk::new(problem);
-    for terms in &problem.stages {
-        walk.stage(terms, solves)?;
+    for stage in 0..problem.stages.len() {
+        walk.giving_stage(stage, solves)?;
     }
     Ok(walk.settle(solves))
 }
@@ -129,6 +133,34 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
+    /// A stage of the problem which later ones may raise by what it gives up: they move wherever it is not passed.
+    fn giving_stage(&mut self, stage: usize, solves: &mut usize) -> Result<(), Failure> {
+        let mut alone = self.clone();
+        alone.stage(&self.problem.stages[stage], solves)?;
+        let proof = alone.proofs.last_mut().ok_or(Failure::NoPoint)?;
+        let allowed = self.problem.allowed(stage, proof.least);
+        if allowed <= proof.target {
+            *self = alone;
+            return Ok(());
+        }
+        proof.allowed = allowed;
+        let held = Held { value: proof.least, slack: allowed, exact: false };
+        self.proofs = alone.proofs;
+        self.hold_from(alone.x, stage, held, solves)
+    }
+
+    /// Holds an earlier stage, which `x` keeps.
+    pub fn hold_from(
+        &mut self,
+        x: Vec<f64>,
+        stage: usize,
+        held: Held,
+        solves: &mut usize,
+    ) -> Result<(), Failure> {
+        self.x = x;
+        self.hold(stage, held, solves)
+    }
+
     pub fn stage(&mut self, terms: &[(f64, Judged)], solves: &mut usize) -> Result<(), Failure> {
         let (cost, scale, unbalanced) = self.problem.cost(terms);
         // Loads that are rounding of what the single masses do count as nothing.
@@ -148,6 +180,8 @@ impl<'a> Walk<'a> {
         let aim = 10.0 * GAP * largest * scale;
         self.proofs.push(StageProof {
             bound: solution.bound * scale,
+            least: solution.value * scale,
+            allowed: 0.0,
             scale,
             aim,
             target: aim.max(rounding * scale),

@@ -339,11 +339,15 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
+    /// What a stage may lose for those after it: `force = 1 %` of its least value, or `force = 5 N`; without a name, in the order
+    /// of the stages. May be given several times.
+    #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]
+    pub give_up: Vec<String>,
     /// Speed at which forces at mounts with springs are judged, such as `2000 rpm`; may be given several times, the largest force
     /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
-    /// Orders that must vanish exactly, by the lightest weights: `force order 1, couple order 1`. If they cannot, the
+    /// Orders that must vanish exactly: `force order 1, couple order 1`; of all weights that do it those that the bearings need. If they cannot, the
     /// proof is printed, and the weights that leave the least. May be given several times; in place of what [balance]
     /// wants.
     #[arg(long, value_name = "ORDERS", conflicts_with_all = ["minimise", "limit"])]
@@ -357,6 +361,13 @@ pub struct BalanceArguments {
     /// Largest unbalance of every free weight on the crankshaft.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
+    /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius
+    /// that [balance] gives.
+    #[arg(long, value_name = "AMOUNT")]
+    pub step: Option<String>,
+    /// All free weights on the crankshafts are the same part: one amount of their steps or lists, each in its own direction.
+    #[arg(long)]
+    pub equal_parts: bool,
     /// Least unbalance of every free weight on the crankshaft that is used.
     #[arg(long, value_name = "UNBALANCE")]
     pub least: Option<String>,

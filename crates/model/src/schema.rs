@@ -108,10 +108,14 @@ pub(crate) enum Kind {
     Truth,
     /// A list of criteria, or of tables of criteria and the value of each that counts as much as the others'.
     Stages,
+    /// A mass or an unbalance, or a list of them.
+    Amounts,
     /// A list of criteria that are one order of a load each.
     Orders,
     /// A table of criteria and the largest value of each.
     Limits,
+    /// A table of criteria and the share or amount of each that later stages may give up.
+    GiveUps,
     /// A whole number or a fraction such as `"1/2"`, not 0.
     Ratio,
     /// A table.
@@ -152,8 +156,10 @@ impl Kind {
             Kind::Number(_) => "a bare number".into(),
             Kind::Truth => "true or false".into(),
             Kind::Stages => "a list of criteria".into(),
+            Kind::Amounts => "a mass or an unbalance with its unit, or a list of them".into(),
             Kind::Orders => "a list of orders of loads".into(),
             Kind::Limits => "a table of criteria and their largest values".into(),
+            Kind::GiveUps => "a table of criteria and what each may give up".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),
             Kind::Tables(..) => "a list of tables".into(),

@@ -1,8 +1,8 @@
 //! The section `[balance]` of an engine file.
 
 use lanchester_model::{
-    BalanceTask, Criterion, Engine, Load, Phase, Place, Ratio, Seat, Severity, default_task, expanded,
-    json_schema, read, render, templates,
+    BalanceTask, Catalogue, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity, Stage, default_task,
+    expanded, json_schema, option, read, render, templates,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -57,6 +57,79 @@ fn criteria_with_their_units() {
         limits,
         [(Criterion::Order(Load::MountForce(0), 2.0), 200.0), (Criterion::AddedUnbalance, 5e-4)]
     );
+}
+
+#[test]
+fn stages_give_up_shares_and_amounts() {
+    let of = |section: &str| task("in-line-3", &format!("[balance]\n{section}\n")).give_up;
+    // Of the default stages, force and couple.
+    assert_eq!(of("give_up = { couple = \"2 N m\" }"), [GiveUp::Nothing, GiveUp::Amount(2.0)]);
+    let stages = "minimise = [\"couple\", { force = \"1 kN\", \"roll moment\" = \"40 N m\" }, \"bending moment\"]";
+    assert_eq!(
+        of(&format!("{stages}\ngive_up = {{ \"roll moment\" = \"0.5 %\", couple = \"1 %\" }}")),
+        [GiveUp::Share(0.01), GiveUp::Share(0.005)]
+    );
+    assert_eq!(of(stages), []);
+}
+
+#[test]
+fn what_stages_give_up_on_a_command_line() {
+    let engine = engine(template("in-line-3"));
+    let stages = BalanceTask::default().stages_or_default();
+    let of = |text: &str, place: usize| option::give_up(text, place, &stages, &engine, "--give-up");
+    for (text, place, want) in [
+        ("force = 1 %", 1, (0, GiveUp::Share(0.01))),
+        ("couple 2 N m", 0, (1, GiveUp::Amount(2.0))),
+        ("1 %", 1, (1, GiveUp::Share(0.01))),
+        ("5 N", 0, (0, GiveUp::Amount(5.0))),
+    ] {
+        assert_eq!(of(text, place), Ok(want), "{text}");
+    }
+    let order = [Stage { terms: vec![(1.0, Criterion::Order(Load::Force, 2.0))] }];
+    assert_eq!(
+        option::give_up("force order 2 1 %", 0, &order, &engine, "--give-up"),
+        Ok((0, GiveUp::Share(0.01)))
+    );
+    for (text, says) in [
+        ("-1 %", "must not be negative"),
+        ("force =", "gives up nothing"),
+        ("", "needs a stage"),
+        ("force = 1", "needs its unit"),
+        ("force = 1 kg", "needs a force"),
+        ("bending moment = 1 %", "no stage minimises"),
+        ("forse = 1 %", "no criterion"),
+        ("nan %", "needs"),
+    ] {
+        let refused = of(text, 0).expect_err(text);
+        assert!(refused.message.contains(says) && !refused.hint.is_empty(), "{text}: {refused:?}");
+    }
+    let third = of("1 %", 2).expect_err("there are two stages");
+    assert!(third.message.contains("stage 3, and there are 2"), "{third:?}");
+}
+
+#[test]
+fn amounts_in_steps_from_lists_and_of_equal_parts() {
+    let task = task(
+        "in-line-3",
+        "[balance]\n\
+         [[balance.counterweight]]\nthrow = 1\nradius = \"50 mm\"\nstep = \"5 g\"\nequal_parts = \"end\"\n\
+         [[balance.counterweight]]\nthrow = 2\ncatalogue = [\"3000 g mm\", \"0.002 kg m\", \"3 kg mm\"]\n\
+         [[balance.counterweight]]\nthrow = 3\nradius = \"50 mm\"\nstep = \"250 g mm\"\nequal_parts = \"end\"\nmost = \"0.02 kg m\"\n",
+    );
+    let [first, second, third] = &task.weights[..] else { panic!("{task:?}") };
+    let Some(Catalogue::Steps(step)) = first.catalogue else { panic!("{first:?}") };
+    assert!((step - 0.25e-3).abs() < 1e-18 && first.most.is_none());
+    // Sorted, each once; its end is the largest amount.
+    assert_eq!(second.catalogue, Some(Catalogue::Amounts(vec![0.002, 0.003])));
+    assert_eq!(second.most, Some(0.003));
+    assert_eq!((first.equal_parts.as_deref(), third.equal_parts.as_deref()), (Some("end"), Some("end")));
+    assert_eq!(third.most, Some(0.02));
+    // Numbers of amounts, with rounding and ends.
+    let steps = Catalogue::Steps(0.1);
+    assert_eq!([steps.below(0.3), steps.below(0.299_999), steps.nearest(0.26), steps.nearest(0.24)], [3, 2, 3, 2]);
+    let list = Catalogue::Amounts(vec![1.0, 4.0]);
+    assert_eq!([list.below(0.5), list.below(1e9), list.nearest(0.6), list.nearest(9.0), list.last()], [0, 2, 1, 2, 2]);
+    assert_eq!((list.largest(), steps.largest(), list.amount(0)), (Some(4.0), None, 0.0));
 }
 
 #[test]

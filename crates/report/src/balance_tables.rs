@@ -277,18 +277,23 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
         format!("{}{more}", shown.join(", "))
     };
     let rows = 0..stages.len();
+    let given = |stage: &FoundStage| stage.give_up.map_or(Cell::Empty, |given| Cell::number(given.used, 5));
+    let mut columns = vec![
+        (Column::words("minimised"), stages.iter().map(|s| Cell::text(stage_name(engine, s))).collect()),
+        (Column::words("unit"), stages.iter().map(|s| Cell::text(&s.unit)).collect()),
+        (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
+        (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
+        (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
+        (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
+    ];
+    if stages.iter().any(|stage| stage.give_up.is_some()) {
+        columns.insert(4, (Column::numbers("given up", ""), stages.iter().map(given).collect()));
+    }
     Table::of_columns(
         "stages",
         "The proof",
         "No choice of these devices goes below the bound; a gap is closed where it is less than 1e-8 of the value; the angles are where the load stands at its peak and cannot give way.",
-        vec![
-            (Column::words("minimised"), stages.iter().map(|s| Cell::text(stage_name(engine, s))).collect()),
-            (Column::words("unit"), stages.iter().map(|s| Cell::text(&s.unit)).collect()),
-            (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
-            (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
-            (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
-            (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
-        ],
+        columns,
     )
 }
 

@@ -7,6 +7,7 @@ use crate::balance_tables::{
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
+use crate::give_up_text::give_up_words;
 use crate::number;
 use crate::terminal::push_wrapped;
 use lanchester_balance::{Answer, BalanceSettings, Consequences, FoundStage, Method, Outcome, SearchState};
@@ -28,7 +29,7 @@ pub fn balance_text(
     push_wrapped(&mut out, "", &headline(engine, answer));
     let equals = equals_words(engine, answer);
     let effects = consequences.map_or_else(String::new, consequence_words);
-    for words in [equals, effects].iter().filter(|words| !words.is_empty()) {
+    for words in [give_up_words(engine, answer), equals, effects].iter().filter(|words| !words.is_empty()) {
         push_wrapped(&mut out, "", words);
     }
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
@@ -82,7 +83,9 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
             format!("{}.{}", number::capital(&reached()), gap_words(answer))
         }
         Outcome::Optimal => {
-            format!("The least that these devices allow: {}.{}", reached(), gap_words(answer))
+            let given = answer.stages.iter().any(|stage| stage.give_up.is_some());
+            let with = if given { " with what earlier stages give up" } else { "" };
+            format!("The least that these devices allow{with}: {}.{}", reached(), gap_words(answer))
         }
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
         Outcome::Stopped { reason, .. } if answer.stages.is_empty() => {

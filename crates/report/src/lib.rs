@@ -52,6 +52,7 @@ mod mechanism_sketch;
 mod motion_plot;
 mod mount_figures;
 mod mount_shapes;
+mod give_up_text;
 mod mount_tables;
 mod mount_text;
 mod number;

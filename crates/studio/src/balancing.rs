@@ -35,6 +35,9 @@ struct BalanceQuestion {
     /// Criteria in their order, as `--minimise` takes them; none: force, then couple.
     #[serde(default)]
     minimise: Vec<String>,
+    /// What stages give up for those after them, as `--give-up` takes it.
+    #[serde(default)]
+    give_up: Vec<String>,
     /// Limits as `--limit` takes them.
     #[serde(default)]
     limits: Vec<String>,
@@ -254,6 +257,7 @@ fn task(engine: &Engine, question: &BalanceQuestion) -> Result<ChangedTask, Prob
         shafts: question.shafts.clone(),
         minimise: question.minimise.clone(),
         limits: question.limits.clone(),
+        give_up: question.give_up.clone(),
         cancel: question.cancel.clone(),
         least: question.least.clone(),
         most: question.most.clone(),

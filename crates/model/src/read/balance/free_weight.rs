@@ -7,7 +7,7 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::quantity::{self, Dimension};
-use crate::task::{FreeWeight, Phase, Place, Seat};
+use crate::task::{Catalogue, FreeWeight, Phase, Place, Seat};
 
 /// Why a weight needs its largest amount.
 pub(super) const PLACE_TO_BE_FOUND: &str = "a weight whose place is to be found";
@@ -46,6 +46,8 @@ pub(super) struct Properties {
     most: Option<f64>,
     pub(super) optional: bool,
     radius: Option<f64>,
+    catalogue: Option<Catalogue>,
+    equal_parts: Option<String>,
     pub(super) follows: Option<Follows>,
     pub(super) span: Span,
 }
@@ -172,6 +174,16 @@ impl<'a> Reader<'a> {
         let radius = section.number("radius");
         let optional = section.truth("optional").or(false);
         let follows = self.follows(section);
+        let bounded = bounds.unwrap_or((0.0, None));
+        let catalogue = match radius.is_bad() {
+            true => None,
+            false => self.catalogue(section, radius.clone().given(), bounded),
+        };
+        let equal_parts = match section.text("equal_parts") {
+            Field::Given(name) => Some(name.value),
+            Field::Absent => None,
+            Field::Bad => return None,
+        };
         if section.has(direction_key) && section.has("line") {
             self.two_sources(section, direction_key, "line", "the direction of the weight");
             return None;
@@ -180,8 +192,13 @@ impl<'a> Reader<'a> {
             return None;
         }
         let (follows, (least, most), optional) = (follows?, bounds?, optional?);
+        let (catalogue, equal_parts) = (catalogue?, equal_parts);
+        // A list is an end to what may be chosen.
+        let most = most.or_else(|| catalogue.as_ref().and_then(Catalogue::largest));
         if let Some(follows) = &follows {
-            let keys = [direction_key, "line", "least", "most", "unbalance", "optional"];
+            let keys = [
+                direction_key, "line", "least", "most", "unbalance", "optional", "step", "catalogue", "equal_parts",
+            ];
             for key in keys.into_iter().filter(|key| section.has(key)) {
                 let why = format!("the weight follows \"{}\"", follows.leader_name);
                 self.without_effect(section, key, &why, "give it to that weight");
@@ -204,6 +221,8 @@ impl<'a> Reader<'a> {
             most,
             optional,
             radius: radius.given(),
+            catalogue,
+            equal_parts,
             follows,
             span: section.span.clone(),
         })
@@ -290,6 +309,8 @@ impl<'a> Reader<'a> {
             },
             optional: draft.own.optional,
             radius: draft.own.radius,
+            catalogue: draft.own.catalogue.clone(),
+            equal_parts: draft.own.equal_parts.clone(),
             ..FreeWeight::new(&draft.name, seat, z)
         })
     }

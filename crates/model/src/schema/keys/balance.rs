@@ -34,6 +34,15 @@ pub(super) static BALANCE: Table = Table {
             "[\"force\", { couple = \"10 N m\", \"roll moment\" = \"40 N m\" }]",
         ),
         key(
+            "give_up",
+            Kind::GiveUps,
+            Optional,
+            "What stages after it may cost a stage: criteria of `minimise` (or `force` and `couple` where it is left out), each \
+             with a share of the least value that it reached, or an amount in its unit. A weighted sum goes by any of its \
+             criteria and takes a share. Default nothing.",
+            "{ force = \"1 %\" }",
+        ),
+        key(
             "limits",
             Kind::Limits,
             Optional,
@@ -44,7 +53,8 @@ pub(super) static BALANCE: Table = Table {
             "cancel",
             Kind::Orders,
             Optional,
-            "Orders of loads that must vanish exactly, by the lightest weights; instead of `minimise` and `limits`.",
+            "Orders of loads that must vanish exactly, instead of `minimise` and `limits`; of all weights that do it those with the least \
+             force, couple and main-bearing loads, then the lightest.",
             "[\"force order 1\", \"couple order 1\"]",
         ),
         key(
@@ -115,6 +125,28 @@ const RADIUS: Key = quantity(
     Positive,
     "Distance of its centre of gravity from the axis; needed for `added mass`.",
     "\"60 mm\"",
+);
+const STEP: Key = key(
+    "step",
+    Kind::Amounts,
+    Optional,
+    "It is made in whole steps of this: a mass at `radius`, or an unbalance. None at all is allowed too, unless `least` says more.",
+    "\"5 g\"",
+);
+const CATALOGUE: Key = key(
+    "catalogue",
+    Kind::Amounts,
+    Optional,
+    "It is one of these, or left away: masses at `radius`, or unbalances.",
+    "[\"120 g\", \"150 g\", \"180 g\"]",
+);
+const EQUAL_PARTS: Key = key(
+    "equal_parts",
+    Kind::Text(100),
+    Optional,
+    "Name of the part that it is: all weights with this name that are used have the same amount, each in its own direction. With `step` or \
+     `catalogue`, the same for all of them.",
+    "\"web weight\"",
 );
 const OPTIONAL: Key =
     key("optional", Kind::Truth, Optional, "Whether it may be left out; default false.", "true");
@@ -187,6 +219,9 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
         MOST,
         GIVEN,
         RADIUS,
+        STEP,
+        CATALOGUE,
+        EQUAL_PARTS,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,
@@ -262,6 +297,9 @@ static FREE_SHAFT_WEIGHT: Table = Table {
         MOST,
         GIVEN,
         RADIUS,
+        STEP,
+        CATALOGUE,
+        EQUAL_PARTS,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,
