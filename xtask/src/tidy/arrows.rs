@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 16] = [
+const ARROWS: [(&str, &[&str]); 17] = [
     ("lanchester-shape", &[]),
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model"]),
@@ -13,6 +13,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-workshop", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
     ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",
@@ -30,6 +31,7 @@ const ARROWS: [(&str, &[&str]); 16] = [
         &[
             "lanchester-model",
             "lanchester-mechanism",
+            "lanchester-multibody",
             "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",
