@@ -163,7 +163,7 @@ pub struct CylinderTrain {
     pub lower_pin: LowerPin,
     /// Area of the bore [m^2], where it is known.
     pub area: Option<f64>,
-    /// `theta` at which it fires [rad].
+    /// `theta` at which it fires, a top dead centre of its chamber [rad]; `None` where the file gives no firing.
     pub firing_angle: Option<f64>,
 }
 
@@ -228,6 +228,7 @@ impl Train {
             highest_speed: engine.speed.highest,
         };
         train.check_reach()?;
+        train.find_firings(engine);
         match &engine.block {
             None => train.fixed_because = Some("the file has no [block]".into()),
             Some(block) => train.block = Some(BlockBody::alone(block, &train)?),
