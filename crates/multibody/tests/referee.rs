@@ -186,7 +186,7 @@ proptest! {
 /// A meta-test: the comparison sees a mass that is off by a millionth.
 #[test]
 fn a_small_mistake_is_seen() {
-    let engine = support::in_line(&[0.0, PI], 0.1);
+    let engine = support::in_line(&[0.0, PI]);
     let inertia = RotorInertia { crankshafts: vec![Some(0.1)], flywheel: 0.0, shafts: Vec::new() };
     let train = Train::new(&engine, &inertia).expect("it turns");
     let motion = Motion::fixed(0.7, 200.0);

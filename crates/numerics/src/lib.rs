@@ -1,0 +1,43 @@
+//! Numerical methods without physics: initial value problems, located events, dense linear algebra.
+//!
+//! Two integrators share one [`System`], one [`Settings`] and one [`Outcome`]:
+//! * [`Dop853`], explicit, order 8 with an interpolant of order 7, for smooth problems that are not stiff;
+//! * [`Radau5`], implicit, order 5, stiffly accurate, for stiff problems and systems `M y' = f(t, y)` with singular `M` (index 1).
+//!
+//! Work is bounded, a state that is no number is an outcome, and nothing here panics on what a system returns.
+//!
+//! ```
+//! use lanchester_numerics::{Dop853, Function, Outcome, Settings};
+//! use std::ops::ControlFlow;
+//! let mut system = Function::new(2, |_t, y: &[f64], dy: &mut [f64]| {
+//!     dy[0] = y[1];
+//!     dy[1] = -y[0];
+//! });
+//! let (mut t, mut y) = (0.0, vec![1.0, 0.0]);
+//! let outcome = Dop853::new(Settings::uniform(2, 1e-10)).run(&mut system, &mut t, &mut y, 10.0, |_| ControlFlow::Continue(()));
+//! assert_eq!(outcome, Outcome::Reached);
+//! assert!((y[0] - 10f64.cos()).abs() < 1e-8);
+//! ```
+#![forbid(unsafe_code)]
+
+mod control;
+mod dense;
+mod dop853;
+mod dop853_table;
+mod event;
+mod outcome;
+mod radau;
+mod radau_table;
+mod root;
+mod settings;
+mod step;
+mod system;
+
+pub use dense::{ComplexLu, Lu};
+pub use dop853::Dop853;
+pub use outcome::{Outcome, Statistics};
+pub use radau::Radau5;
+pub use root::{Root, bisect};
+pub use settings::Settings;
+pub use step::Step;
+pub use system::{Function, System};

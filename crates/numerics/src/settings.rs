@@ -1,0 +1,48 @@
+//! Tolerances and limits of a run.
+
+/// Tolerances and limits of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Settings {
+    /// Relative tolerance of each component.
+    pub relative: Vec<f64>,
+    /// Absolute tolerance of each component, in its unit.
+    pub absolute: Vec<f64>,
+    /// First step; chosen from the derivatives where absent.
+    pub first_step: Option<f64>,
+    /// Longest step.
+    pub longest_step: f64,
+    /// Places where a step must end: kinks of the system, in any order. Those outside the run are passed over.
+    pub stops: Vec<f64>,
+    /// Largest number of evaluations of `f`, over all runs of one integrator.
+    pub most_evaluations: u64,
+    /// Largest distance of a located event from its true place on the interpolant (of t, absolute).
+    pub event_tolerance: f64,
+    /// Whether [`crate::Dop853`] ends with [`crate::Outcome::Stiff`] where it measures stiffness.
+    pub stiffness_test: bool,
+    /// Whether steps carry an interpolant; needed for samples between steps and for events.
+    pub dense: bool,
+}
+
+impl Settings {
+    /// The same relative and absolute tolerance for each of `dimension` components, no other limit than ten million evaluations.
+    pub fn uniform(dimension: usize, tolerance: f64) -> Settings {
+        Settings {
+            relative: vec![tolerance; dimension],
+            absolute: vec![tolerance; dimension],
+            first_step: None,
+            longest_step: f64::INFINITY,
+            stops: Vec::new(),
+            most_evaluations: 10_000_000,
+            event_tolerance: 1e-12,
+            stiffness_test: false,
+            dense: true,
+        }
+    }
+
+    /// Size against which an error of component `i` is measured.
+    pub(crate) fn scale(&self, i: usize, size: f64) -> f64 {
+        let relative = self.relative.get(i).copied().unwrap_or(1e-9).max(4.0 * f64::EPSILON);
+        let absolute = self.absolute.get(i).copied().unwrap_or(1e-9);
+        (absolute + relative * size).max(f64::MIN_POSITIVE.sqrt())
+    }
+}
