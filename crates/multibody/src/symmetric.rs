@@ -34,6 +34,63 @@ pub(crate) fn solve(matrix: &mut Matrix, rhs: &mut [f64; MOST], size: usize) -> 
     Some(())
 }
 
+/// Solves `matrix x = rhs + T b` for `x` and the torque `T` of a drive where the rate of the crank, row and column `crank`, is given: relative to the block
+/// (or, `absolute`, with the block's roll, row 5). The drive acts on the crank, and where it stands on the ground on the roll too. `rhs` becomes `x`.
+pub(crate) fn solve_given(
+    matrix: &mut Matrix,
+    rhs: &mut [f64; MOST],
+    size: usize,
+    crank: usize,
+    rate: f64,
+    from_ground: bool,
+    absolute: bool,
+) -> Option<f64> {
+    let moving = crank > 0;
+    let own = matrix[crank];
+    let needed = rhs[crank];
+    if moving && from_ground {
+        // The roll row less the crank's row has no torque of the drive.
+        for k in 0..size {
+            matrix[5][k] -= own[k];
+        }
+        rhs[5] -= needed;
+    }
+    // The crank's row gives way to the rate.
+    matrix[crank] = [0.0; MOST];
+    matrix[crank][crank] = 1.0;
+    if moving && absolute {
+        matrix[crank][5] = 1.0;
+    }
+    rhs[crank] = rate;
+    eliminate(matrix, rhs, size)?;
+    Some((0..size).map(|k| own[k] * rhs[k]).sum::<f64>() - needed)
+}
+
+/// Gauss with row pivots, in place.
+fn eliminate(matrix: &mut Matrix, rhs: &mut [f64; MOST], size: usize) -> Option<()> {
+    for j in 0..size {
+        let pivot = (j..size).max_by(|a, b| matrix[*a][j].abs().total_cmp(&matrix[*b][j].abs()))?;
+        matrix.swap(j, pivot);
+        rhs.swap(j, pivot);
+        let top = matrix[j][j];
+        if top == 0.0 || !top.is_finite() {
+            return None;
+        }
+        for i in j + 1..size {
+            let factor = matrix[i][j] / top;
+            for k in j..size {
+                matrix[i][k] -= factor * matrix[j][k];
+            }
+            rhs[i] -= factor * rhs[j];
+        }
+    }
+    for i in (0..size).rev() {
+        let sum: f64 = (i + 1..size).map(|k| matrix[i][k] * rhs[k]).sum();
+        rhs[i] = (rhs[i] - sum) / matrix[i][i];
+    }
+    Some(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
