@@ -66,7 +66,6 @@ impl Auditor {
         self.off = self.off.max((stored - works.iter().sum::<f64>()).abs());
         self.largest_energy = self.largest_energy.max(energy[0].abs());
         self.largest_work = self.largest_work.max(works.iter().map(|work| work.abs()).sum());
-        self.last = energy;
         if powered.layout.moving {
             let at = powered.layout.pose() + 3;
             let size: f64 = state[at..at + 4].iter().map(|q| q * q).sum::<f64>().sqrt();
@@ -87,6 +86,8 @@ impl Auditor {
 
     pub fn close(mut self, runner: &mut Runner<'_>) -> (Audit, EnergyLedger) {
         let works: [f64; WORKS] = runner.works();
+        let (theta, state) = (runner.state[0], runner.state.clone());
+        self.last = runner.powered.energy(theta, &state);
         let throughput = self.largest_energy + self.largest_work;
         self.audit.energy = self.off / throughput.max(f64::MIN_POSITIVE);
         if self.momenta.is_some() {

@@ -73,6 +73,8 @@ pub(crate) struct Conditions {
     pub held: bool,
     /// Crank angles between which no pressure has a kink.
     pub window: [f64; 2],
+    /// Times between which the profile of an imposed speed has no knot.
+    pub times: [f64; 2],
 }
 
 /// Torques and accelerations at one instant.
@@ -169,7 +171,10 @@ impl<'a> Powered<'a> {
     /// Imposed speed and its rate at time `t`, where it is imposed.
     pub fn imposed(&self, t: f64) -> Option<([f64; 2], ImposedAgainst)> {
         let Drive::Imposed { profile, against } = &self.simulation.drive else { return None };
-        let after = profile.partition_point(|point| point[0] <= t);
+        let [low, high] = self.conditions.times;
+        let margin = (1e-9 * (high - low)).min(1e-9);
+        let inside = if margin > 0.0 { t.clamp(low + margin, high - margin) } else { t };
+        let after = profile.partition_point(|point| point[0] <= inside);
         let rate = match (after.checked_sub(1).and_then(|k| profile.get(k)), profile.get(after)) {
             (Some([t0, w0]), Some([t1, w1])) => (w1 - w0) / (t1 - t0),
             _ => 0.0,

@@ -7,7 +7,7 @@ use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::powered::{Conditions, Layout, Powered, Torques, WORKS};
 use crate::reactions::Instant;
-use crate::run_result::{Audit, Cost, EnergyLedger, Happened, Occasion, RUN_VERSION, Run, RunOutcome, Samples};
+use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, Samples};
 use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When};
 use crate::train::Train;
 use lanchester_numerics::{Dop853, Outcome, Settings, Step, System};
@@ -79,6 +79,8 @@ impl System for Piece<'_, '_> {
     fn enter(&mut self, from: f64, to: f64) {
         if self.over_angle {
             self.powered.conditions.window = [from, to];
+        } else {
+            self.powered.conditions.times = [from, to];
         }
     }
 
@@ -125,13 +127,26 @@ impl Train {
     /// # Errors
     /// [`MultibodyError`] where a number is impossible, an inertia is missing that the run needs, or the block cannot move.
     pub fn run(&self, simulation: &Simulation, gas: Option<&dyn GasPressure>) -> Result<Run, MultibodyError> {
+        self.run_from(simulation, gas, None)
+    }
+
+    /// The same from the components of a periodic motion.
+    pub(crate) fn run_from(
+        &self,
+        simulation: &Simulation,
+        gas: Option<&dyn GasPressure>,
+        returning: Option<&[f64]>,
+    ) -> Result<Run, MultibodyError> {
         let mut runner = Runner::new(self, simulation, gas)?;
+        if let Some(returning) = returning {
+            runner.rewind(returning);
+        }
         let mut auditor = Auditor::new(&mut runner);
         let mut samples = Samples::default();
         let mut kept: Vec<Kept> = vec![(runner.time, runner.state[0], runner.state.clone())];
         runner.take(&mut kept, &mut samples, &mut auditor);
         let outcome = runner.go(|runner, kept| runner.take(kept, &mut samples, &mut auditor));
-        let (audit, energy): (Audit, EnergyLedger) = auditor.close(&mut runner);
+        let (audit, energy) = auditor.close(&mut runner);
         Ok(Run {
             version: RUN_VERSION,
             engine: self.name.clone(),
@@ -181,6 +196,7 @@ impl<'a> Runner<'a> {
                     sense: 1.0,
                     held: false,
                     window: [0.0; 2],
+                    times: [0.0; 2],
                 },
                 places: Vec::new(),
                 forces: Vec::new(),
@@ -313,7 +329,12 @@ impl<'a> Runner<'a> {
     fn piece(&mut self, kept: &mut Vec<Kept>) -> (Outcome, Option<Watch>) {
         let simulation = self.powered.simulation;
         let layout = self.powered.layout;
-        let over_angle = self.state[1] >= FAST[0] && !self.powered.conditions.held;
+        // A profile has its knots in time.
+        let profile = match &simulation.drive {
+            Drive::Imposed { profile, .. } if profile.len() > 1 => &profile[..],
+            _ => &[],
+        };
+        let over_angle = self.state[1] >= FAST[0] && !self.powered.conditions.held && profile.is_empty();
         let mut watches = Vec::new();
         let from = if over_angle { self.state[0] } else { self.time };
         let mut end = f64::INFINITY;
@@ -339,7 +360,9 @@ impl<'a> Runner<'a> {
             if self.powered.conditions.held {
                 watches.push(Watch::Grip);
             } else {
-                watches.push(Watch::Speed(FAST[1], true, Mark::Mode));
+                if profile.is_empty() {
+                    watches.push(Watch::Speed(FAST[1], true, Mark::Mode));
+                }
                 if matches!(simulation.drive, Drive::Free) {
                     watches.push(Watch::Speed(0.0, self.powered.conditions.sense < 0.0, Mark::Halt));
                 }
@@ -353,10 +376,7 @@ impl<'a> Runner<'a> {
         if let (Some(starter), true) = (&simulation.starter, self.powered.conditions.starter) {
             watches.push(Watch::Speed(starter.until, true, Mark::Starter));
         }
-        if let Drive::Imposed { profile, .. } = &simulation.drive {
-            let knots = profile.iter().map(|point| point[0]).filter(|time| *time > self.time + 1e-12);
-            watches.extend(knots.map(|time| Watch::Time(time, Mark::Knot)));
-        }
+        stops.extend(profile.iter().map(|point| point[0]).filter(|time| *time > self.time));
         for (index, event) in simulation.events.iter().enumerate().filter(|(index, _)| self.pending[*index]) {
             watches.push(match event.when {
                 When::Time(time) => Watch::Time(time, Mark::Event(index)),
@@ -365,7 +385,8 @@ impl<'a> Runner<'a> {
                 When::SpeedFalls(speed) => Watch::Speed(speed, false, Mark::Event(index)),
             });
         }
-        let tolerance = simulation.tolerance;
+        // The integrator's norm is the root mean square over all components: few of them have the error.
+        let tolerance = 0.5 * simulation.tolerance / (layout.dimension() as f64).sqrt();
         let mut settings = Settings::uniform(layout.dimension(), tolerance);
         let speed = simulation.start_speed.abs().max(self.state[1].abs()).max(1.0);
         settings.absolute[0] = if over_angle { tolerance / speed } else { tolerance };
@@ -527,7 +548,8 @@ impl<'a> Runner<'a> {
 
     /// Evaluates what was kept.
     fn take(&mut self, kept: &mut Vec<Kept>, samples: &mut Samples, auditor: &mut Auditor) {
-        let before = self.powered.conditions.window;
+        let before = (self.powered.conditions.window, self.powered.conditions.times);
+        self.powered.conditions.times = [0.0; 2];
         let shares = if self.powered.simulation.reactions {
             self.powered.train.main_shares(&self.powered.simulation.main_stiffness)
         } else {
@@ -575,7 +597,7 @@ impl<'a> Runner<'a> {
             }
             auditor.look(&mut self.powered, theta, &state);
         }
-        self.powered.conditions.window = before;
+        (self.powered.conditions.window, self.powered.conditions.times) = before;
     }
 }
 
