@@ -16,7 +16,7 @@ fn flat(x: f64, y: f64) -> Vector3<f64> {
 
 /// The squeezer with every body at its angle; each body's axes are those of the frame where its angle is 0, its reference its centre.
 fn squeezer() -> (Assembly, Vec<Pose>) {
-    let [beta, theta, gamma, phi, delta, omega, epsilon] = [
+    let [beta, theta, gamma, phi, delta, omega, epsilon]: [f64; 7] = [
         -0.0617138900142764496358948458001,
         0.0,
         0.455279819163070380255912382449,
@@ -25,7 +25,7 @@ fn squeezer() -> (Assembly, Vec<Pose>) {
         -0.222668390165885884674473185609,
         1.23054744454982119249735015568,
     ];
-    let [d, da, e, ea, rr, ra, ss] = [28e-3, 115e-5, 2e-2, 1421e-5, 7e-3, 92e-5, 35e-3];
+    let [d, da, e, ea, rr, ra, ss]: [f64; 7] = [28e-3, 115e-4, 2e-2, 1421e-5, 7e-3, 92e-5, 35e-3];
     let [sa, sb, sc, sd, zf, zt, fa] = [1874e-5, 1043e-5, 18e-3, 2e-2, 2e-2, 4e-2, 1421e-5];
     let [ta, tb, u, ua, ub] = [2308e-5, 916e-5, 4e-2, 1228e-5, 449e-5];
     // Mass, inertia, angle, pivot of the body and its centre from there, both along the body's axes.
