@@ -15,6 +15,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
     ("lanchester-workshop", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
     ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",
@@ -32,6 +33,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
         &[
             "lanchester-model",
             "lanchester-mechanism",
+            "lanchester-multibody",
             "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",

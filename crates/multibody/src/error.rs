@@ -1,0 +1,75 @@
+//! Why an engine or a run is refused.
+
+use serde::Serialize;
+
+/// What keeps a simulation from starting.
+#[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
+#[non_exhaustive]
+pub enum MultibodyError {
+    /// A number lies outside what is possible.
+    #[error("{quantity} must be {needed}, got {got}")]
+    Number {
+        /// What it is, with its unit.
+        quantity: String,
+        /// What it must be.
+        needed: &'static str,
+        /// What it is.
+        got: f64,
+    },
+    /// The rod of a cylinder does not reach its piston pin at every angle.
+    #[error("the rod of cylinder {cylinder} is {length} m long, but its piston pin is up to {needed} m beside its lower pin: the crank train locks")]
+    Locks {
+        /// Number of the cylinder, from 1.
+        cylinder: usize,
+        /// Largest distance to be bridged across the cylinder axis [m].
+        needed: f64,
+        /// Length of the rod [m].
+        length: f64,
+    },
+    /// An articulated rod sits on a rod that is articulated itself or belongs to another throw.
+    #[error("cylinder {cylinder} has its knuckle pin on the rod of cylinder {master}, which must be a plain rod on the same throw")]
+    MasterNotPlain {
+        /// Number of the cylinder, from 1.
+        cylinder: usize,
+        /// Number of its master, from 1.
+        master: usize,
+    },
+    /// The numbers of the block are smaller than the parts that they hold.
+    #[error("the block less {part} would have {quantity} of {got}: the numbers in [block] must hold all its parts, or say moving_parts = \"added\"")]
+    BlockTooSmall {
+        /// What was taken from it last.
+        part: String,
+        /// Which number, with its unit.
+        quantity: &'static str,
+        /// What would be left.
+        got: f64,
+    },
+    /// The block is to move, but the file lacks something for it.
+    #[error("the block cannot move: {missing}; add it, or simulate with the block fixed")]
+    NoMounts {
+        /// What is missing.
+        missing: String,
+    },
+    /// A run with free speed needs the polar inertia of everything that turns.
+    #[error("free speed needs the moment of inertia of {part}: give {keys}")]
+    NoInertia {
+        /// What has no inertia.
+        part: String,
+        /// Keys of the engine file that give it.
+        keys: &'static str,
+    },
+    /// Pressures are given, but a cylinder lacks what turns them into forces.
+    #[error("cylinder {cylinder} has gas but no {missing}")]
+    NoGasData {
+        /// Number of the cylinder, from 1.
+        cylinder: usize,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// The equations of motion have no solution at a state.
+    #[error("the mass matrix at crank angle {theta} rad is not positive definite")]
+    Singular {
+        /// Crank angle of crankshaft 1 [rad].
+        theta: f64,
+    },
+}

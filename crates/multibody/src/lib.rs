@@ -1,0 +1,41 @@
+//! The rigid crank train on its mounts, as a second opinion on the closed form and for what the closed form cannot say.
+#![forbid(unsafe_code)]
+
+mod audit;
+mod block_body;
+mod dynamics;
+mod equilibrium;
+mod error;
+mod firing;
+mod gas_pressure;
+mod loads;
+mod main_rules;
+mod motion;
+mod mount_place;
+mod periodic;
+mod place;
+mod powered;
+mod reactions;
+pub mod referee;
+mod referee_engine;
+mod run;
+mod run_result;
+mod simulation;
+mod symmetric;
+mod train;
+
+pub use block_body::BlockBody;
+pub use dynamics::{CrankInertia, Equations};
+pub use error::MultibodyError;
+pub use gas_pressure::GasPressure;
+pub use loads::Loads;
+pub use main_rules::{MainRule, MainShares};
+pub use motion::Motion;
+pub use mount_place::MountPlace;
+pub use periodic::{Periodic, PeriodicOutcome};
+pub use place::Place;
+pub use reactions::*;
+pub use referee_engine::RefereeEngine;
+pub use run_result::*;
+pub use simulation::*;
+pub use train::*;

@@ -1,0 +1,439 @@
+//! The whole right-hand side of a run: from time and state to rates and powers.
+//!
+//! Unknown accelerations are those of block, crank and driveline; works of everything that gives or takes energy are integrated beside the states.
+
+use crate::gas_pressure::GasPressure;
+use crate::loads::Loads;
+use crate::motion::Motion;
+use crate::place::Place;
+use crate::simulation::{BlockMotion, Drive, ImposedAgainst, LoadLaw, ReactsOn, Simulation, straight};
+use crate::symmetric::{self, MOST, Matrix};
+use crate::train::Train;
+use nalgebra::Vector3;
+
+/// Number of works that are integrated.
+pub(crate) const WORKS: usize = 8;
+
+/// Names of the works: what puts energy in counts positive.
+pub(crate) const GAS: usize = 0;
+pub(crate) const LOAD: usize = 1;
+pub(crate) const STARTER: usize = 2;
+pub(crate) const FRICTION: usize = 3;
+pub(crate) const PISTON_FRICTION: usize = 4;
+pub(crate) const OUTSIDE: usize = 5;
+pub(crate) const MOUNT_DAMPING: usize = 6;
+pub(crate) const DRIVELINE_DAMPING: usize = 7;
+
+/// Places of the parts of a state.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Layout {
+    pub links: usize,
+    pub moving: bool,
+    pub governed: bool,
+}
+
+impl Layout {
+    pub fn link(self, index: usize) -> usize {
+        2 + 2 * index
+    }
+
+    pub fn pose(self) -> usize {
+        2 + 2 * self.links
+    }
+
+    pub fn governor(self) -> usize {
+        self.pose() + if self.moving { 13 } else { 0 }
+    }
+
+    pub fn works(self) -> usize {
+        self.governor() + if self.governed { 2 } else { 0 }
+    }
+
+    pub fn dimension(self) -> usize {
+        self.works() + WORKS
+    }
+
+    /// Number of accelerations.
+    pub fn freedoms(self) -> usize {
+        1 + self.links + if self.moving { 6 } else { 0 }
+    }
+}
+
+/// What holds between two events.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Conditions {
+    /// Share of the fired part of the gas, by cylinder.
+    pub fired: Vec<f64>,
+    pub load: LoadLaw,
+    pub starter: bool,
+    pub clutch_open: bool,
+    /// Sense in which the crank turns or is about to: dry friction acts against it.
+    pub sense: f64,
+    /// Dry friction holds the crank.
+    pub held: bool,
+    /// Crank angles between which no pressure has a kink.
+    pub window: [f64; 2],
+    /// Times between which the profile of an imposed speed has no knot.
+    pub times: [f64; 2],
+}
+
+/// Torques and accelerations at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Torques {
+    pub gas: f64,
+    pub load: f64,
+    pub starter: f64,
+    pub friction: f64,
+    pub outside: f64,
+    pub driveline: f64,
+    pub rates: [f64; 7],
+}
+
+/// The engine with all that acts on it.
+pub(crate) struct Powered<'a> {
+    pub train: &'a Train,
+    pub gas: Option<&'a dyn GasPressure>,
+    pub simulation: &'a Simulation,
+    pub layout: Layout,
+    pub conditions: Conditions,
+    pub places: Vec<Place>,
+    /// Gas force on every piston towards the crank [N].
+    pub forces: Vec<f64>,
+    pub torques: Torques,
+    /// Torque that keeps the crank from turning where it is held, or at its imposed speed [N m].
+    pub holding: f64,
+}
+
+/// Angle from a kink of the pressure within which the pressure is that inside [rad].
+const BESIDE: f64 = 1e-12;
+
+impl<'a> Powered<'a> {
+    /// Motion of block and crank of a state whose angle is `theta`.
+    pub fn motion(&self, theta: f64, state: &[f64]) -> Motion {
+        let mut motion = Motion::fixed(theta, state[1]);
+        if self.layout.moving {
+            let own = &state[self.layout.pose()..self.layout.pose() + 13];
+            motion.position = Vector3::new(own[0], own[1], own[2]);
+            motion.orientation = [own[3], own[4], own[5], own[6]];
+            motion.velocity = Vector3::new(own[7], own[8], own[9]);
+            motion.spin = Vector3::new(own[10], own[11], own[12]);
+        }
+        motion
+    }
+
+    /// Acceleration of gravity in the axes of the frame [m/s^2].
+    pub fn gravity(&self) -> Vector3<f64> {
+        self.simulation.gravity * Vector3::from(self.train.gravity)
+    }
+
+    /// Whether mounts act.
+    pub fn on_mounts(&self) -> bool {
+        self.layout.moving && self.simulation.block == BlockMotion::Mounts
+    }
+
+    /// Force of every mount on the block [N], axes of the frame, with displacement and rate of its point.
+    pub fn mounts(&self, motion: &Motion) -> impl Iterator<Item = [Vector3<f64>; 3]> + '_ {
+        let rotation = motion.rotation();
+        let (position, velocity, spin) = (motion.position, motion.velocity, motion.spin);
+        let mounts = if self.on_mounts() { &self.train.mounts[..] } else { &[] };
+        mounts.iter().map(move |mount| {
+            let displacement = position + rotation * mount.at - mount.at;
+            let rate = rotation * (velocity + spin.cross(&mount.at));
+            [mount.force(displacement, rate), displacement, rate]
+        })
+    }
+
+    /// Largest torque by which friction and load can hold the crank at standstill [N m].
+    pub fn dry_torque(&self) -> f64 {
+        let load = if self.layout.links == 0 { self.conditions.load.torque(f64::MIN_POSITIVE) } else { 0.0 };
+        self.simulation.friction_torque + load
+    }
+
+    /// Gas forces at `theta` into `forces`.
+    fn set_gas(&mut self, theta: f64, speed: f64, throttle: f64) {
+        self.forces.resize(self.train.cylinders.len(), 0.0);
+        let Some(gas) = self.gas else { return };
+        let [low, high] = self.conditions.window;
+        let theta = if high > low { theta.clamp(low + BESIDE, high - BESIDE) } else { theta };
+        let speed = speed.abs();
+        for (index, cylinder) in self.train.cylinders.iter().enumerate() {
+            let own = self.train.own_angle(index, theta);
+            let fired = self.conditions.fired[index] * throttle;
+            let mut pressure = gas.pressure(index, own, speed);
+            if fired != 1.0 {
+                let motored = gas.motored(index, own, speed);
+                pressure = motored + fired * (pressure - motored);
+            }
+            self.forces[index] = pressure * cylinder.area.unwrap_or(0.0);
+        }
+    }
+
+    /// Imposed speed and its rate at time `t`, where it is imposed.
+    pub fn imposed(&self, t: f64) -> Option<([f64; 2], ImposedAgainst)> {
+        let Drive::Imposed { profile, against } = &self.simulation.drive else { return None };
+        let [low, high] = self.conditions.times;
+        let margin = (1e-9 * (high - low)).min(1e-9);
+        let inside = if margin > 0.0 { t.clamp(low + margin, high - margin) } else { t };
+        let after = profile.partition_point(|point| point[0] <= inside);
+        let rate = match (after.checked_sub(1).and_then(|k| profile.get(k)), profile.get(after)) {
+            (Some([t0, w0]), Some([t1, w1])) => (w1 - w0) / (t1 - t0),
+            _ => 0.0,
+        };
+        Some(([straight(profile, t), rate], *against))
+    }
+
+    /// Rates by time of a state at crank angle `theta` and time `t`; component 0 is the angle's. Rates are no numbers where the equations have no solution.
+    pub fn rates(&mut self, t: f64, theta: f64, state: &[f64], rates: &mut [f64]) {
+        let layout = self.layout;
+        let simulation = self.simulation;
+        let speed = state[1];
+        let mut places = std::mem::take(&mut self.places);
+        self.train.places_into(theta, &mut places);
+        let throttle = if layout.governed { state[layout.governor()].clamp(0.0, 1.0) } else { 1.0 };
+        self.set_gas(theta, speed, throttle);
+        let motion = self.motion(theta, state);
+        let spin_z = motion.spin.z;
+
+        // Torques: those that the ground gives to crankshaft 1 or to the end of the driveline, and those that the block gives.
+        let [gas, rubbing] = self.train.piston_torque(&places, speed, &self.forces, simulation.piston_damping);
+        let over_angle = simulation.torque.iter().map(|order| {
+            let (sin, cos) = (order.order * theta).sin_cos();
+            order.sin * sin + order.cos * cos
+        });
+        let over_angle: f64 = over_angle.sum();
+        let starter = match (&simulation.starter, self.conditions.starter) {
+            (Some(starter), true) => {
+                let free = 1.0 - starter.ratio * speed / starter.free_speed;
+                starter.ratio * starter.stall_torque * free.max(0.0)
+            }
+            _ => 0.0,
+        };
+        let starter_ground = matches!(&simulation.starter, Some(starter) if starter.reacts_on == ReactsOn::Ground);
+        let load_ground = simulation.load.reacts_on == ReactsOn::Ground;
+        let ends = layout.links.checked_sub(1).map(|last| state[layout.link(last) + 1]);
+        let end_speed = ends.unwrap_or(speed) + if load_ground { spin_z } else { 0.0 };
+        // At standstill dry loads act against the motion to come.
+        let turning = if ends.is_none() && end_speed * self.conditions.sense <= 0.0 {
+            f64::MIN_POSITIVE * self.conditions.sense
+        } else {
+            end_speed
+        };
+        // Held by dry friction the crank feels neither it nor a load of its own: what they must give is found below.
+        let held = self.conditions.held;
+        let load = if held && ends.is_none() { 0.0 } else { -self.conditions.load.torque(turning) };
+        let friction = if held { 0.0 } else { -simulation.friction_torque * self.conditions.sense };
+        let mut outer = over_angle + if starter_ground { starter } else { 0.0 };
+        let mut inner = friction + if starter_ground { 0.0 } else { starter };
+        if layout.links == 0 {
+            *(if load_ground { &mut outer } else { &mut inner }) += load;
+        }
+
+        let size = layout.freedoms();
+        let crank = if layout.moving { 6 } else { 0 };
+        let mut matrix: Matrix = [[0.0; MOST]; MOST];
+        let mut rhs = [0.0; MOST];
+        let mut damped = 0.0;
+        if layout.moving {
+            let rotation = motion.rotation();
+            let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+            if self.on_mounts() {
+                for (mount, [on_block, _, rate]) in self.train.mounts.iter().zip(self.mounts(&motion)) {
+                    let own = rotation.transpose() * on_block;
+                    force += own;
+                    moment += mount.at.cross(&own);
+                    damped -= rate.dot(&(mount.damping * rate));
+                }
+            }
+            let equations = self.train.equations(&motion, &places);
+            let loads = Loads {
+                gas: &self.forces,
+                gravity: rotation.transpose() * self.gravity(),
+                piston_damping: simulation.piston_damping,
+                force,
+                moment,
+                outer_torque: outer,
+                inner_torque: inner,
+            };
+            let forces = self.train.generalised_forces(&equations, &places, speed, &loads);
+            for i in 0..7 {
+                matrix[i][..7].copy_from_slice(&equations.mass[i]);
+                rhs[i] = forces[i] - equations.bias[i];
+            }
+        } else {
+            let inertia = self.train.crank_inertia(&places);
+            matrix[0][0] = inertia.inertia;
+            rhs[0] = gas + rubbing + outer + inner - inertia.bias * speed * speed
+                + if simulation.gravity == 0.0 { 0.0 } else { self.weight_torque(theta, &places) };
+        }
+        let driveline = self.add_driveline(&mut matrix, &mut rhs, state, &motion, load, load_ground);
+        let [spring_torque, driveline_damped] = driveline;
+
+        let imposed = self.imposed(t);
+        let mut outside = over_angle;
+        let given = match (imposed, self.conditions.held) {
+            (Some(([_, rate], against)), _) => Some((rate, against == ImposedAgainst::Ground)),
+            (None, true) => Some((0.0, false)),
+            (None, false) => None,
+        };
+        let mut drive = 0.0;
+        let solved = match given {
+            None => symmetric::solve(&mut matrix, &mut rhs, size),
+            Some((rate, absolute)) => {
+                let from_ground = imposed.is_some();
+                let torque = symmetric::solve_given(&mut matrix, &mut rhs, size, crank, rate, from_ground, absolute);
+                drive = torque.unwrap_or(0.0);
+                torque.map(|_| ())
+            }
+        };
+        if solved.is_none() {
+            rates.fill(f64::NAN);
+            self.places = places;
+            return;
+        }
+        if imposed.is_some() {
+            outside += drive;
+        }
+        self.holding = drive;
+
+        rates.fill(0.0);
+        rates[0] = speed;
+        rates[1] = rhs[crank];
+        for link in 0..layout.links {
+            rates[layout.link(link)] = state[layout.link(link) + 1];
+            rates[layout.link(link) + 1] = rhs[crank + 1 + link];
+        }
+        let mut seven = [0.0; 7];
+        seven[6] = rhs[crank];
+        if layout.moving {
+            seven[..6].copy_from_slice(&rhs[..6]);
+            let at = layout.pose();
+            let velocity = motion.rotation() * motion.velocity;
+            rates[at..at + 3].copy_from_slice(velocity.as_slice());
+            rates[at + 3..at + 7].copy_from_slice(&motion.orientation_rate());
+            rates[at + 7..at + 13].copy_from_slice(&rhs[..6]);
+        }
+        if let (Some(governor), true) = (&simulation.governor, layout.governed) {
+            let at = layout.governor();
+            let (u, sum) = (state[at], state[at + 1]);
+            let error = governor.speed * (1.0 - governor.droop * u) - speed;
+            let wanted = governor.gain * error + sum;
+            rates[at] = (wanted.clamp(0.0, 1.0) - u) / governor.delay;
+            // The integral waits while the actuator is at its end.
+            let waits = (wanted > 1.0 && error > 0.0) || (wanted < 0.0 && error < 0.0);
+            rates[at + 1] = if waits { 0.0 } else { governor.integral * error };
+        }
+        let works = &mut rates[layout.works()..];
+        let absolute = speed + spin_z;
+        works[GAS] = gas * speed;
+        works[LOAD] = load * end_speed;
+        works[STARTER] = starter * if starter_ground { absolute } else { speed };
+        works[FRICTION] = friction * speed;
+        works[PISTON_FRICTION] = rubbing * speed;
+        works[OUTSIDE] = outside * absolute;
+        works[MOUNT_DAMPING] = damped;
+        works[DRIVELINE_DAMPING] = driveline_damped;
+        self.torques = Torques { gas, load, starter, friction, outside, driveline: spring_torque, rates: seven };
+        self.places = places;
+    }
+
+    /// Torque of the weight on crankshaft 1 with the block fixed [N m].
+    fn weight_torque(&self, theta: f64, places: &[Place]) -> f64 {
+        let g = num_complex::Complex64::new(self.gravity().x, self.gravity().y);
+        let pistons = places.iter().zip(&self.train.cylinders).map(|(place, cylinder)| {
+            let rod = place.on_rod(cylinder.rod.centre)[1];
+            let moment = cylinder.piston_mass * place.travel[1] * cylinder.axis + cylinder.rod.mass * rod;
+            crate::place::dot(g, moment)
+        });
+        let rotors = self.train.rotors.iter().map(|rotor| {
+            let turn = num_complex::Complex64::cis(rotor.ratio * theta) * num_complex::Complex64::I * rotor.ratio;
+            crate::place::dot(g, rotor.first_moment * turn)
+        });
+        pistons.sum::<f64>() + rotors.sum::<f64>()
+    }
+
+    /// Adds the driveline; returns the torque of its first spring on the crank and the power of its dampers.
+    fn add_driveline(
+        &self,
+        matrix: &mut Matrix,
+        rhs: &mut [f64; MOST],
+        state: &[f64],
+        motion: &Motion,
+        load: f64,
+        load_ground: bool,
+    ) -> [f64; 2] {
+        let layout = self.layout;
+        let crank = if layout.moving { 6 } else { 0 };
+        let (mut before, mut before_row) = ([motion.theta, motion.speed], crank);
+        let mut result = [0.0; 2];
+        for (index, link) in self.simulation.driveline.iter().enumerate() {
+            let row = crank + 1 + index;
+            let own = [state[layout.link(index)], state[layout.link(index) + 1]];
+            matrix[row][row] += link.inertia;
+            if layout.moving {
+                matrix[5][5] += link.inertia;
+                matrix[5][row] += link.inertia;
+                matrix[row][5] += link.inertia;
+                let gyroscopic = link.inertia * (motion.spin.z + own[1]) * motion.spin.cross(&Vector3::z());
+                for k in 0..3 {
+                    rhs[3 + k] -= gyroscopic[k];
+                }
+            }
+            if index > 0 || !self.conditions.clutch_open {
+                let twist = [0, 1].map(|k| link.ratio * before[k] - own[k]);
+                let torque = link.stiffness * twist[0] + link.damping * twist[1];
+                rhs[row] += torque;
+                rhs[before_row] -= link.ratio * torque;
+                result[1] -= link.damping * twist[1] * twist[1];
+                if index == 0 {
+                    result[0] = -link.ratio * torque;
+                }
+            }
+            if index + 1 == layout.links {
+                rhs[row] += load;
+                if layout.moving && load_ground {
+                    rhs[5] += load;
+                }
+            }
+            (before, before_row) = (own, row);
+        }
+        result
+    }
+
+    /// Energy stored [J]: kinetic, of mounts, of gravity, of the driveline's springs.
+    pub fn energy(&mut self, theta: f64, state: &[f64]) -> [f64; 4] {
+        let layout = self.layout;
+        let mut places = std::mem::take(&mut self.places);
+        self.train.places_into(theta, &mut places);
+        let motion = self.motion(theta, state);
+        let equations = self.train.equations(&motion, &places);
+        let mut kinetic = if layout.moving {
+            equations.kinetic_energy(&motion.speeds())
+        } else {
+            0.5 * self.train.crank_inertia(&places).inertia * motion.speed * motion.speed
+        };
+        let [x, y, z] = motion.rotation().column_iter().map(|c| c.into_owned()).collect::<Vec<_>>()[..] else {
+            return [f64::NAN; 4];
+        };
+        let first = Vector3::new(equations.mass[1][5], equations.mass[2][3], equations.mass[0][4]);
+        let centre = equations.mass[0][0] * motion.position + first.x * x + first.y * y + first.z * z;
+        let lift = -self.gravity().dot(&centre);
+        let mut sprung = 0.0;
+        if self.on_mounts() {
+            for (mount, [_, displacement, _]) in self.train.mounts.iter().zip(self.mounts(&motion)) {
+                sprung += mount.energy(displacement);
+            }
+        }
+        let mut twisted = 0.0;
+        let mut before = theta;
+        for (index, link) in self.simulation.driveline.iter().enumerate() {
+            let own = [state[layout.link(index)], state[layout.link(index) + 1]];
+            kinetic += 0.5 * link.inertia * (motion.spin.z + own[1]).powi(2);
+            if index > 0 || !self.conditions.clutch_open {
+                twisted += 0.5 * link.stiffness * (link.ratio * before - own[0]).powi(2);
+            }
+            before = own[0];
+        }
+        self.places = places;
+        [kinetic, sprung, lift, twisted]
+    }
+}

@@ -1,0 +1,363 @@
+//! Loads of every joint at one instant, by Newton and Euler from the piston inwards.
+//!
+//! ```text
+//! piston   X + N + m g - (f + c s' w) u = m a                                X: rod on the piston pin, N: wall on the piston
+//! rod      B - X + SUM F_k + m g = m a                                       B: lower pin on the rod, F_k: articulated rods on it
+//!          C + (c - P) x m (g - a) - d x X + SUM (K - P) x F_k + C_k = I alpha + spin x I spin         about the lower pin P
+//! rotor    journals, gear and torque from outside + rods - U (a of its unbalances) = its polar inertia's share
+//! ```
+//! The component of the rod's balance of moments along z gives X across the cylinder; the other two are carried by the crankpin, or by the piston pin
+//! where [`Guidance::Piston`] says so. A rotor is as in [`crate::Rotor`]: its weight and its mass are with the block, so that the loads of main bearings
+//! lack them.
+
+use crate::block_body::{bodies, in_plane};
+use crate::main_rules::MainShares;
+use crate::motion::Motion;
+use crate::place::Place;
+use crate::train::{LowerPin, Train};
+use nalgebra::Vector3;
+use num_complex::Complex64;
+use serde::{Deserialize, Serialize};
+
+/// Which pin guides a rod along the crank axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Guidance {
+    /// The lower pin: it takes what acts on the rod out of its plane.
+    #[default]
+    Crankpin,
+    /// The piston pin.
+    Piston,
+}
+
+/// A force and a moment, block axes.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct Wrench {
+    /// Force [N].
+    pub force: [f64; 3],
+    /// Moment about the point that the field's text names [N m].
+    pub moment: [f64; 3],
+}
+
+impl Wrench {
+    fn of(force: Vector3<f64>, moment: Vector3<f64>) -> Wrench {
+        Wrench { force: force.into(), moment: moment.into() }
+    }
+}
+
+/// Loads of piston, pins and wall of one cylinder.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct CylinderReactions {
+    /// Piston on the cylinder wall, about the piston pin.
+    pub wall: Wrench,
+    /// Side thrust: its force along `v` of the cylinder [N].
+    pub side_thrust: f64,
+    /// Rod on the piston pin, about the piston pin.
+    pub piston_pin: Wrench,
+    /// Rod on its lower pin (crankpin, or knuckle pin), about that pin.
+    pub lower_pin: Wrench,
+    /// Force on the lower pin along the rod towards the piston, and a quarter turn on, as the pin bears on the rod [N].
+    pub rod_frame: [f64; 2],
+    /// Force on the crankpin along its throw, and across it where it drives the crankshaft [N]; 0 for a knuckle pin.
+    pub throw_frame: [f64; 2],
+}
+
+/// Loads of one crankshaft or balance shaft.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct RotorReactions {
+    /// Shaft on its bearings, about its axis in the plane of the origin; no moment about the axis.
+    pub bearings: Wrench,
+    /// Torque of its gear or chain on it [N m]; for crankshaft 1 that of all gears together.
+    pub gear_torque: f64,
+    /// Journals on the main bearings by rule ([`crate::MainRule::ALL`]), then by main: `x`, `y` [N]; empty without two mains.
+    pub mains: [Vec<[f64; 2]>; 3],
+}
+
+/// Loads of all joints at one instant.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct Reactions {
+    /// By cylinder.
+    pub cylinders: Vec<CylinderReactions>,
+    /// Crankshafts, then balance shafts.
+    pub rotors: Vec<RotorReactions>,
+    /// All that pistons, rods and rotors do to the block, with gas on the heads and gears, about the origin. What acts from outside
+    /// on crankshaft 1 without passing the block is in it, as the reaction to the torque that leaves.
+    pub on_block: Wrench,
+    /// Torque that the crank train delivers at crankshaft 1 [N m]: to load, starter, friction and driveline.
+    pub shaft_torque: f64,
+}
+
+/// Accelerations of the seven speeds, and what acts besides inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant<'a> {
+    /// Pose and speeds.
+    pub motion: &'a Motion,
+    /// Where pistons and rods are.
+    pub places: &'a [Place],
+    /// Rates of the seven speeds of [`Motion::speeds`].
+    pub rates: [f64; 7],
+    /// Gas force on every piston towards the crank [N].
+    pub gas: &'a [f64],
+    /// Acceleration of gravity in block axes [m/s^2].
+    pub gravity: Vector3<f64>,
+    /// Viscous friction of a piston along its cylinder [N s/m].
+    pub piston_damping: f64,
+    /// Which pin guides the rods.
+    pub guidance: Guidance,
+}
+
+/// The motion of a point that moves in the block.
+struct Carrier {
+    velocity: Vector3<f64>,
+    spin: Vector3<f64>,
+    speed: f64,
+    rates: [f64; 7],
+}
+
+impl Carrier {
+    fn linear(&self) -> Vector3<f64> {
+        Vector3::new(self.rates[0], self.rates[1], self.rates[2]) + self.spin.cross(&self.velocity)
+    }
+
+    fn angular(&self) -> Vector3<f64> {
+        Vector3::new(self.rates[3], self.rates[4], self.rates[5])
+    }
+
+    /// What the acceleration of a point has in proportion to its place.
+    fn turned(&self, c: [Vector3<f64>; 3]) -> Vector3<f64> {
+        let [at, rate, bend] = c;
+        let w = self.speed;
+        self.angular().cross(&at)
+            + self.spin.cross(&(self.spin.cross(&at) + 2.0 * w * rate))
+            + w * w * bend
+            + self.rates[6] * rate
+    }
+
+    fn point(&self, c: [Vector3<f64>; 3]) -> Vector3<f64> {
+        self.linear() + self.turned(c)
+    }
+}
+
+/// A load on a shaft: force and couple at a plane.
+struct ShaftLoad {
+    z: f64,
+    force: Vector3<f64>,
+    /// About the axis in that plane.
+    couple: Vector3<f64>,
+}
+
+/// What a rod hands on.
+#[derive(Clone, Copy)]
+struct Handed {
+    /// On the lower pin.
+    force: Vector3<f64>,
+    couple: Vector3<f64>,
+}
+
+impl Train {
+    /// Loads of all joints at one instant; `shares` as [`Train::main_shares`] gives them.
+    pub fn reactions(&self, instant: &Instant<'_>, shares: &[[Option<MainShares>; 3]]) -> Reactions {
+        let motion = instant.motion;
+        let carrier = Carrier {
+            velocity: motion.velocity,
+            spin: motion.spin,
+            speed: motion.speed,
+            rates: instant.rates,
+        };
+        let mut cylinders = vec![CylinderReactions::default(); self.cylinders.len()];
+        let mut handed: Vec<Option<Handed>> = vec![None; self.cylinders.len()];
+        // Articulated rods first: their masters carry them.
+        for &index in self.order.iter().rev() {
+            let (own, on_pin) = self.rod(instant, &carrier, index, &handed);
+            cylinders[index] = own;
+            handed[index] = Some(on_pin);
+        }
+        let mut on_block = [Vector3::zeros(); 2];
+        for (index, own) in cylinders.iter().enumerate() {
+            let cylinder = &self.cylinders[index];
+            let shaft = self.rotors[cylinder.rotor].axis;
+            let place = &instant.places[index];
+            let pin = in_plane(shaft + cylinder.axis * Complex64::new(place.travel[0], cylinder.net_offset), cylinder.z);
+            let head = in_plane(shaft + cylinder.axis * Complex64::new(0.0, cylinder.offset), cylinder.z);
+            let (wall, moment) = (Vector3::from(own.wall.force), Vector3::from(own.wall.moment));
+            let gas = instant.gas[index] * in_plane(cylinder.axis, 0.0);
+            on_block[0] += wall + gas;
+            on_block[1] += moment + pin.cross(&wall) + head.cross(&gas);
+        }
+        let mut rotors: Vec<RotorReactions> = Vec::with_capacity(self.rotors.len());
+        let mut reflected = 0.0;
+        for index in (0..self.rotors.len()).rev() {
+            let (mut own, torque) = self.rotor(instant, &carrier, index, &handed, shares.get(index));
+            let axis = in_plane(self.rotors[index].axis, 0.0);
+            let force = Vector3::from(own.bearings.force);
+            on_block[0] += force;
+            on_block[1] += Vector3::from(own.bearings.moment) + axis.cross(&force);
+            // Of crankshaft 1 the torque that is missing comes from outside, of the others from their gear.
+            if index == 0 {
+                own.gear_torque = -reflected;
+                let outside = torque - own.gear_torque;
+                rotors.push(own);
+                rotors.reverse();
+                on_block[1].z -= rotors.iter().map(|rotor| rotor.gear_torque).sum::<f64>();
+                let on_block = Wrench::of(on_block[0], on_block[1]);
+                return Reactions { cylinders, rotors, on_block, shaft_torque: -outside };
+            }
+            own.gear_torque = torque;
+            reflected += self.rotors[index].ratio * torque;
+            rotors.push(own);
+        }
+        Reactions { cylinders, on_block: Wrench::of(on_block[0], on_block[1]), ..Reactions::default() }
+    }
+
+    /// Shares of the mains of every rotor by rule; `stiffness` by crankshaft and main, empty: all alike.
+    pub fn main_shares(&self, stiffness: &[Vec<f64>]) -> Vec<[Option<MainShares>; 3]> {
+        let of = |index: usize| {
+            let stiffness = stiffness.get(index).map_or(&[][..], Vec::as_slice);
+            crate::MainRule::ALL.map(|rule| MainShares::new(&self.rotors[index].mains, rule, stiffness))
+        };
+        (0..self.rotors.len()).map(of).collect()
+    }
+
+    fn rod(
+        &self,
+        instant: &Instant<'_>,
+        carrier: &Carrier,
+        index: usize,
+        handed: &[Option<Handed>],
+    ) -> (CylinderReactions, Handed) {
+        let (cylinder, place) = (&self.cylinders[index], &instant.places[index]);
+        let [piston, rod] = bodies(self, index, place);
+        let u = in_plane(cylinder.axis, 0.0);
+        let v = in_plane(cylinder.axis * Complex64::I, 0.0);
+        let z = Vector3::z();
+        let [_, s1, s2] = place.travel;
+        let w = carrier.speed;
+        // Without the pin and the wall the piston would need this more.
+        let drive = (instant.gas[index] + instant.piston_damping * s1 * w) * u;
+        let piston_needs = piston.0 * (carrier.point([piston.1, s1 * u, s2 * u]) - instant.gravity) + drive;
+        let centre = place.on_rod(cylinder.rod.centre);
+        let [rate, bend] = [1, 2].map(|k| in_plane(centre[k], 0.0));
+        let mut rod_needs = rod.0 * (carrier.point([rod.1, rate, bend]) - instant.gravity);
+        let [sigma1, sigma2] = place.swing;
+        let spin = carrier.spin + sigma1 * w * z;
+        let alpha = carrier.angular()
+            + (sigma1 * instant.rates[6] + sigma2 * w * w) * z
+            + sigma1 * w * carrier.spin.cross(&z);
+        let from_pin = in_plane(centre[0] - place.lower_pin[0], 0.0);
+        let mut moment = from_pin.cross(&rod_needs) + rod.2 * alpha + spin.cross(&(rod.2 * spin));
+        for (other, on_pin) in handed.iter().enumerate() {
+            let LowerPin::Knuckle { master, place: knuckle } = self.cylinders[other].lower_pin else { continue };
+            let Some(on_pin) = on_pin.filter(|_| master == index) else { continue };
+            let lift = self.cylinders[other].z - cylinder.z;
+            let at = in_plane(knuckle * place.rod[0], lift);
+            rod_needs -= on_pin.force;
+            moment -= at.cross(&on_pin.force) + on_pin.couple;
+        }
+        // What the rod needs about its lower pin is C - d x X: along z it is the pin force across the cylinder.
+        let d = in_plane(place.rod[0], 0.0);
+        let along = piston_needs.dot(&u);
+        let across = (-moment.z - along * d.cross(&u).z) / d.dot(&u);
+        let mut pin = along * u + across * v;
+        let mut pin_couple = Vector3::zeros();
+        if instant.guidance == Guidance::Piston {
+            pin -= rod_needs.z * z;
+            pin_couple = -(moment + d.cross(&pin));
+            pin_couple.z = 0.0;
+        }
+        let lower = rod_needs + pin;
+        let mut lower_couple = moment + d.cross(&pin) + pin_couple;
+        lower_couple.z = 0.0;
+        let wall = piston_needs - pin;
+        let wall = wall - wall.dot(&u) * u;
+        // The piston's centre lies on the cylinder axis, beside its pin.
+        let beside = (cylinder.offset - cylinder.net_offset) * v;
+        let wall_moment = beside.cross(&piston_needs) - pin_couple;
+        let on_pin = Handed { force: -lower, couple: -lower_couple };
+        let bearing = Complex64::new(lower.x, lower.y) * place.rod[0].conj() / cylinder.rod.length;
+        let throw_frame = match cylinder.lower_pin {
+            LowerPin::Crankpin => {
+                let pin = place.lower_pin[0];
+                let along = Complex64::new(on_pin.force.x, on_pin.force.y) * pin.conj() / pin.norm();
+                [along.re, along.im * self.rotors[cylinder.rotor].ratio.signum()]
+            }
+            LowerPin::Knuckle { .. } => [0.0; 2],
+        };
+        let own = CylinderReactions {
+            wall: Wrench::of(-wall, -wall_moment),
+            side_thrust: -wall.dot(&v),
+            piston_pin: Wrench::of(pin, pin_couple),
+            lower_pin: Wrench::of(on_pin.force, on_pin.couple),
+            rod_frame: [bearing.re, bearing.im],
+            throw_frame,
+        };
+        // The wall takes the friction of the piston too.
+        let rubbing = instant.piston_damping * s1 * w * u;
+        let wrench = Wrench::of(rubbing - wall, -wall_moment + beside.cross(&rubbing));
+        (CylinderReactions { wall: wrench, ..own }, on_pin)
+    }
+
+    /// Reactions of a rotor, and the torque that it needs from its gear or from outside.
+    fn rotor(
+        &self,
+        instant: &Instant<'_>,
+        carrier: &Carrier,
+        index: usize,
+        handed: &[Option<Handed>],
+        shares: Option<&[Option<MainShares>; 3]>,
+    ) -> (RotorReactions, f64) {
+        let rotor = &self.rotors[index];
+        let (z, w) = (Vector3::z(), carrier.speed);
+        let turn = Complex64::cis(rotor.ratio * instant.motion.theta);
+        let mut loads: Vec<ShaftLoad> = Vec::new();
+        for unbalance in &rotor.unbalances {
+            let moment = unbalance.moment * turn;
+            let c = [moment, moment * Complex64::I * rotor.ratio, -rotor.ratio * rotor.ratio * moment];
+            let c = c.map(|across| in_plane(across, 0.0));
+            let on_axis = in_plane(rotor.axis, unbalance.z);
+            let at_axis = carrier.point([on_axis, Vector3::zeros(), Vector3::zeros()]);
+            let couple = c[0].cross(&(instant.gravity - at_axis));
+            loads.push(ShaftLoad { z: unbalance.z, force: -carrier.turned(c), couple });
+        }
+        for (cylinder, on_pin) in self.cylinders.iter().zip(handed) {
+            let on_crankpin = cylinder.rotor == index && cylinder.lower_pin == LowerPin::Crankpin;
+            if let Some(on_pin) = on_pin.filter(|_| on_crankpin) {
+                let pin = in_plane(cylinder.crankpin * turn, 0.0);
+                let couple = on_pin.couple + pin.cross(&on_pin.force);
+                loads.push(ShaftLoad { z: cylinder.z, force: on_pin.force, couple });
+            }
+        }
+        let spin = carrier.spin.z + rotor.ratio * w;
+        let gyroscopic = -spin * carrier.spin.cross(&z);
+        let end = rotor.mains.last().copied().unwrap_or(0.0);
+        loads.push(ShaftLoad { z: end, force: Vector3::zeros(), couple: rotor.flywheel * gyroscopic });
+        let bays = rotor.mains.len().saturating_sub(1).max(1);
+        let each = (rotor.inertia - rotor.flywheel) / bays as f64;
+        for bay in 0..bays {
+            let middle = rotor.mains.get(bay..bay + 2).map_or(0.0, |pair| 0.5 * (pair[0] + pair[1]));
+            loads.push(ShaftLoad { z: middle, force: Vector3::zeros(), couple: each * gyroscopic });
+        }
+        let needs = rotor.inertia * (carrier.angular().z + rotor.ratio * instant.rates[6]);
+        let torque = needs - loads.iter().map(|load| load.couple.z).sum::<f64>();
+        let force: Vector3<f64> = loads.iter().map(|load| load.force).sum();
+        let mut moment: Vector3<f64> = loads.iter().map(|load| load.couple + load.z * z.cross(&load.force)).sum();
+        moment.z = 0.0;
+        let mains = [0, 1, 2].map(|rule| {
+            let shares = shares.and_then(|shares| shares[rule].as_ref());
+            shares.map_or_else(Vec::new, |shares| carried(shares, &loads))
+        });
+        (RotorReactions { bearings: Wrench::of(force, moment), gear_torque: 0.0, mains }, torque)
+    }
+}
+
+/// Journals on the mains under `loads`.
+fn carried(shares: &MainShares, loads: &[ShaftLoad]) -> Vec<[f64; 2]> {
+    let of = |main: usize| {
+        let load = |load: &ShaftLoad| {
+            let force = Complex64::new(load.force.x, load.force.y);
+            shares.load(main, load.z, force, Complex64::new(load.couple.x, load.couple.y))
+        };
+        let sum: Complex64 = loads.iter().map(load).sum();
+        [sum.re, sum.im]
+    };
+    (0..shares.planes().len()).map(of).collect()
+}

@@ -1,0 +1,727 @@
+//! A run: pieces between events, each over the crank angle while the crank turns fast enough, over time otherwise.
+//!
+//! Over the angle the kinks of the pressures lie at known places, and steps end there. Over time they are located, as is every halt of the crank.
+
+use crate::audit::Auditor;
+use crate::error::MultibodyError;
+use crate::gas_pressure::GasPressure;
+use crate::powered::{Conditions, Layout, Powered, Torques, WORKS};
+use crate::reactions::Instant;
+use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, Samples};
+use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When};
+use crate::train::Train;
+use lanchester_numerics::{Dop853, Outcome, Settings, Step, System};
+use std::f64::consts::TAU;
+use std::ops::ControlFlow;
+
+/// Speed above which the crank angle is the independent variable, and the one above which it becomes it again [rad/s].
+const FAST: [f64; 2] = [5.0, 6.0];
+
+/// Revolutions of one piece over the angle, which bounds the list of kinks.
+const PIECE: f64 = 32.0 * TAU;
+
+/// Most pieces of a run: events, halts and kinks at low speed.
+const MOST_PIECES: usize = 1_000_000;
+
+/// Most inertias of a driveline and events of a list.
+const MOST_LINKS: usize = 8;
+const MOST_EVENTS: usize = 64;
+
+/// One place of the trajectory to be evaluated: time, crank angle, state with the angle first.
+type Kept = (f64, f64, Vec<f64>);
+
+/// A change of sign that ends a piece.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Watch {
+    /// `speed - value`, where it falls or rises.
+    Speed(f64, bool, Mark),
+    /// `theta - value`.
+    Angle(f64, Mark),
+    /// `t - value`.
+    Time(f64, Mark),
+    /// What friction can hold less what it must.
+    Grip,
+}
+
+/// What a watch is for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mark {
+    Event(usize),
+    Starter,
+    Mode,
+    Halt,
+    Kink,
+    Knot,
+}
+
+struct Piece<'r, 'a> {
+    powered: &'r mut Powered<'a>,
+    over_angle: bool,
+    watches: Vec<Watch>,
+}
+
+impl System for Piece<'_, '_> {
+    fn dimension(&self) -> usize {
+        self.powered.layout.dimension()
+    }
+
+    fn derivative(&mut self, x: f64, y: &[f64], derivative: &mut [f64]) {
+        if self.over_angle {
+            self.powered.rates(y[0], x, y, derivative);
+            let by_angle = 1.0 / y[1];
+            derivative.iter_mut().for_each(|rate| *rate *= by_angle);
+            derivative[0] = by_angle;
+        } else {
+            self.powered.rates(x, y[0], y, derivative);
+        }
+    }
+
+    fn enter(&mut self, from: f64, to: f64) {
+        if self.over_angle {
+            self.powered.conditions.window = [from, to];
+        } else {
+            self.powered.conditions.times = [from, to];
+        }
+    }
+
+    fn events(&self) -> usize {
+        self.watches.len()
+    }
+
+    fn event_functions(&mut self, x: f64, y: &[f64], values: &mut [f64]) {
+        let (t, theta) = if self.over_angle { (y[0], x) } else { (x, y[0]) };
+        for (value, watch) in values.iter_mut().zip(&self.watches) {
+            *value = match *watch {
+                Watch::Speed(speed, _, _) => y[1] - speed,
+                Watch::Angle(angle, _) => theta - angle,
+                Watch::Time(time, _) => t - time,
+                Watch::Grip => {
+                    let mut rates = vec![0.0; y.len()];
+                    self.powered.rates(t, theta, y, &mut rates);
+                    self.powered.dry_torque() - self.powered.holding.abs()
+                }
+            };
+        }
+    }
+}
+
+/// A run in progress.
+pub(crate) struct Runner<'a> {
+    pub powered: Powered<'a>,
+    /// Time, and state with the crank angle first.
+    pub time: f64,
+    pub state: Vec<f64>,
+    /// Crank angles of kinks within one period, rising.
+    kinks: Vec<f64>,
+    period: f64,
+    pending: Vec<bool>,
+    step: Option<f64>,
+    pub cost: Cost,
+    happened: Vec<Happened>,
+    scale: f64,
+}
+
+impl Train {
+    /// Runs the engine under `gas`.
+    ///
+    /// # Errors
+    /// [`MultibodyError`] where a number is impossible, an inertia is missing that the run needs, or the block cannot move.
+    pub fn run(&self, simulation: &Simulation, gas: Option<&dyn GasPressure>) -> Result<Run, MultibodyError> {
+        self.run_from(simulation, gas, None)
+    }
+
+    /// The same from the components of a periodic motion.
+    pub(crate) fn run_from(
+        &self,
+        simulation: &Simulation,
+        gas: Option<&dyn GasPressure>,
+        returning: Option<&[f64]>,
+    ) -> Result<Run, MultibodyError> {
+        let mut runner = Runner::new(self, simulation, gas)?;
+        if let Some(returning) = returning {
+            runner.rewind(returning);
+        }
+        let mut auditor = Auditor::new(&mut runner);
+        let mut samples = Samples::default();
+        let mut kept: Vec<Kept> = vec![(runner.time, runner.state[0], runner.state.clone())];
+        runner.take(&mut kept, &mut samples, &mut auditor);
+        let outcome = runner.go(|runner, kept| runner.take(kept, &mut samples, &mut auditor));
+        let (audit, energy) = auditor.close(&mut runner);
+        Ok(Run {
+            version: RUN_VERSION,
+            engine: self.name.clone(),
+            outcome,
+            end: [runner.time, runner.state[0], runner.state[1]],
+            samples,
+            events: runner.happened,
+            energy,
+            audit,
+            cost: runner.cost,
+        })
+    }
+}
+
+fn number(quantity: &str, needed: &'static str, got: f64, fits: bool) -> Result<(), MultibodyError> {
+    if fits && got.is_finite() {
+        Ok(())
+    } else {
+        Err(MultibodyError::Number { quantity: quantity.to_owned(), needed, got })
+    }
+}
+
+impl<'a> Runner<'a> {
+    pub fn new(
+        train: &'a Train,
+        simulation: &'a Simulation,
+        gas: Option<&'a dyn GasPressure>,
+    ) -> Result<Runner<'a>, MultibodyError> {
+        check(train, simulation, gas.is_some())?;
+        let layout = Layout {
+            links: simulation.driveline.len(),
+            moving: simulation.block != BlockMotion::Fixed,
+            governed: simulation.governor.is_some(),
+        };
+        let period = TAU * f64::from(train.revolutions);
+        let mut runner = Runner {
+            powered: Powered {
+                train,
+                gas,
+                simulation,
+                layout,
+                conditions: Conditions {
+                    fired: vec![1.0; train.cylinders.len()],
+                    load: simulation.load.law.clone(),
+                    starter: simulation.starter.is_some(),
+                    clutch_open: false,
+                    sense: 1.0,
+                    held: false,
+                    window: [0.0; 2],
+                    times: [0.0; 2],
+                },
+                places: Vec::new(),
+                forces: Vec::new(),
+                torques: Torques::default(),
+                holding: 0.0,
+            },
+            time: 0.0,
+            state: vec![0.0; layout.dimension()],
+            kinks: kinks(train, gas, period),
+            period,
+            pending: vec![true; simulation.events.len()],
+            step: None,
+            cost: Cost::default(),
+            happened: Vec::new(),
+            scale: 1.0,
+        };
+        runner.start();
+        Ok(runner)
+    }
+
+    fn start(&mut self) {
+        let simulation = self.powered.simulation;
+        let layout = self.powered.layout;
+        self.state[0] = simulation.start_angle;
+        self.state[1] = self.powered.imposed(0.0).map_or(simulation.start_speed, |([speed, _], _)| speed);
+        let (mut angle, mut speed) = (self.state[0], self.state[1]);
+        // The springs of the driveline carry the load from the start.
+        for (index, link) in simulation.driveline.iter().enumerate() {
+            (angle, speed) = (link.ratio * angle, link.ratio * speed);
+            let behind: f64 = simulation.driveline[index + 1..].iter().map(|link| link.ratio).product();
+            let torque = behind * simulation.load.law.torque(speed * behind);
+            angle -= if link.stiffness > 0.0 { torque / link.stiffness } else { 0.0 };
+            self.state[layout.link(index)] = angle;
+            self.state[layout.link(index) + 1] = speed;
+        }
+        if layout.governed {
+            self.state[layout.governor()] = simulation.governor.map_or(0.0, |governor| governor.start);
+            self.state[layout.governor() + 1] = simulation.governor.map_or(0.0, |governor| governor.start);
+        }
+        if layout.moving {
+            let at = layout.pose();
+            self.state[at + 3] = 1.0;
+            match simulation.block_start {
+                BlockStart::AsDrawn => {}
+                BlockStart::Equilibrium => crate::equilibrium::place(self),
+                BlockStart::Moving { velocity, spin } => {
+                    self.state[at + 7..at + 10].copy_from_slice(&velocity);
+                    self.state[at + 10..at + 13].copy_from_slice(&spin);
+                }
+            }
+        }
+        let theta = self.state[0];
+        let state = self.state.clone();
+        let speeds = simulation.start_speed.abs().max(state[1].abs()).max(1.0);
+        let inertia = 2.0 * self.powered.energy(theta, &state)[0] / state[1].powi(2).max(1e-300);
+        let inertia = if state[1] == 0.0 { 1.0 } else { inertia };
+        self.scale = (0.5 * inertia * speeds * speeds).max(1e-6);
+        if state[1] == 0.0 && matches!(simulation.drive, Drive::Free) {
+            self.halt(false);
+        } else {
+            self.powered.conditions.sense = if state[1] < 0.0 { -1.0 } else { 1.0 };
+        }
+    }
+
+    /// Kinks next to `theta`, the one at it counting as behind it where `forwards`.
+    fn window(&self, theta: f64, forwards: bool) -> [f64; 2] {
+        if self.kinks.is_empty() {
+            return [0.0; 2];
+        }
+        let turns = (theta / self.period).floor();
+        let at = |k: isize| {
+            let count = self.kinks.len() as isize;
+            self.period * (turns + k.div_euclid(count) as f64) + self.kinks[k.rem_euclid(count) as usize]
+        };
+        let own = theta - turns * self.period;
+        let slack = if forwards { 1e-11 } else { -1e-11 };
+        let after = self.kinks.partition_point(|kink| *kink <= own + slack) as isize;
+        [at(after - 1), at(after)]
+    }
+
+    /// Runs to the end, showing what is kept after each piece.
+    pub fn go(&mut self, mut show: impl FnMut(&mut Runner<'a>, &mut Vec<Kept>)) -> RunOutcome {
+        let mut kept: Vec<Kept> = Vec::new();
+        for _ in 0..MOST_PIECES {
+            if self.rests_for_good() {
+                return self.at_rest();
+            }
+            let (outcome, watch) = self.piece(&mut kept);
+            show(self, &mut kept);
+            kept.clear();
+            match outcome {
+                Outcome::Reached => {
+                    if let Some(end) = self.ended() {
+                        return end;
+                    }
+                }
+                Outcome::Event { .. } => {
+                    if let Some(end) = watch.and_then(|watch| self.answer(watch)) {
+                        return end;
+                    }
+                }
+                Outcome::TooManyEvaluations { .. } => return RunOutcome::TooManyEvaluations,
+                reason => return RunOutcome::Failed { reason },
+            }
+        }
+        RunOutcome::TooManyEvaluations
+    }
+
+    fn ended(&mut self) -> Option<RunOutcome> {
+        let simulation = self.powered.simulation;
+        let over = match simulation.duration {
+            Duration::Revolutions(turns) => self.state[0] >= simulation.start_angle + TAU * turns * (1.0 - 1e-15),
+            Duration::Time(time) => self.time >= time * (1.0 - 1e-15),
+        };
+        over.then_some(RunOutcome::Complete)
+    }
+
+    /// Whether friction holds the crank in a block that stands still, and nothing more will come.
+    fn rests_for_good(&self) -> bool {
+        let conditions = &self.powered.conditions;
+        conditions.held && (!self.powered.layout.moving || matches!(self.powered.simulation.duration, Duration::Revolutions(_)))
+    }
+
+    fn at_rest(&self) -> RunOutcome {
+        let torque = -self.powered.holding;
+        RunOutcome::AtRest { theta: self.state[0], torque, held_by: self.powered.dry_torque() }
+    }
+
+    /// One piece; the watch that ended it.
+    fn piece(&mut self, kept: &mut Vec<Kept>) -> (Outcome, Option<Watch>) {
+        let simulation = self.powered.simulation;
+        let layout = self.powered.layout;
+        // A profile has its knots in time.
+        let profile = match &simulation.drive {
+            Drive::Imposed { profile, .. } if profile.len() > 1 => &profile[..],
+            _ => &[],
+        };
+        let over_angle = self.state[1] >= FAST[0] && !self.powered.conditions.held && profile.is_empty();
+        let mut watches = Vec::new();
+        let from = if over_angle { self.state[0] } else { self.time };
+        let mut end = f64::INFINITY;
+        let mut stops = Vec::new();
+        let until = match simulation.duration {
+            Duration::Revolutions(turns) => [simulation.start_angle + TAU * turns, f64::INFINITY],
+            Duration::Time(time) => [f64::INFINITY, time],
+        };
+        if over_angle {
+            end = end.min(until[0]).min(from + PIECE);
+            if until[1].is_finite() {
+                watches.push(Watch::Time(until[1], Mark::Knot));
+            }
+            watches.push(Watch::Speed(FAST[0], false, Mark::Mode));
+            stops = self.kinks_between(from, end);
+        } else {
+            end = end.min(until[1]);
+            if until[0].is_finite() {
+                watches.push(Watch::Angle(until[0], Mark::Knot));
+                // A crank that swings about a place never gets there: a bound in time, far beyond what FAST allows.
+                end = end.min(self.time + 1e4);
+            }
+            if self.powered.conditions.held {
+                watches.push(Watch::Grip);
+            } else {
+                if profile.is_empty() {
+                    watches.push(Watch::Speed(FAST[1], true, Mark::Mode));
+                }
+                if matches!(simulation.drive, Drive::Free) {
+                    watches.push(Watch::Speed(0.0, self.powered.conditions.sense < 0.0, Mark::Halt));
+                }
+                let window = self.window(self.state[0], self.powered.conditions.sense > 0.0);
+                self.powered.conditions.window = window;
+                if window[1] > window[0] {
+                    watches.extend(window.map(|kink| Watch::Angle(kink, Mark::Kink)));
+                }
+            }
+        }
+        if let (Some(starter), true) = (&simulation.starter, self.powered.conditions.starter) {
+            watches.push(Watch::Speed(starter.until, true, Mark::Starter));
+        }
+        stops.extend(profile.iter().map(|point| point[0]).filter(|time| *time > self.time));
+        for (index, event) in simulation.events.iter().enumerate().filter(|(index, _)| self.pending[*index]) {
+            watches.push(match event.when {
+                When::Time(time) => Watch::Time(time, Mark::Event(index)),
+                When::Angle(angle) => Watch::Angle(simulation.start_angle + angle, Mark::Event(index)),
+                When::SpeedRises(speed) => Watch::Speed(speed, true, Mark::Event(index)),
+                When::SpeedFalls(speed) => Watch::Speed(speed, false, Mark::Event(index)),
+            });
+        }
+        // The integrator's norm is the root mean square over all components: few of them have the error.
+        let tolerance = 0.5 * simulation.tolerance / (layout.dimension() as f64).sqrt();
+        let mut settings = Settings::uniform(layout.dimension(), tolerance);
+        let speed = simulation.start_speed.abs().max(self.state[1].abs()).max(1.0);
+        settings.absolute[0] = if over_angle { tolerance / speed } else { tolerance };
+        settings.absolute[1] = tolerance * speed;
+        for index in 0..layout.links {
+            settings.absolute[layout.link(index) + 1] = tolerance * speed;
+        }
+        if layout.moving {
+            // Micrometres and microradians, and their rates, are what a block moves by.
+            let at = layout.pose();
+            settings.absolute[at..at + 7].fill(1e-3 * tolerance);
+            settings.absolute[at + 7..at + 13].fill(0.1 * tolerance);
+        }
+        settings.absolute[layout.works()..].fill(tolerance * self.scale);
+        settings.first_step = self.step;
+        settings.stops = stops;
+        settings.most_evaluations = simulation.most_evaluations.saturating_sub(self.cost.evaluations);
+        // Over the angle a longer step would pass over what happens within a stroke.
+        settings.longest_step = if over_angle { 0.5 } else { f64::INFINITY };
+        settings.event_tolerance = 1e-13 * if over_angle { 1.0 } else { 0.1 };
+        let mut integrator = Dop853::new(settings);
+
+        let mut y = self.state.clone();
+        let mut x = from;
+        if over_angle {
+            y[0] = self.time;
+        }
+        let grid = if over_angle { simulation.step } else { simulation.step / FAST[0] };
+        let origin = if over_angle { simulation.start_angle } else { 0.0 };
+        let mut system = Piece { powered: &mut self.powered, over_angle, watches };
+        let outcome = integrator.run(&mut system, &mut x, &mut y, end, |step: &Step| {
+            let mut index = ((step.from - origin) / grid * (1.0 + 1e-14)).floor() + 1.0;
+            loop {
+                let at = origin + index * grid;
+                // The end of the run is a sample though rounding may put it beyond.
+                let at = if at > step.to && at < step.to + 1e-9 * grid { step.to } else { at };
+                if at > step.to {
+                    return ControlFlow::Continue(());
+                }
+                let mut state = vec![0.0; step.start.len()];
+                step.at(at, &mut state);
+                if over_angle {
+                    let time = state[0];
+                    state[0] = at;
+                    kept.push((time, at, state));
+                } else {
+                    kept.push((at, state[0], state));
+                }
+                index += 1.0;
+            }
+        });
+        let watches = system.watches;
+        self.cost.add(integrator.statistics());
+        self.step = None;
+        if over_angle {
+            self.time = y[0];
+            y[0] = x;
+        } else {
+            self.time = x;
+        }
+        self.state = y;
+        self.straighten();
+        let watch = match outcome {
+            Outcome::Event { index, rising } => watches.get(index).copied().map(|watch| match watch {
+                // A crossing in the other sense is no event of this watch.
+                Watch::Speed(speed, wanted, Mark::Event(event)) if wanted != rising => {
+                    Watch::Speed(speed, wanted, Mark::Event(event)).passed_over()
+                }
+                other => other,
+            }),
+            _ => None,
+        };
+        (outcome, watch)
+    }
+
+    /// The quaternion back to size 1: its error is that of the steps.
+    fn straighten(&mut self) {
+        if self.powered.layout.moving {
+            let at = self.powered.layout.pose() + 3;
+            let size = self.state[at..at + 4].iter().map(|q| q * q).sum::<f64>().sqrt();
+            self.state[at..at + 4].iter_mut().for_each(|q| *q /= size);
+        }
+    }
+
+    fn kinks_between(&self, from: f64, to: f64) -> Vec<f64> {
+        let turns = ((from / self.period).floor() as i64)..=((to / self.period).ceil() as i64);
+        let all = turns.flat_map(|turn| self.kinks.iter().map(move |kink| kink + self.period * turn as f64));
+        all.filter(|kink| *kink > from + 1e-11 && *kink < to).collect()
+    }
+
+    fn note(&mut self, what: Occasion) {
+        let (time, theta, speed) = (self.time, self.state[0], self.state[1]);
+        self.happened.push(Happened { what, time, theta, speed });
+    }
+
+    /// Does what a watch asks for.
+    fn answer(&mut self, watch: Watch) -> Option<RunOutcome> {
+        let mark = match watch {
+            Watch::Grip => {
+                self.powered.conditions.held = false;
+                self.note(Occasion::Released);
+                self.halt(false);
+                return None;
+            }
+            Watch::Speed(_, _, mark) | Watch::Angle(_, mark) | Watch::Time(_, mark) => mark,
+        };
+        match mark {
+            Mark::Mode | Mark::Kink => None,
+            Mark::Knot => self.ended(),
+            Mark::Starter => {
+                self.powered.conditions.starter = false;
+                self.note(Occasion::StarterOff);
+                None
+            }
+            Mark::Halt => {
+                self.halt(true);
+                None
+            }
+            Mark::Event(index) => {
+                self.pending[index] = false;
+                self.note(Occasion::Event { index });
+                self.act(index)
+            }
+        }
+    }
+
+    fn act(&mut self, index: usize) -> Option<RunOutcome> {
+        let conditions = &mut self.powered.conditions;
+        match self.powered.simulation.events[index].action.clone() {
+            Action::Misfire(cylinder) => conditions.fired[cylinder] = 0.0,
+            Action::Fuel(share) => conditions.fired.fill(share),
+            Action::Load(law) => conditions.load = law,
+            Action::ClutchOpen => conditions.clutch_open = true,
+            Action::Stop => return Some(RunOutcome::Stopped),
+        }
+        None
+    }
+
+    /// The crank stands: friction holds it, or it goes on in the sense that the other torques give it.
+    fn halt(&mut self, noted: bool) {
+        self.state[1] = 0.0;
+        let theta = self.state[0];
+        self.powered.conditions.window = self.window(theta, self.powered.conditions.sense > 0.0);
+        self.powered.conditions.held = true;
+        let state = self.state.clone();
+        let mut rates = vec![0.0; state.len()];
+        self.powered.rates(self.time, theta, &state, &mut rates);
+        let left = -self.powered.holding;
+        if left.abs() <= self.powered.dry_torque() {
+            self.note(Occasion::Held);
+            return;
+        }
+        self.powered.conditions.held = false;
+        self.powered.conditions.sense = left.signum();
+        if noted {
+            self.note(Occasion::Reversed);
+        }
+    }
+
+    /// Evaluates what was kept.
+    fn take(&mut self, kept: &mut Vec<Kept>, samples: &mut Samples, auditor: &mut Auditor) {
+        let before = (self.powered.conditions.window, self.powered.conditions.times);
+        self.powered.conditions.times = [0.0; 2];
+        let shares = if self.powered.simulation.reactions {
+            self.powered.train.main_shares(&self.powered.simulation.main_stiffness)
+        } else {
+            Vec::new()
+        };
+        let mut rates = vec![0.0; self.state.len()];
+        for (time, theta, state) in kept.drain(..) {
+            self.powered.conditions.window = self.window(theta, false);
+            self.powered.rates(time, theta, &state, &mut rates);
+            let torques = self.powered.torques;
+            samples.time.push(time);
+            samples.theta.push(theta);
+            samples.speed.push(state[1]);
+            samples.acceleration.push(rates[1]);
+            samples.gas_torque.push(torques.gas);
+            samples.load_torque.push(torques.load);
+            samples.starter_torque.push(torques.starter);
+            samples.friction_torque.push(torques.friction);
+            samples.outside_torque.push(torques.outside);
+            samples.driveline_torque.push(torques.driveline);
+            let layout = self.powered.layout;
+            if layout.links > 0 {
+                let link = |index: usize| [state[layout.link(index)], state[layout.link(index) + 1]];
+                samples.driveline.push((0..layout.links).map(link).collect());
+            }
+            let motion = self.powered.motion(theta, &state);
+            if layout.moving {
+                samples.position.push(motion.position.into());
+                samples.orientation.push(motion.orientation);
+                samples.velocity.push(motion.velocity.into());
+                samples.spin.push(motion.spin.into());
+                samples.mounts.push(self.powered.mounts(&motion).map(|[force, ..]| (-force).into()).collect());
+            }
+            if self.powered.simulation.reactions {
+                let instant = Instant {
+                    motion: &motion,
+                    places: &self.powered.places,
+                    rates: torques.rates,
+                    gas: &self.powered.forces,
+                    gravity: motion.rotation().transpose() * self.powered.gravity(),
+                    piston_damping: self.powered.simulation.piston_damping,
+                    guidance: self.powered.simulation.guidance,
+                };
+                samples.reactions.push(self.powered.train.reactions(&instant, &shares));
+            }
+            auditor.look(&mut self.powered, theta, &state);
+        }
+        (self.powered.conditions.window, self.powered.conditions.times) = before;
+    }
+}
+
+impl Watch {
+    /// The same with nothing to be done at it.
+    fn passed_over(self) -> Watch {
+        match self {
+            Watch::Speed(speed, rising, _) => Watch::Speed(speed, rising, Mark::Mode),
+            other => other,
+        }
+    }
+}
+
+/// Crank angles within one period at which the pressures have kinks, rising.
+fn kinks(train: &Train, gas: Option<&dyn GasPressure>, period: f64) -> Vec<f64> {
+    let Some(gas) = gas else { return Vec::new() };
+    let mut all = Vec::new();
+    for (index, cylinder) in train.cylinders.iter().enumerate() {
+        let ratio = train.ratio(index).abs();
+        let cycles = (period * ratio / gas.cycle()).round().max(1.0) as usize;
+        for kink in gas.kinks(index) {
+            for cycle in 0..cycles {
+                let theta = cylinder.firing_angle.unwrap_or(0.0) + (kink + gas.cycle() * cycle as f64) / ratio;
+                all.push(theta.rem_euclid(period));
+            }
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|later, kept| *later - *kept < 1e-9);
+    if all.len() > 1 && all[0] + period - all[all.len() - 1] < 1e-9 {
+        all.pop();
+    }
+    all
+}
+
+/// Refuses what cannot be run.
+fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), MultibodyError> {
+    let positive = |quantity: &str, got: f64| number(quantity, "positive and finite", got, got > 0.0);
+    let whole = |quantity: &str, got: f64| number(quantity, "0 or more", got, got >= 0.0);
+    positive("sample step [rad]", simulation.step)?;
+    number("tolerance", "from 1e-13 to 1e-2", simulation.tolerance, (1e-13..=1e-2).contains(&simulation.tolerance))?;
+    whole("start speed [rad/s]", simulation.start_speed)?;
+    number("start angle [rad]", "finite", simulation.start_angle, true)?;
+    whole("acceleration of gravity [m/s^2]", simulation.gravity)?;
+    whole("friction torque [N m]", simulation.friction_torque)?;
+    whole("piston damping [N s/m]", simulation.piston_damping)?;
+    match simulation.duration {
+        Duration::Revolutions(turns) => positive("duration [revolutions]", turns)?,
+        Duration::Time(time) => positive("duration [s]", time)?,
+    }
+    if simulation.driveline.len() > MOST_LINKS {
+        return number("number of inertias of the driveline", "at most 8", simulation.driveline.len() as f64, false);
+    }
+    if simulation.events.len() > MOST_EVENTS {
+        return number("number of events", "at most 64", simulation.events.len() as f64, false);
+    }
+    for link in &simulation.driveline {
+        positive("inertia of the driveline [kg m^2]", link.inertia)?;
+        whole("stiffness of the driveline [N m/rad]", link.stiffness)?;
+        whole("damping of the driveline [N m s/rad]", link.damping)?;
+        number("ratio of the driveline", "finite and not 0", link.ratio, link.ratio != 0.0)?;
+    }
+    for event in &simulation.events {
+        if let Action::Misfire(index) = event.action
+            && index >= train.cylinders.len()
+        {
+            return number("number of the cylinder that misfires", "that of a cylinder", index as f64 + 1.0, false);
+        }
+        if let Action::Fuel(share) = event.action {
+            number("fuel as a share", "from 0 to 1", share, (0.0..=1.0).contains(&share))?;
+        }
+    }
+    if let Some(governor) = &simulation.governor {
+        positive("delay of the governor [s]", governor.delay)?;
+        number("droop of the governor", "from 0 to 1", governor.droop, (0.0..1.0).contains(&governor.droop))?;
+    }
+    if let Some(starter) = &simulation.starter {
+        positive("free speed of the starter [rad/s]", starter.free_speed)?;
+        positive("ratio of the starter", starter.ratio)?;
+    }
+    if let Drive::Imposed { profile, .. } = &simulation.drive {
+        let rising = profile.windows(2).all(|pair| pair[1][0] > pair[0][0]);
+        number("profile of the speed: number of points", "1 or more, rising in time", profile.len() as f64, rising && !profile.is_empty())?;
+    } else if let Some(rotor) = train.rotors.first().filter(|rotor| !rotor.known) {
+        return Err(MultibodyError::NoInertia {
+            part: rotor.name.clone(),
+            keys: "`inertia` or `crankshaft_inertia` in [flywheel], or [crank.body]",
+        });
+    }
+    if with_gas {
+        for (index, cylinder) in train.cylinders.iter().enumerate() {
+            let missing = match (cylinder.area, cylinder.firing_angle) {
+                (None, _) => "bore",
+                (_, None) => "firing angle",
+                _ => continue,
+            };
+            return Err(MultibodyError::NoGasData { cylinder: index + 1, missing });
+        }
+    }
+    match simulation.block {
+        BlockMotion::Fixed => Ok(()),
+        BlockMotion::Floating if train.block.is_some() => Ok(()),
+        BlockMotion::Floating => Err(MultibodyError::NoMounts { missing: "the file has no [block]".into() }),
+        BlockMotion::Mounts => match &train.fixed_because {
+            Some(reason) => Err(MultibodyError::NoMounts { missing: reason.clone() }),
+            None => match train.mounts.iter().find(|mount| mount.frequency_dependent) {
+                Some(mount) => Err(MultibodyError::NoMounts {
+                    missing: format!(
+                        "mount `{}` has a loss factor or a table over frequency, which a run in time cannot use; give its damping instead",
+                        mount.name
+                    ),
+                }),
+                None => Ok(()),
+            },
+        },
+    }
+}
+
+impl Runner<'_> {
+    /// Works so far [J].
+    pub fn works(&self) -> [f64; WORKS] {
+        let at = self.powered.layout.works();
+        let mut works = [0.0; WORKS];
+        works.copy_from_slice(&self.state[at..at + WORKS]);
+        works
+    }
+}

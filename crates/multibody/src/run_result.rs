@@ -1,0 +1,193 @@
+//! What a run returns: plain data.
+
+use crate::reactions::Reactions;
+use lanchester_numerics::{Outcome, Statistics};
+use serde::Serialize;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const RUN_VERSION: u32 = 1;
+
+/// A run with its samples.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Run {
+    /// [`RUN_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// How it ended.
+    pub outcome: RunOutcome,
+    /// Time [s], crank angle [rad] and speed [rad/s] at its end.
+    pub end: [f64; 3],
+    /// Samples.
+    pub samples: Samples,
+    /// What happened on the way.
+    pub events: Vec<Happened>,
+    /// Works and energies.
+    pub energy: EnergyLedger,
+    /// What must be zero.
+    pub audit: Audit,
+    /// What it cost.
+    pub cost: Cost,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum RunOutcome {
+    /// After its duration.
+    Complete,
+    /// An event stopped it.
+    Stopped,
+    /// The crank came to rest and friction holds it.
+    AtRest {
+        /// Crank angle [rad].
+        theta: f64,
+        /// Torque that gas, weight and starter still give there [N m].
+        torque: f64,
+        /// Torque by which friction and load can hold it [N m].
+        held_by: f64,
+    },
+    /// As many evaluations as are allowed: the samples so far are there.
+    TooManyEvaluations,
+    /// A quantity became no number, or the error could not be met by any step: the samples so far are there.
+    Failed {
+        /// What the integrator says.
+        reason: Outcome,
+    },
+}
+
+/// One vector a quantity, one value a sample.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Samples {
+    /// Time [s].
+    pub time: Vec<f64>,
+    /// Crank angle of crankshaft 1 relative to the block [rad].
+    pub theta: Vec<f64>,
+    /// Its rate [rad/s].
+    pub speed: Vec<f64>,
+    /// The rate of that [rad/s^2].
+    pub acceleration: Vec<f64>,
+    /// Torque of the gas on crankshaft 1 [N m].
+    pub gas_torque: Vec<f64>,
+    /// Torque of the load on the shaft that it sits on [N m].
+    pub load_torque: Vec<f64>,
+    /// Torque of the starter on crankshaft 1 [N m].
+    pub starter_torque: Vec<f64>,
+    /// Torque of dry friction on crankshaft 1 [N m].
+    pub friction_torque: Vec<f64>,
+    /// Torque from the ground on crankshaft 1 besides: over the angle, and of an imposed speed's drive [N m].
+    pub outside_torque: Vec<f64>,
+    /// Torque of the driveline on crankshaft 1 [N m].
+    pub driveline_torque: Vec<f64>,
+    /// Angle [rad] and speed [rad/s] of the inertias of the driveline.
+    pub driveline: Vec<Vec<[f64; 2]>>,
+    /// Where the block's origin is [m], axes of the frame; empty with a fixed block, as all of the block.
+    pub position: Vec<[f64; 3]>,
+    /// Turn of the block: unit quaternion `(w, x, y, z)`.
+    pub orientation: Vec<[f64; 4]>,
+    /// Velocity of its origin [m/s], block axes.
+    pub velocity: Vec<[f64; 3]>,
+    /// Its angular velocity [rad/s], block axes.
+    pub spin: Vec<[f64; 3]>,
+    /// Force of the block on every mount [N], axes of the frame.
+    pub mounts: Vec<Vec<[f64; 3]>>,
+    /// All reactions, where they were asked for.
+    pub reactions: Vec<Reactions>,
+}
+
+/// Something that happened.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Happened {
+    /// What.
+    pub what: Occasion,
+    /// When [s].
+    pub time: f64,
+    /// At which crank angle [rad].
+    pub theta: f64,
+    /// At which speed [rad/s].
+    pub speed: f64,
+}
+
+/// What may happen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+pub enum Occasion {
+    /// An event of the list: its place there, from 0.
+    Event {
+        /// Place in the list.
+        index: usize,
+    },
+    /// The starter let go.
+    StarterOff,
+    /// The crank came to a halt and turns back, or on.
+    Reversed,
+    /// The crank came to a halt and friction holds it.
+    Held,
+    /// It broke away from where friction held it.
+    Released,
+}
+
+/// Energies at both ends and works between [J].
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct EnergyLedger {
+    /// Kinetic energy at the start and at the end.
+    pub kinetic: [f64; 2],
+    /// Of the mounts' springs.
+    pub mounts: [f64; 2],
+    /// Of gravity.
+    pub gravity: [f64; 2],
+    /// Of the driveline's springs.
+    pub driveline: [f64; 2],
+    /// Work of the gas on the pistons.
+    pub gas: f64,
+    /// Work of the load (negative where it takes).
+    pub load: f64,
+    /// Work of the starter.
+    pub starter: f64,
+    /// Work of dry friction.
+    pub friction: f64,
+    /// Work of the friction of the pistons.
+    pub piston_friction: f64,
+    /// Work of other torques from the ground and of the drive of an imposed speed.
+    pub outside: f64,
+    /// Work of the mounts' dampers.
+    pub mount_damping: f64,
+    /// Work of the driveline's dampers.
+    pub driveline_damping: f64,
+    /// Sum of the amounts of all works and of the largest energies stored.
+    pub throughput: f64,
+}
+
+/// What must be zero but for the errors of the steps.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Audit {
+    /// Largest of energy stored less works, over all samples, over the throughput.
+    pub energy: f64,
+    /// Largest departure of any loop from its rod length [m].
+    pub loops: f64,
+    /// Largest departure of the quaternion's size from 1.
+    pub quaternion: f64,
+    /// Largest change of linear momentum in space over its largest part, where nothing outside acts.
+    pub linear_momentum: Option<f64>,
+    /// Largest change of angular momentum in space over its largest part, where nothing outside acts.
+    pub angular_momentum: Option<f64>,
+}
+
+/// Cost of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Cost {
+    /// Of the integrator.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the equations of motion.
+    pub evaluations: u64,
+}
+
+impl Cost {
+    pub(crate) fn add(&mut self, statistics: Statistics) {
+        self.steps += statistics.steps;
+        self.rejected += statistics.rejected;
+        self.evaluations += statistics.evaluations;
+    }
+}
