@@ -190,7 +190,11 @@ fn catalogue(task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError
         );
     }
     if task.ties.iter().any(|tie| task.weights[tie.second].name == *name) {
-        return unsuited("weights that follow no other", format!("`{name}`"), "give the leader the catalogue");
+        return unsuited(
+            "weights that follow no other",
+            format!("`{name}`"),
+            "give the leader the catalogue",
+        );
     }
     let unlike = |other: &&FreeWeight| {
         other.equal_parts == weight.equal_parts && other.catalogue.as_ref() != Some(catalogue)

@@ -66,11 +66,6 @@ fn no_gas(engine: &Engine, criterion: &Criterion) -> BalanceError {
     }
 }
 
-/// Whether anything that a task minimises or limits counts the gas.
-pub fn counts_gas(task: &BalanceTask) -> bool {
-    !criteria(task).is_empty()
-}
-
 /// The criteria of a task that count the gas, each once.
 fn criteria(task: &BalanceTask) -> Vec<Criterion> {
     let stages = stages(task);

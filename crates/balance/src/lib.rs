@@ -49,7 +49,7 @@ pub use consequences::{
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
-pub use gas_range::{GasOverSpeed, counts_gas};
+pub use gas_range::GasOverSpeed;
 pub use optimum::{optimise, optimise_watched, optimise_with};
 pub use settings::{BalanceSettings, Next, SearchState, StopCause};
 pub use swept::{SWEPT_VERSION, Swept, swept};

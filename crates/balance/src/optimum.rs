@@ -81,8 +81,8 @@ fn found(
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
-    let mut answer = over_the_range(engine, task, kinematics, &|task| {
-        with_gas(engine, task, gas, &|task, places| {
+    let mut answer = with_gas(engine, task, gas, &|task, places| {
+        over_the_range(engine, task, kinematics, &|task| {
             if branch::is_needed(task) {
                 return searched(engine, task, kinematics, places, settings, watch);
             }
@@ -391,7 +391,12 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
     reason
 }
 
-pub(crate) fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
+pub(crate) fn found_stage(
+    problem: &Problem,
+    terms: &[(f64, Judged)],
+    proof: &StageProof,
+    x: &[f64],
+) -> FoundStage {
     let values: Vec<(Criterion, f64)> =
         terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
     let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();

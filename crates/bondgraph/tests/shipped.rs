@@ -90,11 +90,8 @@ fn dc_motor_is_the_textbook() {
 fn two_tanks_are_the_textbook() {
     let equations = graph!("two-tanks");
     let (c1, c2, r) = (0.05 / 9810.0, 0.08 / 9810.0, 1.2e7);
-    let a = DMatrix::from_row_slice(
-        2,
-        2,
-        &[-1.0 / (r * c1), 1.0 / (r * c2), 1.0 / (r * c1), -2.0 / (r * c2)],
-    );
+    let a =
+        DMatrix::from_row_slice(2, 2, &[-1.0 / (r * c1), 1.0 / (r * c2), 1.0 / (r * c1), -2.0 / (r * c2)]);
     let linear = equations.linear().expect("linear");
     assert!((matrix(&linear.a) - &a).norm() < 1e-12 * a.norm());
     let off = off_the_exponential(&equations, &a, &DVector::from_vec(vec![4e-4, 0.0]));
@@ -122,7 +119,8 @@ fn torsion_chain_against_the_exact_forced_motion() {
     a[(6, 5)] = -300.0;
     let run = equations.simulate(&equations.request());
     assert!(run.complete, "{}", run.ended);
-    let names = ["disc1.momentum", "shaft1.displacement", "disc2.momentum", "shaft2.displacement", "disc3.momentum"];
+    let names =
+        ["disc1.momentum", "shaft1.displacement", "disc2.momentum", "shaft2.displacement", "disc3.momentum"];
     let mut exact = DVector::zeros(7);
     exact[6] = 1.0;
     let step = (a * (0.1 / 200.0)).exp();
@@ -135,7 +133,12 @@ fn torsion_chain_against_the_exact_forced_motion() {
         }
     }
     for state in 0..5 {
-        assert!(worst[state] < 1e-10 * largest[state], "{}: {:e}", names[state], worst[state] / largest[state]);
+        assert!(
+            worst[state] < 1e-10 * largest[state],
+            "{}: {:e}",
+            names[state],
+            worst[state] / largest[state]
+        );
     }
 }
 

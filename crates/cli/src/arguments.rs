@@ -343,7 +343,7 @@ pub struct BalanceArguments {
     /// of the stages. May be given several times.
     #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]
     pub give_up: Vec<String>,
-    /// Speed at which forces at mounts with springs are judged, such as `2000 rpm`; may be given several times, the largest force
+    /// Speed at which forces at mounts with springs and loads with gas are judged, such as `2000 rpm`; may be given several times, the largest
     /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,

@@ -39,8 +39,8 @@ mod running;
 mod sample_study;
 mod scene;
 mod shaft_weights;
-mod speed_gas;
 mod shape_front;
+mod speed_gas;
 mod torque_report;
 mod weights_as_parts;
 

@@ -44,17 +44,24 @@ pub fn optimised(
     settings: &BalanceSettings,
     watch: &dyn Fn(&SearchState<'_>) -> Next,
 ) -> Result<Answer, BalanceError> {
-    let gas = SpeedGas { engine, traces, known: RefCell::default() };
+    let gas = SpeedGas::new(engine, traces);
     let gas: Option<&dyn GasOverSpeed> = if engine.gas.is_some() { Some(&gas) } else { None };
     optimise_watched(engine, task, gas, settings, watch)
 }
 
 /// The pressures of an engine, each computed once.
-struct SpeedGas<'a> {
+pub(crate) struct SpeedGas<'a> {
     engine: &'a Engine,
     traces: Result<&'a [TraceFile], String>,
     /// By step of the range.
     known: RefCell<BTreeMap<usize, Rc<Vec<CylinderGas>>>>,
+}
+
+impl<'a> SpeedGas<'a> {
+    /// Of `engine`, with the `traces` that its file names or why they cannot be read.
+    pub fn new(engine: &'a Engine, traces: Result<&'a [TraceFile], String>) -> SpeedGas<'a> {
+        SpeedGas { engine, traces, known: RefCell::default() }
+    }
 }
 
 impl GasOverSpeed for SpeedGas<'_> {
@@ -117,7 +124,7 @@ mod tests {
     fn a_computed_cycle_is_interpolated_between_its_speeds() {
         let text = include_str!("../../../examples/single-gas.toml");
         let engine = lanchester_model::read(text).engine.expect("the example has no mistakes");
-        let gas = SpeedGas { engine: &engine, traces: Ok(&[]), known: RefCell::default() };
+        let gas = SpeedGas::new(&engine, Ok(&[]));
         let (lowest, highest) = (engine.speed.lowest, engine.speed.highest);
         let step = (highest - lowest) / STEPS as f64;
         let [known, between, next] = [0.0, 0.5, 1.0].map(|place| {

@@ -29,8 +29,8 @@ pub struct BalanceTask {
     pub give_up: Vec<GiveUp>,
     /// What must hold.
     pub limits: Vec<Limit>,
-    /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs are judged, the largest of all counting; empty: the
-    /// whole range of the engine. All other loads are largest at the highest speed.
+    /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs and loads with gas are judged, the largest of all counting;
+    /// empty: the whole range of the engine. All other loads are largest at the highest speed.
     pub speeds: Vec<f64>,
     /// Orders of loads that must vanish exactly, instead of stages and limits. Of all weights that do it those come first that the
     /// default stages and what decides among equals put first.
@@ -46,6 +46,13 @@ impl BalanceTask {
             return self.stages.clone();
         }
         [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
+    }
+
+    /// Whether anything that is minimised or limited counts the gas.
+    pub fn counts_gas(&self) -> bool {
+        let stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
+        let mut asked = stages.chain(self.limits.iter().map(|limit| limit.criterion));
+        asked.any(|criterion| matches!(criterion, Criterion::MainsWithGas(..)))
     }
 
     /// Takes all other weights out, with the ties that they are in.

@@ -115,7 +115,10 @@ impl TaskOptions {
         if !self.give_up.is_empty() {
             if !task.cancel.is_empty() {
                 return Err(refused(
-                    format!("{} has no effect: [balance] asks for orders that must vanish", self.name("give-up")),
+                    format!(
+                        "{} has no effect: [balance] asks for orders that must vanish",
+                        self.name("give-up")
+                    ),
                     &format!("add {} with what is to be minimised", self.name("minimise")),
                 ));
             }
@@ -126,7 +129,11 @@ impl TaskOptions {
                 let (stage, given) = option::give_up(text, place, &stages, engine, &self.name("give-up"))?;
                 if taken.contains(&stage) {
                     return Err(refused(
-                        format!("{} '{text}' is for stage {}, which has one already", self.name("give-up"), stage + 1),
+                        format!(
+                            "{} '{text}' is for stage {}, which has one already",
+                            self.name("give-up"),
+                            stage + 1
+                        ),
                         "give one for each stage",
                     ));
                 }
@@ -135,10 +142,24 @@ impl TaskOptions {
             }
             task.give_up = list;
         }
+        if !self.cancel.is_empty() {
+            let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));
+            let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
+            (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
+            task.give_up.clear();
+        }
+        for text in &self.limits {
+            let limit = option::limit(text, engine, &self.name("limit"))?;
+            task.limits.retain(|known| known.criterion != limit.criterion);
+            task.limits.push(limit);
+        }
         if !self.speeds.is_empty() {
-            if !engine.is_on_springs() {
+            if !engine.is_on_springs() && !task.counts_gas() {
                 return Err(refused(
-                    format!("{} has no effect: no mount of the engine has springs", self.name("speed")),
+                    format!(
+                        "{} has no effect: no mount of the engine has springs, and no criterion counts the gas",
+                        self.name("speed")
+                    ),
                     "leave it out: all other loads are largest at the highest speed",
                 ));
             }
@@ -154,17 +175,6 @@ impl TaskOptions {
                     "give a speed between the lowest and the highest of `speed`",
                 ));
             }
-        }
-        if !self.cancel.is_empty() {
-            let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));
-            let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
-            (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
-            task.give_up.clear();
-        }
-        for text in &self.limits {
-            let limit = option::limit(text, engine, &self.name("limit"))?;
-            task.limits.retain(|known| known.criterion != limit.criterion);
-            task.limits.push(limit);
         }
         Ok(())
     }
@@ -190,7 +200,11 @@ impl TaskOptions {
                     let ends = weight.most.filter(|most| *most < step * (1.0 - 1e-9));
                     if ends.is_some() {
                         return Err(refused(
-                            format!("{} is larger than the largest amount of \"{}\"", self.name("step"), weight.name),
+                            format!(
+                                "{} is larger than the largest amount of \"{}\"",
+                                self.name("step"),
+                                weight.name
+                            ),
                             "give a smaller step, or a larger largest amount",
                         ));
                     }
@@ -198,7 +212,11 @@ impl TaskOptions {
                 }
                 if self.equal_parts && weight.catalogue.is_none() {
                     return Err(refused(
-                        format!("{} has no effect on \"{}\": it has any amount", self.name("equal-parts"), weight.name),
+                        format!(
+                            "{} has no effect on \"{}\": it has any amount",
+                            self.name("equal-parts"),
+                            weight.name
+                        ),
                         &format!("add {} '200 g mm'", self.name("step")),
                     ));
                 }

@@ -308,7 +308,9 @@ impl<'a> Runner<'a> {
     fn ended(&mut self) -> Option<RunOutcome> {
         let simulation = self.powered.simulation;
         let over = match simulation.duration {
-            Duration::Revolutions(turns) => self.state[0] >= simulation.start_angle + TAU * turns * (1.0 - 1e-15),
+            Duration::Revolutions(turns) => {
+                self.state[0] >= simulation.start_angle + TAU * turns * (1.0 - 1e-15)
+            }
             Duration::Time(time) => self.time >= time * (1.0 - 1e-15),
         };
         over.then_some(RunOutcome::Complete)
@@ -317,7 +319,9 @@ impl<'a> Runner<'a> {
     /// Whether friction holds the crank in a block that stands still, and nothing more will come.
     fn rests_for_good(&self) -> bool {
         let conditions = &self.powered.conditions;
-        conditions.held && (!self.powered.layout.moving || matches!(self.powered.simulation.duration, Duration::Revolutions(_)))
+        conditions.held
+            && (!self.powered.layout.moving
+                || matches!(self.powered.simulation.duration, Duration::Revolutions(_)))
     }
 
     fn at_rest(&self) -> RunOutcome {
@@ -581,7 +585,9 @@ impl<'a> Runner<'a> {
                 samples.orientation.push(motion.orientation);
                 samples.velocity.push(motion.velocity.into());
                 samples.spin.push(motion.spin.into());
-                samples.mounts.push(self.powered.mounts(&motion).map(|[force, ..]| (-force).into()).collect());
+                samples
+                    .mounts
+                    .push(self.powered.mounts(&motion).map(|[force, ..]| (-force).into()).collect());
             }
             if self.powered.simulation.reactions {
                 let instant = Instant {
@@ -620,7 +626,8 @@ fn kinks(train: &Train, gas: Option<&dyn GasPressure>, period: f64) -> Vec<f64> 
         let cycles = (period * ratio / gas.cycle()).round().max(1.0) as usize;
         for kink in gas.kinks(index) {
             for cycle in 0..cycles {
-                let theta = cylinder.firing_angle.unwrap_or(0.0) + (kink + gas.cycle() * cycle as f64) / ratio;
+                let theta =
+                    cylinder.firing_angle.unwrap_or(0.0) + (kink + gas.cycle() * cycle as f64) / ratio;
                 all.push(theta.rem_euclid(period));
             }
         }
@@ -638,7 +645,12 @@ fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), M
     let positive = |quantity: &str, got: f64| number(quantity, "positive and finite", got, got > 0.0);
     let whole = |quantity: &str, got: f64| number(quantity, "0 or more", got, got >= 0.0);
     positive("sample step [rad]", simulation.step)?;
-    number("tolerance", "from 1e-13 to 1e-2", simulation.tolerance, (1e-13..=1e-2).contains(&simulation.tolerance))?;
+    number(
+        "tolerance",
+        "from 1e-13 to 1e-2",
+        simulation.tolerance,
+        (1e-13..=1e-2).contains(&simulation.tolerance),
+    )?;
     whole("start speed [rad/s]", simulation.start_speed)?;
     number("start angle [rad]", "finite", simulation.start_angle, true)?;
     whole("acceleration of gravity [m/s^2]", simulation.gravity)?;
@@ -649,7 +661,12 @@ fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), M
         Duration::Time(time) => positive("duration [s]", time)?,
     }
     if simulation.driveline.len() > MOST_LINKS {
-        return number("number of inertias of the driveline", "at most 8", simulation.driveline.len() as f64, false);
+        return number(
+            "number of inertias of the driveline",
+            "at most 8",
+            simulation.driveline.len() as f64,
+            false,
+        );
     }
     if simulation.events.len() > MOST_EVENTS {
         return number("number of events", "at most 64", simulation.events.len() as f64, false);
@@ -664,7 +681,12 @@ fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), M
         if let Action::Misfire(index) = event.action
             && index >= train.cylinders.len()
         {
-            return number("number of the cylinder that misfires", "that of a cylinder", index as f64 + 1.0, false);
+            return number(
+                "number of the cylinder that misfires",
+                "that of a cylinder",
+                index as f64 + 1.0,
+                false,
+            );
         }
         if let Action::Fuel(share) = event.action {
             number("fuel as a share", "from 0 to 1", share, (0.0..=1.0).contains(&share))?;
@@ -680,7 +702,12 @@ fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), M
     }
     if let Drive::Imposed { profile, .. } = &simulation.drive {
         let rising = profile.windows(2).all(|pair| pair[1][0] > pair[0][0]);
-        number("profile of the speed: number of points", "1 or more, rising in time", profile.len() as f64, rising && !profile.is_empty())?;
+        number(
+            "profile of the speed: number of points",
+            "1 or more, rising in time",
+            profile.len() as f64,
+            rising && !profile.is_empty(),
+        )?;
     } else if let Some(rotor) = train.rotors.first().filter(|rotor| !rotor.known) {
         return Err(MultibodyError::NoInertia {
             part: rotor.name.clone(),

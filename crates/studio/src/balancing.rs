@@ -7,7 +7,7 @@ use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
-    Next, Outcome, SearchState, Target, arrangements, counts_gas, fitted, searched_engine,
+    Next, Outcome, SearchState, Target, arrangements, fitted, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
@@ -197,7 +197,7 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => settings.next(began.elapsed().as_secs_f64()),
         false => Next::Abandon,
     };
-    let traces = match counts_gas(&task) {
+    let traces = match task.counts_gas() {
         true => asker.studio.folder.traces(&engine)?,
         false => Vec::new(),
     };

@@ -231,7 +231,8 @@ impl Choices {
     fn with_amounts(mut self, task: &BalanceTask) -> Option<Choices> {
         for (weight, free) in task.weights.iter().enumerate().filter(|(_, free)| free.catalogue.is_some()) {
             let equals = |other: &usize| {
-                *other == weight || free.equal_parts.is_some() && task.weights[*other].equal_parts == free.equal_parts
+                *other == weight
+                    || free.equal_parts.is_some() && task.weights[*other].equal_parts == free.equal_parts
             };
             if self.weights[weight].usage == Use::No {
                 continue;

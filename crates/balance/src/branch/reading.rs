@@ -282,7 +282,8 @@ impl<'a> Reading<'a> {
             let Some(catalogue) = &free.catalogue else { continue };
             let parts: Vec<usize> = (0..self.weights.len())
                 .filter(|&other| {
-                    let equal = free.equal_parts.is_some() && self.task.weights[other].equal_parts == free.equal_parts;
+                    let equal = free.equal_parts.is_some()
+                        && self.task.weights[other].equal_parts == free.equal_parts;
                     (other == weight || equal) && chosen.weights[other].usage == Use::Yes
                 })
                 .collect();
@@ -366,7 +367,9 @@ impl<'a> Reading<'a> {
                 Heading::Line(_) if bound => Heading::Ray(angle),
                 Heading::Line(_) => heading,
                 Heading::Any | Heading::Sector { .. } if !bound => Heading::Any,
-                Heading::Any | Heading::Sector { .. } if chosen.given(self.task, weight) => Heading::Ray(angle),
+                Heading::Any | Heading::Sector { .. } if chosen.given(self.task, weight) => {
+                    Heading::Ray(angle)
+                }
                 Heading::Any | Heading::Sector { .. } => Heading::Tangent(angle),
             };
         }

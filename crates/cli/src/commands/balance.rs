@@ -10,7 +10,7 @@ use crate::format::Format;
 use crate::search_limit_arguments::hint;
 use crate::trace_files::trace_files;
 use crate::watch::Watch;
-use lanchester::balance::{Answer, Consequences, Outcome, counts_gas, fitted};
+use lanchester::balance::{Answer, Consequences, Outcome, fitted};
 use lanchester::model::Engine;
 use lanchester::optimised;
 use lanchester::report::{
@@ -68,7 +68,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let settings = arguments.limits.settings()?;
     let watch = Watch::new(engine, settings);
-    let traces = match counts_gas(&task) {
+    let traces = match task.counts_gas() {
         true => trace_files(engine, &arguments.file)?,
         false => Vec::new(),
     };

@@ -117,8 +117,7 @@ fn what_a_stage_gives_up_is_told_with_what_that_gains() {
     let stages = ["--minimise", "couple", "--minimise", "main-bearing load rms"];
     let strict = output_json(&folder, 0, &[&bounded[..], &stages, &["--format", "json"]].concat());
     let give_up = ["--give-up", "couple = 5 %"];
-    let found =
-        output_json(&folder, 0, &[&bounded[..], &stages, &give_up, &["--format", "json"]].concat());
+    let found = output_json(&folder, 0, &[&bounded[..], &stages, &give_up, &["--format", "json"]].concat());
     let given = &found["stages"][0]["give_up"];
     assert!((given["most"].as_f64().unwrap() / reached(&strict, 0) - 1.05).abs() < 1e-7, "{given}");
     assert!(reached(&found, 1) < reached(&strict, 1), "{found}");
@@ -130,7 +129,8 @@ fn what_a_stage_gives_up_is_told_with_what_that_gains() {
     }
     // The file says the same.
     let path = folder.join(&file);
-    let section = "\n[balance]\nminimise = [\"couple\", \"main-bearing load rms\"]\ngive_up = { couple = \"5 %\" }\n";
+    let section =
+        "\n[balance]\nminimise = [\"couple\", \"main-bearing load rms\"]\ngive_up = { couple = \"5 %\" }\n";
     fs::write(&path, fs::read_to_string(&path).unwrap() + section).unwrap();
     let by_file = output_json(&folder, 0, &[&bounded[..], &["--format", "json"]].concat());
     assert_eq!(by_file["stages"], found["stages"]);

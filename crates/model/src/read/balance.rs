@@ -134,11 +134,13 @@ impl<'a> Reader<'a> {
         }
         if let Some((_, span)) = draft.speeds
             && !engine.is_on_springs()
+            && !task.counts_gas()
         {
-            let message = "`speeds` has no effect: no mount has springs, and all other loads are largest at the highest speed";
+            let message = "`speeds` has no effect: no mount has springs, no criterion counts the gas, and all other loads are largest \
+                           at the highest speed";
             self.mistakes.push(
                 Mistake::error("E0204", span, message)
-                    .hint("give [block] and stiffness to every [[mount]], or leave it out"),
+                    .hint("give [block] and stiffness to every [[mount]], name a criterion \"with gas\", or leave it out"),
             );
         }
         if let Some(span) = draft.mass_span {

@@ -20,8 +20,11 @@ pub(super) static BALANCE: Table = Table {
           `main-bearing load` (the largest of all main bearings, inertia alone), `main-bearing load 3` or `bending moment`; \
           one order of it with ` order 2` or ` order 1/2` behind; the root mean square over the cycle \
           `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
-          `largest main-bearing load rms`; or `added mass` or `added unbalance` of the free weights. Main bearings \
-          are numbered from the free end on, those of crankshaft 1 first.",
+          `largest main-bearing load rms`, the mean `main-bearing load mean` or `main-bearing load 3 mean`; any of these with \
+          the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas` (a mean at one of `speeds`); or \
+          `added mass` or `added unbalance` of the free weights. Main bearings are numbered from the free end on, those of \
+          crankshaft 1 first. A higher speed raises all loads of inertia, but neither the forces at mounts with stiffness nor \
+          loads with gas: these count over the whole range of speeds, or at `speeds`.",
     keys: &[
         key(
             "minimise",
@@ -68,8 +71,8 @@ pub(super) static BALANCE: Table = Table {
             "speeds",
             Kind::Quantities(Speed, Positive),
             Optional,
-            "Speeds at which forces at mounts with springs are judged, the largest of all counting; default the whole range of `speed`, resonances included. \
-             All other loads are largest at the highest speed.",
+            "Speeds at which forces at mounts with springs and loads with gas are judged, the largest of all counting; default the \
+             whole range of `speed`, resonances included. All other loads are largest at the highest speed.",
             "[\"1500 rpm\", \"3000 rpm\"]",
         ),
         key(
