@@ -1,7 +1,5 @@
 //! Weights that were found, written back into the text of the engine file.
 
-use crate::support::written;
-
 use crate::support::written::{
     DRESSES, PARTS, SHAPE, as_part, check, comments, dressed, engine, family, good_files, near, other_lines,
     plate, same_weight, template,
