@@ -252,7 +252,7 @@ pub fn design_counterweights(
 }
 
 /// How far a weight stands from the opposite of its crankpin, without its sign [rad].
-fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
+pub(crate) fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
     let Some(web) = web_of(engine, weight) else { return 0.0 };
     let off = weight.angle - engine.throws[web / 2].angle - PI;
     ((off + PI).rem_euclid(TAU) - PI).abs()

@@ -4,7 +4,8 @@ use crate::consequences::consequences;
 use crate::counterweight_check::{CounterweightCheck, check_counterweights};
 use crate::pressure::TraceFile;
 use crate::running::{Running, running};
-use lanchester_balance::{Answer, Consequences, fitted, optimise};
+use crate::web_bounds::optimise_on_webs;
+use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
 use lanchester_mechanism::{
     InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
 };
@@ -130,7 +131,7 @@ impl FoundOptimum {
 /// What the section `[balance]` of the file asks, answered; a question without meaning is one more warning.
 fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<FoundOptimum>, LoadError> {
     let Some(task) = &engine.balance else { return Ok(None) };
-    let answer = match optimise(engine, task) {
+    let answer = match optimise_on_webs(engine, task, &BalanceSettings::default(), &|_| Next::Continue) {
         Ok(answer) => answer,
         Err(error) => {
             warnings.push(format!("the section [balance] has no answer: {error}"));

@@ -7,7 +7,7 @@ use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
-    Next, Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
+    Next, Outcome, SearchState, Target, arrangements, fitted, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
@@ -15,6 +15,7 @@ use lanchester::model::{
     TaskOptions, crank_weights, default_task, option, write_back,
 };
 use lanchester::report::{consequence_words, headline};
+use lanchester::{WebBoundError, optimise_on_webs};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -193,8 +194,8 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => settings.next(began.elapsed().as_secs_f64()),
         false => Next::Abandon,
     };
-    let answer = optimise_watched(&engine, &task, &settings, &watch).map_err(|error| match error {
-        BalanceError::BrokenOff => superseded(),
+    let answer = optimise_on_webs(&engine, &task, &settings, &watch).map_err(|error| match error {
+        WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
         error => Problem::refused(error),
     })?;
     let headline = headline(&engine, &answer);
