@@ -13,7 +13,7 @@ use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
 /// Steps after which what is shared is known to rounding, or never.
-const MOST_STEPS: usize = 8;
+const MOST_STEPS: usize = 24;
 /// Directions closer than this are the same [rad].
 const SAME_DIRECTION: f64 = 1e-11;
 /// Share of the duty within which what is shared is known.

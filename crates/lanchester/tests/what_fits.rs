@@ -77,10 +77,11 @@ fn what_balance_asks_for_can_be_built() {
         found.unbalance.norm() > bound.bound
     };
     assert!(answer.web_bounds.iter().any(exceeds), "{:?}", answer.web_bounds);
-    let close = EXAMPLE.replace("crankcase_radius = \"100 mm\"", "crankcase_radius = \"85 mm\"");
+    let close = EXAMPLE.replace("crankcase_radius = \"100 mm\"", "crankcase_radius = \"92.9 mm\"");
+    // As near as the pin's end of the web allows.
     let tight = is_built(&close, |engine| every_web(engine, None));
     for (tight, wide) in tight.web_bounds.iter().zip(&answer.web_bounds) {
-        assert!(tight.bound < 0.9 * wide.bound, "{tight:?} {wide:?}");
+        assert!(tight.bound < 0.99 * wide.bound, "{tight:?} {wide:?}");
         assert_eq!(tight.by, "clearance from crankcase");
     }
 }

@@ -10,7 +10,8 @@ pub fn web_bounds_table(answer: &Answer) -> Option<Table> {
     let bounds = &answer.web_bounds;
     let used = |bound: &WebBound| {
         let found = answer.weights.iter().find(|weight| weight.name == bound.name);
-        100.0 * found.map_or(0.0, |weight| weight.unbalance.norm()) / bound.bound
+        let found = found.map_or(0.0, |weight| weight.unbalance.norm());
+        if bound.bound > 0.0 { 100.0 * found / bound.bound } else { 0.0 }
     };
     (!bounds.is_empty()).then(|| {
         Table::of_columns(
