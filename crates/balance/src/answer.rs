@@ -52,6 +52,22 @@ pub struct Answer {
     pub effects: Vec<Effect>,
     /// Where orders had to vanish exactly: whether they do, and the proof.
     pub cancellation: Option<Cancellation>,
+    /// Weights on webs whose largest amount is what fits there: the optimum is one within these bounds.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub web_bounds: Vec<WebBound>,
+}
+
+/// What fits on a web.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct WebBound {
+    /// Name of the weight.
+    pub name: String,
+    /// The web, counted from 1 through all throws.
+    pub web: usize,
+    /// The largest unbalance that it can have there [kg m].
+    pub bound: f64,
+    /// What bounds it: the ranges of its shapes, or what is in the way.
+    pub by: String,
 }
 
 /// Whether there is an optimum.

@@ -177,6 +177,7 @@ fn searched(
 
 fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
     Answer {
+        web_bounds: Vec::new(),
         version: ANSWER_VERSION,
         engine: engine.name.clone(),
         speed: engine.speed.highest,

@@ -358,7 +358,7 @@ pub struct BalanceArguments {
     /// Which weights on the crankshaft are free; default: those of [balance].
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
-    /// Largest unbalance of every free weight on the crankshaft.
+    /// Largest unbalance of every free weight on the crankshaft, or `what fits`: what shapes and clearance allow on its web.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
     /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius

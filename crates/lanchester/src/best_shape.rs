@@ -1,18 +1,19 @@
 //! The best shape of one counterweight on its web, within everything that moves past it.
 
 use crate::clearance::{clearance_model, largest_swept_radius};
-use crate::counterweights::{CounterweightError, EvolutionRequest, duty_of, web_of};
+use crate::counterweights::{CounterweightError, EvolutionRequest, duty_of, tilt, web_of};
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Infeasible, Objective, Optimum, Outline, Part, ShapeTask,
     counterweight_properties, design_within, evolve, largest_balance,
 };
 use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault, PartWeight};
+use lanchester_report::obstacle_name;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
 /// Steps after which what is shared is known to rounding, or never.
-const MOST_STEPS: usize = 8;
+const MOST_STEPS: usize = 24;
 /// Directions closer than this are the same [rad].
 const SAME_DIRECTION: f64 = 1e-11;
 /// Share of the duty within which what is shared is known.
@@ -145,44 +146,85 @@ impl BestShape {
     }
 }
 
-/// The largest unbalance that a weight of this direction can have on its web, of all shapes that keep the wanted clearance [kg m], with what bounds
-/// it first where something is in the way; zero where no shape does.
-pub(crate) fn largest_unbalance(
+/// The largest unbalances that weights can have on their webs, each searched once.
+#[derive(Default)]
+pub(crate) struct LargestShapes {
+    /// How far a weight stands from the opposite of its crankpin, and its largest shape where nothing is in the way, beyond the disc and beyond the web.
+    free: Vec<(f64, Option<[Design; 2]>)>,
+    /// Beside that, the envelope and what fits in it [kg m].
+    within: Vec<(f64, RadialEnvelope, f64)>,
+}
+
+impl LargestShapes {
+    /// The largest unbalance that a weight can have on its web in its direction, of all shapes that keep the wanted clearance [kg m], with what
+    /// bounds it, in words; zero where no shape does.
+    pub fn largest(
+        &mut self,
+        engine: &Engine,
+        index: usize,
+        task: &ShapeTask,
+    ) -> Result<(f64, String), CounterweightError> {
+        let by_shapes = || "the shapes of [counterweight_design]".to_owned();
+        let promised = |design: &Design| (design.unbalance * (1.0 - MARGIN)).max(0.0);
+        let tilt = tilt(engine, &engine.counterweights[index]);
+        let is_known = |known: f64| (known - tilt).abs() < 1e-6;
+        let free = match self.free.iter().find(|known| is_known(known.0)) {
+            Some((_, free)) => *free,
+            None => {
+                let free = largest_shape(engine, index, task, None)?;
+                self.free.push((tilt, free));
+                free
+            }
+        };
+        let Some([free, on_web]) = free else { return Ok((0.0, by_shapes())) };
+        if missed(engine, index, &free, task.density)?.is_none() {
+            return Ok((promised(&on_web), by_shapes()));
+        }
+        let task = thin_enough(engine, index, task)?;
+        let around = envelope(engine, index, &free, &task)?;
+        let by =
+            around.limit.map_or_else(by_shapes, |limit| format!("clearance from {}", obstacle_name(limit)));
+        let known = self.within.iter().find(|(tilt, known, _)| {
+            let mut radii = known.radii.iter().zip(&around.radii);
+            is_known(*tilt) && radii.all(|(known, own)| (known - own).abs() < SAME_RADIUS)
+        });
+        if let Some((.., bound)) = known {
+            return Ok((*bound, by));
+        }
+        let found = clear_of(engine, index, &task, around.clone(), |envelope| {
+            let found = largest_shape(engine, index, &task, Some(envelope))?;
+            Ok((found.map(|[design, _]| design), found.map(|[_, on_web]| on_web)))
+        })?;
+        let bound = found.flatten().as_ref().map_or(0.0, promised);
+        self.within.push((tilt, around, bound));
+        Ok((bound, by))
+    }
+}
+
+/// The shape with the largest unbalance within an envelope, beyond the disc and beyond the web.
+fn largest_shape(
     engine: &Engine,
     index: usize,
     task: &ShapeTask,
-) -> Result<(f64, Option<RadialEnvelope>), CounterweightError> {
+    envelope: Option<&RadialEnvelope>,
+) -> Result<Option<[Design; 2]>, CounterweightError> {
     // The duty is a scale alone.
     let scale = task.density * task.thickness.most * task.arc_radius.most.powi(3);
-    let find = |task: &ShapeTask, envelope: Option<&RadialEnvelope>| {
-        let mut share = SharedWithWeb::default();
-        let mut found = None;
-        for _ in 0..MOST_STEPS {
-            let asked = DesignTask { least_balance: 1.0, most_balance: None, ..asked(scale, task, &share) };
-            let Some(design) = largest_balance(&asked, envelope)? else { return Ok(None) };
-            let now = shared(engine, index, &design, task.density)?;
-            found = Some((design, on_web(&design, &now, scale)));
-            // Only limits of mass and inertia depend on what is shared.
-            let is_known = (now.mass - share.mass).abs() <= SAME * design.mass;
-            if is_known || (task.limits.mass.is_none() && task.limits.inertia.is_none()) {
-                break;
-            }
-            share = now;
+    let mut share = SharedWithWeb::default();
+    let mut found = None;
+    for _ in 0..MOST_STEPS {
+        let asked = DesignTask { least_balance: 1.0, most_balance: None, ..asked(scale, task, &share) };
+        let Some(design) = largest_balance(&asked, envelope)? else { return Ok(None) };
+        let now = shared(engine, index, &design, task.density)?;
+        found = Some([design, on_web(&design, &now, scale)]);
+        // Only limits of mass and inertia depend on what is shared.
+        let is_known = (now.mass - share.mass).abs() <= SAME * design.mass;
+        if is_known || (task.limits.mass.is_none() && task.limits.inertia.is_none()) {
+            break;
         }
-        Ok::<_, CounterweightError>(found)
-    };
-    let promised = |design: &Design| (design.unbalance * (1.0 - MARGIN)).max(0.0);
-    let Some((free, on_web)) = find(task, None)? else { return Ok((0.0, None)) };
-    if missed(engine, index, &free, task.density)?.is_none() {
-        return Ok((promised(&on_web), None));
+        share = now;
     }
-    let task = thin_enough(engine, index, task)?;
-    let around = envelope(engine, index, &free, &task)?;
-    let found = clear_of(engine, index, &task, around.clone(), |envelope| {
-        let found = find(&task, Some(envelope))?;
-        Ok((found.map(|(design, _)| design), found.map(|(_, on_web)| on_web)))
-    })?;
-    Ok((found.flatten().as_ref().map_or(0.0, promised), Some(around)))
+    Ok(found)
 }
 
 /// What is found within an envelope and keeps clear between its directions too: until then the envelope is drawn nearer by what is missed, in the

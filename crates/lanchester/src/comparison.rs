@@ -2,8 +2,9 @@
 
 use crate::consequences::consequences;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
-use crate::speed_gas::{SpeedGas, optimised};
+use crate::speed_gas::SpeedGas;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
+use crate::web_bounds::{WebBoundError, optimise_on_webs};
 use lanchester_balance::{
     Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome,
     TwinArrangement, arranged, as_it_stands, fitted,
@@ -131,6 +132,14 @@ pub enum CompareError {
         engine: String,
         /// Why.
         error: Box<BalanceError>,
+    },
+    /// It cannot be balanced on its webs as asked.
+    #[error("{engine}: {error}")]
+    Optimum {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<WebBoundError>,
     },
     /// The optimum that was asked for is none.
     #[error("{engine}: its balance has no optimum: {reason}\nhint: `lanchester balance` tells more")]
@@ -546,8 +555,8 @@ fn optimal(
     warnings: &mut Vec<String>,
 ) -> Result<Engine, CompareError> {
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
-    let answer = optimised(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
-        .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: error.into() })?;
+    let answer = optimise_on_webs(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
+        .map_err(|error| CompareError::Optimum { engine: engine.name.clone(), error: Box::new(error) })?;
     match &answer.outcome {
         Outcome::Optimal => {}
         Outcome::Stopped { reason, .. } if !answer.weights.is_empty() => {

@@ -252,7 +252,7 @@ pub fn design_counterweights(
 }
 
 /// How far a weight stands from the opposite of its crankpin, without its sign [rad].
-fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
+pub(crate) fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
     let Some(web) = web_of(engine, weight) else { return 0.0 };
     let off = weight.angle - engine.throws[web / 2].angle - PI;
     ((off + PI).rem_euclid(TAU) - PI).abs()
@@ -291,16 +291,21 @@ pub fn adopted(
     design: &Design,
 ) -> Result<Vec<(usize, Design)>, CounterweightError> {
     let [first, second] = front.front.objectives;
-    let mut task = ShapeTask { minimise: first, ..request.task };
-    match second {
-        Objective::Mass => task.limits.mass = Some(design.mass),
-        Objective::SweptRadius => task.limits.swept_radius = Some(design.swept_radius),
-        Objective::Inertia => task.limits.inertia = Some(design.inertia),
-        Objective::Thickness => task.thickness.most = design.thickness,
-    }
+    // The envelope of one weight may be a micrometre nearer than that of all, or farther.
+    let limited = |slack: f64| {
+        let mut task = ShapeTask { minimise: first, ..request.task };
+        let level = design.value(second) * (1.0 + slack);
+        match second {
+            Objective::Mass => task.limits.mass = Some(level),
+            Objective::SweptRadius => task.limits.swept_radius = Some(level),
+            Objective::Inertia => task.limits.inertia = Some(level),
+            Objective::Thickness => task.thickness.most = level.min(task.thickness.most),
+        }
+        task
+    };
     let adopt = |index: &usize| {
         let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[*index]));
-        for task in [task, ShapeTask { minimise: second, ..request.task }] {
+        for task in [limited(0.0), limited(1e-5), ShapeTask { minimise: second, ..request.task }] {
             if let DesignOutcome::Found(best) = BestShape::find(engine, *index, duty, &task)?.outcome {
                 return Ok((*index, best.design));
             }

@@ -4,7 +4,7 @@ use crate::consequences::consequences;
 use crate::counterweight_check::{CounterweightCheck, check_counterweights};
 use crate::pressure::TraceFile;
 use crate::running::{Running, running};
-use crate::speed_gas::optimised;
+use crate::web_bounds::optimise_on_webs;
 use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
 use lanchester_mechanism::{
     InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
@@ -135,7 +135,7 @@ fn optimum(
     warnings: &mut Vec<String>,
 ) -> Result<Option<FoundOptimum>, LoadError> {
     let Some(task) = &engine.balance else { return Ok(None) };
-    let answer = match optimised(engine, traces, task, &BalanceSettings::default(), &|_| Next::Continue) {
+    let answer = match optimise_on_webs(engine, traces, task, &BalanceSettings::default(), &|_| Next::Continue) {
         Ok(answer) => answer,
         Err(error) => {
             warnings.push(format!("the section [balance] has no answer: {error}"));

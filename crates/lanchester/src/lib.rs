@@ -42,6 +42,7 @@ mod shaft_weights;
 mod shape_front;
 mod speed_gas;
 mod torque_report;
+mod web_bounds;
 mod weights_as_parts;
 
 pub use arrangements::arrangements;
@@ -93,4 +94,5 @@ pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
+pub use web_bounds::{WebBoundError, optimise_on_webs};
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};

@@ -6,8 +6,8 @@ use lanchester_geometry::clearance::RadialEnvelope;
 use lanchester_geometry::{Design, DesignOutcome, Front, Objective, ShapeTask, front_within};
 use lanchester_model::Engine;
 
-/// Part of the duty that a design may miss before it is searched anew with what it shares itself.
-const MISSED: f64 = 1e-8;
+/// Part of the duty that a design may miss or have too much before it is searched anew with what it shares itself.
+const MISSED: f64 = 1e-7;
 
 /// The front for weights (by index) of one duty [kg m].
 pub(crate) fn best_front(
@@ -85,7 +85,10 @@ fn within(
     }
     for design in &mut front.designs {
         let own = on_web(design, &shared(engine, index, design, task.density)?, duty);
-        let is_met = own.balance >= task.least_balance * (1.0 - MISSED);
+        let over = own.balance / task.least_balance - 1.0;
+        // One as thin as may be has what it has.
+        let is_thinnest = design.thickness <= task.thickness.least * (1.0 + MISSED);
+        let is_met = over >= -MISSED && (over <= MISSED || is_thinnest);
         *design = if is_met { own } else { again(engine, index, duty, task, pair, &own, envelope)? };
     }
     Ok(front)

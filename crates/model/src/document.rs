@@ -159,7 +159,8 @@ impl Section {
             Kind::Quantity(dimension, _)
             | Kind::Quantities(dimension, _)
             | Kind::QuantityOrPair(dimension, _)
-            | Kind::QuantityOrThree(dimension, _) => Some(dimension),
+            | Kind::QuantityOrThree(dimension, _)
+            | Kind::QuantityOrWord(dimension, ..) => Some(dimension),
             Kind::Share | Kind::ShareOrPair | Kind::ShareOrThree => Some(Dimension::Share),
             _ => None,
         }

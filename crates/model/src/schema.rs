@@ -71,6 +71,9 @@ pub(crate) enum Need {
     Optional,
 }
 
+/// The largest amount of a weight that shapes and clearance give.
+pub(crate) const WHAT_FITS: &str = "what fits";
+
 /// What a key holds.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Kind {
@@ -94,6 +97,8 @@ pub(crate) enum Kind {
     QuantityOrPair(Dimension, Bound),
     /// A quantity, or a list of three, one for each direction.
     QuantityOrThree(Dimension, Bound),
+    /// A quantity with its unit, or the word that stands for one that is found.
+    QuantityOrWord(Dimension, Bound, &'static str),
     /// `"50 %"` or a bare fraction.
     Share,
     /// A share, or a list of two.
@@ -148,6 +153,9 @@ impl Kind {
             }
             Kind::QuantityOrThree(dimension, _) => {
                 format!("{} with its unit, or a list of three", dimension.with_article())
+            }
+            Kind::QuantityOrWord(dimension, _, word) => {
+                format!("{} with its unit, or \"{word}\"", dimension.with_article())
             }
             Kind::Share => "a share such as \"50 %\"".into(),
             Kind::ShareOrPair => "a share such as \"50 %\", or a list of the least and the most".into(),

@@ -119,6 +119,9 @@ pub struct FreeWeight {
     pub least: f64,
     /// Largest amount [kg m]; equal to `least` for a given amount.
     pub most: Option<f64>,
+    /// Whether its largest amount is what fits on its web, by shapes and clearance.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub fits: bool,
     /// Direction at `theta = 0` in the engine's frame (crankshaft phase included).
     pub phase: Phase,
     /// Whether it may be left out.
@@ -141,6 +144,7 @@ impl FreeWeight {
             z,
             least: 0.0,
             most: None,
+            fits: false,
             phase: Phase::Free,
             optional: false,
             radius: None,

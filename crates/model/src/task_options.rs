@@ -5,6 +5,7 @@ use crate::engine::Engine;
 use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
+use crate::schema::WHAT_FITS;
 use crate::task::{BalanceTask, Catalogue, Seat};
 
 /// Options as text, each as `lanchester balance` takes it.
@@ -26,7 +27,7 @@ pub struct TaskOptions {
     pub cancel: Vec<String>,
     /// Least unbalance of every free weight on a crankshaft that is used.
     pub least: Option<String>,
-    /// Largest unbalance of every free weight on a crankshaft.
+    /// Largest unbalance of every free weight on a crankshaft, or `what fits`.
     pub most: Option<String>,
     /// Step in which every free weight on a crankshaft is made ([`option::mass_or_unbalance`]).
     pub step: Option<String>,
@@ -184,13 +185,19 @@ impl TaskOptions {
         let amount = |text: &Option<String>, option: &str| {
             text.as_ref().map(|text| option::unbalance(text, &self.name(option))).transpose()
         };
-        let (least, most) = (amount(&self.least, "least")?, amount(&self.most, "most")?);
+        let fits = self.most.as_ref().is_some_and(|text| text.trim() == WHAT_FITS);
+        let most = if fits { None } else { amount(&self.most, "most")? };
+        let least = amount(&self.least, "least")?;
         let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
         for (index, weight) in task.weights.iter_mut().enumerate() {
             if !matches!(weight.seat, Seat::Crankshaft(_)) {
                 continue;
             }
-            weight.most = most.or(weight.most);
+            if fits {
+                (weight.most, weight.fits) = (None, true);
+            } else if most.is_some() {
+                (weight.most, weight.fits) = (most, false);
+            }
             // A follower does what its leader does.
             if !followers.contains(&index) {
                 weight.least = least.unwrap_or(weight.least);

@@ -1,9 +1,33 @@
 //! The answer of a balancing question as tables.
 
 use crate::number;
-use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method};
+use crate::table::{Cell, Column, Table, column_cells, numbers, words};
+use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method, WebBound};
 use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
+
+/// What fits on the webs whose weights it bounds; none where no weight is bounded so.
+pub fn web_bounds_table(answer: &Answer) -> Option<Table> {
+    let bounds = &answer.web_bounds;
+    let used = |bound: &WebBound| {
+        let found = answer.weights.iter().find(|weight| weight.name == bound.name);
+        let found = found.map_or(0.0, |weight| weight.unbalance.norm());
+        if bound.bound > 0.0 { 100.0 * found / bound.bound } else { 0.0 }
+    };
+    (!bounds.is_empty()).then(|| {
+        Table::of_columns(
+            "web-bounds",
+            "What fits on the webs",
+            "The largest unbalance that shapes and clearance allow there: the optimum is the best within these bounds.",
+            vec![
+                words("weight", bounds.iter().map(|bound| bound.name.clone())),
+                words("web", bounds.iter().map(|bound| bound.web.to_string())),
+                numbers("largest", "g mm", bounds.iter().map(|bound| 1e6 * bound.bound), 5),
+                numbers("used", "%", bounds.iter().map(used), 4),
+                words("by", bounds.iter().map(|bound| bound.by.clone())),
+            ],
+        )
+    })
+}
 
 /// Every free weight: where it stands, how much it is, in which direction.
 pub fn found_weights_table(answer: &Answer) -> Table {

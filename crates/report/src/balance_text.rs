@@ -2,7 +2,7 @@
 
 use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stage_name, stages_table,
+    limits_table, stage_name, stages_table, web_bounds_table,
 };
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::consequence_tables::consequences_table;
@@ -45,6 +45,7 @@ pub fn balance_text(
     let mut tables = Vec::new();
     if !answer.weights.is_empty() {
         tables.push(found_weights_table(answer));
+        tables.extend(web_bounds_table(answer));
     }
     tables.extend(found_shafts_table(answer));
     tables.extend(found_inertias_table(answer));

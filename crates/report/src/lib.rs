@@ -99,6 +99,7 @@ pub use assignment::{assignment_table, assignment_text};
 pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
+    web_bounds_table,
 };
 pub use balance_text::{balance_text, equals_words, headline, search_state_words};
 pub use bearing_tables::{

@@ -14,8 +14,8 @@ use lanchester::model::{
     BalanceTask, ChangedTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Place, RoomFault, Seat,
     TaskOptions, crank_weights, default_task, option, write_back,
 };
-use lanchester::optimised;
 use lanchester::report::{consequence_words, headline};
+use lanchester::{WebBoundError, optimise_on_webs};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -201,8 +201,8 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => asker.studio.folder.traces(&engine)?,
         false => Vec::new(),
     };
-    let answer = optimised(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
-        BalanceError::BrokenOff => superseded(),
+    let answer = optimise_on_webs(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
+        WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
         error => Problem::refused(error),
     })?;
     let headline = headline(&engine, &answer);

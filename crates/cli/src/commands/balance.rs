@@ -12,11 +12,10 @@ use crate::trace_files::trace_files;
 use crate::watch::Watch;
 use lanchester::balance::{Answer, Consequences, Outcome, fitted};
 use lanchester::model::Engine;
-use lanchester::optimised;
 use lanchester::report::{
     PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
 };
-use lanchester::{WeightAsPart, weights_as_parts};
+use lanchester::{WeightAsPart, optimise_on_webs, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
 
@@ -72,7 +71,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         true => trace_files(engine, &arguments.file)?,
         false => Vec::new(),
     };
-    let answer = optimised(engine, Ok(&traces), &task, &settings, &|state| watch.look(state));
+    let answer = optimise_on_webs(engine, Ok(&traces), &task, &settings, &|state| watch.look(state));
     drop(watch);
     let answer = answer.map_err(Failure::refused)?;
     if let Outcome::Stopped { cause, .. } = &answer.outcome {

@@ -2,7 +2,7 @@
 //!
 //! The radius in a direction is where the wanted clearance ends first on the way outwards. No distance changes by more than the way gone, so that the
 //! way is walked in steps of what is left of the clearance, each of which is free as a whole; every distance over all angles has its proof
-//! (book, eq. 22.75).
+//! (book, eq. 22.73).
 
 use crate::clearance::clearance_model::ClearanceModel;
 use crate::clearance::error::ClearanceError;

@@ -267,9 +267,11 @@ impl Search {
                 take(self.descent.reached(problem, kind, x));
                 known = take(self.descent.run(problem, kind, x, None));
             }
-            let starts = match (hint, &problem.sector) {
+            // From a hint the proof goes on by itself.
+            let starts = match (hint.and(known), &problem.sector) {
+                (Some(_), _) => 0,
                 (None, None) => STARTS,
-                _ => 1,
+                (None, Some(_)) => 1,
             };
             for at in 0..starts {
                 known = take(self.descent.run(problem, kind, spread(problem, at), known));

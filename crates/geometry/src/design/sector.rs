@@ -1,7 +1,7 @@
 //! A range of directions in which the corner of a shape's chord lies, and what the envelope then asks of the shape.
 //!
 //! An envelope is a radius by direction. In which direction a shape has its corner decides which of the radii hold for its corner and which for
-//! its arc, so that every range of directions is a problem of its own, in which all of that is smooth (book, eqs. 22.75 to 22.77):
+//! its arc, so that every range of directions is a problem of its own, in which all of that is smooth (book, eqs. 22.74 and 22.75):
 //!
 //! ```text
 //! corner (y, w)   within the range:   w cos f - y sin f >= 0 at its beginning, <= 0 at its end

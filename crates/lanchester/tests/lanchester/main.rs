@@ -10,3 +10,4 @@ mod optima;
 mod pressure;
 mod scene;
 mod web_shapes;
+mod what_fits;

@@ -136,14 +136,18 @@ impl Walk<'_> {
             (Kind::Wholes(least, most), Toml::Array(_)) => {
                 self.list(key, item, |walk, item| walk.whole(key, item, least, most)).map(Value::Wholes)
             }
+            (Kind::QuantityOrWord(_, _, word), Toml::String(text)) if text.trim() == word => {
+                Some(Value::Word(word))
+            }
             (
                 Kind::Quantity(dimension, bound)
+                | Kind::QuantityOrWord(dimension, bound, _)
                 | Kind::QuantityOrPair(dimension, bound)
                 | Kind::QuantityOrThree(dimension, bound),
                 Toml::String(_) | Toml::Integer(_) | Toml::Float(_),
             ) => {
                 let spot = self.quantity(key, item, dimension, bound)?;
-                Some(if matches!(key.kind, Kind::Quantity(..)) {
+                Some(if matches!(key.kind, Kind::Quantity(..) | Kind::QuantityOrWord(..)) {
                     Value::Number(spot.value)
                 } else {
                     Value::Numbers(vec![spot])

@@ -4,6 +4,7 @@ use super::{File, quantity, quoted, ratio, turn_between};
 use crate::criterion::{dimension, name_among};
 use crate::engine::Engine;
 use crate::quantity::{Dimension, text_that};
+use crate::schema::WHAT_FITS;
 use crate::task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
 
 impl File {
@@ -153,6 +154,9 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
                     entries.push(("least", amount(weight.least)));
                 }
                 entries.extend(most.map(|most| ("most", amount(most))));
+                if weight.fits && most.is_none() {
+                    entries.push(("most", quoted(WHAT_FITS)));
+                }
             }
         }
         match &weight.catalogue {

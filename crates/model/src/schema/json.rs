@@ -64,6 +64,9 @@ fn key_schema(key: &Key) -> Value {
             bounded(dimension, bound),
             { "type": "array", "items": bounded(dimension, bound), "minItems": 3, "maxItems": 3 },
         ] }),
+        Kind::QuantityOrWord(dimension, bound, word) => {
+            json!({ "anyOf": [bounded(dimension, bound), { "enum": [word] }] })
+        }
         Kind::Share => share_schema(),
         Kind::ShareOrPair => {
             let share = share_schema();

@@ -63,7 +63,7 @@ fn info(key: &Key) -> KeyInfo {
         Kind::Whole(..) => ("whole", Vec::new()),
         Kind::WholeChoice(choices) => ("choice", choices.iter().map(i64::to_string).collect()),
         Kind::Choice(choices) => ("choice", words(choices)),
-        Kind::Quantity(..) => ("quantity", Vec::new()),
+        Kind::Quantity(..) | Kind::QuantityOrWord(..) => ("quantity", Vec::new()),
         Kind::Quantities(..) | Kind::QuantityOrPair(..) | Kind::QuantityOrThree(..) => {
             ("quantities", Vec::new())
         }

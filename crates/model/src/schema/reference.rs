@@ -73,6 +73,9 @@ fn holds(kind: Kind) -> String {
         Kind::Quantities(dimension, bound) => format!("list: {}", bounded(dimension, bound)),
         Kind::QuantityOrPair(dimension, bound) => format!("{}; one or two", bounded(dimension, bound)),
         Kind::QuantityOrThree(dimension, bound) => format!("{}; one or three", bounded(dimension, bound)),
+        Kind::QuantityOrWord(dimension, bound, word) => {
+            format!("{}, or `\"{word}\"`", bounded(dimension, bound))
+        }
         Kind::Share => "share, or a bare fraction".into(),
         Kind::ShareOrPair => "share, or a bare fraction; one or two".into(),
         Kind::ShareOrThree => "share, or a bare fraction; one or three".into(),

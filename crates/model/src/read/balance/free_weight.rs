@@ -7,6 +7,7 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::quantity::{self, Dimension};
+use crate::schema::WHAT_FITS;
 use crate::task::{Catalogue, FreeWeight, Phase, Place, Seat};
 
 /// Why a weight needs its largest amount.
@@ -44,6 +45,7 @@ pub(super) struct Properties {
     direction: Phase,
     least: f64,
     most: Option<f64>,
+    fits: bool,
     pub(super) optional: bool,
     radius: Option<f64>,
     catalogue: Option<Catalogue>,
@@ -170,7 +172,8 @@ impl<'a> Reader<'a> {
     ) -> Option<Properties> {
         let name = section.text("name");
         let [along, line] = [direction_key, "line"].map(|key| section.number(key));
-        let bounds = self.bounds(section);
+        let fits = section.word("most").given() == Some(WHAT_FITS);
+        let bounds = self.bounds(section, fits);
         let radius = section.number("radius");
         let optional = section.truth("optional").or(false);
         let follows = self.follows(section);
@@ -211,7 +214,7 @@ impl<'a> Reader<'a> {
                 let why = format!("the weight follows \"{}\"", follows.leader_name);
                 self.without_effect(section, key, &why, "give it to that weight");
             }
-        } else if most.is_none() {
+        } else if most.is_none() && !fits {
             let why = if optional { Some("an optional weight") } else { why };
             if let Some(why) = why {
                 self.most_missing(&section.span, why, "most = \"0.1 kg m\"");
@@ -227,6 +230,7 @@ impl<'a> Reader<'a> {
             direction,
             least,
             most,
+            fits,
             optional,
             radius: radius.given(),
             catalogue,
@@ -237,7 +241,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Least and largest amount.
-    fn bounds(&mut self, section: &'a Section) -> Option<(f64, Option<f64>)> {
+    fn bounds(&mut self, section: &'a Section, fits: bool) -> Option<(f64, Option<f64>)> {
         let [least, most, given] = ["least", "most", "unbalance"].map(|key| section.number(key));
         if section.has("unbalance") {
             if let Some(other) = ["least", "most"].into_iter().find(|key| section.has(key)) {
@@ -246,7 +250,7 @@ impl<'a> Reader<'a> {
             }
             return given.given().map(|amount| (amount, Some(amount)));
         }
-        if most.is_bad() {
+        if most.is_bad() && !fits {
             return None;
         }
         let (least, most) = (least.or(0.0)?, most.given());
@@ -310,6 +314,7 @@ impl<'a> Reader<'a> {
         Some(FreeWeight {
             least: draft.own.least,
             most: draft.own.most,
+            fits: draft.own.fits,
             phase: match draft.own.direction {
                 Phase::Free => Phase::Free,
                 Phase::Line(angle) => Phase::Line(turned(angle)),

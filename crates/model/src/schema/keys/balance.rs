@@ -2,7 +2,7 @@
 
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
-use super::super::{Key, Kind, Table};
+use super::super::{Key, Kind, Table, WHAT_FITS};
 use super::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use crate::quantity::Dimension::{Angle, Inertia, Length, Speed, Unbalance};
 
@@ -113,7 +113,16 @@ const LEAST: Key = quantity(
     "Least amount (of an optional one: if it is used).",
     "\"0.01 kg m\"",
 );
-const MOST: Key = quantity(
+const MOST: Key = key(
+    "most",
+    Kind::QuantityOrWord(Unbalance, Positive, WHAT_FITS),
+    Optional,
+    "Largest amount; needed if it is optional or stands at a place to be found. `\"what fits\"`: the largest unbalance that the shapes of \
+     `[counterweight_design]` and the wanted clearance allow on its web; that is the default where the file has `[crank.body]` and \
+     `[counterweight_design]`.",
+    "\"0.1 kg m\"",
+);
+const MOST_ON_SHAFT: Key = quantity(
     "most",
     Unbalance,
     Positive,
@@ -297,7 +306,7 @@ static FREE_SHAFT_WEIGHT: Table = Table {
         ),
         LINE,
         LEAST,
-        MOST,
+        MOST_ON_SHAFT,
         GIVEN,
         RADIUS,
         STEP,
