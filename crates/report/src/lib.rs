@@ -29,6 +29,7 @@ mod crank_view;
 mod crankshaft_section;
 mod crankshaft_tables;
 mod csv;
+mod crosscheck;
 mod cycle_result;
 mod cycle_tables;
 mod dimension;
@@ -73,6 +74,7 @@ mod sensitivity_tables;
 mod shaft_weight_drawing;
 mod shaft_weight_tables;
 mod share_plot;
+mod simulation;
 mod side_view;
 mod spectrum;
 mod speed_table;
@@ -126,6 +128,8 @@ pub use crankshaft_tables::{
     obstacle_name,
 };
 pub use csv::{motion_csv, orders_csv, trace_csv};
+pub use crosscheck::*;
+pub use simulation::*;
 pub use cycle_result::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};
 pub use cycle_tables::{cycle_angle_table, cycle_figures, cycle_table};
 pub use drawing::drawing;

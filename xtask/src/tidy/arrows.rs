@@ -21,6 +21,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
         &[
             "lanchester-model",
             "lanchester-mechanism",
+            "lanchester-multibody",
             "lanchester-geometry",
             "lanchester-balance",
             "lanchester-workshop",
