@@ -1,0 +1,55 @@
+//! The closed form against the multibody simulation: no engine of the gallery or of the examples disagrees anywhere.
+
+use lanchester::model::{Engine, read, templates};
+use lanchester::report::{Condition, CrossVerdict};
+use lanchester::{CrossCheckRequest, TraceFile, crosscheck, trace_names};
+use std::fs;
+use std::path::Path;
+
+fn examples() -> Vec<(Engine, Vec<TraceFile>)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut files: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    let engine = |path: &Path| {
+        let engine = read(&fs::read_to_string(path).unwrap()).engine.unwrap();
+        let trace = |name: &str| TraceFile { name: name.to_owned(), text: fs::read_to_string(folder.join(name)).unwrap() };
+        let traces = trace_names(&engine).into_iter().map(trace).collect();
+        (engine, traces)
+    };
+    files.iter().map(|path| engine(path)).collect()
+}
+
+fn check(engine: &Engine, traces: &[TraceFile]) -> usize {
+    let check = crosscheck(engine, traces, &CrossCheckRequest::default()).unwrap_or_else(|e| panic!("{}: {e}", engine.name));
+    for condition in &check.conditions {
+        for row in &condition.rows {
+            assert_ne!(row.verdict, CrossVerdict::Disagrees, "{}, {:?}: {row:?}", engine.name, condition.condition);
+        }
+        assert!(condition.not_applicable.is_some() != !condition.rows.is_empty(), "{}", engine.name);
+    }
+    assert!(check.agrees());
+    check.conditions.iter().filter(|condition| condition.not_applicable.is_none()).count()
+}
+
+#[test]
+fn xcheck_gallery() {
+    for template in templates() {
+        let engine = read(template.text).engine.expect("the gallery has no mistakes");
+        assert!(check(&engine, &[]) >= 1);
+    }
+}
+
+#[test]
+fn xcheck_examples() {
+    let applied: usize = examples().iter().map(|(engine, traces)| check(engine, traces)).sum();
+    assert!(applied > examples().len(), "free speed applies somewhere");
+}
+
+#[test]
+fn a_bar_below_rounding_is_not_kept() {
+    // The comparison must be able to fail: a bar below rounding.
+    let engine = read(templates()[0].text).engine.unwrap();
+    let request = CrossCheckRequest { bar: Some(1e-19), conditions: vec![Condition::LikeForLike], ..CrossCheckRequest::default() };
+    assert!(!crosscheck(&engine, &[], &request).unwrap().agrees());
+}
