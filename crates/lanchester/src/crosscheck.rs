@@ -5,12 +5,13 @@ use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::simulated_gas::GivenGas;
 use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
-    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, RippleOutcome, TorqueError,
-    bearing_loads, speed_ripple,
+    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, RippleOutcome,
+    TorqueError, bearing_loads, speed_ripple,
 };
 use lanchester_model::Engine;
 use lanchester_multibody::{
-    Guidance, Instant, LoadLaw, Motion, MultibodyError, Reactions, RotorInertia, RunOutcome, Simulation, Train,
+    Guidance, Instant, LoadLaw, Motion, MultibodyError, Reactions, RotorInertia, RunOutcome, Simulation,
+    Train,
 };
 use lanchester_report::{CROSSCHECK_VERSION, Condition, ConditionCheck, CrossCheck, CrossRow};
 use nalgebra::Vector3;
@@ -99,7 +100,8 @@ pub fn crosscheck(
         train: Train::new(engine, &rotor_inertia(engine))?,
         request,
     };
-    let wanted = |condition: &&Condition| request.conditions.is_empty() || request.conditions.contains(condition);
+    let wanted =
+        |condition: &&Condition| request.conditions.is_empty() || request.conditions.contains(condition);
     let conditions = Condition::ALL.iter().filter(wanted).map(|&condition| pair.check(condition));
     Ok(CrossCheck {
         version: CROSSCHECK_VERSION,
@@ -144,7 +146,8 @@ impl Pair<'_> {
             .map(|index| {
                 let own = self.train.own_angle(index, theta);
                 let area = self.train.cylinders[index].area.unwrap_or(0.0);
-                self.gas.map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
+                self.gas
+                    .map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
             })
             .collect();
         let motion = Motion::fixed(theta, self.speed);
@@ -168,7 +171,8 @@ impl Pair<'_> {
         let request = LoadRequest { speed: Some(self.speed), ..LoadRequest::default() };
         let closed = Mechanism::new(self.engine, &request)?;
         let train = self.gas.map(|gas| GasTrain::new(self.engine, gas, Lever::Exact)).transpose()?;
-        let request = BearingRequest { speed: Some(self.speed), samples: SAMPLES, ..BearingRequest::default() };
+        let request =
+            BearingRequest { speed: Some(self.speed), samples: SAMPLES, ..BearingRequest::default() };
         let bearings = bearing_loads(self.engine, self.gas, &request)?;
         let shares = self.train.main_shares(&[]);
         let mut on_block: Vec<[Complex64; 4]> = Vec::new();
@@ -216,15 +220,24 @@ impl Pair<'_> {
         let kinds = [("force", "N"), ("couple", "N m"), ("roll moment", "N m"), ("shaft torque", "N m")];
         let mut rows = Vec::new();
         for (kind, (name, unit)) in kinds.into_iter().enumerate() {
-            let largest = |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind].norm()).fold(0.0, f64::max);
-            let off = on_block.iter().zip(&by_closed).map(|(a, b)| (a[kind] - b[kind]).norm()).fold(0.0, f64::max);
+            let largest =
+                |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind].norm()).fold(0.0, f64::max);
+            let off =
+                on_block.iter().zip(&by_closed).map(|(a, b)| (a[kind] - b[kind]).norm()).fold(0.0, f64::max);
             let of_parts = CANCELLED * whole * if kind == 0 { 1.0 } else { reach };
             let scale = largest(&by_closed).max(of_parts);
             let values = [largest(&by_closed), largest(&on_block), off, scale];
             rows.push(CrossRow::held(name, unit, None, values, bar));
             let pick = |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind]).collect::<Vec<_>>();
             let turns = bearings.period / TAU;
-            rows.extend(order_rows((name, unit), [&pick(&by_closed), &pick(&on_block)], turns, self.request.max_order, scale, bar));
+            rows.extend(order_rows(
+                (name, unit),
+                [&pick(&by_closed), &pick(&on_block)],
+                turns,
+                self.request.max_order,
+                scale,
+                bar,
+            ));
         }
         let names = ["side thrust", "piston pins", "crankpins and knuckle pins", "main bearings"];
         for (name, [closed, multibody, off]) in names.into_iter().zip(parts) {
@@ -269,8 +282,14 @@ impl Pair<'_> {
         for (theta, free) in run.samples.theta.iter().zip(&run.samples.reactions) {
             let constant = self.reactions(*theta, &shares);
             let pairs = [
-                [Complex64::new(free.on_block.force[0], free.on_block.force[1]), Complex64::new(constant.on_block.force[0], constant.on_block.force[1])],
-                [Complex64::new(free.on_block.moment[2], 0.0), Complex64::new(constant.on_block.moment[2], 0.0)],
+                [
+                    Complex64::new(free.on_block.force[0], free.on_block.force[1]),
+                    Complex64::new(constant.on_block.force[0], constant.on_block.force[1]),
+                ],
+                [
+                    Complex64::new(free.on_block.moment[2], 0.0),
+                    Complex64::new(constant.on_block.moment[2], 0.0),
+                ],
             ];
             for (kind, [free, constant]) in pairs.into_iter().enumerate() {
                 let [closed, multibody, off] = &mut differs[kind];
@@ -279,7 +298,9 @@ impl Pair<'_> {
                 *off = off.max((free - constant).norm());
             }
         }
-        for ((name, unit), [closed_form, multibody, difference]) in [("force", "N"), ("roll moment", "N m")].into_iter().zip(differs) {
+        for ((name, unit), [closed_form, multibody, difference]) in
+            [("force", "N"), ("roll moment", "N m")].into_iter().zip(differs)
+        {
             let share = number(ripple.fluctuation);
             rows.push(CrossRow {
                 quantity: name.into(),

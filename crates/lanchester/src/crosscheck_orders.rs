@@ -11,9 +11,10 @@ const LISTED: f64 = 1e-9;
 pub(crate) fn two_sided(trace: &[Complex64], turns: f64, order: f64) -> [Complex64; 2] {
     let count = trace.len() as f64;
     let by = |sign: f64| {
-        let terms = trace.iter().enumerate().map(|(k, value)| {
-            value * Complex64::cis(-sign * order * TAU * turns * k as f64 / count)
-        });
+        let terms = trace
+            .iter()
+            .enumerate()
+            .map(|(k, value)| value * Complex64::cis(-sign * order * TAU * turns * k as f64 / count));
         terms.sum::<Complex64>() / count
     };
     if order == 0.0 { [by(1.0), Complex64::ZERO] } else { [by(1.0), by(-1.0)] }
@@ -38,4 +39,11 @@ pub(crate) fn order_rows(
         listed.then(|| CrossRow::held(name, unit, Some(order), [size(closed), size(ours), off, scale], bar))
     });
     rows.collect()
+}
+
+/// Complex mean of `e^{-i order theta}` times `count` real values over `turns` revolutions: half the amplitude of that order.
+pub(crate) fn order_of(values: impl Iterator<Item = f64>, count: usize, turns: f64, order: f64) -> Complex64 {
+    let step = order * TAU * turns / count as f64;
+    let terms = values.enumerate().map(|(k, value)| value * Complex64::cis(-step * k as f64));
+    terms.sum::<Complex64>() / count as f64
 }

@@ -6,7 +6,8 @@ use crate::simulated_gas::GivenGas;
 use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
 use lanchester_model::Engine;
 use lanchester_multibody::{
-    Action, BlockMotion, Duration, Event, GasPressure, Load, LoadLaw, ReactsOn, STANDARD_GRAVITY, Simulation, Train, When,
+    Action, BlockMotion, Duration, Event, GasPressure, Load, LoadLaw, ReactsOn, STANDARD_GRAVITY, Simulation,
+    Train, When,
 };
 use lanchester_report::{PeriodicResult, SIMULATION_VERSION, SimulationResult};
 
@@ -115,11 +116,15 @@ pub fn simulate(
     simulation.most_evaluations = request.most_evaluations;
     simulation.reactions = true;
     simulation.gravity = if request.gravity { STANDARD_GRAVITY } else { 0.0 };
-    let can_move = train.fixed_because.is_none() && train.mounts.iter().all(|mount| !mount.frequency_dependent);
+    let can_move =
+        train.fixed_because.is_none() && train.mounts.iter().all(|mount| !mount.frequency_dependent);
     if request.on_mounts.unwrap_or(can_move) {
         simulation.block = BlockMotion::Mounts;
     } else {
-        let given = train.fixed_because.clone().unwrap_or_else(|| "a mount's stiffness or loss depends on frequency".into());
+        let given = train
+            .fixed_because
+            .clone()
+            .unwrap_or_else(|| "a mount's stiffness or loss depends on frequency".into());
         let because = if can_move { "as asked for".to_owned() } else { given };
         notes.push(format!("The block is fixed: {because}."));
     }
@@ -127,10 +132,17 @@ pub fn simulate(
     if let Some(report) = &report {
         mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
         if let Some(friction) = engine.friction {
-            let found = torque(engine, &report.cylinders, &TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() })?;
+            let found = torque(
+                engine,
+                &report.cylinders,
+                &TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() },
+            )?;
             let brake = found.indicated.brake(&friction, speed);
             simulation.friction_torque = (found.indicated.torque - brake.torque).max(0.0);
-            notes.push(format!("Friction: {:.4} N m, its mean effective pressure at the start speed as a constant torque.", simulation.friction_torque));
+            notes.push(format!(
+                "Friction: {:.4} N m, its mean effective pressure at the start speed as a constant torque.",
+                simulation.friction_torque
+            ));
         }
     }
     let law = match &request.load {
@@ -138,7 +150,9 @@ pub fn simulate(
         None if request.imposed || report.is_none() => LoadLaw::None,
         None => {
             let load = mean - simulation.friction_torque;
-            notes.push(format!("Load: {load:.4} N m, constant, the mean that the engine gives at the start speed."));
+            notes.push(format!(
+                "Load: {load:.4} N m, constant, the mean that the engine gives at the start speed."
+            ));
             LoadLaw::Constant(load)
         }
     };
@@ -156,7 +170,10 @@ pub fn simulate(
         RunLength::Periodic => {
             let found = train.periodic(&simulation, gas)?;
             let (outcome, residual, iterations) = (found.outcome, found.residual, found.iterations);
-            (found.run, Some(PeriodicResult { outcome, residual, iterations, multipliers: found.multipliers }))
+            (
+                found.run,
+                Some(PeriodicResult { outcome, residual, iterations, multipliers: found.multipliers }),
+            )
         }
         _ => (train.run(&simulation, gas)?, None),
     };

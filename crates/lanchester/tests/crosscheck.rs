@@ -13,7 +13,10 @@ fn examples() -> Vec<(Engine, Vec<TraceFile>)> {
     files.sort();
     let engine = |path: &Path| {
         let engine = read(&fs::read_to_string(path).unwrap()).engine.unwrap();
-        let trace = |name: &str| TraceFile { name: name.to_owned(), text: fs::read_to_string(folder.join(name)).unwrap() };
+        let trace = |name: &str| TraceFile {
+            name: name.to_owned(),
+            text: fs::read_to_string(folder.join(name)).unwrap(),
+        };
         let traces = trace_names(&engine).into_iter().map(trace).collect();
         (engine, traces)
     };
@@ -21,10 +24,17 @@ fn examples() -> Vec<(Engine, Vec<TraceFile>)> {
 }
 
 fn check(engine: &Engine, traces: &[TraceFile]) -> usize {
-    let check = crosscheck(engine, traces, &CrossCheckRequest::default()).unwrap_or_else(|e| panic!("{}: {e}", engine.name));
+    let check = crosscheck(engine, traces, &CrossCheckRequest::default())
+        .unwrap_or_else(|e| panic!("{}: {e}", engine.name));
     for condition in &check.conditions {
         for row in &condition.rows {
-            assert_ne!(row.verdict, CrossVerdict::Disagrees, "{}, {:?}: {row:?}", engine.name, condition.condition);
+            assert_ne!(
+                row.verdict,
+                CrossVerdict::Disagrees,
+                "{}, {:?}: {row:?}",
+                engine.name,
+                condition.condition
+            );
         }
         assert!(condition.not_applicable.is_some() != !condition.rows.is_empty(), "{}", engine.name);
     }
@@ -50,6 +60,37 @@ fn xcheck_examples() {
 fn a_bar_below_rounding_is_not_kept() {
     // The comparison must be able to fail: a bar below rounding.
     let engine = read(templates()[0].text).engine.unwrap();
-    let request = CrossCheckRequest { bar: Some(1e-19), conditions: vec![Condition::LikeForLike], ..CrossCheckRequest::default() };
+    let request = CrossCheckRequest {
+        bar: Some(1e-19),
+        conditions: vec![Condition::LikeForLike],
+        ..CrossCheckRequest::default()
+    };
     assert!(!crosscheck(&engine, &[], &request).unwrap().agrees());
+}
+
+/// The engine on mounts of the examples, its rubber replaced by dampers, which have an exact form in time.
+#[test]
+fn xcheck_moving_block() {
+    let (mut engine, traces) =
+        examples().into_iter().find(|(engine, _)| engine.block.is_some() && engine.gas.is_some()).unwrap();
+    for spring in engine.mounts.iter_mut().filter_map(|mount| mount.spring.as_mut()) {
+        spring.table.clear();
+        spring.loss_factor = [0.0; 3];
+        spring.damping = [400.0; 3];
+    }
+    let inertia = engine.flywheel.get_or_insert_default();
+    inertia.inertia = Some(0.3);
+    inertia.crankshaft_inertia = Some(0.05);
+    let request = CrossCheckRequest {
+        speed: Some(150.0),
+        conditions: vec![Condition::MovingBlock],
+        ..CrossCheckRequest::default()
+    };
+    let check = crosscheck(&engine, &traces, &request).unwrap();
+    let condition = &check.conditions[0];
+    assert_eq!(condition.not_applicable, None);
+    let ratio = condition.rows.last().unwrap();
+    assert!(ratio.bar.is_some() && ratio.verdict == CrossVerdict::Agrees, "{ratio:?}");
+    let left = &condition.rows[condition.rows.len() - 2];
+    assert!(left.multibody < 0.5 * left.closed_form, "both causes matter: {left:?}");
 }

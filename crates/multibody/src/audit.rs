@@ -76,7 +76,10 @@ impl Auditor {
             let motion = powered.motion(theta, state);
             // What single parts have: the whole may have none.
             let parts = [self.largest_energy.max(1e-300), motion.speed.abs().max(1.0)];
-            let scale = [(2.0 * parts[0] * powered.train.block.map_or(1.0, |b| b.mass)).sqrt(), 2.0 * parts[0] / parts[1]];
+            let scale = [
+                (2.0 * parts[0] * powered.train.block.map_or(1.0, |b| b.mass)).sqrt(),
+                2.0 * parts[0] / parts[1],
+            ];
             for k in 0..2 {
                 self.changed[k] = self.changed[k].max((now[k] - start[k]).norm());
                 self.largest[k] = self.largest[k].max(now[k].norm()).max(scale[k]);

@@ -71,9 +71,8 @@ impl BlockBody {
 
     /// Refuses what is no body.
     fn check(&self, part: &str) -> Result<(), MultibodyError> {
-        let fault = |quantity, got| {
-            Err(MultibodyError::BlockTooSmall { part: part.to_owned(), quantity, got })
-        };
+        let fault =
+            |quantity, got| Err(MultibodyError::BlockTooSmall { part: part.to_owned(), quantity, got });
         if !(self.mass > 0.0 && self.mass.is_finite()) {
             return fault("a mass [kg]", self.mass);
         }

@@ -41,7 +41,8 @@ pub(crate) struct TurnedRotor {
 impl TurnedRotor {
     pub fn new(rotor: &Rotor, theta: f64) -> TurnedRotor {
         let turn = Complex64::cis(rotor.ratio * theta);
-        let rates = [Complex64::ONE, Complex64::I * rotor.ratio, Complex64::new(-rotor.ratio * rotor.ratio, 0.0)];
+        let rates =
+            [Complex64::ONE, Complex64::I * rotor.ratio, Complex64::new(-rotor.ratio * rotor.ratio, 0.0)];
         let turned = |moment: Complex64| rates.map(|rate| in_plane(moment * turn * rate, 0.0));
         TurnedRotor { first: turned(rotor.first_moment), product: turned(rotor.product) }
     }
@@ -59,7 +60,8 @@ pub struct CrankInertia {
 impl Train {
     /// Inertia of the crank train as seen at crankshaft 1 in a block at rest.
     pub fn crank_inertia(&self, places: &[Place]) -> CrankInertia {
-        let mut inertia: f64 = self.rotors.iter().map(|rotor| rotor.inertia * rotor.ratio * rotor.ratio).sum();
+        let mut inertia: f64 =
+            self.rotors.iter().map(|rotor| rotor.inertia * rotor.ratio * rotor.ratio).sum();
         let mut bias = 0.0;
         for (place, cylinder) in places.iter().zip(&self.cylinders) {
             let rod = place.on_rod(cylinder.rod.centre);
@@ -90,7 +92,13 @@ impl Train {
         for (index, (place, cylinder)) in places.iter().zip(&self.cylinders).enumerate() {
             let [piston, rod] = bodies(self, index, place);
             let axis = in_plane(cylinder.axis, 0.0);
-            sum.add_point(piston.0, [piston.1, place.travel[1] * axis, place.travel[2] * axis], omega, w, turning);
+            sum.add_point(
+                piston.0,
+                [piston.1, place.travel[1] * axis, place.travel[2] * axis],
+                omega,
+                w,
+                turning,
+            );
             let centre = place.on_rod(cylinder.rod.centre);
             let [rate, bend] = [1, 2].map(|k| in_plane(centre[k], 0.0));
             sum.add_point(rod.0, [rod.1, rate, bend], omega, w, turning);
@@ -119,7 +127,14 @@ struct Sum {
 }
 
 impl Sum {
-    fn add_point(&mut self, mass: f64, c: [Vector3<f64>; 3], omega: Vector3<f64>, w: f64, turning: Vector3<f64>) {
+    fn add_point(
+        &mut self,
+        mass: f64,
+        c: [Vector3<f64>; 3],
+        omega: Vector3<f64>,
+        w: f64,
+        turning: Vector3<f64>,
+    ) {
         let [at, rate, bend] = c;
         self.mass += mass;
         self.first += mass * at;
@@ -146,7 +161,14 @@ impl Sum {
         self.torque += rate * moment.z;
     }
 
-    fn add_rotor(&mut self, rotor: &Rotor, turned: &TurnedRotor, omega: Vector3<f64>, w: f64, turning: Vector3<f64>) {
+    fn add_rotor(
+        &mut self,
+        rotor: &Rotor,
+        turned: &TurnedRotor,
+        omega: Vector3<f64>,
+        w: f64,
+        turning: Vector3<f64>,
+    ) {
         let z = Vector3::z();
         let axis = in_plane(rotor.axis, 0.0);
         let ([s, s1, s2], [p, p1, p2]) = (turned.first, turned.product);

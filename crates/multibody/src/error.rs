@@ -17,7 +17,9 @@ pub enum MultibodyError {
         got: f64,
     },
     /// The rod of a cylinder does not reach its piston pin at every angle.
-    #[error("the rod of cylinder {cylinder} is {length} m long, but its piston pin is up to {needed} m beside its lower pin: the crank train locks")]
+    #[error(
+        "the rod of cylinder {cylinder} is {length} m long, but its piston pin is up to {needed} m beside its lower pin: the crank train locks"
+    )]
     Locks {
         /// Number of the cylinder, from 1.
         cylinder: usize,
@@ -27,7 +29,9 @@ pub enum MultibodyError {
         length: f64,
     },
     /// An articulated rod sits on a rod that is articulated itself or belongs to another throw.
-    #[error("cylinder {cylinder} has its knuckle pin on the rod of cylinder {master}, which must be a plain rod on the same throw")]
+    #[error(
+        "cylinder {cylinder} has its knuckle pin on the rod of cylinder {master}, which must be a plain rod on the same throw"
+    )]
     MasterNotPlain {
         /// Number of the cylinder, from 1.
         cylinder: usize,
@@ -35,7 +39,9 @@ pub enum MultibodyError {
         master: usize,
     },
     /// The numbers of the block are smaller than the parts that they hold.
-    #[error("the block less {part} would have {quantity} of {got}: the numbers in [block] must hold all its parts, or say moving_parts = \"added\"")]
+    #[error(
+        "the block less {part} would have {quantity} of {got}: the numbers in [block] must hold all its parts, or say moving_parts = \"added\""
+    )]
     BlockTooSmall {
         /// What was taken from it last.
         part: String,

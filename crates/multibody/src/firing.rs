@@ -37,7 +37,10 @@ impl Train {
         let mut filled = |theta: f64| {
             self.places_into(theta, &mut places);
             let sum = |k: usize| {
-                pistons.iter().map(|&p| self.cylinders[p].area.unwrap_or(1.0) * places[p].travel[k]).sum::<f64>()
+                pistons
+                    .iter()
+                    .map(|&p| self.cylinders[p].area.unwrap_or(1.0) * places[p].travel[k])
+                    .sum::<f64>()
             };
             [sum(0), sum(1)]
         };

@@ -60,7 +60,8 @@ impl MainShares {
         if planes.len() < 2 || !rising || planes.iter().any(|z| !z.is_finite()) {
             return None;
         }
-        let weights = if stiffness.len() == planes.len() { stiffness.to_vec() } else { vec![1.0; planes.len()] };
+        let weights =
+            if stiffness.len() == planes.len() { stiffness.to_vec() } else { vec![1.0; planes.len()] };
         let bends = if rule == MainRule::Beam { spline_bends(planes) } else { Vec::new() };
         Some(MainShares { planes: planes.to_vec(), rule, bends, weights })
     }
@@ -92,7 +93,8 @@ impl MainShares {
             MainRule::Springs => {
                 let total: f64 = self.weights.iter().sum();
                 let mean = self.planes.iter().zip(&self.weights).map(|(z, k)| z * k).sum::<f64>() / total;
-                let second: f64 = self.planes.iter().zip(&self.weights).map(|(z, k)| k * (z - mean).powi(2)).sum();
+                let second: f64 =
+                    self.planes.iter().zip(&self.weights).map(|(z, k)| k * (z - mean).powi(2)).sum();
                 let slope = self.weights[main] * (self.planes[main] - mean) / second;
                 [self.weights[main] / total + slope * (z - mean), slope]
             }
@@ -172,7 +174,10 @@ mod tests {
                 let sum = |k: usize| all.iter().map(|share| share[k]).sum::<f64>();
                 let lever = |k: usize| all.iter().zip(planes).map(|(share, at)| share[k] * at).sum::<f64>();
                 assert!((sum(0) - 1.0).abs() < 1e-13 && sum(1).abs() < 1e-12, "{rule:?} {z}: force");
-                assert!((lever(0) - z).abs() < 1e-13 && (lever(1) - 1.0).abs() < 1e-12, "{rule:?} {z}: couple");
+                assert!(
+                    (lever(0) - z).abs() < 1e-13 && (lever(1) - 1.0).abs() < 1e-12,
+                    "{rule:?} {z}: couple"
+                );
             }
         }
     }

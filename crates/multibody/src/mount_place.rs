@@ -39,7 +39,8 @@ impl MountPlace {
             stiffness: along(spring.stiffness),
             damping: along(spring.damping),
             preload: spring.preload * axes[0],
-            frequency_dependent: !spring.table.is_empty() || spring.loss_factor.iter().any(|loss| *loss != 0.0),
+            frequency_dependent: !spring.table.is_empty()
+                || spring.loss_factor.iter().any(|loss| *loss != 0.0),
         })
     }
 

@@ -235,7 +235,8 @@ impl Runner<'_> {
         if layout.moving {
             let at = layout.pose();
             let own: [f64; 12] = std::array::from_fn(|_| next());
-            let turn = nalgebra::UnitQuaternion::from_scaled_axis(nalgebra::Vector3::new(own[3], own[4], own[5]));
+            let turn =
+                nalgebra::UnitQuaternion::from_scaled_axis(nalgebra::Vector3::new(own[3], own[4], own[5]));
             self.state[at..at + 3].copy_from_slice(&own[..3]);
             self.state[at + 3..at + 7].copy_from_slice(&[turn.w, turn.i, turn.j, turn.k]);
             self.state[at + 7..at + 13].copy_from_slice(&own[6..]);

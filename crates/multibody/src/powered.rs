@@ -195,7 +195,8 @@ impl<'a> Powered<'a> {
         let spin_z = motion.spin.z;
 
         // Torques: those that the ground gives to crankshaft 1 or to the end of the driveline, and those that the block gives.
-        let [gas, rubbing] = self.train.piston_torque(&places, speed, &self.forces, simulation.piston_damping);
+        let [gas, rubbing] =
+            self.train.piston_torque(&places, speed, &self.forces, simulation.piston_damping);
         let over_angle = simulation.torque.iter().map(|order| {
             let (sin, cos) = (order.order * theta).sin_cos();
             order.sin * sin + order.cos * cos
@@ -208,7 +209,8 @@ impl<'a> Powered<'a> {
             }
             _ => 0.0,
         };
-        let starter_ground = matches!(&simulation.starter, Some(starter) if starter.reacts_on == ReactsOn::Ground);
+        let starter_ground =
+            matches!(&simulation.starter, Some(starter) if starter.reacts_on == ReactsOn::Ground);
         let load_ground = simulation.load.reacts_on == ReactsOn::Ground;
         let ends = layout.links.checked_sub(1).map(|last| state[layout.link(last) + 1]);
         let end_speed = ends.unwrap_or(speed) + if load_ground { spin_z } else { 0.0 };
@@ -280,7 +282,8 @@ impl<'a> Powered<'a> {
             None => symmetric::solve(&mut matrix, &mut rhs, size),
             Some((rate, absolute)) => {
                 let from_ground = imposed.is_some();
-                let torque = symmetric::solve_given(&mut matrix, &mut rhs, size, crank, rate, from_ground, absolute);
+                let torque =
+                    symmetric::solve_given(&mut matrix, &mut rhs, size, crank, rate, from_ground, absolute);
                 drive = torque.unwrap_or(0.0);
                 torque.map(|_| ())
             }
@@ -332,7 +335,8 @@ impl<'a> Powered<'a> {
         works[OUTSIDE] = outside * absolute;
         works[MOUNT_DAMPING] = damped;
         works[DRIVELINE_DAMPING] = driveline_damped;
-        self.torques = Torques { gas, load, starter, friction, outside, driveline: spring_torque, rates: seven };
+        self.torques =
+            Torques { gas, load, starter, friction, outside, driveline: spring_torque, rates: seven };
         self.places = places;
     }
 
@@ -345,7 +349,8 @@ impl<'a> Powered<'a> {
             crate::place::dot(g, moment)
         });
         let rotors = self.train.rotors.iter().map(|rotor| {
-            let turn = num_complex::Complex64::cis(rotor.ratio * theta) * num_complex::Complex64::I * rotor.ratio;
+            let turn =
+                num_complex::Complex64::cis(rotor.ratio * theta) * num_complex::Complex64::I * rotor.ratio;
             crate::place::dot(g, rotor.first_moment * turn)
         });
         pistons.sum::<f64>() + rotors.sum::<f64>()
@@ -411,7 +416,8 @@ impl<'a> Powered<'a> {
         } else {
             0.5 * self.train.crank_inertia(&places).inertia * motion.speed * motion.speed
         };
-        let [x, y, z] = motion.rotation().column_iter().map(|c| c.into_owned()).collect::<Vec<_>>()[..] else {
+        let [x, y, z] = motion.rotation().column_iter().map(|c| c.into_owned()).collect::<Vec<_>>()[..]
+        else {
             return [f64::NAN; 4];
         };
         let first = Vector3::new(equations.mass[1][5], equations.mass[2][3], equations.mass[0][4]);

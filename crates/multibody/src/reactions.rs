@@ -177,7 +177,10 @@ impl Train {
             let cylinder = &self.cylinders[index];
             let shaft = self.rotors[cylinder.rotor].axis;
             let place = &instant.places[index];
-            let pin = in_plane(shaft + cylinder.axis * Complex64::new(place.travel[0], cylinder.net_offset), cylinder.z);
+            let pin = in_plane(
+                shaft + cylinder.axis * Complex64::new(place.travel[0], cylinder.net_offset),
+                cylinder.z,
+            );
             let head = in_plane(shaft + cylinder.axis * Complex64::new(0.0, cylinder.offset), cylinder.z);
             let (wall, moment) = (Vector3::from(own.wall.force), Vector3::from(own.wall.moment));
             let gas = instant.gas[index] * in_plane(cylinder.axis, 0.0);
@@ -246,7 +249,9 @@ impl Train {
         let from_pin = in_plane(centre[0] - place.lower_pin[0], 0.0);
         let mut moment = from_pin.cross(&rod_needs) + rod.2 * alpha + spin.cross(&(rod.2 * spin));
         for (other, on_pin) in handed.iter().enumerate() {
-            let LowerPin::Knuckle { master, place: knuckle } = self.cylinders[other].lower_pin else { continue };
+            let LowerPin::Knuckle { master, place: knuckle } = self.cylinders[other].lower_pin else {
+                continue;
+            };
             let Some(on_pin) = on_pin.filter(|_| master == index) else { continue };
             let lift = self.cylinders[other].z - cylinder.z;
             let at = in_plane(knuckle * place.rod[0], lift);
@@ -339,7 +344,8 @@ impl Train {
         let needs = rotor.inertia * (carrier.angular().z + rotor.ratio * instant.rates[6]);
         let torque = needs - loads.iter().map(|load| load.couple.z).sum::<f64>();
         let force: Vector3<f64> = loads.iter().map(|load| load.force).sum();
-        let mut moment: Vector3<f64> = loads.iter().map(|load| load.couple + load.z * z.cross(&load.force)).sum();
+        let mut moment: Vector3<f64> =
+            loads.iter().map(|load| load.couple + load.z * z.cross(&load.force)).sum();
         moment.z = 0.0;
         let mains = [0, 1, 2].map(|rule| {
             let shares = shares.and_then(|shares| shares[rule].as_ref());

@@ -116,7 +116,13 @@ impl Joint {
     }
 
     /// A hinge: the points coincide, the axes, given in each body, stay parallel.
-    pub fn revolute(name: &str, a: BodyIndex, b: BodyIndex, points: [Vector3<f64>; 2], axes: [Vector3<f64>; 2]) -> Joint {
+    pub fn revolute(
+        name: &str,
+        a: BodyIndex,
+        b: BodyIndex,
+        points: [Vector3<f64>; 2],
+        axes: [Vector3<f64>; 2],
+    ) -> Joint {
         let mut joint = Joint::spherical(name, a, b, points);
         joint.rows.extend(across(axes[0]).map(|of_a| Row::Turn { of_a, of_b: axes[1] }));
         joint
@@ -129,7 +135,13 @@ impl Joint {
     }
 
     /// A slide along `axis` of a: b does not turn in a, whose axes it has, and its point stays on the line.
-    pub fn prismatic(name: &str, a: BodyIndex, b: BodyIndex, points: [Vector3<f64>; 2], axis: Vector3<f64>) -> Joint {
+    pub fn prismatic(
+        name: &str,
+        a: BodyIndex,
+        b: BodyIndex,
+        points: [Vector3<f64>; 2],
+        axis: Vector3<f64>,
+    ) -> Joint {
         let mut joint = Joint::point_in_line(name, a, b, points, axis);
         let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
         joint.rows.extend([(x, y), (y, z), (z, x)].map(|(of_a, of_b)| Row::Turn { of_a, of_b }));
@@ -159,7 +171,14 @@ impl Joint {
     }
 
     /// A gear in the housing a: b turns `ratio` times as fast about `axis` of a as `driver`.
-    pub fn gear(name: &str, a: BodyIndex, b: BodyIndex, driver: BodyIndex, axis: Vector3<f64>, ratio: f64) -> Joint {
+    pub fn gear(
+        name: &str,
+        a: BodyIndex,
+        b: BodyIndex,
+        driver: BodyIndex,
+        axis: Vector3<f64>,
+        ratio: f64,
+    ) -> Joint {
         Joint::new(name, a, b, vec![Row::Spin { about: axis, other: Some((driver, -ratio)), rate: 0.0 }])
     }
 
@@ -368,7 +387,8 @@ impl Assembly {
             return None;
         }
         let three = |at: usize| Vector3::new(answer[at], answer[at + 1], answer[at + 2]);
-        let accelerations = (0..self.bodies.len()).map(|body| [three(6 * body), three(6 * body + 3)]).collect();
+        let accelerations =
+            (0..self.bodies.len()).map(|body| [three(6 * body), three(6 * body + 3)]).collect();
         let mut next = 0;
         let (mut on_a, mut on_b) = (Vec::new(), Vec::new());
         for joint in &self.joints {
@@ -393,9 +413,10 @@ impl Assembly {
     /// Sets the velocities that the joints leave no choice about: `given` says as many speeds (body, 0 to 5: velocity and spin) as there are freedoms.
     /// `None` where that does not determine them. Drives count as free here.
     pub fn set_velocities(&self, poses: &mut [Pose], given: &[(BodyIndex, usize, f64)]) -> Option<()> {
-        let joints = self.joints.iter().filter(|joint| {
-            !joint.rows.iter().any(|row| matches!(row, Row::Spin { other: None, .. }))
-        });
+        let joints = self
+            .joints
+            .iter()
+            .filter(|joint| !joint.rows.iter().any(|row| matches!(row, Row::Spin { other: None, .. })));
         let held = Assembly { joints: joints.cloned().collect(), ..self.clone() };
         let rows = held.rows(poses);
         let jacobian = held.jacobian(&rows);
@@ -439,7 +460,8 @@ impl Assembly {
         }
         let rows = self.rows(poses);
         let jacobian = self.jacobian(&rows);
-        let speeds = poses.iter().flat_map(|p| p.velocity.iter().chain(p.spin.iter()).copied().collect::<Vec<_>>());
+        let speeds =
+            poses.iter().flat_map(|p| p.velocity.iter().chain(p.spin.iter()).copied().collect::<Vec<_>>());
         let speeds = DVector::from_iterator(6 * poses.len(), speeds);
         let step = least_change(&jacobian, &(-&jacobian * speeds))?;
         for (index, pose) in poses.iter_mut().enumerate() {

@@ -53,13 +53,20 @@ impl Train {
             first_moment: alone.first_moment,
             inertia: alone.inertia,
         });
-        let (mut joints, mut rotors, mut bearings, mut gears) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut joints, mut rotors, mut bearings, mut gears) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (index, rotor) in self.rotors.iter().enumerate() {
             let product = rotor.product;
             let inertia = Matrix3::new(
-                0.0, 0.0, -product.re, //
-                0.0, 0.0, -product.im, //
-                -product.re, -product.im, rotor.inertia,
+                0.0,
+                0.0,
+                -product.re, //
+                0.0,
+                0.0,
+                -product.im, //
+                -product.re,
+                -product.im,
+                rotor.inertia,
             );
             let first_moment = in_plane(rotor.first_moment, 0.0);
             let body = assembly.add(RigidBody { name: rotor.name.clone(), mass: 0.0, first_moment, inertia });
@@ -78,7 +85,10 @@ impl Train {
         for &index in &self.order {
             let (cylinder, place) = (&self.cylinders[index], &places[index]);
             let shaft = self.rotors[cylinder.rotor].axis;
-            let centre = in_plane(shaft + cylinder.axis * Complex64::new(place.travel[0], cylinder.offset), cylinder.z);
+            let centre = in_plane(
+                shaft + cylinder.axis * Complex64::new(place.travel[0], cylinder.offset),
+                cylinder.z,
+            );
             let piston = assembly.add(RigidBody::central("piston", cylinder.piston_mass, Matrix3::zeros()));
             poses.push(at(centre, 0.0));
             let rod_centre = in_plane(shaft + place.on_rod(cylinder.rod.centre)[0], cylinder.z);
@@ -90,7 +100,8 @@ impl Train {
             let [lower, upper] =
                 [-cylinder.rod.centre, 1.0 - cylinder.rod.centre].map(|share| share * length * Vector3::x());
             let line = in_plane(cylinder.axis, 0.0);
-            let wall = Joint::prismatic("piston in its cylinder", block, piston, [centre, Vector3::zeros()], line);
+            let wall =
+                Joint::prismatic("piston in its cylinder", block, piston, [centre, Vector3::zeros()], line);
             let (holder, pin) = match cylinder.lower_pin {
                 LowerPin::Crankpin => (rotors[cylinder.rotor], in_plane(cylinder.crankpin, cylinder.z)),
                 LowerPin::Knuckle { master, place } => {
@@ -138,6 +149,15 @@ impl Train {
             }));
             assembly.joints.push(weld);
         }
-        Some(RefereeEngine { assembly, poses, block, rotors, cylinders, bearings, gears, joints: of_cylinders })
+        Some(RefereeEngine {
+            assembly,
+            poses,
+            block,
+            rotors,
+            cylinders,
+            bearings,
+            gears,
+            joints: of_cylinders,
+        })
     }
 }

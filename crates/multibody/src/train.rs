@@ -45,7 +45,11 @@ impl RotorInertia {
         if let (Some(first), Some(flywheel)) = (crankshafts.first_mut(), flywheel) {
             *first = Some(first.unwrap_or(0.0) + flywheel);
         }
-        RotorInertia { crankshafts, flywheel: flywheel.unwrap_or(0.0), shafts: vec![None; engine.shafts.len()] }
+        RotorInertia {
+            crankshafts,
+            flywheel: flywheel.unwrap_or(0.0),
+            shafts: vec![None; engine.shafts.len()],
+        }
     }
 }
 
@@ -288,7 +292,8 @@ fn revolutions(engine: &Engine) -> u32 {
         .find(|all| {
             let whole = shafts.iter().all(|ratio| (*all % ratio.denominator()) == 0);
             let fires = engine.crankshafts.iter().all(|shaft| {
-                (all * shaft.ratio.numerator().unsigned_abs()).is_multiple_of(working * shaft.ratio.denominator())
+                (all * shaft.ratio.numerator().unsigned_abs())
+                    .is_multiple_of(working * shaft.ratio.denominator())
             });
             whole && fires
         })

@@ -1,6 +1,8 @@
 //! Imposed speed, fixed block, no gravity: every load against the closed form, for every engine of the gallery.
 
-use lanchester_mechanism::{BearingRequest, CylinderGas, LoadRequest, Mechanism, PeriodicCurve, bearing_loads, motion};
+use lanchester_mechanism::{
+    BearingRequest, CylinderGas, LoadRequest, Mechanism, PeriodicCurve, bearing_loads, motion,
+};
 use lanchester_model::{Engine, read, templates};
 use lanchester_multibody::{Guidance, Instant, Motion, Place, Reactions, RotorInertia, Train};
 use nalgebra::Vector3;

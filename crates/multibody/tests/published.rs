@@ -55,7 +55,14 @@ fn rod(length: f64, mass: f64, inertia: f64) -> Rod {
 }
 
 /// One crankshaft of this inertia with plain cylinders: axis and throw angle [rad].
-fn train(places: &[[f64; 2]], radius: f64, piston: f64, rod: &Rod, unbalance: f64, inertia: f64) -> (Engine, Train) {
+fn train(
+    places: &[[f64; 2]],
+    radius: f64,
+    piston: f64,
+    rod: &Rod,
+    unbalance: f64,
+    inertia: f64,
+) -> (Engine, Train) {
     let throws = places.iter().map(|place| {
         let own = throw(place[1], 0.0);
         lanchester_model::Throw { radius, unbalance, ..own }
@@ -106,8 +113,22 @@ fn lit_modelica_v6() {
         assert!(run.audit.energy < 1e-9 && run.audit.loops < 1e-12, "{:?}", run.audit);
         // Own convergence.
         let finer = until(&train, &Simulation { tolerance: 1e-12, ..simulation.clone() }, Some(&gas), time);
-        assert_close("speed at a finer tolerance", run.end[2], finer.end[2], 0.0, 1e-9, "tolerance 1e-10 in every step");
-        assert_close("angle at a finer tolerance", run.end[1], finer.end[1], 0.0, 1e-9, "tolerance 1e-10 in every step");
+        assert_close(
+            "speed at a finer tolerance",
+            run.end[2],
+            finer.end[2],
+            0.0,
+            1e-9,
+            "tolerance 1e-10 in every step",
+        );
+        assert_close(
+            "angle at a finer tolerance",
+            run.end[1],
+            finer.end[1],
+            0.0,
+            1e-9,
+            "tolerance 1e-10 in every step",
+        );
     }
 }
 

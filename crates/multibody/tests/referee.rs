@@ -51,7 +51,16 @@ fn any_case() -> impl Strategy<Value = Case> {
     let inertia = prop::collection::vec(0.01..0.5f64, 8);
     let gas = prop::collection::vec(-2e3..6e4f64, 12);
     (any_engine(ALL_SHAPES), place, moved, loads, inertia, gas, any::<bool>(), 0.0..0.01f64).prop_map(
-        |(mut engine, (position, turn, theta, speed), (velocity, spin, centre, skew), loads, inertia, gas, piston, axial)| {
+        |(
+            mut engine,
+            (position, turn, theta, speed),
+            (velocity, spin, centre, skew),
+            loads,
+            inertia,
+            gas,
+            piston,
+            axial,
+        )| {
             engine.block = Some(block(centre, skew));
             let mut inertia = inertia.into_iter().map(Some);
             let inertia = RotorInertia {

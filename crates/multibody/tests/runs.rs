@@ -90,7 +90,9 @@ fn train(engine: &Engine) -> Train {
 
 /// Mean torque of the gas over one working cycle at constant speed.
 fn mean_torque(train: &Train, gas: &dyn GasPressure) -> f64 {
-    let run = train.run(&Simulation { tolerance: 1e-11, ..Simulation::imposed(100.0, 2.0) }, Some(gas)).expect("it runs");
+    let run = train
+        .run(&Simulation { tolerance: 1e-11, ..Simulation::imposed(100.0, 2.0) }, Some(gas))
+        .expect("it runs");
     run.energy.gas / (2.0 * TAU)
 }
 
@@ -115,11 +117,13 @@ fn prop_momenta_in_space_stay_without_outside_loads() {
     engine.mounts.clear();
     let train = train(&engine);
     let start = BlockStart::Moving { velocity: [0.1, -0.2, 0.05], spin: [0.3, 0.2, -0.4] };
-    let mut simulation = Simulation { block: BlockMotion::Floating, block_start: start, ..Simulation::free(100.0, 20.0) };
+    let mut simulation =
+        Simulation { block: BlockMotion::Floating, block_start: start, ..Simulation::free(100.0, 20.0) };
     simulation.tolerance = 1e-12;
     let run = train.run(&simulation, Some(&gas(1.6))).expect("it runs");
     let audit = run.audit;
-    let [linear, angular] = [audit.linear_momentum, audit.angular_momentum].map(|a| a.expect("nothing acts from outside"));
+    let [linear, angular] =
+        [audit.linear_momentum, audit.angular_momentum].map(|a| a.expect("nothing acts from outside"));
     assert!(linear < 1e-11 && angular < 1e-11 && audit.energy < 1e-10, "{audit:?}");
     // The quaternion goes back to size 1 after each piece only.
     assert!(audit.quaternion < 1e-8);
@@ -141,7 +145,11 @@ fn prop_energy_on_mounts_with_everything() {
     let run = train.run(&simulation, Some(&gas)).expect("it runs");
     assert_eq!(run.outcome, RunOutcome::Complete);
     assert!(run.audit.energy < 1e-9, "{:?} {:?}", run.audit, run.energy);
-    assert!(run.energy.mount_damping < 0.0 && run.energy.driveline_damping < 0.0 && run.energy.piston_friction < 0.0);
+    assert!(
+        run.energy.mount_damping < 0.0
+            && run.energy.driveline_damping < 0.0
+            && run.energy.piston_friction < 0.0
+    );
     assert!(run.energy.load < 0.0 && run.energy.gas > 0.0);
 }
 
@@ -194,7 +202,8 @@ fn a_constant_load_gives_the_speed_of_the_energy_integral() {
             let mut places = Vec::new();
             train.places_into(theta, &mut places);
             let area = 0.25 * PI * 0.08f64.powi(2);
-            let forces: Vec<f64> = (0..4).map(|c| area * gas.pressure(c, train.own_angle(c, theta), 90.0)).collect();
+            let forces: Vec<f64> =
+                (0..4).map(|c| area * gas.pressure(c, train.own_angle(c, theta), 90.0)).collect();
             train.piston_torque(&places, 90.0, &forces, 0.0)[0] - load
         };
         let node = 0.5 * h / 3f64.sqrt();
@@ -222,8 +231,17 @@ fn a_starter_turns_the_engine_over_and_lets_go() {
     simulation.starter = Some(starter);
     let run = train.run(&simulation, Some(&gas(1.8))).expect("it runs");
     assert_eq!(run.outcome, RunOutcome::Complete);
-    assert!(run.events.iter().any(|event| event.what == Occasion::StarterOff && (event.speed - 70.0).abs() < 1e-9));
-    assert!(run.end[2] > 60.0 && run.energy.starter > 0.0 && run.audit.energy < 1e-8, "{:?} {:?}", run.end, run.audit);
+    assert!(
+        run.events
+            .iter()
+            .any(|event| event.what == Occasion::StarterOff && (event.speed - 70.0).abs() < 1e-9)
+    );
+    assert!(
+        run.end[2] > 60.0 && run.energy.starter > 0.0 && run.audit.energy < 1e-8,
+        "{:?} {:?}",
+        run.end,
+        run.audit
+    );
 
     // Too weak for the compression: it never turns over, and the run says where and by how much.
     simulation.starter = Some(Starter { stall_torque: 1.5, ..starter });
@@ -285,11 +303,19 @@ fn a_governor_settles_within_its_droop_after_a_load_step() {
     simulation.load.law = LoadLaw::Constant(0.3 * full);
     let governor = Governor { speed: 157.0, gain: 0.05, integral: 0.1, droop: 0.04, delay: 0.02, start: 0.3 };
     simulation.governor = Some(governor);
-    simulation.events = vec![Event { when: When::Time(4.0), action: Action::Load(LoadLaw::Constant(0.7 * full)) }];
+    simulation.events =
+        vec![Event { when: When::Time(4.0), action: Action::Load(LoadLaw::Constant(0.7 * full)) }];
     let run = train.run(&simulation, Some(&gas)).expect("it runs");
     assert_eq!(run.outcome, RunOutcome::Complete);
     let mean = |from: f64| {
-        let picked: Vec<f64> = run.samples.time.iter().zip(&run.samples.speed).filter(|(t, _)| **t > from && **t < from + 1.0).map(|(_, w)| *w).collect();
+        let picked: Vec<f64> = run
+            .samples
+            .time
+            .iter()
+            .zip(&run.samples.speed)
+            .filter(|(t, _)| **t > from && **t < from + 1.0)
+            .map(|(_, w)| *w)
+            .collect();
         picked.iter().sum::<f64>() / picked.len() as f64
     };
     let [before, after] = [mean(2.9), mean(14.9)];
@@ -318,16 +344,29 @@ fn a_periodic_motion_is_found_and_closes() {
         let moment = |k: usize| {
             let turn = samples.orientation[k];
             let mounts = samples.mounts[k].iter().zip(&train.mounts);
-            let motion = Motion { orientation: turn, position: samples.position[k].into(), ..Motion::fixed(0.0, 0.0) };
-            mounts.map(|(force, mount)| {
-                let at = motion.position + motion.rotation() * mount.at;
-                at.x * force[1] - at.y * force[0]
-            }).sum::<f64>()
+            let motion =
+                Motion { orientation: turn, position: samples.position[k].into(), ..Motion::fixed(0.0, 0.0) };
+            mounts
+                .map(|(force, mount)| {
+                    let at = motion.position + motion.rotation() * mount.at;
+                    at.x * force[1] - at.y * force[0]
+                })
+                .sum::<f64>()
         };
         let time = &samples.time;
         let last = time.len() - 1;
-        let impulse: f64 = (0..last).map(|k| 0.5 * (moment(k) + moment(k + 1)) * (time[k + 1] - time[k])).sum();
-        (impulse / time[last], -samples.load_torque.iter().zip(time.windows(2)).map(|(t, pair)| t * (pair[1] - pair[0])).sum::<f64>() / time[last])
+        let impulse: f64 =
+            (0..last).map(|k| 0.5 * (moment(k) + moment(k + 1)) * (time[k + 1] - time[k])).sum();
+        (
+            impulse / time[last],
+            -samples
+                .load_torque
+                .iter()
+                .zip(time.windows(2))
+                .map(|(t, pair)| t * (pair[1] - pair[0]))
+                .sum::<f64>()
+                / time[last],
+        )
     };
     let bolted = with(ReactsOn::Block);
     assert_eq!(bolted.outcome, PeriodicOutcome::Stable, "{} {:?}", bolted.residual, bolted.multipliers);
@@ -378,7 +417,11 @@ fn an_imposed_speed_follows_its_profile() {
     assert!(relative.samples.speed.iter().all(|speed| (speed - 150.0).abs() < 1e-9));
     let absolute = on(ImposedAgainst::Ground);
     let both = absolute.samples.speed.iter().zip(&absolute.samples.spin).map(|(w, spin)| w + spin[2]);
-    assert!(both.clone().all(|sum| (sum - 150.0).abs() < 1e-6), "{:?}", both.fold(0.0f64, |m, s| m.max((s - 150.0).abs())));
+    assert!(
+        both.clone().all(|sum| (sum - 150.0).abs() < 1e-6),
+        "{:?}",
+        both.fold(0.0f64, |m, s| m.max((s - 150.0).abs()))
+    );
     assert!(absolute.samples.speed.iter().any(|speed| (speed - 150.0).abs() > 1e-3));
     assert!(relative.audit.energy < 1e-8 && absolute.audit.energy < 1e-8);
 }

@@ -87,28 +87,34 @@ fn lit_andrews_squeezer() {
     // Start values are printed to thirty digits: the loops close.
     assert!(assembly.largest_gap(&poses) < 1e-15);
     let drive = [BodyLoad { body: 0, force: Vector3::zeros(), moment: TORQUE * Vector3::z() }];
-    let start: Vec<f64> = poses.iter().map(|pose| pose.rotation[(1, 0)].atan2(pose.rotation[(0, 0)])).collect();
+    let start: Vec<f64> =
+        poses.iter().map(|pose| pose.rotation[(1, 0)].atan2(pose.rotation[(0, 0)])).collect();
     let mut turned = start.clone();
     let pieces = 300;
     for piece in 0..pieces {
         let mut state = assembly.pack(&poses);
-        let mut system = Function::new(assembly.dimension(), |_, y: &[f64], rate: &mut [f64]| assembly.rate(y, &drive, rate));
+        let mut system = Function::new(assembly.dimension(), |_, y: &[f64], rate: &mut [f64]| {
+            assembly.rate(y, &drive, rate)
+        });
         let mut settings = Settings::uniform(assembly.dimension(), 1e-12);
         settings.dense = false;
         settings.absolute.fill(1e-13);
         let [mut t, end] = [piece, piece + 1].map(|k| 0.03 * f64::from(k) / f64::from(pieces));
-        let outcome = Dop853::new(settings).run(&mut system, &mut t, &mut state, end, |_| ControlFlow::Continue(()));
+        let outcome =
+            Dop853::new(settings).run(&mut system, &mut t, &mut state, end, |_| ControlFlow::Continue(()));
         assert_eq!(outcome, Outcome::Reached);
         poses = assembly.unpack(&state);
         assembly.project(&mut poses).expect("it is near");
         for (angle, pose) in turned.iter_mut().zip(&poses) {
             let now = pose.rotation[(1, 0)].atan2(pose.rotation[(0, 0)]);
-            *angle += (now - *angle + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI;
+            *angle += (now - *angle + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU)
+                - std::f64::consts::PI;
         }
     }
     let [k1, k2, k3, k4, k5, ..] = turned[..] else { panic!("seven bodies") };
     let got = [k1, k2 - k1, k3, k4 - k5, k5];
-    let published = [15.81077119629904, -15.75637105984298, 0.04082224013073101, -0.5347301163226948, 0.5244099658805304];
+    let published =
+        [15.81077119629904, -15.75637105984298, 0.04082224013073101, -0.5347301163226948, 0.5244099658805304];
     for (got, wanted) in got.into_iter().zip(published) {
         assert!((got - wanted).abs() < 1e-9 * wanted.abs().max(1.0), "{got} {wanted}: {:e}", got - wanted);
     }

@@ -157,7 +157,8 @@ impl CrossCheck {
 impl ConditionCheck {
     /// Its table.
     pub fn table(&self) -> Table {
-        let power = |value: f64| Cell::text(if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") });
+        let power =
+            |value: f64| Cell::text(if value == 0.0 { "0".to_owned() } else { format!("{value:.1e}") });
         let rows = self.rows.iter().map(|row| {
             vec![
                 Cell::text(format!("{} [{}]", row.quantity, row.unit)),
@@ -170,7 +171,8 @@ impl ConditionCheck {
                 Cell::text(row.reason.clone().unwrap_or_default()),
             ]
         });
-        let head = ["quantity", "order", "closed form", "multibody", "difference", "bar", "verdict", "reason"];
+        let head =
+            ["quantity", "order", "closed form", "multibody", "difference", "bar", "verdict", "reason"];
         Table {
             id: "crosscheck",
             title: format!("Condition {}: {}", self.condition.letter(), self.condition.name()),
@@ -186,7 +188,8 @@ impl ConditionCheck {
 pub fn crosscheck_text(check: &CrossCheck) -> String {
     let speed = number::short(number::rpm(check.speed), 6);
     let gas = check.gas.as_ref().map_or("inertia alone".to_owned(), |gas| format!("gas: {gas}"));
-    let mut out = format!("{} at {speed} rpm, closed form against multibody simulation, {gas}\n", check.engine);
+    let mut out =
+        format!("{} at {speed} rpm, closed form against multibody simulation, {gas}\n", check.engine);
     for condition in &check.conditions {
         out.push('\n');
         match &condition.not_applicable {
@@ -209,7 +212,17 @@ pub fn crosscheck_text(check: &CrossCheck) -> String {
 pub fn crosscheck_csv(check: &CrossCheck) -> String {
     let mut out = String::new();
     let head = [
-        "condition", "quantity", "unit", "order", "closed_form", "multibody", "difference", "scale", "bar", "verdict", "reason",
+        "condition",
+        "quantity",
+        "unit",
+        "order",
+        "closed_form",
+        "multibody",
+        "difference",
+        "scale",
+        "bar",
+        "verdict",
+        "reason",
     ];
     push_csv_line(&mut out, head.map(str::to_owned));
     for condition in &check.conditions {

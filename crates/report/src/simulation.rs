@@ -76,7 +76,12 @@ impl SimulationResult {
         for (shaft, planes) in self.mains.iter().enumerate() {
             for (main, z) in planes.iter().enumerate() {
                 let of = |rule: usize| {
-                    let loads = self.run.samples.reactions.iter().filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
+                    let loads = self
+                        .run
+                        .samples
+                        .reactions
+                        .iter()
+                        .filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
                     loads.map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
                 };
                 all.push((shaft + 1, main + 1, *z, [of(0), of(1), of(2)]));
@@ -164,7 +169,12 @@ pub fn simulation_text(result: &SimulationResult) -> String {
         "simulated-speed",
         "Speed in the last period",
         "",
-        vec![words("mean", "rpm"), words("highest", "rpm"), words("lowest", "rpm"), words("fluctuation", "%")],
+        vec![
+            words("mean", "rpm"),
+            words("highest", "rpm"),
+            words("lowest", "rpm"),
+            words("fluctuation", "%"),
+        ],
         vec![vec![rpm(mean), rpm(most), rpm(least), fluctuation]],
     );
     out.push('\n');
@@ -178,7 +188,8 @@ pub fn simulation_text(result: &SimulationResult) -> String {
                 let least = values.iter().copied().fold(f64::INFINITY, f64::min);
                 [most, least]
             };
-            let [most, least] = extremes(run.samples.position[range.clone()].iter().map(|p| 1e3 * p[k]).collect());
+            let [most, least] =
+                extremes(run.samples.position[range.clone()].iter().map(|p| 1e3 * p[k]).collect());
             let turn = run.samples.orientation[range.clone()].iter().map(|q| 2e3 * q[k + 1] * q[0].signum());
             let [turned, back] = extremes(turn.collect());
             rows.push(vec![
@@ -197,16 +208,31 @@ pub fn simulation_text(result: &SimulationResult) -> String {
             words("turn", "mrad"),
         ];
         out.push('\n');
-        out.push_str(&table("simulated-block", "Block in the last period: its origin, and its turn about each axis", "", columns, rows).text());
+        out.push_str(
+            &table(
+                "simulated-block",
+                "Block in the last period: its origin, and its turn about each axis",
+                "",
+                columns,
+                rows,
+            )
+            .text(),
+        );
         let largest = |mount: usize| {
             let forces = run.samples.mounts[range.clone()].iter().filter_map(|at| at.get(mount));
             forces.map(|f| f.iter().map(|c| c * c).sum::<f64>().sqrt()).fold(0.0, f64::max)
         };
-        let rows = result.mounts.iter().enumerate().map(|(k, name)| vec![Cell::text(name), Cell::number(largest(k), 5)]);
+        let rows = result
+            .mounts
+            .iter()
+            .enumerate()
+            .map(|(k, name)| vec![Cell::text(name), Cell::number(largest(k), 5)]);
         if !result.mounts.is_empty() {
             let columns = vec![words("mount", ""), words("largest force", "N")];
             out.push('\n');
-            out.push_str(&table("simulated-mounts", "Mounts in the last period", "", columns, rows.collect()).text());
+            out.push_str(
+                &table("simulated-mounts", "Mounts in the last period", "", columns, rows.collect()).text(),
+            );
         }
     }
     let mains = result.mains();
@@ -223,7 +249,16 @@ pub fn simulation_text(result: &SimulationResult) -> String {
         columns.push(words("spread", "N"));
         let note = "Rigid bodies leave the loads of more than two bearings open: each rule is one answer, their spread is what is not known.";
         out.push('\n');
-        out.push_str(&table("simulated-mains", "Main bearings: largest load over the run by three rules", note, columns, rows.collect()).text());
+        out.push_str(
+            &table(
+                "simulated-mains",
+                "Main bearings: largest load over the run by three rules",
+                note,
+                columns,
+                rows.collect(),
+            )
+            .text(),
+        );
     }
     out.push('\n');
     out.push_str(&energy_table(run).text());
@@ -238,7 +273,12 @@ pub fn simulation_text(result: &SimulationResult) -> String {
         "",
         &format!(
             "Audit: energy {:.1e} of its throughput, loops {:.1e} m, quaternion {:.1e}. Cost: {} steps, {} rejected, {} evaluations.",
-            audit.energy, audit.loops, audit.quaternion, run.cost.steps, run.cost.rejected, run.cost.evaluations
+            audit.energy,
+            audit.loops,
+            audit.quaternion,
+            run.cost.steps,
+            run.cost.rejected,
+            run.cost.evaluations
         ),
     );
     out
@@ -247,7 +287,12 @@ pub fn simulation_text(result: &SimulationResult) -> String {
 /// The energy ledger.
 fn energy_table(run: &Run) -> Table {
     let e = &run.energy;
-    let stored = [("kinetic energy", e.kinetic), ("springs of the mounts", e.mounts), ("gravity", e.gravity), ("springs of the driveline", e.driveline)];
+    let stored = [
+        ("kinetic energy", e.kinetic),
+        ("springs of the mounts", e.mounts),
+        ("gravity", e.gravity),
+        ("springs of the driveline", e.driveline),
+    ];
     let works = [
         ("gas", e.gas),
         ("load", e.load),
@@ -264,9 +309,17 @@ fn energy_table(run: &Run) -> Table {
         .map(|(name, work)| vec![Cell::text(format!("work of {name}")), Cell::number(work, 6)])
         .collect();
     let changes = stored.into_iter().filter(|(_, [a, b])| *a != 0.0 || *b != 0.0);
-    rows.extend(changes.map(|(name, [a, b])| vec![Cell::text(format!("stored: {name}")), Cell::number(b - a, 6)]));
+    rows.extend(
+        changes.map(|(name, [a, b])| vec![Cell::text(format!("stored: {name}")), Cell::number(b - a, 6)]),
+    );
     let note = "Works put in, and what is stored of them: both sums are equal.";
-    table("simulated-energy", "Energy over the run", note, vec![words("part", ""), words("energy", "J")], rows)
+    table(
+        "simulated-energy",
+        "Energy over the run",
+        note,
+        vec![words("part", ""), words("energy", "J")],
+        rows,
+    )
 }
 
 /// The events.
@@ -279,7 +332,8 @@ fn events_table(run: &Run) -> Table {
             Cell::number(number::rpm(event.speed), 5),
         ]
     });
-    let columns = vec![words("event", ""), words("time", "s"), words("crank angle", "deg"), words("speed", "rpm")];
+    let columns =
+        vec![words("event", ""), words("time", "s"), words("crank angle", "deg"), words("speed", "rpm")];
     table("simulated-events", "Events", "", columns, rows.collect())
 }
 
@@ -350,8 +404,13 @@ pub fn simulation_reactions_csv(result: &SimulationResult) -> String {
         for main in 0..planes.len() {
             for (rule, name) in MainRule::ALL.into_iter().enumerate().map(|(k, rule)| (k, rule.name())) {
                 for (k, axis) in ["x", "y"].into_iter().enumerate() {
-                    let loads = reactions.iter().map(|r| r.rotors[shaft].mains[rule].get(main).map_or(f64::NAN, |f| f[k]));
-                    columns.push((format!("main {}.{} {name}_{axis} [N]", shaft + 1, main + 1), loads.collect()));
+                    let loads = reactions
+                        .iter()
+                        .map(|r| r.rotors[shaft].mains[rule].get(main).map_or(f64::NAN, |f| f[k]));
+                    columns.push((
+                        format!("main {}.{} {name}_{axis} [N]", shaft + 1, main + 1),
+                        loads.collect(),
+                    ));
                 }
             }
         }

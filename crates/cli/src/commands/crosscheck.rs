@@ -13,15 +13,22 @@ use lanchester::{CrossCheckRequest, crosscheck};
 pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     if let Some(bar) = arguments.bar.filter(|bar| !(*bar > 0.0 && bar.is_finite())) {
-        return Err(Failure::input(format_args!("--bar needs a share above 0, got {bar}"), "write it like 1e-10"));
+        return Err(Failure::input(
+            format_args!("--bar needs a share above 0, got {bar}"),
+            "write it like 1e-10",
+        ));
     }
     let conditions = arguments.condition.iter().map(|condition| match condition {
         ConditionOption::A => Condition::LikeForLike,
         ConditionOption::B => Condition::FreeSpeed,
         ConditionOption::C => Condition::MovingBlock,
     });
-    let request =
-        CrossCheckRequest { speed, conditions: conditions.collect(), max_order: arguments.order, bar: arguments.bar };
+    let request = CrossCheckRequest {
+        speed,
+        conditions: conditions.collect(),
+        max_order: arguments.order,
+        bar: arguments.bar,
+    };
     let opened = open(&arguments.file, colour)?;
     let traces = trace_files(&opened.engine, &arguments.file)?;
     let check = crosscheck(&opened.engine, &traces, &request).map_err(Failure::refused)?;

@@ -9,7 +9,8 @@ use crate::trace_files::trace_files;
 use lanchester::model::option;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
-    simulation_energy_csv, simulation_events_csv, simulation_reactions_csv, simulation_text, simulation_trace_csv,
+    simulation_energy_csv, simulation_events_csv, simulation_reactions_csv, simulation_text,
+    simulation_trace_csv,
 };
 use lanchester::{RunLength, SimulateRequest, simulate};
 
@@ -43,7 +44,8 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         (Format::Csv, Some(SimulationTable::Events)) => simulation_events_csv(&result),
         (Format::Csv, _) => simulation_trace_csv(&result),
     })?;
-    let ended = matches!(result.run.outcome, RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. });
+    let ended =
+        matches!(result.run.outcome, RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. });
     Ok(if ended { DONE } else { NOT_AS_EXPECTED })
 }
 
