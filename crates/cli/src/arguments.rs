@@ -12,6 +12,7 @@ use crate::scatter_arguments::ScatterArguments;
 use crate::search_arguments::SearchArguments;
 use crate::search_limit_arguments::SearchLimitArguments;
 use crate::sensitivity_arguments::SensitivityArguments;
+use crate::simulation_arguments::{CrosscheckArguments, SimulateArguments};
 use crate::studio_arguments::StudioArguments;
 use crate::torque_arguments::{BearingsArguments, TorqueArguments};
 use crate::workshop_arguments::WorkshopArguments;
@@ -101,6 +102,22 @@ pub enum Command {
                             lanchester mounts four.toml --format csv --table modes"
     )]
     Mounts(MountsArguments),
+    /// Simulate the rigid crank train on its mounts: free or imposed speed, load, misfire, every reaction, energy.
+    #[command(
+        after_help = "Examples:\n  lanchester simulate four.toml\n  lanchester simulate four.toml --for '2 s' --speed '800 rpm' --load '20 N m'\n  \
+                            lanchester simulate four.toml --until periodic --speed '1500 rpm' --block mounts\n  \
+                            lanchester simulate four.toml --speed '1200 rpm' --misfire 2\n  \
+                            lanchester simulate four.toml --imposed --format csv --table reactions > reactions.csv\n\n\
+                            Exit status 1: the run was not completed; what it came to is printed."
+    )]
+    Simulate(SimulateArguments),
+    /// Hold the closed form against an independent multibody simulation of the same engine, component by component and order by order.
+    #[command(
+        after_help = "Examples:\n  lanchester crosscheck four.toml\n  lanchester crosscheck v6.toml --condition a --order 8\n  \
+                            lanchester crosscheck four.toml --speed '3000 rpm' --format csv > agreement.csv\n\n\
+                            Exit status 1: a quantity disagrees."
+    )]
+    Crosscheck(CrosscheckArguments),
     /// Find the best counterweights and balance shafts, prove that nothing better exists, write them into the file.
     #[command(
         after_help = "Examples:\n  lanchester balance twin.toml\n  lanchester balance twin.toml --minimise couple --minimise force\n  \

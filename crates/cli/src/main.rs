@@ -26,6 +26,7 @@ mod search_request;
 mod sensitivity_arguments;
 mod shape_request;
 mod share_option;
+mod simulation_arguments;
 mod still_computing;
 mod studio_arguments;
 mod torque_arguments;
@@ -46,6 +47,8 @@ fn without_progress(command: &Command) -> Option<&'static str> {
         Command::Torque(_) => "torque",
         Command::Bearings(_) => "bearings",
         Command::Mounts(_) => "mounts",
+        Command::Simulate(_) => "simulate",
+        Command::Crosscheck(_) => "crosscheck",
         Command::Balance(arguments) if arguments.search.search => "balance --search",
         Command::Counterweight(_) => "counterweight",
         Command::Compare(_) => "compare",
@@ -75,6 +78,8 @@ fn main() -> ExitCode {
         Command::Torque(arguments) => commands::torque::run(&arguments, colour),
         Command::Bearings(arguments) => commands::bearings::run(&arguments, colour),
         Command::Mounts(arguments) => commands::mounts::run(&arguments, colour),
+        Command::Simulate(arguments) => commands::simulate::run(&arguments, colour),
+        Command::Crosscheck(arguments) => commands::crosscheck::run(&arguments, colour),
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),
         Command::Compare(arguments) => commands::compare::run(&arguments, colour),

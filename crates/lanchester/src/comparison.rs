@@ -555,8 +555,9 @@ fn optimal(
     warnings: &mut Vec<String>,
 ) -> Result<Engine, CompareError> {
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
-    let answer = optimise_on_webs(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
-        .map_err(|error| CompareError::Optimum { engine: engine.name.clone(), error: Box::new(error) })?;
+    let answer =
+        optimise_on_webs(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
+            .map_err(|error| CompareError::Optimum { engine: engine.name.clone(), error: Box::new(error) })?;
     match &answer.outcome {
         Outcome::Optimal => {}
         Outcome::Stopped { reason, .. } if !answer.weights.is_empty() => {

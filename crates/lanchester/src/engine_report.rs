@@ -135,13 +135,14 @@ fn optimum(
     warnings: &mut Vec<String>,
 ) -> Result<Option<FoundOptimum>, LoadError> {
     let Some(task) = &engine.balance else { return Ok(None) };
-    let answer = match optimise_on_webs(engine, traces, task, &BalanceSettings::default(), &|_| Next::Continue) {
-        Ok(answer) => answer,
-        Err(error) => {
-            warnings.push(format!("the section [balance] has no answer: {error}"));
-            return Ok(None);
-        }
-    };
+    let answer =
+        match optimise_on_webs(engine, traces, task, &BalanceSettings::default(), &|_| Next::Continue) {
+            Ok(answer) => answer,
+            Err(error) => {
+                warnings.push(format!("the section [balance] has no answer: {error}"));
+                return Ok(None);
+            }
+        };
     let fitted = fitted(engine, &answer);
     let (before, after) = (loads(engine, &LoadRequest::default())?, loads(&fitted, &LoadRequest::default())?);
     let consequences = match answer.weights.is_empty() {

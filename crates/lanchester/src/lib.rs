@@ -24,6 +24,9 @@ mod consequences;
 mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
+mod crosscheck;
+mod crosscheck_mounts;
+mod crosscheck_orders;
 mod cycle_results;
 mod engine_report;
 mod layout_search;
@@ -40,6 +43,8 @@ mod sample_study;
 mod scene;
 mod shaft_weights;
 mod shape_front;
+mod simulated_gas;
+mod simulation;
 mod speed_gas;
 mod torque_report;
 mod web_bounds;
@@ -62,6 +67,7 @@ pub use counterweights::{
     design_counterweights, with_counterweights, with_outline,
 };
 pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
+pub use crosscheck::{CrossCheckError, CrossCheckRequest, crosscheck, rotor_inertia};
 pub use cycle_results::cycle_results;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
@@ -69,6 +75,7 @@ pub use lanchester_cycle as cycle;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
+pub use lanchester_multibody as multibody;
 pub use lanchester_report as report;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
@@ -89,6 +96,8 @@ pub use shaft_weights::{
     DesignedShaftWeight, SHAFT_WEIGHT_DESIGNS_VERSION, ShaftWeightDesigns, ShaftWeightPlace,
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
+pub use simulated_gas::GivenGas;
+pub use simulation::{RunLength, SimulateRequest, simulate};
 pub use speed_gas::optimised;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,

@@ -70,6 +70,14 @@ pub fn pressure(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Pressure, Bound::NotNegative, option)
 }
 
+/// A torque with its unit, such as "95 N m" [N m]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of torque, or outside the accepted range, 0 or more.
+pub fn torque(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Torque, Bound::NotNegative, option)
+}
+
 /// A time with its unit, such as "30 s" or "5 min" [s]; `option` names what asks for it in the message.
 ///
 /// # Errors

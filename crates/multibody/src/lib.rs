@@ -19,6 +19,7 @@ mod reactions;
 pub mod referee;
 mod referee_engine;
 mod run;
+mod run_check;
 mod run_result;
 mod simulation;
 mod symmetric;

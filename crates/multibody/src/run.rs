@@ -7,6 +7,7 @@ use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::powered::{Conditions, Layout, Powered, Torques, WORKS};
 use crate::reactions::Instant;
+use crate::run_check::check;
 use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, Samples};
 use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When};
 use crate::train::Train;
@@ -22,10 +23,6 @@ const PIECE: f64 = 32.0 * TAU;
 
 /// Most pieces of a run: events, halts and kinks at low speed.
 const MOST_PIECES: usize = 1_000_000;
-
-/// Most inertias of a driveline and events of a list.
-const MOST_LINKS: usize = 8;
-const MOST_EVENTS: usize = 64;
 
 /// One place of the trajectory to be evaluated: time, crank angle, state with the angle first.
 type Kept = (f64, f64, Vec<f64>);
@@ -158,14 +155,6 @@ impl Train {
             audit,
             cost: runner.cost,
         })
-    }
-}
-
-fn number(quantity: &str, needed: &'static str, got: f64, fits: bool) -> Result<(), MultibodyError> {
-    if fits && got.is_finite() {
-        Ok(())
-    } else {
-        Err(MultibodyError::Number { quantity: quantity.to_owned(), needed, got })
     }
 }
 
@@ -638,109 +627,6 @@ fn kinks(train: &Train, gas: Option<&dyn GasPressure>, period: f64) -> Vec<f64> 
         all.pop();
     }
     all
-}
-
-/// Refuses what cannot be run.
-fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), MultibodyError> {
-    let positive = |quantity: &str, got: f64| number(quantity, "positive and finite", got, got > 0.0);
-    let whole = |quantity: &str, got: f64| number(quantity, "0 or more", got, got >= 0.0);
-    positive("sample step [rad]", simulation.step)?;
-    number(
-        "tolerance",
-        "from 1e-13 to 1e-2",
-        simulation.tolerance,
-        (1e-13..=1e-2).contains(&simulation.tolerance),
-    )?;
-    whole("start speed [rad/s]", simulation.start_speed)?;
-    number("start angle [rad]", "finite", simulation.start_angle, true)?;
-    whole("acceleration of gravity [m/s^2]", simulation.gravity)?;
-    whole("friction torque [N m]", simulation.friction_torque)?;
-    whole("piston damping [N s/m]", simulation.piston_damping)?;
-    match simulation.duration {
-        Duration::Revolutions(turns) => positive("duration [revolutions]", turns)?,
-        Duration::Time(time) => positive("duration [s]", time)?,
-    }
-    if simulation.driveline.len() > MOST_LINKS {
-        return number(
-            "number of inertias of the driveline",
-            "at most 8",
-            simulation.driveline.len() as f64,
-            false,
-        );
-    }
-    if simulation.events.len() > MOST_EVENTS {
-        return number("number of events", "at most 64", simulation.events.len() as f64, false);
-    }
-    for link in &simulation.driveline {
-        positive("inertia of the driveline [kg m^2]", link.inertia)?;
-        whole("stiffness of the driveline [N m/rad]", link.stiffness)?;
-        whole("damping of the driveline [N m s/rad]", link.damping)?;
-        number("ratio of the driveline", "finite and not 0", link.ratio, link.ratio != 0.0)?;
-    }
-    for event in &simulation.events {
-        if let Action::Misfire(index) = event.action
-            && index >= train.cylinders.len()
-        {
-            return number(
-                "number of the cylinder that misfires",
-                "that of a cylinder",
-                index as f64 + 1.0,
-                false,
-            );
-        }
-        if let Action::Fuel(share) = event.action {
-            number("fuel as a share", "from 0 to 1", share, (0.0..=1.0).contains(&share))?;
-        }
-    }
-    if let Some(governor) = &simulation.governor {
-        positive("delay of the governor [s]", governor.delay)?;
-        number("droop of the governor", "from 0 to 1", governor.droop, (0.0..1.0).contains(&governor.droop))?;
-    }
-    if let Some(starter) = &simulation.starter {
-        positive("free speed of the starter [rad/s]", starter.free_speed)?;
-        positive("ratio of the starter", starter.ratio)?;
-    }
-    if let Drive::Imposed { profile, .. } = &simulation.drive {
-        let rising = profile.windows(2).all(|pair| pair[1][0] > pair[0][0]);
-        number(
-            "profile of the speed: number of points",
-            "1 or more, rising in time",
-            profile.len() as f64,
-            rising && !profile.is_empty(),
-        )?;
-    } else if let Some(rotor) = train.rotors.first().filter(|rotor| !rotor.known) {
-        return Err(MultibodyError::NoInertia {
-            part: rotor.name.clone(),
-            keys: "`inertia` or `crankshaft_inertia` in [flywheel], or [crank.body]",
-        });
-    }
-    if with_gas {
-        for (index, cylinder) in train.cylinders.iter().enumerate() {
-            let missing = match (cylinder.area, cylinder.firing_angle) {
-                (None, _) => "bore",
-                (_, None) => "firing angle",
-                _ => continue,
-            };
-            return Err(MultibodyError::NoGasData { cylinder: index + 1, missing });
-        }
-    }
-    match simulation.block {
-        BlockMotion::Fixed => Ok(()),
-        BlockMotion::Floating if train.block.is_some() => Ok(()),
-        BlockMotion::Floating => Err(MultibodyError::NoMounts { missing: "the file has no [block]".into() }),
-        BlockMotion::Mounts => match &train.fixed_because {
-            Some(reason) => Err(MultibodyError::NoMounts { missing: reason.clone() }),
-            None => match train.mounts.iter().find(|mount| mount.frequency_dependent) {
-                Some(mount) => Err(MultibodyError::NoMounts {
-                    missing: format!(
-                        "mount `{}` has a loss factor or a table over frequency, which a run in time cannot use; give its damping instead",
-                        mount.name
-                    ),
-                }),
-                None => Ok(()),
-            },
-        },
-    }
 }
 
 impl Runner<'_> {

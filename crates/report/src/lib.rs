@@ -28,6 +28,7 @@ mod crank_strip;
 mod crank_view;
 mod crankshaft_section;
 mod crankshaft_tables;
+mod crosscheck;
 mod csv;
 mod cycle_result;
 mod cycle_tables;
@@ -75,6 +76,7 @@ mod shaft_weight_drawing;
 mod shaft_weight_tables;
 mod share_plot;
 mod side_view;
+mod simulation;
 mod spectrum;
 mod speed_table;
 mod star;
@@ -127,6 +129,7 @@ pub use crankshaft_tables::{
     clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
     obstacle_name,
 };
+pub use crosscheck::*;
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use cycle_result::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};
 pub use cycle_tables::{cycle_angle_table, cycle_figures, cycle_table};
@@ -175,6 +178,7 @@ pub use shaft_weight_tables::{
 };
 pub use share_plot::share_plots;
 pub use side_view::side_view;
+pub use simulation::*;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
 pub use speed_table::speed_table;
 pub use star::{couple_stars, force_stars};

@@ -201,10 +201,11 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => asker.studio.folder.traces(&engine)?,
         false => Vec::new(),
     };
-    let answer = optimise_on_webs(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
-        WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
-        error => Problem::refused(error),
-    })?;
+    let answer =
+        optimise_on_webs(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
+            WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
+            error => Problem::refused(error),
+        })?;
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
         return Ok(BalanceAnswer { answer, headline, text: None, after: None, effect: None, warnings });

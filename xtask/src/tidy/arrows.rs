@@ -22,6 +22,7 @@ const ARROWS: [(&str, &[&str]); 19] = [
         &[
             "lanchester-model",
             "lanchester-mechanism",
+            "lanchester-multibody",
             "lanchester-geometry",
             "lanchester-balance",
             "lanchester-workshop",

@@ -1,0 +1,121 @@
+//! Options of `lanchester simulate` and `lanchester crosscheck`.
+
+use crate::format::Format;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// `simulate`
+#[derive(Debug, Args)]
+pub struct SimulateArguments {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// How long: `10 revolutions` or `2 s`.
+    #[arg(long = "for", value_name = "DURATION", default_value = "10 revolutions", conflicts_with = "until")]
+    pub duration: String,
+    /// Search the periodic motion and show one period of it.
+    #[arg(long, value_enum)]
+    pub until: Option<Until>,
+    /// Speed of crankshaft 1 at the start, with its unit; default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Keep this speed by a drive that takes whatever torque it needs.
+    #[arg(long)]
+    pub imposed: bool,
+    /// Whether the block moves; default: on its mounts where the file gives them in a form that a run in time can use.
+    #[arg(long, value_enum)]
+    pub block: Option<BlockOption>,
+    /// Torque of a constant load, with its unit, or `none`; default: with gas the mean that the engine gives at the start speed.
+    #[arg(long, value_name = "TORQUE")]
+    pub load: Option<String>,
+    /// The load is bolted to the block, as a generator: its reaction goes there instead of to the ground.
+    #[arg(long)]
+    pub load_on_block: bool,
+    /// Numbers of cylinders, with commas between, that fire no more after the first revolution.
+    #[arg(long, value_name = "CYLINDERS", value_delimiter = ',')]
+    pub misfire: Vec<usize>,
+    /// Leave out the gas of the file.
+    #[arg(long)]
+    pub inertia_only: bool,
+    /// Leave out the weight.
+    #[arg(long)]
+    pub no_gravity: bool,
+    /// Crank angle between samples, with its unit.
+    #[arg(long, value_name = "ANGLE", default_value = "1 deg")]
+    pub step: String,
+    /// Relative tolerance of every step, from 1e-13 to 1e-2.
+    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-9)]
+    pub tolerance: f64,
+    /// Let it take as long as it takes: no bound on the evaluations.
+    #[arg(long)]
+    pub long: bool,
+    /// Table written with `--format csv`; default: trace.
+    #[arg(long, value_enum, requires = "format")]
+    pub table: Option<SimulationTable>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// What a run may be searched for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Until {
+    /// The motion that repeats after one period.
+    Periodic,
+}
+
+/// Whether the block moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum BlockOption {
+    /// It stands still.
+    Fixed,
+    /// It stands on its mounts.
+    Mounts,
+}
+
+/// Tables of `simulate --format csv`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SimulationTable {
+    /// Angle, speed, torques, block and mounts at every sample.
+    Trace,
+    /// Side thrust, pins and main bearings at every sample.
+    Reactions,
+    /// Works and stored energies.
+    Energy,
+    /// Events.
+    Events,
+}
+
+/// `crosscheck`
+#[derive(Debug, Args)]
+pub struct CrosscheckArguments {
+    /// Engine file; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Speed of crankshaft 1, with its unit; default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// One condition alone; may be given several times.
+    #[arg(long, value_enum)]
+    pub condition: Vec<ConditionOption>,
+    /// Highest order listed.
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(0..=64))]
+    pub order: u32,
+    /// Largest share of the largest amplitude of its kind by which a quantity may differ under condition A.
+    #[arg(long, value_name = "SHARE")]
+    pub bar: Option<f64>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// Conditions of `crosscheck`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ConditionOption {
+    /// Imposed speed, fixed block, no gravity.
+    A,
+    /// Free speed, fixed block, constant load torque.
+    B,
+    /// Imposed speed, block on its mounts.
+    C,
+}

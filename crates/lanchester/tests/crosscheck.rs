@@ -1,0 +1,109 @@
+//! The closed form against the multibody simulation: no engine of the gallery or of the examples disagrees anywhere.
+
+use lanchester::model::{Engine, read, templates};
+use lanchester::report::{Condition, CrossVerdict};
+use lanchester::{CrossCheckRequest, TraceFile, crosscheck, trace_names};
+use std::fs;
+use std::path::Path;
+
+fn examples() -> Vec<(Engine, Vec<TraceFile>)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut files: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    let engine = |path: &Path| {
+        let engine = read(&fs::read_to_string(path).unwrap()).engine.unwrap();
+        let trace = |name: &str| TraceFile {
+            name: name.to_owned(),
+            text: fs::read_to_string(folder.join(name)).unwrap(),
+        };
+        let traces = trace_names(&engine).into_iter().map(trace).collect();
+        (engine, traces)
+    };
+    files.iter().map(|path| engine(path)).collect()
+}
+
+fn check(engine: &Engine, traces: &[TraceFile]) -> usize {
+    let check = crosscheck(engine, traces, &CrossCheckRequest::default())
+        .unwrap_or_else(|e| panic!("{}: {e}", engine.name));
+    for condition in &check.conditions {
+        for row in &condition.rows {
+            assert_ne!(
+                row.verdict,
+                CrossVerdict::Disagrees,
+                "{}, {:?}: {row:?}",
+                engine.name,
+                condition.condition
+            );
+        }
+        assert!(condition.not_applicable.is_some() != !condition.rows.is_empty(), "{}", engine.name);
+    }
+    assert!(check.agrees());
+    check.conditions.iter().filter(|condition| condition.not_applicable.is_none()).count()
+}
+
+#[test]
+fn xcheck_gallery() {
+    for template in templates() {
+        let engine = read(template.text).engine.expect("the gallery has no mistakes");
+        assert!(check(&engine, &[]) >= 1);
+    }
+}
+
+#[test]
+fn xcheck_examples() {
+    for (engine, traces) in examples() {
+        assert!(check(&engine, &traces) >= 1);
+    }
+}
+
+/// With the inertia of everything that turns, the free speed is that of the energy integral.
+#[test]
+fn xcheck_free_speed() {
+    let fired: Vec<_> = examples().into_iter().filter(|(engine, _)| engine.gas.is_some()).collect();
+    assert!(fired.len() >= 2);
+    for (mut engine, traces) in fired {
+        let wheel = engine.flywheel.get_or_insert_default();
+        (wheel.inertia, wheel.crankshaft_inertia) = (Some(0.4), Some(0.05));
+        assert!(check(&engine, &traces) >= 2, "{}", engine.name);
+    }
+}
+
+#[test]
+fn a_bar_below_rounding_is_not_kept() {
+    // The comparison must be able to fail: a bar below rounding.
+    let engine = read(templates()[0].text).engine.unwrap();
+    let request = CrossCheckRequest {
+        bar: Some(1e-19),
+        conditions: vec![Condition::LikeForLike],
+        ..CrossCheckRequest::default()
+    };
+    assert!(!crosscheck(&engine, &[], &request).unwrap().agrees());
+}
+
+/// The engine on mounts of the examples, its rubber replaced by dampers, which have an exact form in time.
+#[test]
+fn xcheck_moving_block() {
+    let (mut engine, traces) =
+        examples().into_iter().find(|(engine, _)| engine.block.is_some() && engine.gas.is_some()).unwrap();
+    for spring in engine.mounts.iter_mut().filter_map(|mount| mount.spring.as_mut()) {
+        spring.table.clear();
+        spring.loss_factor = [0.0; 3];
+        spring.damping = [400.0; 3];
+    }
+    let inertia = engine.flywheel.get_or_insert_default();
+    inertia.inertia = Some(0.3);
+    inertia.crankshaft_inertia = Some(0.05);
+    let request = CrossCheckRequest {
+        speed: Some(150.0),
+        conditions: vec![Condition::MovingBlock],
+        ..CrossCheckRequest::default()
+    };
+    let check = crosscheck(&engine, &traces, &request).unwrap();
+    let condition = &check.conditions[0];
+    assert_eq!(condition.not_applicable, None);
+    let ratio = condition.rows.last().unwrap();
+    assert!(ratio.bar.is_some() && ratio.verdict == CrossVerdict::Agrees, "{ratio:?}");
+    let left = &condition.rows[condition.rows.len() - 2];
+    assert!(left.multibody < 0.5 * left.closed_form, "both causes matter: {left:?}");
+}
