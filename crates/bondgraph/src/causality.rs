@@ -163,7 +163,7 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
         }
     }
     if procedure.mistakes.any() {
-        return Err(procedure.mistakes.into_diagnostics(""));
+        return Err(procedure.mistakes.into_diagnostics(&graph.source));
     }
     Ok(Causality {
         stroke_at_head: procedure.strokes.into_iter().map(|stroke| stroke.unwrap_or(true)).collect(),

@@ -94,6 +94,7 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
         bonds: checker.bonds,
         signals: checker.signals,
         simulation,
+        source: String::new(),
     })
 }
 

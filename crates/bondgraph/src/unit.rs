@@ -186,6 +186,15 @@ impl Display for Unit {
     }
 }
 
+/// A time above zero with its unit, `"2 s"`, in seconds.
+pub fn duration(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let split = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == 'e' || c == '-'))?;
+    let (length, factor, unit) = leading_unit(&text[split..])?;
+    let value = text[..split].parse::<f64>().ok()? * factor;
+    (unit == Unit::SECOND && split + length == text.len() && value > 0.0 && value < 1e12).then_some(value)
+}
+
 /// The unit that stands at the start of a text behind a number: bytes read, factor, unit. Names stand apart by blanks, a
 /// slash and an exponent touch their name.
 pub(crate) fn leading_unit(text: &str) -> Option<(usize, f64, Unit)> {
