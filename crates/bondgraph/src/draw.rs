@@ -53,9 +53,18 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
         let colour = if follows { FOLLOWS } else { INK };
         let name = if follows { format!("{} (follows)", element.name) } else { element.name.clone() };
         let kind = escaped(&element.written);
-        let below = if element.is_junction() || element.ports.len() > 1 { 27.0 } else { 15.0 };
-        let (kind_y, name_x, name_y, anchor) = if element.is_junction() || element.ports.len() > 1 {
-            (y + 6.0, x + 10.0, y + below, "start")
+        let core = element.is_junction() || element.ports.len() > 1;
+        // The name of a junction stands on the side with fewer bonds.
+        let above = element.ports.iter().filter(|bond| {
+            let ends = &graph.bonds[**bond];
+            let other = if ends.from == index { ends.to } else { ends.from };
+            places[other][1] < y
+        });
+        let name_at = if above.count() > 1 { y + 27.0 } else { y - 15.0 };
+        let (kind_y, name_x, name_y, anchor) = if core && !element.is_junction() {
+            (y + 6.0, x, y - 17.0, "middle")
+        } else if core {
+            (y + 6.0, x + 12.0, name_at, "start")
         } else if limb_is_up(graph, &places, index) {
             (y + 2.0, x, y - 18.0, "middle")
         } else {
@@ -120,7 +129,10 @@ fn places(graph: &Graph) -> Vec<[f64; 2]> {
         let mut taken: Vec<(usize, usize)> = vec![(0, next_row)];
         while let Some(at) = waiting.pop_front() {
             let column = depth[at].unwrap_or(0) + 1;
-            for other in neighbours(at).filter(|other| core[*other]).collect::<Vec<_>>() {
+            // What goes on stands straight ahead, what ends there below.
+            let mut ahead: Vec<usize> = neighbours(at).filter(|other| core[*other]).collect();
+            ahead.sort_by_key(|other| std::cmp::Reverse(neighbours(*other).filter(|n| core[*n]).count()));
+            for other in ahead {
                 if depth[other].is_none() {
                     let mut wanted = row[at];
                     while taken.contains(&(column, wanted)) {
@@ -191,18 +203,23 @@ fn places(graph: &Graph) -> Vec<[f64; 2]> {
     places
 }
 
-/// Ends of a line between two elements, clear of their letters.
-fn line(a: [f64; 2], b: [f64; 2]) -> ([f64; 2], [f64; 2], [f64; 2]) {
+/// Ends of a line between two elements, clear of their letters, whose half widths are given.
+fn line(a: [f64; 2], b: [f64; 2], wide: [f64; 2]) -> ([f64; 2], [f64; 2], [f64; 2]) {
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let length = dx.hypot(dy).max(1.0);
     let (ux, uy) = (dx / length, dy / length);
-    let gap = (20.0 * ux.abs() + 15.0 * uy.abs()).min(length / 3.0);
-    ([a[0] + gap * ux, a[1] + gap * uy], [b[0] - gap * ux, b[1] - gap * uy], [ux, uy])
+    let gap = |wide: f64| (wide * ux.abs() + 15.0 * uy.abs()).min(length / 3.0);
+    let (first, last) = (gap(wide[0]), gap(wide[1]));
+    ([a[0] + first * ux, a[1] + first * uy], [b[0] - last * ux, b[1] - last * uy], [ux, uy])
 }
 
 fn half_arrow(graph: &Graph, causality: &Causality, places: &[[f64; 2]], bond: usize, svg: &mut String) {
     let ends = &graph.bonds[bond];
-    let (a, b, [ux, uy]) = line(places[ends.from], places[ends.to]);
+    let (a, b, [ux, uy]) = line(
+        places[ends.from],
+        places[ends.to],
+        [ends.from, ends.to].map(|end| 11.0 + 6.0 * graph.elements[end].written.len() as f64),
+    );
     let colour = if causality.free_bonds.contains(&bond) {
         FREE
     } else if causality.following_bonds.contains(&bond) {
