@@ -169,7 +169,7 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
         }
     }
     if procedure.mistakes.any() {
-        return Err(procedure.mistakes.into_diagnostics(""));
+        return Err(procedure.mistakes.into_diagnostics(&graph.source));
     }
     Ok(Causality {
         stroke_at_head: procedure.strokes.into_iter().map(|stroke| stroke.unwrap_or(true)).collect(),
@@ -351,15 +351,34 @@ impl Procedure<'_> {
         let Text { text, span } = self.graph.place(element);
         let given = if stroke_here { "flow" } else { "effort" };
         let other = if stroke_here { "effort" } else { "flow" };
+        if matches!(self.graph.elements[element].kind, Kind::Se | Kind::Sf) {
+            let ends = &self.graph.bonds[bond];
+            let neighbour = if ends.from == element { ends.to } else { ends.from };
+            let origin = self.origin(bond);
+            let place = &self.graph.elements[neighbour].name;
+            let common = match self.graph.elements[neighbour].kind {
+                Kind::One => "flow",
+                Kind::Zero => "effort",
+                _ => given,
+            };
+            let message = if common == given {
+                format!("{origin} and {text} both set the {given} of `{place}`")
+            } else {
+                format!(
+                    "nothing sets the {common} of `{place}`: {origin} and {text} both set a {given} there"
+                )
+            };
+            let hint =
+                "take one of the sources out, or put the resistor or store that is missing between them";
+            self.mistakes.push("E1713", &span, message, hint);
+            return;
+        }
         let message = format!(
             "`{text}` {why}, so it needs the {other} of its bond, but {} sets the {given} there",
             self.origin(bond)
         );
         let hint = match self.graph.elements[element].kind {
             Kind::R => "give the law in its other form, or a resistance",
-            Kind::Se | Kind::Sf => {
-                "two sources at one bond: take one out, or put a resistor or store between"
-            }
             _ => {
                 "give a capacitance, stiffness or inertia, which can be turned round, or put a spring or inertia between"
             }

@@ -99,6 +99,7 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
         bonds: checker.bonds,
         signals: checker.signals,
         simulation,
+        source: String::new(),
     })
 }
 
@@ -117,7 +118,7 @@ impl Checker<'_> {
             if !good {
                 let hint = "a name has letters, digits and _, and starts with a letter";
                 self.mistakes.push("E1703", &name.span, format!("\"{text}\" is no name"), hint);
-            } else if RESERVED.contains(&text) {
+            } else if RESERVED.contains(&text) && !self.description.elements.iter().any(|e| e.name == *name) {
                 let hint = "t is the time, e, f, q, p are the variables of a law: choose another name";
                 self.mistakes.push("E1703", &name.span, format!("`{text}` has a meaning of its own"), hint);
             } else if seen.contains(&text) {

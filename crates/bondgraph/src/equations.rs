@@ -115,7 +115,7 @@ pub fn equations(graph: &Graph) -> Result<Equations, Vec<Diagnostic>> {
     resolver.eliminate(&mut outputs, false);
     let Resolver { pool, unknowns, mistakes, .. } = resolver;
     if mistakes.any() {
-        return Err(mistakes.into_diagnostics(""));
+        return Err(mistakes.into_diagnostics(&graph.source));
     }
     let mut graph = graph.clone();
     graph.pool = pool;

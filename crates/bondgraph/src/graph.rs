@@ -20,6 +20,8 @@ pub struct Graph {
     pub(crate) signals: Vec<Signal>,
     /// Duration [s], number of samples, tolerance, as the file asks for.
     pub simulation: Asked,
+    /// The text that it was read from, for the places of diagnostics; empty where it was described by calls.
+    pub(crate) source: String,
 }
 
 /// What a graph file asks of its simulation.
@@ -144,6 +146,7 @@ impl Graph {
         let mut mistakes = Mistakes::default();
         let description = file::read(text, &mut mistakes);
         let graph = check::check(&description, &mut mistakes);
+        let graph = graph.map(|graph| Graph { source: text.to_owned(), ..graph });
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(text))
     }
 

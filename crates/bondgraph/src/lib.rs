@@ -25,7 +25,9 @@ mod check;
 mod compiled;
 mod description;
 mod domain;
+mod draw;
 mod equations;
+mod export;
 mod expression;
 mod file;
 mod graph;
@@ -34,17 +36,23 @@ mod mistake;
 mod shown;
 mod simulate;
 mod tape;
+mod text;
 mod unit;
 
 pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use causality::{Causality, Follower, Preference, Step, causality};
 pub use description::{Description, Entry, Text};
 pub use domain::Domain;
+pub use draw::drawing;
 pub use equations::{Equations, equations};
+pub use export::{graphml, modelica};
 pub use file::is_graph_file;
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
 pub use shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
 pub use simulate::{Event, Method, Series, Simulation, SimulationRequest};
-pub use unit::Unit;
+pub use text::{
+    audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,
+};
+pub use unit::{Unit, duration};

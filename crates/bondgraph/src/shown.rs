@@ -233,6 +233,7 @@ impl Equations {
                 }
                 Style::Text if bond.contains(" > ") => format!("({bond}).{what}"),
                 Style::Text => format!("{bond}.{what}"),
+                Style::Modelica if bond.contains(" > ") => format!("bond_{}_{what}", identifier(&bond)),
                 Style::Modelica => format!("{}_{what}", identifier(&bond)),
             }
         };

@@ -139,7 +139,11 @@ impl Unit {
 
 impl Display for Unit {
     fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
-        let plain = ["N", "J", "W", "Pa", "V", "C", "Wb", "Ohm", "F", "H", "Hz"];
+        // A torque and an energy have one dimension: newton metre reads well for both.
+        if *self == Unit::JOULE {
+            return formatter.write_str("N m");
+        }
+        let plain = ["N", "W", "Pa", "V", "C", "Wb", "Ohm", "F", "H", "Hz"];
         let of = |name: &str| Unit::named(name).map(|(_, unit)| unit);
         if *self == Unit::NONE {
             return formatter.write_str("1");
@@ -157,16 +161,16 @@ impl Display for Unit {
                 }
             }
         }
-        for (first, second) in [("N", "m"), ("N", "Pa"), ("W", "K"), ("J", "K"), ("Pa", "W"), ("m", "N")] {
+        for (first, second) in [("N", "m"), ("W", "K"), ("J", "K"), ("Pa", "W"), ("m", "N")] {
             if let (Some(a), Some(b)) = (of(first), of(second))
                 && a.over(b) == *self
             {
                 return write!(formatter, "{first}/{second}");
             }
         }
-        let names = ["m", "kg", "s", "A", "K"];
+        let [m, kg, s, ampere, kelvin] = self.twelfths;
         let (mut above, mut below) = (Vec::new(), Vec::new());
-        for (name, twelfths) in names.into_iter().zip(self.twelfths) {
+        for (name, twelfths) in [("kg", kg), ("m", m), ("s", s), ("A", ampere), ("K", kelvin)] {
             let size = f64::from(twelfths.abs()) / 12.0;
             let text = if size == 1.0 { name.to_owned() } else { format!("{name}{size}") };
             match twelfths.signum() {
@@ -182,6 +186,15 @@ impl Display for Unit {
             _ => write!(formatter, "{above}/({})", below.join(" ")),
         }
     }
+}
+
+/// A time above zero with its unit, `"2 s"`, in seconds.
+pub fn duration(text: &str) -> Option<f64> {
+    let text = text.trim();
+    let split = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == 'e' || c == '-'))?;
+    let (length, factor, unit) = leading_unit(&text[split..])?;
+    let value = text[..split].parse::<f64>().ok()? * factor;
+    (unit == Unit::SECOND && split + length == text.len() && value > 0.0 && value < 1e12).then_some(value)
 }
 
 /// The unit that stands at the start of a text behind a number: bytes read, factor, unit. Names stand apart by blanks, a
@@ -238,9 +251,9 @@ mod tests {
     #[test]
     fn units_are_read_as_far_as_they_go() {
         let read = |text| leading_unit(text).map(|(length, factor, unit)| (length, factor, unit.to_string()));
-        assert_eq!(read(" N m"), Some((4, 1.0, "J".into())));
+        assert_eq!(read(" N m"), Some((4, 1.0, "N m".into())));
         assert_eq!(read(" mm*x"), Some((3, 1e-3, "m".into())));
-        assert_eq!(read(" kg m2 + 1"), Some((6, 1.0, "m2 kg".into())));
+        assert_eq!(read(" kg m2 + 1"), Some((6, 1.0, "kg m2".into())));
         assert_eq!(read(" 1/rpm").map(|r| r.2), Some("s".into()));
         assert_eq!(read(" N s/m"), Some((6, 1.0, "kg/s".into())));
         assert_eq!(read("/l"), None);

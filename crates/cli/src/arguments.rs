@@ -1,5 +1,6 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
+use crate::bondgraph_arguments::BondgraphArguments;
 use crate::commands::merge::MergeArguments;
 use crate::compare_arguments::CompareArguments;
 use crate::counterweight_arguments::CounterweightArguments;
@@ -210,6 +211,15 @@ pub enum Command {
     /// Print the licences and notices of everything by others that the program and its page contain.
     #[command(after_help = "Examples:\n  lanchester licences > third-party.txt")]
     Licences,
+    /// A bond graph: its causality, equations, poles, simulation, energy audit, drawing, and text for other programs.
+    #[command(
+        after_help = "Examples:\n  lanchester bondgraph slider-crank.toml\n  lanchester bondgraph equations slider-crank.toml --notation latex\n  \
+                            lanchester bondgraph linear dc-motor.toml\n  lanchester bondgraph simulate dc-motor.toml --for '2 s' --format csv > motor.csv\n  \
+                            lanchester bondgraph audit slider-crank.toml\n  lanchester bondgraph draw dc-motor.toml > motor.svg\n  \
+                            lanchester bondgraph export dc-motor.toml --to modelica > motor.mo\n\n\
+                            Exit status 1: a simulation ended before its duration."
+    )]
+    Bondgraph(BondgraphArguments),
     /// Balance a real crank or engine from measurements, described by a workshop sheet.
     Workshop(WorkshopArguments),
 }

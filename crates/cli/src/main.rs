@@ -5,6 +5,7 @@
 
 mod arguments;
 mod balance_request;
+mod bondgraph_arguments;
 mod commands;
 mod compare_arguments;
 mod counterweight_arguments;
@@ -55,6 +56,7 @@ fn without_progress(command: &Command) -> Option<&'static str> {
         Command::Sensitivity(_) => "sensitivity",
         Command::Report(_) => "report",
         Command::Validate(_) => "validate",
+        Command::Bondgraph(_) => "bondgraph",
         Command::Workshop(_) => "workshop",
         _ => return None,
     })
@@ -92,6 +94,7 @@ fn main() -> ExitCode {
         Command::Validate(arguments) => commands::validate::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
         Command::Licences => commands::licences::run(),
+        Command::Bondgraph(arguments) => commands::bondgraph::run(&arguments, colour),
         Command::Workshop(arguments) => commands::workshop::run(&arguments, colour),
     };
     match outcome {

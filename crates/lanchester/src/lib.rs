@@ -71,6 +71,7 @@ pub use crosscheck::{CrossCheckError, CrossCheckRequest, crosscheck, rotor_inert
 pub use cycle_results::cycle_results;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
+pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;

@@ -158,9 +158,12 @@ impl<S: Scope> Reader<'_, S> {
             return Some(base);
         }
         self.depth += 1;
-        let exponent = if self.depth > DEEPEST { None } else { self.signed() };
+        if self.depth > DEEPEST {
+            self.refuse("the powers are too deep", "name parts of the expression as signals");
+            return None;
+        }
+        let exponent = self.signed()?;
         self.depth -= 1;
-        let exponent = exponent?;
         if exponent.unit.is_some_and(|unit| unit != Unit::NONE) {
             self.wrong_unit("an exponent has a unit".into());
         }
@@ -233,7 +236,11 @@ impl<S: Scope> Reader<'_, S> {
             None => (1.0, Unit::NONE),
         };
         let unit = (value != 0.0 || unit != Unit::NONE).then_some(unit);
-        Some(Parsed { id: self.scope.pool().constant(value * factor), unit })
+        // Division by a whole number rounds once: "144 mm" is the double of 0.144.
+        let whole = (1.0 / factor).round();
+        let exact = factor < 1.0 && (1.0 / whole - factor).abs() <= f64::EPSILON * factor;
+        let value = if exact { value / whole } else { value * factor };
+        Some(Parsed { id: self.scope.pool().constant(value), unit })
     }
 
     fn named(&mut self) -> Option<Parsed> {

@@ -2,6 +2,7 @@
 
 pub mod balance;
 pub mod bearings;
+pub mod bondgraph;
 pub mod check;
 pub mod compare;
 pub mod counterweight;

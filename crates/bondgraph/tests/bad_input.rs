@@ -1,0 +1,108 @@
+//! Bad graph files: every mistake at once, with its place and a hint; never a panic, never a hang.
+
+use lanchester_bondgraph::{Graph, SimulationRequest, equations};
+
+const GOOD: &str = include_str!("../../../examples/bond-graphs/slider-crank.toml");
+
+#[test]
+fn one_change_one_diagnostic_with_place_and_hint() {
+    let cases = [
+        ("kind = \"Se\"", "kind = \"Sx\"", "E1702", "no kind of element"),
+        ("effort = \"5 N m\"", "effort = \"5 N\"", "E1705", "needs a value in N m"),
+        ("effort = \"5 N m\"", "effort = \"5\"", "E1705", "got `5` in 1"),
+        ("effort = \"5 N m\"", "", "E1709", "no law"),
+        ("resistance = \"0.02 N m s\"", "resistance = \"0.02 N m s", "E1701", "TOML"),
+        ("resistance = \"0.02 N m s\"", "resistance = \"-0.02 N m s\"", "E1712", "positive"),
+        ("inertia = \"m\"", "inertia = \"mm\"", "E1706", "`mm` is not known"),
+        ("inertia = \"m\"", "inertia = \"m*(2\"", "E1704", "closing bracket"),
+        ("inertia = \"m\"", "inertia = \"0 kg\"", "E1712", "positive"),
+        ("\"motor > shaft\"", "\"motor > shat\"", "E1707", "no element `shat`"),
+        ("\"motor > shaft\"", "\"motor shaft\"", "E1707", "no bond"),
+        ("\"shaft > rub\"", "\"rub > shaft\"", "E1708", "half arrow"),
+        ("\"shaft > rub\", ", "", "E1708", "`rub` has no bond"),
+        ("\"shaft > rub\"", "\"shaft > rub\", \"guide > rub\"", "E1708", "bonded twice"),
+        ("\"slider.2 > guide\"", "\"slider.3 > guide\"", "E1707", "no port"),
+        ("domain = \"translation\"", "domain = \"motion\"", "E1702", "no domain"),
+        ("domain = \"translation\"", "", "E1710", "not known"),
+        ("\"slider.2 > guide\"", "\"slider.2 > guide\", \"guide > shaft\"", "E1710", "joins"),
+        ("start = \"0.3 rad\"", "start = \"0.3 m\"", "E1705", "starts in m"),
+        ("integral_of = \"shaft.flow\", start = \"0.3 rad\"", "value = \"theta\"", "E1711", "needs itself"),
+        ("integral_of = \"shaft.flow\"", "integral_of = \"shaft.effort\"", "E1706", "has one flow"),
+        ("r = \"47.75 mm\"", "r = \"l\"\nl2 = \"r + l3\"\nl3 = \"l2\"", "E1711", "needs itself"),
+        ("l = \"144 mm\"", "l = \"144 mm\"\ncrank = \"1\"", "E1703", "given twice"),
+        ("l = \"144 mm\"", "l = \"144 mm\"\ne = \"1\"", "E1703", "meaning of its own"),
+        ("sqrt(l^2", "sqrt(l^2 + r", "E1705", "m2 plus m"),
+        ("sin(theta)^2)", "sin(r)^2)", "E1705", "sin of m"),
+        ("duration = \"1 s\"", "duration = \"1 m\"", "E1705", "needs s"),
+        ("samples = 500", "samples = 1e9", "E1712", "out of range"),
+    ];
+    for (from, to, code, words) in cases {
+        assert!(GOOD.contains(from), "{from}");
+        let text = GOOD.replacen(from, to, 1);
+        let mistakes = Graph::read(&text).expect_err(to);
+        let found = mistakes.iter().find(|mistake| mistake.code == code && mistake.message.contains(words));
+        let Some(found) = found else { panic!("{to}: no {code} with \"{words}\" in {mistakes:#?}") };
+        assert!(found.line > 1 && found.hint.is_some(), "{found:?}");
+    }
+}
+
+#[test]
+fn several_mistakes_are_told_at_once() {
+    let text =
+        GOOD.replace("\"m\"", "\"mass\"").replace("5 N m", "5 V").replace("shaft > rub", "shaft > rob");
+    let mistakes = Graph::read(&text).expect_err("three mistakes");
+    assert!(!mistakes.is_empty(), "{mistakes:#?}");
+}
+
+#[test]
+fn hostile_texts_neither_panic_nor_hang() {
+    let deep = format!("a = \"{}1{}\"", "(".repeat(500), ")".repeat(500));
+    let long = format!("a = \"1{}\"", "+1".repeat(10_000));
+    let tower = format!("a = \"2{}\"", "^2".repeat(300));
+    for parameter in [&deep, &long, &tower] {
+        let text = GOOD.replacen("r = \"47.75 mm\"", &format!("r = \"47.75 mm\"\n{parameter}"), 1);
+        assert!(Graph::read(&text).is_err());
+    }
+    // Every text that is cut off anywhere, and every one with a byte gone, is read or refused.
+    for at in (0..GOOD.len()).step_by(7) {
+        let _ = Graph::read(&GOOD[..at]);
+        let without = format!("{}{}", &GOOD[..at], &GOOD[at + 1..]);
+        if let Ok(graph) = Graph::read(&without) {
+            let _ = equations(&graph);
+        }
+    }
+}
+
+fn run(change: (&str, &str), most: u64) -> lanchester_bondgraph::Simulation {
+    let text = GOOD.replacen(change.0, change.1, 1);
+    let graph = Graph::read(&text).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    let found = equations(&graph).expect("no conflict");
+    let request = SimulationRequest { most_evaluations: most, ..found.request() };
+    found.simulate(&request)
+}
+
+#[test]
+fn a_run_that_cannot_go_on_says_where_and_keeps_its_samples() {
+    // The resistance becomes infinite at half a second.
+    let late =
+        run(("resistance = \"0.02 N m s\"", "effort = \"0.02 N m s*f/sqrt(1 - t/(0.5 s))\""), 1_000_000);
+    assert!(!late.complete && late.ended.contains("0.5") || late.ended.contains("0.49"), "{}", late.ended);
+    assert!(late.time.len() > 200 && late.time.len() < 260, "{}", late.time.len());
+    assert!(late.series.iter().all(|series| series.values.iter().all(|value| value.is_finite())));
+    let short = run(("", ""), 100);
+    assert!(!short.complete && short.ended.contains("evaluations"), "{}", short.ended);
+}
+
+#[test]
+fn dry_friction_is_located_and_a_condition_that_flutters_is_told() {
+    // Coulomb friction stops the shaft; there the sign switches to and fro, and the result says so.
+    let text = "name = \"brake\"\n[elements]\nshaft = { kind = \"1\", domain = \"rotation\" }\n\
+                disc = { kind = \"I\", inertia = \"2 kg m2\", flow = \"10 rad/s\" }\n\
+                rub = { kind = \"R\", effort = \"4 N m*sign(f)\" }\n\
+                [bonds]\nlist = [\"shaft > disc\", \"shaft > rub\"]\n[simulation]\nduration = \"8 s\"\n";
+    let found = equations(&Graph::read(text).unwrap_or_else(|m| panic!("{m:#?}"))).expect("no conflict");
+    let run = found.simulate(&found.request());
+    assert!(!run.complete && run.ended.contains("to and fro"), "{}", run.ended);
+    // It stands after J w / M = 5 s.
+    assert!((run.events[0].time - 5.0).abs() < 1e-9, "{:?}", run.events[0]);
+}

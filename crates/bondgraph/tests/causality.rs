@@ -1,0 +1,197 @@
+//! Causality of textbook graphs: states, followers, loops, and every kind of conflict.
+
+use lanchester_bondgraph::{Causality, Description, Graph, Preference, causality, equations};
+
+/// A graph of elements `name: kind` and bonds; every element gets a plain law of its kind.
+fn graph(elements: &str, bonds: &str) -> Graph {
+    let mut description = Description::new("test");
+    for element in elements.split(',').map(str::trim) {
+        let (name, kind) = element.split_once(':').expect("name: kind");
+        let keys: &[(&str, &str)] = match kind.trim() {
+            "Se" => &[("effort", "1 N")],
+            "Sf" => &[("flow", "1 m/s")],
+            "R" => &[("resistance", "2 N s/m")],
+            "Re" => &[("effort", "2 N*tanh(f/(1 m/s))")],
+            "Rf" => &[("flow", "2 m/s*tanh(e/(1 N))")],
+            "C" => &[("stiffness", "3 N/m")],
+            "Cq" => &[("law", "3 N/m*q + 1 N/m^3*q^3")],
+            "I" => &[("inertia", "4 kg")],
+            "Ip" => &[("law", "p/(4 kg)")],
+            "TF" => &[("ratio", "5")],
+            "GY" => &[("ratio", "6 N s/m")],
+            _ => &[("domain", "translation")],
+        };
+        let kind = match kind.trim() {
+            "Re" | "Rf" => "R",
+            "Cq" => "C",
+            "Ip" => "I",
+            kind => kind,
+        };
+        description = description.element(name.trim(), kind, keys);
+    }
+    let bonds: Vec<&str> = bonds.split(',').map(str::trim).collect();
+    let mut description = description.bonds(&bonds);
+    for entry in &mut description.elements {
+        if entry.get("domain").is_none() && !["TF", "GY"].contains(&entry.keys[0].1.text.as_str()) {
+            entry.keys.push(("domain".into(), "translation".into()));
+        }
+    }
+    Graph::new(&description).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"))
+}
+
+fn assigned(elements: &str, bonds: &str) -> Causality {
+    causality(&graph(elements, bonds), Preference::Integral).unwrap_or_else(|m| panic!("{m:#?}"))
+}
+
+/// Elements, bonds, states, followers, free bonds.
+type Case = (&'static str, &'static str, &'static str, &'static str, &'static str);
+
+#[test]
+fn textbook_graphs_have_the_states_followers_and_loops_of_the_textbook() {
+    let cases: [Case; 18] = [
+        ("s: Se, j: 1, m: I, k: C, d: R", "s > j, j > m, j > k, j > d", "m k", "", ""),
+        ("s: Sf, j: 0, m: I, k: C, d: R", "s > j, j > m, j > k, j > d", "m k", "", ""),
+        ("s: Se, j: 1, m: I, n: I", "s > j, j > m, j > n", "m", "n", ""),
+        ("s: Sf, j: 0, k: C, l: C", "s > j, j > k, j > l", "k", "l", ""),
+        ("s: Sf, j: 1, m: I", "s > j, j > m", "", "m", ""),
+        ("s: Se, j: 0, k: C", "s > j, j > k", "", "k", ""),
+        ("s: Se, j: 1, r: R, o: 0, q: R", "s > j, j > r, j > o, o > q", "", "", "r"),
+        ("s: Se, j: 1, r: R", "s > j, j > r", "", "", ""),
+        ("s: Se, j: 1, m: I, t: TF, g: 1, n: I", "s > j, j > m, j > t.1, t.2 > g, g > n", "m", "n", ""),
+        ("s: Se, j: 1, m: I, t: TF, g: 1, k: C", "s > j, j > m, j > t.1, t.2 > g, g > k", "m k", "", ""),
+        ("s: Se, j: 1, m: I, y: GY, g: 1, n: I", "s > j, j > m, j > y.1, y.2 > g, g > n", "m n", "", ""),
+        ("s: Se, j: 1, m: I, y: GY, g: 1, k: C", "s > j, j > m, j > y.1, y.2 > g, g > k", "m", "k", ""),
+        (
+            "a: 1, m: I, o: 0, b: 1, k: C, d: R, c: 1, n: I",
+            "a > m, a > o, o > b, b > k, b > d, o > c, c > n",
+            "m k n",
+            "",
+            "",
+        ),
+        ("a: 1, m: I, o: 0, d: R, c: 1, n: I", "a > m, a > o, o > d, o > c, c > n", "m n", "", ""),
+        ("s: Se, j: 1, m: I, e: Re", "s > j, j > m, j > e", "m", "", ""),
+        ("s: Sf, j: 0, k: C, e: Rf", "s > j, j > k, j > e", "k", "", ""),
+        ("s: Se, j: 1, k: Cq, m: Ip, d: R", "s > j, j > m, j > k, j > d", "m k", "", ""),
+        (
+            "s: Se, a: 1, r: R, o: 0, q: R, b: 1, p: R, z: 0, k: C",
+            "s > a, a > r, a > o, o > q, o > b, b > p, b > z, z > k",
+            "k",
+            "",
+            "r",
+        ),
+    ];
+    for (elements, bonds, states, followers, free) in cases {
+        let found = assigned(elements, bonds);
+        let words = |names: Vec<&str>| {
+            let mut names = names;
+            names.sort_unstable();
+            names.join(" ")
+        };
+        let sorted = |text: &'static str| words(text.split_whitespace().collect());
+        assert_eq!(
+            words(found.states.iter().map(String::as_str).collect()),
+            sorted(states),
+            "states of {elements}"
+        );
+        let names = found.followers.iter().map(|f| f.element.as_str()).collect();
+        assert_eq!(words(names), sorted(followers), "followers of {elements}");
+        assert_eq!(
+            words(found.free.iter().map(String::as_str).collect()),
+            sorted(free),
+            "free of {elements}"
+        );
+    }
+}
+
+#[test]
+fn followers_name_their_path() {
+    let found = assigned("s: Se, j: 1, m: I, t: TF, g: 1, n: I", "s > j, j > m, j > t.1, t.2 > g, g > n");
+    assert_eq!(found.followers[0].path, ["m", "j", "t", "g", "n"]);
+    let found = assigned("s: Sf, j: 1, m: I", "s > j, j > m");
+    assert_eq!(found.followers[0].path, ["s", "j", "m"]);
+}
+
+#[test]
+fn every_kind_of_conflict_is_an_error_with_its_elements_and_a_hint() {
+    let cases = [
+        ("s: Sf, z: Sf, j: 1, m: I", "s > j, z > j, j > m", "s and z both set the flow of `j`"),
+        ("s: Se, z: Se, j: 0, k: C", "s > j, z > j, j > k", "s and z both set the effort of `j`"),
+        ("s: Se, z: Se, j: 1", "s > j, z > j", "nothing sets the flow of `j`"),
+        ("s: Sf, z: Sf, j: 0", "s > j, z > j", "nothing sets the effort of `j`"),
+        ("s: Sf, t: TF, z: Sf", "s > t.1, t.2 > z", "both set"),
+        ("s: Se, y: GY, z: Sf", "s > y.1, y.2 > z", "both set"),
+        ("s: Se, j: 0, e: Re", "s > j, j > e", "`e`"),
+        ("s: Sf, j: 1, e: Rf", "s > j, j > e", "`e`"),
+        ("s: Sf, j: 1, m: Ip", "s > j, j > m", "`m` has a law that cannot be turned round"),
+        ("s: Se, j: 0, k: Cq", "s > j, j > k", "`k` has a law that cannot be turned round"),
+        ("s: Sf, z: Sf", "s > z", "both set the flow"),
+    ];
+    for (elements, bonds, words) in cases {
+        let mistakes = causality(&graph(elements, bonds), Preference::Integral).expect_err(elements);
+        let all: Vec<&str> = mistakes.iter().map(|mistake| mistake.message.as_str()).collect();
+        assert!(all.iter().any(|message| message.contains(words)), "{elements}: {all:?}");
+        for mistake in &mistakes {
+            assert_eq!(mistake.code, "E1713");
+            assert!(mistake.hint.as_ref().is_some_and(|hint| hint.len() > 10), "{mistake:?}");
+        }
+    }
+    let two = graph(
+        "s: Sf, z: Sf, j: 1, m: I, p: Se, q: Se, o: 0, k: C",
+        "s > j, z > j, j > m, p > o, q > o, o > k",
+    );
+    assert_eq!(causality(&two, Preference::Integral).expect_err("two conflicts").len(), 2, "both at once");
+}
+
+#[test]
+fn the_dual_lets_stores_follow() {
+    let graph = graph("s: Se, j: 1, m: I, d: R", "s > j, j > m, j > d");
+    let dual = causality(&graph, Preference::Derivative).expect("no conflict");
+    assert_eq!((dual.states.len(), dual.followers.len()), (0, 1));
+}
+
+#[test]
+fn linear_loops_are_solved_by_symbols() {
+    // Two resistors divide an effort: the flow through both is 1 N / (2 + 2) N s/m.
+    let graph = graph("s: Se, j: 1, r: R, o: 0, q: R", "s > j, j > r, j > o, o > q");
+    let run = equations(&graph).expect("solved").simulate(&equations(&graph).expect("solved").request());
+    let flow = &run.series.iter().find(|series| series.name == "q.flow").expect("there").values;
+    assert!(flow.iter().all(|flow| (flow - 0.25).abs() < 1e-15), "{:?}", &flow[..2]);
+}
+
+#[test]
+fn nonlinear_loop_is_solved_at_each_evaluation() {
+    // f = 2 tanh(e), e = 1 - f/2 over the resistor of 2 N s/m in series: two laws that need each other.
+    let graph = graph("s: Se, j: 1, r: Rf, o: 0, q: R, k: C", "s > j, j > r, j > o, o > q, o > k");
+    let found = equations(&graph).expect("an index-1 loop at most");
+    let run = found.simulate(&found.request());
+    assert!(run.complete, "{}", run.ended);
+    let at = |name: &str| run.series.iter().find(|series| series.name == name).expect("there").values.clone();
+    for ((e, f), k) in at("r.effort").iter().zip(at("r.flow")).zip(at("k.effort")) {
+        assert!((f - 2.0 * e.tanh()).abs() < 1e-12 && (e + k - 1.0).abs() < 1e-12, "{e} {f} {k}");
+    }
+}
+
+#[test]
+fn singular_loop_is_an_error_that_names_it() {
+    // A transformer of ratio 1 from a junction back to itself: the loop holds for any flow.
+    let description = Description::new("loop")
+        .element("s", "Se", &[("effort", "1 N")])
+        .element("a", "1", &[("domain", "translation")])
+        .element("m", "I", &[("inertia", "1 kg")])
+        .element("o", "0", &[("domain", "translation")])
+        .element("p", "0", &[("domain", "translation")])
+        .element("t", "TF", &[("ratio", "1")])
+        .element("b", "1", &[("domain", "translation")])
+        .bonds(&["s > a", "a > m", "a > o", "o > t.1", "t.2 > p", "o > b", "b > p", "p > a"]);
+    let graph = Graph::new(&description).expect("well formed");
+    match equations(&graph) {
+        Err(mistakes) => assert!(
+            mistakes.iter().all(|mistake| mistake.code == "E1714" || mistake.code == "E1713"),
+            "{mistakes:?}"
+        ),
+        Ok(found) => {
+            let run = found.simulate(&found.request());
+            assert!(!run.complete, "a singular loop has no motion");
+        }
+    }
+}
