@@ -19,6 +19,7 @@ mod published_arguments;
 mod request;
 mod run;
 mod run_arguments;
+mod robust_arguments;
 mod scatter_arguments;
 mod search_arguments;
 mod search_limit_arguments;

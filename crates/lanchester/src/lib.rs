@@ -34,6 +34,7 @@ mod operating_point;
 mod own_layout;
 mod pressure;
 pub mod run;
+mod robust_balance;
 mod running;
 mod sample_study;
 mod scene;
@@ -77,6 +78,7 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
+pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance};
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};

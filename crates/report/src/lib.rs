@@ -53,6 +53,7 @@ mod motion_plot;
 mod mount_figures;
 mod mount_shapes;
 mod give_up_text;
+mod robust_text;
 mod mount_tables;
 mod mount_text;
 mod number;
@@ -100,6 +101,7 @@ pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
+pub use robust_text::robust_text;
 pub use balance_text::{balance_text, equals_words, headline, search_state_words};
 pub use bearing_tables::{
     BearingSizes, bearing_figures, bearing_parts_table, bearings_csv, bearings_text, main_bearings_table,

@@ -395,3 +395,26 @@ fn many_cylinders_have_a_bound_and_no_proof() {
         "{found:?}"
     );
 }
+
+/// A sample as an engine has the outputs of the sample, by the mechanism.
+#[test]
+fn samples_as_engines_have_the_outputs_of_the_samples() {
+    for name in ENGINES {
+        let engine = engine(name);
+        let mut tolerances = everything(&engine);
+        tolerances[0].extent = Extent::Common;
+        let scattering = Scattering::new(request(engine.clone(), tolerances, 100)).expect("a valid request");
+        let mut drawn = Drawn::default();
+        scattering.draw(5..12, Some(&mut drawn));
+        let engines = scattering.engines(5..12);
+        assert_eq!(engines.len(), 7);
+        for (sample, one) in engines.iter().enumerate() {
+            assert_ne!(*one, engine);
+            let scale = wanted(&engine, Output::PeakForce).max(1e4);
+            for (output, values) in all_outputs().into_iter().zip(&drawn.outputs) {
+                let (got, want) = (values[sample], wanted(one, output));
+                assert!((got - want).abs() <= 2e-5 * scale, "{name} {output:?}: {got} {want}");
+            }
+        }
+    }
+}
