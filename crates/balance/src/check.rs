@@ -17,6 +17,9 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
         place("x", &shaft.name, shaft.x)?;
         place("y", &shaft.name, shaft.y)?;
     }
+    if let Some(cost) = task.shaft_costs.iter().find(|cost| !(**cost >= 0.0 && cost.is_finite())) {
+        return Err(number("fixed cost", "a shaft", "0 or more", *cost));
+    }
     for one in &task.weights {
         weight(engine, task, one)?;
     }
@@ -137,15 +140,23 @@ fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<()
         Phase::Free | Phase::Line(_) | Phase::Direction(_) => {}
     }
     weight.radius.map_or(Ok(()), |radius| positive("radius", name, radius))?;
+    for (what, cost) in [("fixed cost", weight.cost.fixed), ("cost per amount", weight.cost.per_amount)] {
+        if !(cost >= 0.0 && cost.is_finite()) {
+            return Err(number(what, name, "0 or more", cost));
+        }
+    }
     catalogue(task, weight)?;
     let on_free_shaft = match weight.seat {
         Seat::Shaft(index) => {
             let shaft = &task.shafts[index];
-            shaft.optional || [shaft.x, shaft.y].iter().any(|p| matches!(p, Place::Between(..)))
+            shaft.optional
+                || task.pays_for_shaft(index)
+                || [shaft.x, shaft.y].iter().any(|p| matches!(p, Place::Between(..)))
         }
         Seat::Crankshaft(_) => false,
     };
-    let chosen = weight.optional || matches!(weight.z, Place::Between(..)) || on_free_shaft;
+    let pays = weight.cost.fixed > 0.0 && task.asks_for_cost();
+    let chosen = pays || weight.optional || matches!(weight.z, Place::Between(..)) || on_free_shaft;
     if chosen && weight.most.is_none() {
         return Err(BalanceError::Unbounded { device: name.clone() });
     }

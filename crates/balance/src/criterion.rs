@@ -8,6 +8,7 @@ use crate::bending;
 use crate::convex::curve::{Curve, Grid, Member};
 use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
+use crate::cost;
 use crate::error::BalanceError;
 use crate::gas_places::GasCycle;
 use crate::gas_range::indices;
@@ -39,7 +40,8 @@ pub(crate) struct Judged {
 impl Judged {
     /// The criterion at the levels of the groups, in its own unit.
     pub fn value(&self, level: impl Fn(usize) -> f64) -> f64 {
-        self.scale * self.groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
+        // An empty sum is a negative zero.
+        0.0 + self.scale * self.groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
     }
 }
 
@@ -192,6 +194,7 @@ pub(crate) fn judge(
                 }
             }
         }
+        Criterion::Cost => Ok(cost::judge(task, operator, amounts, groups)),
         Criterion::AddedUnbalance => Ok(sum(criterion, operator, amounts, |_| Ok(1.0))?),
         Criterion::AddedMass => Ok(sum(criterion, operator, amounts, |weight| {
             let weight = &task.weights[weight];

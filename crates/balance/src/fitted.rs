@@ -12,7 +12,7 @@ pub(crate) fn bare(engine: &Engine, task: &BalanceTask) -> Engine {
 }
 
 /// Whether a free weight on a crankshaft has this name.
-fn replaces(task: &BalanceTask, name: &str) -> bool {
+pub(crate) fn replaces(task: &BalanceTask, name: &str) -> bool {
     task.weights.iter().any(|w| matches!(w.seat, Seat::Crankshaft(_)) && w.name == name)
 }
 

@@ -98,7 +98,7 @@ fn relax(programme: &Programme, relaxes: &dyn Fn(usize) -> bool) -> Programme {
 }
 
 /// Solves in the directions that matter.
-fn reduced(programme: &Programme, solves: &mut usize) -> Result<Solution, Failure> {
+pub(crate) fn reduced(programme: &Programme, solves: &mut usize) -> Result<Solution, Failure> {
     let (range, _) = RowFactors::of(&programme.seen(), 1e-11).bases();
     let small = programme.restricted(&vec![0.0; programme.variables], &range);
     let mut solution = solve(&small, GAP, 1e-6, solves)?;

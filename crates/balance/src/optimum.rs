@@ -6,6 +6,7 @@ use crate::cancellation::cancel;
 use crate::check::check;
 use crate::convex::Failure;
 use crate::convex::dense::norm;
+use crate::cost::of_taken_over;
 use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
@@ -535,6 +536,7 @@ fn effects(
     let mut effects = Vec::new();
     for judged in &problem.effects {
         let before = match judged.criterion {
+            Criterion::Cost => of_taken_over(engine, task),
             Criterion::AddedMass | Criterion::AddedUnbalance => taken_over(engine, task, judged.criterion),
             _ => standing
                 .effects

@@ -116,6 +116,11 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// A point that keeps the ties, and the directions that they leave open.
+    pub fn start(self) -> (Vec<f64>, Matrix) {
+        (self.x, self.open)
+    }
+
     /// Holds an earlier stage of the problem.
     pub fn hold(&mut self, stage: usize, held: Held, solves: &mut usize) -> Result<(), Failure> {
         let terms = &self.problem.stages[stage];

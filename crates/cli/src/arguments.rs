@@ -9,6 +9,7 @@ use crate::failure::exit_statuses;
 use crate::format::Format;
 use crate::mounts_arguments::MountsArguments;
 use crate::published_arguments::PublishedArguments;
+use crate::robust_arguments::RobustArguments;
 use crate::scatter_arguments::ScatterArguments;
 use crate::search_arguments::SearchArguments;
 use crate::search_limit_arguments::SearchLimitArguments;
@@ -366,6 +367,12 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
+    /// A production of engines.
+    #[command(flatten)]
+    pub robust: RobustArguments,
+    /// Largest cost of the weights and shafts that are used, in the unit of `fixed_cost` and `cost_per_kg` of [balance].
+    #[arg(long, value_name = "NUMBER", allow_hyphen_values = true)]
+    pub budget: Option<String>,
     /// What a stage may lose for those after it: `force = 1 %` of its least value, or `force = 5 N`; without a name, in the order
     /// of the stages. May be given several times.
     #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]

@@ -15,6 +15,7 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         cancel: arguments.cancel.clone(),
         least: arguments.least.clone(),
         most: arguments.most.clone(),
+        budget: arguments.budget.clone(),
         step: arguments.step.clone(),
         equal_parts: arguments.equal_parts,
         optional: arguments.optional,

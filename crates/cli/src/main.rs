@@ -18,6 +18,7 @@ mod mounts_arguments;
 mod program;
 mod published_arguments;
 mod request;
+mod robust_arguments;
 mod run;
 mod run_arguments;
 mod scatter_arguments;

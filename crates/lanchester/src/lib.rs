@@ -37,6 +37,7 @@ mod mounted;
 mod operating_point;
 mod own_layout;
 mod pressure;
+mod robust_balance;
 pub mod run;
 mod running;
 mod sample_study;
@@ -90,6 +91,7 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
+pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance};
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};

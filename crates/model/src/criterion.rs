@@ -23,8 +23,11 @@ const LOADS: [(&str, Load); 10] = [
 ];
 
 /// Criteria that are no load.
-const OTHERS: [(&str, Criterion); 2] =
-    [("added mass", Criterion::AddedMass), ("added unbalance", Criterion::AddedUnbalance)];
+const OTHERS: [(&str, Criterion); 3] = [
+    ("added mass", Criterion::AddedMass),
+    ("added unbalance", Criterion::AddedUnbalance),
+    ("cost", Criterion::Cost),
+];
 
 /// What stands between a load and the number of its order.
 const ORDER: &str = " order ";
@@ -54,8 +57,11 @@ pub fn criterion_name(criterion: &Criterion, engine: &Engine) -> String {
     name_among(criterion, &engine.mounts)
 }
 
-/// The SI unit of the criterion: `N`, `N m`, `kg` or `kg m`.
+/// The SI unit of the criterion: `N`, `N m`, `kg` or `kg m`; of a cost `unit`, whatever the file counts in.
 pub fn criterion_unit(criterion: &Criterion) -> &'static str {
+    if *criterion == Criterion::Cost {
+        return "unit";
+    }
     match dimension(criterion) {
         Dimension::Force => "N",
         Dimension::Mass => "kg",
@@ -82,6 +88,7 @@ pub(crate) fn dimension(criterion: &Criterion) -> Dimension {
         Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => Dimension::Force,
         Criterion::AddedMass => Dimension::Mass,
         Criterion::AddedUnbalance => Dimension::Unbalance,
+        Criterion::Cost => Dimension::Share,
     }
 }
 
@@ -92,7 +99,17 @@ pub(crate) fn load(criterion: &Criterion) -> Option<Load> {
         Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => {
             Some(Load::LargestMainLoad)
         }
-        Criterion::AddedMass | Criterion::AddedUnbalance => None,
+        Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost => None,
+    }
+}
+
+/// What stands beside a cost has no unit that could be read: it has a key and an option of its own.
+pub(crate) fn cost_has_no_value(name: &str) -> Refusal {
+    Refusal {
+        code: "E0103",
+        message: format!("`{name}` has no unit that could stand in a limit or a weighted sum"),
+        label: "no quantity".into(),
+        hint: "write budget = 40 in [balance], or --budget 40, for the largest cost; or minimise the cost as a stage of its own".into(),
     }
 }
 

@@ -26,7 +26,7 @@ pub(crate) fn amount(text: &str, stage: &Stage, name: &str) -> Result<GiveUp, Re
         Err(Refusal { code, message, label: label.into(), hint })
     };
     let own = match stage.terms.as_slice() {
-        [(_, criterion)] => Some(dimension(criterion)),
+        [(_, criterion)] if *criterion != Criterion::Cost => Some(dimension(criterion)),
         _ => None,
     };
     let example = "\"1 %\" of its least value".to_string();

@@ -158,6 +158,18 @@ pub fn mass_or_unbalance(text: &str, radius: Option<f64>, option: &str) -> Resul
     }
 }
 
+/// A largest cost such as "40", in the unit that the file counts in; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if it is no bare number of 0 or more.
+pub fn budget(text: &str, option: &str) -> Result<Limit, BadQuantity> {
+    let most = text.trim().parse::<f64>().ok().filter(|most| most.is_finite() && *most >= 0.0);
+    most.map(|most| Limit { criterion: crate::task::Criterion::Cost, most }).ok_or_else(|| BadQuantity {
+        message: format!("`{option}` needs a bare number of 0 or more, got \"{text}\""),
+        hint: format!("write it like {option} 40, in the unit of fixed_cost and cost_per_kg"),
+    })
+}
+
 /// A limit such as "couple = 5 N m" or "force order 1=200 N"; `option` names what asks for it in the message.
 ///
 /// # Errors
@@ -274,6 +286,9 @@ pub fn cancel(text: &str, engine: &Engine, option: &str) -> Result<Vec<(Load, f6
 }
 
 fn amount(text: &str, criterion: &crate::task::Criterion, name: &str) -> Result<f64, BadQuantity> {
+    if *criterion == crate::task::Criterion::Cost {
+        return Err(criterion::cost_has_no_value(name).into());
+    }
     parse(text, criterion::dimension(criterion), name).map_err(BadQuantity::from)
 }
 

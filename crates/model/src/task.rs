@@ -29,6 +29,8 @@ pub struct BalanceTask {
     pub give_up: Vec<GiveUp>,
     /// What must hold.
     pub limits: Vec<Limit>,
+    /// What each shaft costs if it is used, in the order of the shafts; a shaft without an entry costs nothing.
+    pub shaft_costs: Vec<f64>,
     /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs and loads with gas are judged, the largest of all counting;
     /// empty: the whole range of the engine. All other loads are largest at the highest speed.
     pub speeds: Vec<f64>,
@@ -53,6 +55,27 @@ impl BalanceTask {
         let stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
         let mut asked = stages.chain(self.limits.iter().map(|limit| limit.criterion));
         asked.any(|criterion| matches!(criterion, Criterion::MainsWithGas(..)))
+    }
+
+    /// What a shaft costs if it is used.
+    pub fn shaft_cost(&self, shaft: usize) -> f64 {
+        self.shaft_costs.get(shaft).copied().unwrap_or(0.0)
+    }
+
+    /// Whether costs are minimised or limited.
+    pub fn asks_for_cost(&self) -> bool {
+        let of_stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
+        of_stages.chain(self.limits.iter().map(|limit| limit.criterion)).any(|one| one == Criterion::Cost)
+    }
+
+    /// Whether it matters that a weight is left out: its use costs something, and the cost is asked for.
+    pub fn pays_for_weight(&self, weight: usize) -> bool {
+        self.weights[weight].cost.fixed > 0.0 && self.asks_for_cost()
+    }
+
+    /// Whether it matters that a shaft is left out.
+    pub fn pays_for_shaft(&self, shaft: usize) -> bool {
+        self.shaft_cost(shaft) > 0.0 && self.asks_for_cost()
     }
 
     /// Takes all other weights out, with the ties that they are in.
@@ -130,6 +153,8 @@ pub struct FreeWeight {
     pub radius: Option<f64>,
     /// Amounts that can be made, within `least` and `most`; none: every amount.
     pub catalogue: Option<Catalogue>,
+    /// What it costs if it is used.
+    pub cost: Cost,
     /// Name of the parts that it is one of: used weights with the same name have the same amount of their catalogue.
     pub equal_parts: Option<String>,
 }
@@ -149,9 +174,19 @@ impl FreeWeight {
             optional: false,
             radius: None,
             catalogue: None,
+            cost: Cost::default(),
             equal_parts: None,
         }
     }
+}
+
+/// What a weight costs if it is used, in whatever unit the file counts: nothing where it is not.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct Cost {
+    /// Whatever its amount.
+    pub fixed: f64,
+    /// For every unit of its amount [1/(kg m)].
+    pub per_amount: f64,
 }
 
 /// Amounts of which a free weight has one, or none at all.
@@ -325,6 +360,8 @@ pub enum Criterion {
     AddedMass,
     /// Sum of the amounts of all free weights [kg m].
     AddedUnbalance,
+    /// Cost of all free weights and shafts that are used ([`Cost`], [`BalanceTask::shaft_costs`]), in the unit of the file.
+    Cost,
 }
 
 /// Criteria that are minimised together: the sum of weight times criterion.

@@ -6,7 +6,7 @@ use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
 use crate::schema::WHAT_FITS;
-use crate::task::{BalanceTask, Catalogue, Seat};
+use crate::task::{BalanceTask, Catalogue, Cost, Seat};
 
 /// Options as text, each as `lanchester balance` takes it.
 #[derive(Debug, Clone, Default)]
@@ -23,6 +23,8 @@ pub struct TaskOptions {
     pub give_up: Vec<String>,
     /// What must hold ([`option::limit`]); replaces limits on the same.
     pub limits: Vec<String>,
+    /// Largest cost ([`option::budget`]), in place of the task's.
+    pub budget: Option<String>,
     /// Orders that must vanish ([`option::cancel`]), in place of the task's stages and limits.
     pub cancel: Vec<String>,
     /// Least unbalance of every free weight on a crankshaft that is used.
@@ -85,6 +87,15 @@ impl TaskOptions {
                 ),
             ));
         }
+        if task.asks_for_cost()
+            && task.shaft_costs.is_empty()
+            && task.weights.iter().all(|weight| weight.cost == Cost::default())
+        {
+            return Err(refused(
+                "a cost is asked for, and no weight or shaft costs anything".into(),
+                "give fixed_cost or cost_per_kg to the weights of [balance], or fixed_cost to its shafts",
+            ));
+        }
         Ok(ChangedTask { task, warnings })
     }
 
@@ -94,7 +105,8 @@ impl TaskOptions {
 
     /// What is minimised, what must hold, what must vanish.
     fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
-        let wanted = self.minimise.len() + self.limits.len() + self.give_up.len();
+        let wanted =
+            self.minimise.len() + self.limits.len() + self.give_up.len() + usize::from(self.budget.is_some());
         if !self.cancel.is_empty() && wanted > 0 {
             return Err(refused(
                 format!(
@@ -149,8 +161,10 @@ impl TaskOptions {
             (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
             task.give_up.clear();
         }
-        for text in &self.limits {
-            let limit = option::limit(text, engine, &self.name("limit"))?;
+        let limits = self.limits.iter().map(|text| option::limit(text, engine, &self.name("limit")));
+        let budget = self.budget.iter().map(|text| option::budget(text, &self.name("budget")));
+        for limit in limits.chain(budget).collect::<Vec<_>>() {
+            let limit = limit?;
             task.limits.retain(|known| known.criterion != limit.criterion);
             task.limits.push(limit);
         }

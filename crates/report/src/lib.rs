@@ -67,6 +67,7 @@ mod polar;
 mod pose;
 mod published_tables;
 mod published_text;
+mod robust_text;
 #[cfg(test)]
 mod sample;
 mod scatter_figures;
@@ -164,6 +165,7 @@ pub use published_tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 pub use published_text::method_text;
+pub use robust_text::robust_text;
 pub use scatter_figures::scatter_figure;
 pub use scatter_tables::{
     scatter_limit_table, scatter_table, scatter_text, tighten_words, tolerance_name, tolerance_table,

@@ -209,7 +209,7 @@ impl<'a> Search<'a> {
                 _ => false,
             },
             Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,
-            Criterion::AddedMass | Criterion::AddedUnbalance => false,
+            Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost => false,
         }
     }
 

@@ -21,6 +21,7 @@ impl Alike {
                 && a.phase == b.phase
                 && a.optional == b.optional
                 && a.radius == b.radius
+                && a.cost == b.cost
                 && a.catalogue == b.catalogue
                 && a.equal_parts == b.equal_parts
         };
@@ -35,7 +36,8 @@ impl Alike {
                 let (a, b) = (&task.shafts[i], &task.shafts[j]);
                 let (of_a, of_b): (Vec<_>, Vec<_>) =
                     (on_shaft(task, i).collect(), on_shaft(task, j).collect());
-                a.ratio == b.ratio
+                task.shaft_cost(i) == task.shaft_cost(j)
+                    && a.ratio == b.ratio
                     && a.x == b.x
                     && a.y == b.y
                     && a.optional == b.optional

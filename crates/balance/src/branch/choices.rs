@@ -1,6 +1,6 @@
 //! Boxes of choices: which devices are used, in what stretch each stands, in what sector its phase lies.
 
-use lanchester_model::{BalanceTask, FreeWeight, Phase, Place, Seat};
+use lanchester_model::{BalanceTask, Phase, Place, Seat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Stretches shorter than this are one place [m].
@@ -112,15 +112,29 @@ pub(super) fn open(stretch: [f64; 2]) -> bool {
     stretch[1] - stretch[0] > ONE_PLACE
 }
 
+/// Whether a weight may be left out: it is optional, or its use costs something and nothing asks for a least amount of it.
+fn may_leave(task: &BalanceTask, weight: usize) -> bool {
+    let own = &task.weights[weight];
+    own.optional || own.least == 0.0 && task.pays_for_weight(weight)
+}
+
+/// Whether a shaft may be left out: it is optional, or its use costs something and nothing on it must be there.
+fn may_leave_shaft(task: &BalanceTask, shaft: usize) -> bool {
+    let needed = |weight: usize| task.weights[weight].least > 0.0 && !task.weights[weight].optional;
+    task.shafts[shaft].optional || task.pays_for_shaft(shaft) && !on_shaft(task, shaft).any(needed)
+}
+
 /// Numbers of the amounts of a catalogue that a weight may have if it is used.
-fn amounts(weight: &FreeWeight) -> [usize; 2] {
+fn amounts(task: &BalanceTask, weight: usize) -> [usize; 2] {
+    let may_go = may_leave(task, weight);
+    let weight = &task.weights[weight];
     let Some(catalogue) = &weight.catalogue else { return [0, usize::MAX] };
     let below = catalogue.below(weight.least);
     // Left out is a choice of its own.
     let first = match weight.least > 0.0 {
         true if catalogue.amount(below) >= weight.least * (1.0 - ONE_AMOUNT) => below,
         true => below + 1,
-        false => usize::from(weight.optional),
+        false => usize::from(may_go),
     };
     [first, weight.most.map_or(catalogue.last(), |most| catalogue.below(most))]
 }
@@ -137,22 +151,24 @@ impl Choices {
         let weights = task
             .weights
             .iter()
-            .map(|weight| WeightChoice {
-                usage: usage(weight.optional),
+            .enumerate()
+            .map(|(index, weight)| WeightChoice {
+                usage: usage(may_leave(task, index)),
                 z: stretch(weight.z),
                 heading: match weight.phase {
                     Phase::Free => Heading::Any,
                     Phase::Line(angle) => Heading::Line(angle),
                     Phase::Direction(angle) => Heading::Ray(angle),
                 },
-                amount: amounts(weight),
+                amount: amounts(task, index),
             })
             .collect();
         let shafts = task
             .shafts
             .iter()
-            .map(|shaft| ShaftChoice {
-                usage: usage(shaft.optional),
+            .enumerate()
+            .map(|(index, shaft)| ShaftChoice {
+                usage: usage(may_leave_shaft(task, index)),
                 x: stretch(shaft.x),
                 y: stretch(shaft.y),
                 heading: Heading::Any,
@@ -206,10 +222,10 @@ impl Choices {
     pub fn stepped(&self, task: &BalanceTask, weight: usize, up: bool) -> Option<Choices> {
         let free = &task.weights[weight];
         let [now, last] = self.weights[weight].amount;
-        let [least, most] = amounts(free);
+        let [least, most] = amounts(task, weight);
         // A weight that is not used has no direction, unless one is given.
         let has_direction = matches!(self.weights[weight].heading, Heading::Ray(_));
-        if free.catalogue.is_none() || now != last || !has_direction || free.optional {
+        if free.catalogue.is_none() || now != last || !has_direction || may_leave(task, weight) {
             return None;
         }
         let next = if up { now + 1 } else { now.checked_sub(1)? };
@@ -281,7 +297,14 @@ impl Choices {
             + usize::from(inertia)
     }
 
-    /// How many of the optional devices are not decided.
+    /// How many of the devices that count as optional are not decided.
+    fn optional_left(&self, task: &BalanceTask) -> usize {
+        let weights = task.weights.iter().zip(&self.weights).map(|(w, c)| (w.optional, c.usage));
+        let shafts = task.shafts.iter().zip(&self.shafts).map(|(s, c)| (s.optional, c.usage));
+        weights.chain(shafts).filter(|&(optional, usage)| optional && usage == Use::Open).count()
+    }
+
+    /// How many of the devices that may be left out are not decided.
     pub fn undecided(&self) -> usize {
         let usages = self.weights.iter().map(|w| w.usage).chain(self.shafts.iter().map(|s| s.usage));
         usages.filter(|usage| *usage == Use::Open).count()
@@ -306,20 +329,23 @@ impl Choices {
         }
         let undecided = this.undecided();
         if left == 0 {
-            let weights = this.weights.iter_mut().map(|w| &mut w.usage);
-            let usages = weights.chain(this.shafts.iter_mut().map(|s| &mut s.usage));
-            usages.filter(|usage| **usage == Use::Open).for_each(|usage| *usage = Use::No);
-            return this.settled_if_changed(task, undecided);
+            let weights =
+                this.weights.iter_mut().map(|w| &mut w.usage).zip(task.weights.iter().map(|w| w.optional));
+            let shafts =
+                this.shafts.iter_mut().map(|s| &mut s.usage).zip(task.shafts.iter().map(|s| s.optional));
+            let open = weights.chain(shafts).filter(|(usage, optional)| *optional && **usage == Use::Open);
+            open.for_each(|(usage, _)| *usage = Use::No);
         }
-        if undecided <= left {
+        if this.optional_left(task) <= left {
             for weight in 0..this.weights.len() {
-                if this.weights[weight].usage == Use::Open && this.least(task, weight) == 0.0 {
+                let harmless = this.least(task, weight) == 0.0 && !task.pays_for_weight(weight);
+                if this.weights[weight].usage == Use::Open && harmless {
                     this.weights[weight].usage = Use::Yes;
                 }
             }
             for shaft in 0..this.shafts.len() {
-                let harmless =
-                    on_shaft(task, shaft).all(|w| this.least(task, w) == 0.0 || task.weights[w].optional);
+                let harmless = !task.pays_for_shaft(shaft)
+                    && on_shaft(task, shaft).all(|w| this.least(task, w) == 0.0 || task.weights[w].optional);
                 if this.shafts[shaft].usage == Use::Open && harmless {
                     this.shafts[shaft].usage = Use::Yes;
                 }

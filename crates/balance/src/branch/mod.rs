@@ -91,6 +91,13 @@ pub(crate) fn is_needed(task: &BalanceTask) -> bool {
         || has_free_axis(task)
         || task.inertias.len() > 1
         || task.most_optional.is_some()
+        || pays(task)
+}
+
+/// Whether the use of a device has a cost that counts.
+fn pays(task: &BalanceTask) -> bool {
+    (0..task.weights.len()).any(|weight| task.pays_for_weight(weight))
+        || (0..task.shafts.len()).any(|shaft| task.pays_for_shaft(shaft))
 }
 
 /// Whether one of the choices cannot be said by a convex programme.
@@ -107,6 +114,7 @@ pub(crate) fn is_choice(task: &BalanceTask) -> bool {
         || task.weights.iter().any(open)
         || task.inertias.len() > 1
         || task.most_optional.is_some()
+        || pays(task)
 }
 
 /// Searches all choices of a task, as far as the settings say and for as long as `watch` does.
@@ -125,7 +133,9 @@ pub(crate) fn search(
     // An axis that is to be found is not left to chance by those who do not name the roll moment. The bearings of a crankshaft
     // decide with the choices kept: to search all choices for them takes many times as long.
     let mut decisive = implied(engine, task);
-    decisive.retain(|criterion| has_free_axis(task) && !is_of_crank(criterion));
+    // Amounts of a catalogue are searched for them too: kept, they would be whatever the stages leave open.
+    let steps = task.weights.iter().any(|weight| weight.catalogue.is_some());
+    decisive.retain(|criterion| steps || has_free_axis(task) && !is_of_crank(criterion));
     let decisive = decisive.into_iter().map(|criterion| Stage { terms: vec![(1.0, criterion)] });
     let mut task = BalanceTask { stages: asked.into_iter().chain(decisive).collect(), ..task.clone() };
     if !sees_axes(&task) {
@@ -152,7 +162,7 @@ fn sees_axes(task: &BalanceTask) -> bool {
             matches!(load, Load::RollMoment | Load::MountForce(_) | Load::LargestMountForce)
         }
         Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,
-        Criterion::AddedMass | Criterion::AddedUnbalance => false,
+        Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost => false,
     })
 }
 

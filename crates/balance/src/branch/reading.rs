@@ -172,6 +172,15 @@ impl<'a> Reading<'a> {
         all
     }
 
+    /// Whether a device counts among the optional ones.
+    fn is_optional(&self, split: Split) -> bool {
+        match split {
+            Split::UseWeight(weight) => self.task.weights[weight].optional,
+            Split::UseShaft(shaft) => self.task.shafts[shaft].optional,
+            _ => false,
+        }
+    }
+
     fn is_used(&self, split: Split) -> bool {
         match split {
             Split::UseWeight(weight) => self.share(weight) > UNUSED,
@@ -185,8 +194,17 @@ impl<'a> Reading<'a> {
         let below = |weight: usize| {
             self.weights[weight].unbalance.norm() < self.choices.least(self.task, weight) * (1.0 - UNUSED)
         };
+        // A fixed cost counts by the share of the largest amount until its use is decided.
+        let paid_in_part = |share: f64| share < 1.0 - UNUSED;
         match split {
-            Split::UseWeight(weight) => below(weight),
+            Split::UseWeight(weight) => {
+                below(weight) || self.task.pays_for_weight(weight) && paid_in_part(self.share(weight))
+            }
+            Split::UseShaft(shaft)
+                if self.task.pays_for_shaft(shaft) && paid_in_part(self.shaft_share(shaft)) =>
+            {
+                true
+            }
             Split::UseShaft(shaft) => {
                 on_shaft(self.task, shaft).filter(|&w| self.choices.weights[w].usage == Use::Yes).any(below)
             }
@@ -199,9 +217,10 @@ impl<'a> Reading<'a> {
     pub fn splits(&self) -> Vec<Split> {
         let undecided = self.undecided();
         let used = undecided.iter().filter(|one| self.is_used(one.1));
+        let optional = used.clone().filter(|one| self.is_optional(one.1));
         let left = self.task.most_optional.map(|most| most.saturating_sub(self.choices.used(self.task)));
-        if left.is_some_and(|left| used.clone().count() > left)
-            && let Some(&(_, split)) = undecided.first()
+        if left.is_some_and(|left| optional.clone().count() > left)
+            && let Some(&(_, split)) = optional.clone().next()
         {
             return vec![split];
         }
@@ -332,12 +351,16 @@ impl<'a> Reading<'a> {
         let mut chosen = self.choices.clone();
         let left = self.task.most_optional.map(|most| most.saturating_sub(chosen.used(self.task)));
         let undecided = self.undecided();
-        for (rank, &(_, split)) in undecided.iter().enumerate() {
+        let mut rank = 0;
+        for &(_, split) in &undecided {
             let mut far = false;
             if let Split::UseWeight(weight) = split {
                 far = self.weights[weight].unbalance.norm() < 0.5 * self.choices.least(self.task, weight);
             }
-            let wanted = left.is_none_or(|left| rank < left) && self.is_used(split) && !far;
+            let counts = self.is_optional(split);
+            let fits = !counts || left.is_none_or(|left| rank < left);
+            rank += usize::from(counts);
+            let wanted = fits && self.is_used(split) && !far;
             let usage = if wanted { Use::Yes } else { Use::No };
             match split {
                 Split::UseShaft(shaft) => chosen.shafts[shaft].usage = usage,

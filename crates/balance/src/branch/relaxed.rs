@@ -72,6 +72,7 @@ impl Ground<'_> {
             if !open(choice.z) {
                 weight.z = Place::At(0.5 * (choice.z[0] + choice.z[1]));
             }
+            weight.optional = choices.usage(self.task, index) == Use::Open;
             (weight.least, weight.most) = (choices.least(self.task, index), choices.most(self.task, index));
             match choice.heading {
                 Heading::Ray(angle) => {
@@ -84,6 +85,9 @@ impl Ground<'_> {
                 Heading::Line(angle) => weight.phase = Phase::Line(angle),
                 Heading::Any | Heading::Sector { .. } | Heading::Tangent(_) => weight.phase = Phase::Free,
             }
+        }
+        for (shaft, choice) in task.shafts.iter_mut().zip(&choices.shafts) {
+            shaft.optional = choice.usage == Use::Open;
         }
         task.inertias = choices.inertia.map(|index| self.task.inertias[index].clone()).into_iter().collect();
         task
@@ -231,12 +235,12 @@ impl Ground<'_> {
             (!members.is_empty()).then(|| (add_group(problem, members), 1.0))
         };
         for (weight, choice) in choices.weights.iter().enumerate() {
-            if choice.usage == Use::Open {
+            if choice.usage == Use::Open && self.task.weights[weight].optional {
                 shares.extend(usage(&[weight], problem));
             }
         }
         for (shaft, choice) in choices.shafts.iter().enumerate() {
-            if choice.usage == Use::Open {
+            if choice.usage == Use::Open && self.task.shafts[shaft].optional {
                 let own: Vec<usize> =
                     on_shaft(self.task, shaft).filter(|&w| choices.usage(self.task, w) != Use::No).collect();
                 shares.extend(usage(&own, problem));

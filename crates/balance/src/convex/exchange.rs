@@ -51,6 +51,9 @@ pub(crate) fn solve(
     floor: f64,
     solves: &mut usize,
 ) -> Result<Solution, Failure> {
+    if programme.variables == 0 && (0..programme.groups.len()).all(|group| !programme.judged(group)) {
+        return of_nothing(programme);
+    }
     let done = |found: &Found| found.best.as_ref().is_some_and(|b| proved(b, relative, floor));
     let mut touches = first_touches(programme);
     let mut found = Found::default();
@@ -99,6 +102,17 @@ pub(crate) fn solve(
     }
     let whole = done(&found);
     found.taken(programme, whole).ok_or(if infeasible { Failure::Infeasible } else { Failure::NoPoint })
+}
+
+/// The one point of a programme in which nothing is judged and nothing moves, which is its own proof.
+fn of_nothing(programme: &Programme) -> Result<Solution, Failure> {
+    let levels = programme.levels(&[]);
+    if programme.violation(&[], &levels) > programme.holds {
+        return Err(Failure::Infeasible);
+    }
+    let value = programme.value(&[], &levels);
+    let (support, prices) = (Vec::new(), vec![0.0; programme.rows.len()]);
+    Ok(Solution { x: Vec::new(), levels, value, bound: value, support, prices })
 }
 
 /// Whether the gap is no more than `relative` times the larger of the optimum and `floor`.

@@ -205,7 +205,7 @@ fn optional_weights_and_limits_go_with_catalogues() {
 fn a_search_that_stops_tells_an_honest_gap() {
     let (engine, task) = three(&vec![Catalogue::Steps(0.0003); 3], &[Load::Couple]);
     let settings = BalanceSettings { max_nodes: 3, ..BalanceSettings::default() };
-    let stopped = optimise_watched(&engine, &task, &settings, &|_| Next::Continue).unwrap();
+    let stopped = optimise_watched(&engine, &task, None, &settings, &|_| Next::Continue).unwrap();
     let whole = solved(&engine, &task);
     let (part, all) = (&stopped.stages[0], &whole.stages[0]);
     assert!(

@@ -5,6 +5,7 @@ mod support;
 
 mod amounts;
 mod axes;
+mod budgets;
 mod catalogues;
 mod choices;
 mod example;

@@ -39,7 +39,7 @@ fn stopped_after(engine: &Engine, task: &BalanceTask, most: usize) -> Answer {
         true => Next::Stop(StopCause::Cancelled),
         false => Next::Continue,
     };
-    optimise_watched(engine, task, &FULL, &watch).expect("a valid task")
+    optimise_watched(engine, task, None, &FULL, &watch).expect("a valid task")
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn a_later_stage_that_is_stopped_leaves_the_earlier_ones_proved() {
         _ => Next::Stop(StopCause::TimeLimit),
     };
     let whole = optimise(&engine, &task).unwrap();
-    let answer = optimise_watched(&engine, &task, &FULL, &watch).unwrap();
+    let answer = optimise_watched(&engine, &task, None, &FULL, &watch).unwrap();
     let Outcome::Stopped { reason, cause } = &answer.outcome else { panic!("{:?}", answer.outcome) };
     assert_eq!(*cause, StopCause::TimeLimit);
     assert!(reason.contains("in stage 2"), "{reason}");
@@ -118,7 +118,7 @@ fn the_largest_number_of_nodes_is_a_setting() {
     let (engine, task) = task();
     let best = optimise(&engine, &task).unwrap().stages[0].value;
     let few = BalanceSettings { max_nodes: 4, ..FULL };
-    let answer = optimise_watched(&engine, &task, &few, &|_| Next::Continue).unwrap();
+    let answer = optimise_watched(&engine, &task, None, &few, &|_| Next::Continue).unwrap();
     assert!(
         matches!(answer.outcome, Outcome::Stopped { cause: StopCause::MaxNodes, .. }),
         "{:?}",
@@ -143,7 +143,7 @@ fn a_wider_gap_ends_the_search_earlier() {
     let mut last = nodes(&whole);
     for gap in [1e-4, 1e-2, 0.5] {
         let wide = BalanceSettings { gap, ..FULL };
-        let answer = optimise_watched(&engine, &task, &wide, &|_| Next::Continue).unwrap();
+        let answer = optimise_watched(&engine, &task, None, &wide, &|_| Next::Continue).unwrap();
         assert_eq!(answer.outcome, Outcome::Optimal, "{gap}");
         let found = &answer.stages[0];
         assert!(found.gap <= gap * found.value, "{gap}: {found:?}");
@@ -165,7 +165,7 @@ fn whoever_watches_sees_value_and_bound_close_in() {
         seen.borrow_mut().push((state.index, state.value, state.bound, state.nodes));
         Next::Continue
     };
-    let answer = optimise_watched(&engine, &task, &FULL, &watch).unwrap();
+    let answer = optimise_watched(&engine, &task, None, &FULL, &watch).unwrap();
     let seen = seen.into_inner();
     assert_eq!(seen.len(), nodes(&answer), "once before each node");
     assert!(seen.windows(2).all(|pair| pair[1].3 > pair[0].3 && pair[1].0 >= pair[0].0));
@@ -187,11 +187,11 @@ fn a_refusal_that_is_stopped_is_still_a_proof() {
         Some(_) => Next::Continue,
         None => Next::Stop(StopCause::Cancelled),
     };
-    let answer = optimise_watched(&engine, &task, &FULL, &watch).unwrap();
+    let answer = optimise_watched(&engine, &task, None, &FULL, &watch).unwrap();
     let Outcome::Infeasible { closest, reason, .. } = &answer.outcome else { panic!("{:?}", answer.outcome) };
     assert!(closest.is_empty() && reason.contains("cannot hold together"), "{reason}");
     assert!(matches!(
-        optimise_watched(&engine, &task, &FULL, &|_| Next::Abandon),
+        optimise_watched(&engine, &task, None, &FULL, &|_| Next::Abandon),
         Err(BalanceError::BrokenOff)
     ));
 }
@@ -207,7 +207,7 @@ fn settings_without_a_meaning_are_refused() {
         BalanceSettings { time_limit: Some(0.0), ..FULL },
         BalanceSettings { time_limit: Some(f64::INFINITY), ..FULL },
     ] {
-        let refused = optimise_watched(&engine, &task, &settings, &|_| Next::Continue);
+        let refused = optimise_watched(&engine, &task, None, &settings, &|_| Next::Continue);
         assert!(matches!(refused, Err(BalanceError::Setting { .. })), "{settings:?}: {refused:?}");
     }
     let limited = BalanceSettings { time_limit: Some(2.0), ..FULL };

@@ -8,5 +8,6 @@ mod give_up;
 mod limits;
 mod main_loads;
 mod mounts;
+mod robust;
 mod speeds;
 mod support;

@@ -3,7 +3,7 @@
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::balance_request::balance_task;
 use crate::commands::found::{consequences, csv, loads_of, put_into_file};
-use crate::commands::{json, open, published, search, sweep};
+use crate::commands::{json, open, published, robust, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
@@ -64,6 +64,9 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
             "this table tells of orders that must vanish, and none is asked for",
             "give --cancel, or take another --table",
         ));
+    }
+    if let Some(options) = arguments.robust.options()? {
+        return robust::run(&opened, arguments, &task, &options, colour);
     }
     let settings = arguments.limits.settings()?;
     let watch = Watch::new(engine, settings);

@@ -17,6 +17,7 @@ pub mod new;
 pub mod published;
 mod put_back;
 pub mod report;
+pub mod robust;
 pub mod scatter;
 pub mod schema;
 pub mod search;

@@ -164,6 +164,71 @@ fn weights_in_steps_and_equal_parts() {
 }
 
 #[test]
+fn a_budget_chooses_the_weights() {
+    let folder = folder("balance-budget");
+    let file = template(&folder, "in-line-3");
+    let path = folder.join(&file);
+    let weight = |throw: u32, cost: u32| {
+        format!("[[balance.counterweight]]\nthrow = {throw}\nmost = \"0.01 kg m\"\nfixed_cost = {cost}\n")
+    };
+    let section =
+        format!("\n[balance]\nminimise = [\"couple\"]\nbudget = 7\n{}{}", weight(1, 4), weight(3, 6));
+    fs::write(&path, fs::read_to_string(&path).unwrap() + &section).unwrap();
+    let used = |budget: &[&str]| {
+        let found = output_json(&folder, 0, &[&["balance", &file, "--format", "json"], budget].concat());
+        let is_used = |weight: &serde_json::Value| weight["used"].as_bool().unwrap();
+        found["weights"].as_array().unwrap().iter().filter(|weight| is_used(weight)).count()
+    };
+    assert_eq!((used(&[]), used(&["--budget", "3"]), used(&["--budget", "10"])), (1, 0, 2));
+    let text = output(&folder, 0, &["balance", &file]);
+    assert!(text.contains("cost"), "{text}");
+    let refused = message(&folder, 2, &["balance", &file, "--budget", "ten"]);
+    assert!(refused.contains("--budget") && refused.contains("hint:"), "{refused}");
+}
+
+#[test]
+fn weights_for_a_production_of_engines() {
+    let folder = folder("balance-robust");
+    let file = template(&folder, "in-line-3");
+    let asked = ["balance", &file, "--counterweights", "throws", "--minimise", "couple", "--robust", "60"];
+    let untold = message(&folder, 2, &asked);
+    assert!(untold.contains("tolerance") && untold.contains("hint:"), "{untold}");
+    let path = folder.join(&file);
+    let tolerances = "\n[tolerances]\npiston_mass = { plus_minus = \"8 g\" }\nthrow_angle = { plus_minus = \"0.3 deg\" }\n";
+    fs::write(&path, fs::read_to_string(&path).unwrap() + tolerances).unwrap();
+    let found = |more: &[&str]| output_json(&folder, 0, &[&asked[..], &["--format", "json"], more].concat());
+    let number = |found: &serde_json::Value, key: &str| found[key].as_f64().unwrap();
+    let worst = found(&[]);
+    let mean = found(&["--worst-share", "10 %"]);
+    assert_eq!((worst["averaged"].as_u64(), mean["averaged"].as_u64()), (Some(1), Some(6)));
+    for one in [&worst, &mean] {
+        let (value, bound) = (number(one, "value"), number(one, "lower_bound"));
+        assert!(
+            value >= bound
+                && value - bound <= 1e-5 * value
+                && value <= number(one, "ordinary") * (1.0 + 1e-9),
+            "{one}"
+        );
+        assert_eq!(one["samples"].as_u64(), Some(60));
+    }
+    assert!(number(&mean, "value") < number(&worst, "value"));
+    assert_eq!(found(&["--worst-share", "10 %"]), mean, "the same seed, the same answer");
+    assert_ne!(found(&["--worst-share", "10 %", "--robust-seed", "2"])["value"], mean["value"]);
+    let text = output(&folder, 0, &asked);
+    for words in ["the worst of 60 engines", "Standard error", "drawn independently", "as it is meant"] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    for (more, says) in [
+        (["--worst-share", "0 %"], "above 0"),
+        (["--worst-share", "x"], "--worst-share"),
+        (["--format", "csv"], "no table"),
+    ] {
+        let refused = message(&folder, 2, &[&asked[..], &more].concat());
+        assert!(refused.contains(says), "{more:?}: {refused}");
+    }
+}
+
+#[test]
 fn the_tables_of_an_optimum_are_comma_separated_values() {
     let folder = folder("balance-csv");
     let file = template(&folder, "in-line-3");

@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::hand_made;
-
 use crate::support::hand_made::{
     BORE, LENGTH, RADIUS, Slider, TURN, counterweight, crankshaft, cylinder, distance_in_space, engine,
     liner, rod_envelope, sampled, sector, skirt, throw,

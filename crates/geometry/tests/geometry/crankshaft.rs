@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use crate::support::random_crank;
-use crate::support::step_reader;
 
 use crate::support::random_crank::{any_body, any_wish, engine, engine_balance, plain_wish};
 use crate::support::step_reader::StepFile;

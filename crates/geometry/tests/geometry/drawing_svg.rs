@@ -2,9 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::random_outline;
-use crate::support::random_web;
-
 use crate::random_outline::any_star;
 use crate::support::random_web::{any_web, assert_same};
 use lanchester_geometry::drawing::{DrawingError, DrawingOptions, Place, dxf, read_dxf, read_svg, svg};

@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::random_design;
-
 use crate::support::random_design::{Stream, paper, random_design, violation};
 use lanchester_geometry::clearance::RadialEnvelope;
 use lanchester_geometry::{

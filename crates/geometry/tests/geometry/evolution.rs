@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::random_design;
-
 use crate::support::random_design::{paper, violation};
 use lanchester_geometry::{
     DesignLimits, DesignOutcome, DesignTask, Objective, Range, Shoulder, design, evolve,

@@ -2,10 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::random_outline;
-use crate::support::random_chamfer;
-use crate::support::step_reader;
-
 use crate::support::random_chamfer::{any_chamfered_part, volume};
 use crate::support::step_reader::{ReadSolid, StepFile};
 use lanchester_geometry::export::{ExportError, PlacedPart, RESOLUTION, StepHeader, solids, step, stl};

@@ -2,9 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::random_outline;
-use crate::support::random_part;
-
 use crate::support::random_part::{any_part, volumes};
 use lanchester_geometry::export::{ExportError, PlacedPart, Solid, glb, solids, stl};
 use lanchester_geometry::{

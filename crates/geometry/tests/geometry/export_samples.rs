@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::sample_parts;
-
 use crate::support::sample_parts::samples;
 use lanchester_geometry::export::{PlacedPart, StepHeader, solids, step};
 use lanchester_geometry::{Chamfer, Contour, Cut, Insert, MassMoments, Outline, Part, Point};

@@ -2,9 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::hand_made;
-use crate::support::step_reader;
-
 use crate::support::hand_made::{RADIUS, counterweight, cylinder, engine, rod_envelope, sector};
 use crate::support::step_reader::StepFile;
 use lanchester_geometry::clearance::{SweptOverlap, swept_overlaps};

@@ -5,7 +5,7 @@ use crate::criterion::{dimension, name_among};
 use crate::engine::Engine;
 use crate::quantity::{Dimension, text_that};
 use crate::schema::WHAT_FITS;
-use crate::task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
+use crate::task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Limit, Phase, Place, Seat};
 
 impl File {
     pub(super) fn balance(&mut self, engine: &Engine) {
@@ -56,9 +56,13 @@ impl File {
         if !give_ups.is_empty() {
             self.entry("give_up", &format!("{{ {} }}", give_ups.join(", ")));
         }
-        if !task.limits.is_empty() {
-            let limits: Vec<String> = task
-                .limits
+        let (budgets, limits): (Vec<&Limit>, Vec<&Limit>) =
+            task.limits.iter().partition(|limit| limit.criterion == Criterion::Cost);
+        if let Some(budget) = budgets.first() {
+            self.entry("budget", &format!("{:?}", budget.most));
+        }
+        if !limits.is_empty() {
+            let limits: Vec<String> = limits
                 .iter()
                 .map(|limit| {
                     format!(
@@ -95,6 +99,9 @@ impl File {
             self.entry("ratio", &ratio(shaft.ratio));
             self.entry("x", &place(shaft.x));
             self.entry("y", &place(shaft.y));
+            if task.shaft_cost(index) != 0.0 {
+                self.entry("fixed_cost", &format!("{:?}", task.shaft_cost(index)));
+            }
             if shaft.optional {
                 self.entry("optional", "true");
             }
@@ -166,6 +173,11 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
                 entries.push(("catalogue", format!("[{}]", list.join(", "))));
             }
             None => {}
+        }
+        for (key, cost) in [("fixed_cost", weight.cost.fixed), ("cost_per_kg_m", weight.cost.per_amount)] {
+            if cost != 0.0 {
+                entries.push((key, format!("{cost:?}")));
+            }
         }
         entries.extend(weight.equal_parts.as_ref().map(|name| ("equal_parts", quoted(name))));
         if weight.optional {

@@ -21,6 +21,7 @@ use free_weight::DraftFreeWeight;
 pub(super) struct DraftBalance {
     weights: Vec<DraftFreeWeight>,
     shafts: Vec<(FreeShaft, Span)>,
+    shaft_costs: Vec<f64>,
     inertias: Vec<FreeInertia>,
     stages: Vec<Stage>,
     limits: Vec<Limit>,
@@ -47,6 +48,7 @@ impl<'a> Reader<'a> {
         let Some(section) = section else { return (!broken).then_some(None) };
         let stages = self.stages(section, mounts);
         let limits = self.limits(section, mounts);
+        let budget = self.budget(section);
         let cancel = self.cancelled(section, mounts);
         let give_up = stages.as_ref().and_then(|stages| self.given_up(section, stages, mounts));
         let mass_span = self.mass_span(section, mounts);
@@ -61,15 +63,17 @@ impl<'a> Reader<'a> {
         let counterweights = self.free_counterweights(section, throws, crankshafts);
         let shafts = self.free_shafts(section);
         let inertias = self.free_inertias(section);
-        let (mut weights, (shafts, shaft_weights), inertias) = (counterweights?, shafts?, inertias?);
+        let (mut weights, (shafts, shaft_costs, shaft_weights), inertias) =
+            (counterweights?, shafts?, inertias?);
         weights.extend(shaft_weights);
         let are_tied = self.follow_leaders(&mut weights);
         let mut draft = DraftBalance {
             weights,
             shafts,
+            shaft_costs,
             inertias,
             stages: stages?,
-            limits: limits?,
+            limits: limits?.into_iter().chain(budget?).collect(),
             cancel: cancel?,
             give_up: give_up?,
             most_optional: None,
@@ -97,6 +101,7 @@ impl<'a> Reader<'a> {
         let Some(draft) = draft else { return Some(None) };
         let is_empty = draft.weights.is_empty() && draft.shafts.is_empty() && draft.inertias.is_empty();
         let mut task = BalanceTask {
+            shaft_costs: draft.shaft_costs,
             shafts: draft.shafts.iter().map(|(shaft, _)| shaft.clone()).collect(),
             inertias: draft.inertias,
             ties: ties::ties(&draft.weights),
@@ -117,6 +122,7 @@ impl<'a> Reader<'a> {
             ties::bound_followers(&mut task);
             let spans: Vec<Span> = draft.weights.iter().map(|weight| weight.own.span.clone()).collect();
             let shaft_spans: Vec<Span> = draft.shafts.into_iter().map(|(_, span)| span).collect();
+            self.check_costs(&task, &spans);
             self.check_told_apart(&task, &spans);
             self.check_device_names(&task, &spans, &shaft_spans);
             self.check_room(&task, engine, &spans, &shaft_spans);

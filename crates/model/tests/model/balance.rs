@@ -1,8 +1,8 @@
 //! The section `[balance]` of an engine file.
 
 use lanchester_model::{
-    BalanceTask, Catalogue, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity, Stage,
-    default_task, expanded, json_schema, option, read, render, templates,
+    BalanceTask, Catalogue, Cost, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity,
+    Stage, default_task, expanded, json_schema, option, read, render, templates,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -137,6 +137,39 @@ fn amounts_in_steps_from_lists_and_of_equal_parts() {
         [0, 2, 1, 2, 2]
     );
     assert_eq!((list.largest(), steps.largest(), list.amount(0)), (Some(4.0), None, 0.0));
+}
+
+#[test]
+fn costs_and_a_budget() {
+    let task = task(
+        "in-line-3",
+        "[balance]\nminimise = [\"couple\", \"cost\"]\nbudget = 12.5\nlimits = { force = \"10 N\" }\n\
+         [[balance.counterweight]]\nthrow = 1\nradius = \"50 mm\"\nfixed_cost = 2\ncost_per_kg = 10\nmost = \"0.02 kg m\"\n\
+         [[balance.shaft]]\nratio = -1\ny = \"100 mm\"\nfixed_cost = 7\nweights = [{ z = \"0 mm\", cost_per_kg_m = 30, most = \"0.02 kg m\" }]\n",
+    );
+    assert_eq!(task.weights[0].cost, Cost { fixed: 2.0, per_amount: 10.0 / 0.05 });
+    assert_eq!(task.weights[1].cost, Cost { fixed: 0.0, per_amount: 30.0 });
+    assert_eq!((task.shaft_cost(0), task.shaft_cost(1)), (7.0, 0.0));
+    assert!(
+        task.asks_for_cost() && task.pays_for_weight(0) && !task.pays_for_weight(1) && task.pays_for_shaft(0)
+    );
+    assert_eq!(
+        task.limits.iter().filter(|l| l.criterion == Criterion::Cost).map(|l| l.most).sum::<f64>(),
+        12.5
+    );
+    assert_eq!(task.stages[1].terms, [(1.0, Criterion::Cost)]);
+    let refused = |text: &str| option::budget(text, "--budget").expect_err(text);
+    for text in ["-1", "nan", "3 N", "", "inf"] {
+        assert!(refused(text).message.contains("--budget"), "{text}");
+    }
+    assert_eq!(option::budget(" 40 ", "--budget").map(|limit| limit.most), Ok(40.0));
+    let engine = engine(template("in-line-3"));
+    assert!(
+        option::limit("cost = 40", &engine, "--limit")
+            .expect_err("it has no unit")
+            .hint
+            .contains("--budget 40")
+    );
 }
 
 #[test]

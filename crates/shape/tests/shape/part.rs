@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::random_outline;
-
 use crate::support::random_outline::{any_star, star};
 use lanchester_shape::{Chamfer, Contour, Cut, Face, GeometryError, Insert, Outline, Part, Point};
 use proptest::prelude::*;

@@ -2,9 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use crate::support::random_outline;
-use crate::support::strips;
-
 use crate::support::random_outline::any_star;
 use crate::support::strips::strips;
 use lanchester_shape::{Contour, Corner, CounterweightShape, GeometryError, Outline, Point};

@@ -5,6 +5,7 @@
 
 mod assignment;
 mod coefficients;
+mod deviated;
 mod error;
 mod lanes;
 mod model;

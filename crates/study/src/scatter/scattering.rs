@@ -1,5 +1,6 @@
 //! A scatter in stretches of samples: drawn in any order and on any computer, joined to the same whole.
 
+use crate::scatter::deviated::deviated;
 use crate::scatter::error::ScatterError;
 use crate::scatter::lanes::{WIDTH, ZERO};
 use crate::scatter::run::{
@@ -9,6 +10,7 @@ use crate::scatter::sampler::Sampler;
 use crate::scatter::share::{SHARED, shares};
 use crate::scatter::statistics::{MOST_KEPT, Statistics, at_share};
 use crate::scatter::study::Deviation;
+use lanchester_model::Engine;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -100,6 +102,18 @@ impl Scattering {
     pub fn deviations(&self) -> Vec<Deviation> {
         let variables = self.sampler.variables.iter();
         variables.map(|own| Deviation { tolerance: own.tolerance, part: own.part }).collect()
+    }
+
+    /// The samples of a stretch as engines, each with its deviations.
+    pub fn engines(&self, samples: Range<u64>) -> Vec<Engine> {
+        let mut drawn = Drawn::default();
+        let count = (samples.end.max(samples.start) - samples.start) as usize;
+        self.draw(samples, Some(&mut drawn));
+        let one = |sample: usize| {
+            let deviations: Vec<f64> = drawn.deviations.iter().map(|of_all| of_all[sample]).collect();
+            deviated(&self.request.engine, &self.request.tolerances, &self.sampler.variables, &deviations)
+        };
+        (0..count).map(one).collect()
     }
 
     /// What is kept of no sample.

@@ -1,6 +1,6 @@
 //! Random chamfers of random parts.
 
-use super::random_outline::any_star;
+use crate::random_outline::any_star;
 use lanchester_geometry::{Chamfer, Contour, Cut, Face, Insert, Outline, Part, Point};
 use proptest::prelude::*;
 

@@ -1,6 +1,6 @@
 //! Random parts: a star with holes through it, inserts, cavities and stepped bores, in random places.
 
-use super::random_outline::any_star;
+use crate::random_outline::any_star;
 use lanchester_geometry::{AreaMoments, Contour, Edge, Insert, Outline, Part, Point};
 use proptest::prelude::*;
 

@@ -1,10 +1,10 @@
-//! Amounts of a free weight that can be made: steps, lists, equal parts.
+//! Amounts of a free weight that can be made: steps, lists, equal parts; and what they cost.
 
 use super::Reader;
 use crate::diagnostic::Mistake;
-use crate::document::{Field, Section, Spot};
+use crate::document::{Field, Section, Span, Spot};
 use crate::quantity::{self, Bound, Dimension};
-use crate::task::Catalogue;
+use crate::task::{BalanceTask, Catalogue, Cost, Criterion, FreeWeight, Limit, Seat};
 
 impl<'a> Reader<'a> {
     /// `step` or `catalogue`, within the least and the largest amount; `Some(None)` where there is neither.
@@ -81,6 +81,66 @@ impl<'a> Reader<'a> {
             return None;
         }
         Some(Some(catalogue))
+    }
+
+    /// The largest cost; `Some(None)` where there is none.
+    pub(super) fn budget(&mut self, section: &'a Section) -> Option<Option<Limit>> {
+        match section.number("budget") {
+            Field::Given(most) => Some(Some(Limit { criterion: Criterion::Cost, most: most.value })),
+            Field::Absent => Some(None),
+            Field::Bad => None,
+        }
+    }
+
+    /// A cost that is asked for must be one of something; what costs something should be asked for, and has an end.
+    pub(super) fn check_costs(&mut self, task: &BalanceTask, spans: &[Span]) {
+        let costs = |weight: &FreeWeight| weight.cost != Cost::default();
+        let priced = task.weights.iter().position(costs);
+        if task.asks_for_cost() && priced.is_none() && task.shaft_costs.is_empty() {
+            let message = "a cost is asked for, and no weight or shaft costs anything".to_string();
+            self.missing(
+                self.root.key_span("balance"),
+                message,
+                "add fixed_cost = 3 or cost_per_kg = 12 to the weights, or fixed_cost to the shafts".into(),
+            );
+        }
+        if let (false, Some(weight)) = (task.asks_for_cost(), priced) {
+            self.mistakes.push(
+                Mistake::warning("W0204", spans[weight].clone(), "the cost is neither limited nor minimised")
+                    .hint("add budget = 40, or \"cost\" to minimise"),
+            );
+        }
+        for (index, weight) in task.weights.iter().enumerate() {
+            let on_shaft = matches!(weight.seat, Seat::Shaft(shaft) if task.pays_for_shaft(shaft));
+            if weight.most.is_none() && (task.pays_for_weight(index) || on_shaft) {
+                self.most_missing(&spans[index], "a weight whose use costs something", "most = \"0.1 kg m\"");
+            }
+        }
+    }
+
+    /// What a weight costs if it is used.
+    pub(super) fn cost(&mut self, section: &'a Section, radius: Option<f64>) -> Option<Cost> {
+        let fixed = section.number("fixed_cost").or(0.0);
+        let [per_kg, per_kg_m] = ["cost_per_kg", "cost_per_kg_m"].map(|key| section.number(key));
+        if section.has("cost_per_kg") && section.has("cost_per_kg_m") {
+            self.two_sources(section, "cost_per_kg", "cost_per_kg_m", "what the amount costs");
+            return None;
+        }
+        let per_amount = match (per_kg, per_kg_m, radius) {
+            (Field::Bad, _, _) | (_, Field::Bad, _) => return None,
+            (Field::Given(cost), _, Some(radius)) => cost.value / radius,
+            (Field::Given(_), _, None) => {
+                self.missing(
+                    section.value_span("cost_per_kg"),
+                    "`cost_per_kg` needs the radius of the weight".into(),
+                    "add radius = \"60 mm\", or give cost_per_kg_m for its unbalance".into(),
+                );
+                return None;
+            }
+            (_, Field::Given(cost), _) => cost.value,
+            _ => 0.0,
+        };
+        Some(Cost { fixed: fixed?, per_amount })
     }
 
     /// An unbalance [kg m], from itself or from a mass at the radius of the weight.

@@ -136,7 +136,7 @@ impl<'a> Reader<'a> {
             Field::Absent => return Some(Vec::new()),
             Field::Bad => return None,
         };
-        for other in ["minimise", "give_up", "limits"] {
+        for other in ["minimise", "give_up", "limits", "budget"] {
             if section.has(other) {
                 let why = "`cancel` asks for weights that make its orders vanish";
                 self.without_effect(section, other, why, "leave one of them out");
@@ -178,6 +178,10 @@ impl<'a> Reader<'a> {
             }
         };
         let Some(amount) = &term.amount else { return Some((criterion, None)) };
+        if criterion == Criterion::Cost {
+            self.refuse(criterion::cost_has_no_value(&term.name.value), &term.name.span);
+            return None;
+        }
         let name: String = term.name.value.chars().take(60).collect();
         match quantity::parse(&amount.value, criterion::dimension(&criterion), &name) {
             Ok(value) => Some((criterion, Some((value, amount.span.clone())))),

@@ -6,7 +6,8 @@ use crate::diagnostic::Mistake;
 use crate::document::{Section, Span};
 use crate::task::{FreeShaft, Place};
 
-type Shafts = (Vec<(FreeShaft, Span)>, Vec<DraftFreeWeight>);
+/// The shafts, what each costs if it is used, and the weights of all of them.
+type Shafts = (Vec<(FreeShaft, Span)>, Vec<f64>, Vec<DraftFreeWeight>);
 
 impl<'a> Reader<'a> {
     /// The shafts, and the weights of all of them.
@@ -14,20 +15,25 @@ impl<'a> Reader<'a> {
         let sections = section.tables("shaft").or(&[])?;
         let read: Vec<_> =
             sections.iter().enumerate().map(|(index, section)| self.free_shaft(index, section)).collect();
-        let (mut shafts, mut weights) = (Vec::new(), Vec::new());
+        let (mut shafts, mut costs, mut weights) = (Vec::new(), Vec::new(), Vec::new());
         for (found, section) in read.into_iter().zip(sections) {
-            let (shaft, own) = found?;
+            let (shaft, cost, own) = found?;
+            costs.push(cost);
             shafts.push((shaft, section.span.clone()));
             weights.extend(own);
         }
-        Some((shafts, weights))
+        if costs.iter().all(|cost| *cost == 0.0) {
+            costs.clear();
+        }
+        Some((shafts, costs, weights))
     }
 
     fn free_shaft(
         &mut self,
         index: usize,
         section: &'a Section,
-    ) -> Option<(FreeShaft, Vec<DraftFreeWeight>)> {
+    ) -> Option<(FreeShaft, f64, Vec<DraftFreeWeight>)> {
+        let cost = section.number("fixed_cost").or(0.0);
         let name = section.text("name").or(format!("free shaft {}", index + 1));
         let ratio = self.required(section, "ratio", section.ratio("ratio"));
         let [x, y] = ["x", "y"].map(|key| self.place(section, key, Some(0.0)));
@@ -64,6 +70,6 @@ impl<'a> Reader<'a> {
             .collect();
         let weights: Vec<DraftFreeWeight> = weights.into_iter().collect::<Option<_>>()?;
         let shaft = FreeShaft { name: name?, ratio: ratio?, x: x?, y: y?, optional: optional? };
-        Some((shaft, weights))
+        Some((shaft, cost?, weights))
     }
 }

@@ -8,7 +8,7 @@ use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::quantity::{self, Dimension};
 use crate::schema::WHAT_FITS;
-use crate::task::{Catalogue, FreeWeight, Phase, Place, Seat};
+use crate::task::{Catalogue, Cost, FreeWeight, Phase, Place, Seat};
 
 /// Why a weight needs its largest amount.
 pub(super) const PLACE_TO_BE_FOUND: &str = "a weight whose place is to be found";
@@ -49,6 +49,7 @@ pub(super) struct Properties {
     pub(super) optional: bool,
     radius: Option<f64>,
     catalogue: Option<Catalogue>,
+    pub(super) cost: Cost,
     equal_parts: Option<String>,
     pub(super) follows: Option<Follows>,
     pub(super) span: Span,
@@ -182,6 +183,7 @@ impl<'a> Reader<'a> {
             true => None,
             false => self.catalogue(section, radius.clone().given(), bounded),
         };
+        let cost = self.cost(section, radius.clone().given());
         let equal_parts = match section.text("equal_parts") {
             Field::Given(name) => Some(name.value),
             Field::Absent => None,
@@ -195,7 +197,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let (follows, (least, most), optional) = (follows?, bounds?, optional?);
-        let (catalogue, equal_parts) = (catalogue?, equal_parts);
+        let (catalogue, cost) = (catalogue?, cost?);
         // A list is an end to what may be chosen.
         let most = most.or_else(|| catalogue.as_ref().and_then(Catalogue::largest));
         if let Some(follows) = &follows {
@@ -234,6 +236,7 @@ impl<'a> Reader<'a> {
             optional,
             radius: radius.given(),
             catalogue,
+            cost,
             equal_parts,
             follows,
             span: section.span.clone(),
@@ -322,6 +325,7 @@ impl<'a> Reader<'a> {
             },
             optional: draft.own.optional,
             radius: draft.own.radius,
+            cost: draft.own.cost,
             catalogue: draft.own.catalogue.clone(),
             equal_parts: draft.own.equal_parts.clone(),
             ..FreeWeight::new(&draft.name, seat, z)

@@ -22,7 +22,7 @@ pub(super) static BALANCE: Table = Table {
           `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
           `largest main-bearing load rms`, the mean `main-bearing load mean` or `main-bearing load 3 mean`; any of these with \
           the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas` (a mean at one of `speeds`); or \
-          `added mass` or `added unbalance` of the free weights. Main bearings are numbered from the free end on, those of \
+          `added mass`, `added unbalance` or `cost` of the free weights (and shafts). Main bearings are numbered from the free end on, those of \
           crankshaft 1 first. A higher speed raises all loads of inertia, but neither the forces at mounts with stiffness nor \
           loads with gas: these count over the whole range of speeds, or at `speeds`.",
     keys: &[
@@ -51,6 +51,13 @@ pub(super) static BALANCE: Table = Table {
             Optional,
             "Criteria and the largest value of each.",
             "{ couple = \"5 N m\", \"force order 1\" = \"200 N\" }",
+        ),
+        key(
+            "budget",
+            Kind::Number(NotNegative),
+            Optional,
+            "Largest cost of all weights and shafts that are used, in the unit of their costs.",
+            "40",
         ),
         key(
             "cancel",
@@ -160,6 +167,27 @@ const EQUAL_PARTS: Key = key(
      `catalogue`, the same for all of them.",
     "\"web weight\"",
 );
+const FIXED_COST: Key = key(
+    "fixed_cost",
+    Kind::Number(NotNegative),
+    Optional,
+    "What it costs if it is used, whatever its amount: money, minutes or grams, as `budget` counts; default 0.",
+    "3.5",
+);
+const COST_PER_KG: Key = key(
+    "cost_per_kg",
+    Kind::Number(NotNegative),
+    Optional,
+    "What a kilogram of it costs at `radius`; default 0.",
+    "12",
+);
+const COST_PER_KG_M: Key = key(
+    "cost_per_kg_m",
+    Kind::Number(NotNegative),
+    Optional,
+    "Instead of `cost_per_kg`: what a kilogram metre of its unbalance costs.",
+    "200",
+);
 const OPTIONAL: Key =
     key("optional", Kind::Truth, Optional, "Whether it may be left out; default false.", "true");
 const EQUAL_TO: Key = key(
@@ -234,6 +262,9 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
         STEP,
         CATALOGUE,
         EQUAL_PARTS,
+        FIXED_COST,
+        COST_PER_KG,
+        COST_PER_KG_M,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,
@@ -261,6 +292,7 @@ static FREE_SHAFT: Table = Table {
             "Place of its axis, or one to be found between two; default 0.",
             "[\"-80 mm\", \"80 mm\"]",
         ),
+        FIXED_COST,
         key(
             "y",
             Kind::QuantityOrPair(Length, Any),
@@ -312,6 +344,9 @@ static FREE_SHAFT_WEIGHT: Table = Table {
         STEP,
         CATALOGUE,
         EQUAL_PARTS,
+        FIXED_COST,
+        COST_PER_KG,
+        COST_PER_KG_M,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,

@@ -4,6 +4,7 @@ use lanchester_shape::{Contour, Corner, Point};
 use proptest::prelude::*;
 
 /// Corners on a circle, each with a bulge.
+#[allow(dead_code, reason = "geometry takes any star alone")]
 pub fn star(count: usize, radius: f64, bulges: &[f64]) -> Vec<Corner> {
     let angle = |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
     (0..count).map(|k| Corner { at: Point::polar(radius, angle(k)), bulge: bulges[k] }).collect()
