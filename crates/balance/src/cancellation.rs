@@ -220,8 +220,13 @@ fn by_stages(
     solves: &mut usize,
 ) -> Reached {
     for row in 0..equations.matrix.rows {
-        let mut line: Vec<f64> =
-            equations.matrix.row(row).iter().zip(&equations.stretch).map(|(value, stretch)| value / stretch).collect();
+        let mut line: Vec<f64> = equations
+            .matrix
+            .row(row)
+            .iter()
+            .zip(&equations.stretch)
+            .map(|(value, stretch)| value / stretch)
+            .collect();
         let largest = line.iter().fold(0.0f64, |a, b| a.max(b.abs()));
         if largest > 0.0 {
             line.iter_mut().for_each(|value| *value /= largest);

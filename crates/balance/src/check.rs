@@ -149,7 +149,9 @@ fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<()
     let on_free_shaft = match weight.seat {
         Seat::Shaft(index) => {
             let shaft = &task.shafts[index];
-            shaft.optional || task.pays_for_shaft(index) || [shaft.x, shaft.y].iter().any(|p| matches!(p, Place::Between(..)))
+            shaft.optional
+                || task.pays_for_shaft(index)
+                || [shaft.x, shaft.y].iter().any(|p| matches!(p, Place::Between(..)))
         }
         Seat::Crankshaft(_) => false,
     };
@@ -199,7 +201,11 @@ fn catalogue(task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError
         );
     }
     if task.ties.iter().any(|tie| task.weights[tie.second].name == *name) {
-        return unsuited("weights that follow no other", format!("`{name}`"), "give the leader the catalogue");
+        return unsuited(
+            "weights that follow no other",
+            format!("`{name}`"),
+            "give the leader the catalogue",
+        );
     }
     let unlike = |other: &&FreeWeight| {
         other.equal_parts == weight.equal_parts && other.catalogue.as_ref() != Some(catalogue)

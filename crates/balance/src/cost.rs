@@ -56,7 +56,8 @@ pub(crate) fn judge(
     }
     if decided > 0.0 {
         // What stands fast is the amount of a vector that nothing moves.
-        let columns = Matrix::from_rows(operator.variables, std::iter::once(&vec![0.0; operator.variables][..]));
+        let columns =
+            Matrix::from_rows(operator.variables, std::iter::once(&vec![0.0; operator.variables][..]));
         groups.push(Group::new(vec![Member::Vector { base: vec![1.0], columns }]));
         shares.push((groups.len() - 1, decided));
     }

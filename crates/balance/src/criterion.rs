@@ -5,10 +5,10 @@
 //! that knows the loads.
 
 use crate::bending;
-use crate::cost;
 use crate::convex::curve::{Curve, Grid, Member};
 use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
+use crate::cost;
 use crate::error::BalanceError;
 use crate::mounts;
 use crate::operator::{Channel, Operator};

@@ -376,7 +376,12 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
     reason
 }
 
-pub(crate) fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
+pub(crate) fn found_stage(
+    problem: &Problem,
+    terms: &[(f64, Judged)],
+    proof: &StageProof,
+    x: &[f64],
+) -> FoundStage {
     let values: Vec<(Criterion, f64)> =
         terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
     let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();

@@ -61,7 +61,9 @@ pub(crate) fn stages(task: &BalanceTask) -> Vec<Stage> {
 pub(crate) fn implied(engine: &Engine, task: &BalanceTask) -> Vec<Criterion> {
     let stages = stages(task);
     let named = stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
-    let weighs = named.clone().any(|c| matches!(c, Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost));
+    let weighs = named
+        .clone()
+        .any(|c| matches!(c, Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost));
     let mut implied = vec![Load::Force, Load::Couple];
     if !weighs && (!task.inertias.is_empty() || has_free_axis(task)) {
         implied.push(Load::RollMoment);

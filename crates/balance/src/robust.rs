@@ -122,7 +122,8 @@ pub fn optimise_robust(
     let operator = Operator::new(&bare(engine, task), task, Kinematics::Exact, &middle(engine, task))?;
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
-    let ordinary = run(&problem, &mut solves).map_err(|_| unsuited("a task that has a solution", "none".into()))?;
+    let ordinary =
+        run(&problem, &mut solves).map_err(|_| unsuited("a task that has a solution", "none".into()))?;
     let samples = Samples::of(&problem, task, criterion, request.samples)?;
     let count = samples.groups.len();
     let averaged = match request.measure {
@@ -182,19 +183,22 @@ fn suits(task: &BalanceTask, request: &RobustRequest<'_>) -> Result<Criterion, B
         return Err(unsuited("devices without choices", "places, amounts or devices to be chosen".into()));
     }
     if !task.limits.is_empty() || !task.give_up.is_empty() || !task.cancel.is_empty() {
-        return Err(unsuited("one load and nothing beside it", "limits, give-ups or orders to cancel".into()));
+        return Err(unsuited(
+            "one load and nothing beside it",
+            "limits, give-ups or orders to cancel".into(),
+        ));
     }
     match task.stages.as_slice() {
         [stage] => match stage.terms.as_slice() {
             [(_, criterion @ (Criterion::Peak(load) | Criterion::Order(load, _)))]
-                if !matches!(
-                    load,
-                    Load::BendingMoment | Load::MountForce(_) | Load::LargestMountForce
-                ) =>
+                if !matches!(load, Load::BendingMoment | Load::MountForce(_) | Load::LargestMountForce) =>
             {
                 Ok(*criterion)
             }
-            _ => Err(unsuited("the peak of a load on the block or of a main bearing", "another criterion".into())),
+            _ => Err(unsuited(
+                "the peak of a load on the block or of a main bearing",
+                "another criterion".into(),
+            )),
         },
         stages => Err(unsuited("one stage", format!("{}", stages.len()))),
     }

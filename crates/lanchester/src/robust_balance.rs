@@ -29,7 +29,9 @@ pub enum RobustError {
     #[error(transparent)]
     Balance(#[from] BalanceError),
     /// Too few or too many engines.
-    #[error("the number of engines must be from 1 to {MOST_ENGINES}, got {0}\nhint: some hundred are enough for the mean of the worst 5 %")]
+    #[error(
+        "the number of engines must be from 1 to {MOST_ENGINES}, got {0}\nhint: some hundred are enough for the mean of the worst 5 %"
+    )]
     Engines(u64),
 }
 

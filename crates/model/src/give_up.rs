@@ -30,9 +30,15 @@ pub(crate) fn amount(text: &str, stage: &Stage, name: &str) -> Result<GiveUp, Re
         _ => None,
     };
     let example = "\"1 %\" of its least value".to_string();
-    let either = own.map_or(example.clone(), |own| format!("{example}, or {} with its unit", own.with_article()));
+    let either =
+        own.map_or(example.clone(), |own| format!("{example}, or {} with its unit", own.with_article()));
     if trimmed.is_empty() {
-        return refuse("E0108", format!("`{name}` gives up nothing"), "empty", format!("write {either}; or leave it out"));
+        return refuse(
+            "E0108",
+            format!("`{name}` gives up nothing"),
+            "empty",
+            format!("write {either}; or leave it out"),
+        );
     }
     if let Ok(bare) = trimmed.parse::<f64>() {
         let message = format!("what `{name}` gives up needs its unit, got {bare}");
@@ -45,7 +51,8 @@ pub(crate) fn amount(text: &str, stage: &Stage, name: &str) -> Result<GiveUp, Re
             .map_err(|refusal| Refusal { hint: format!("write {either}"), ..refusal });
     }
     let Some(own) = own else {
-        let message = format!("`{name}` belongs to a weighted sum, which gives up a share, got \"{trimmed}\"");
+        let message =
+            format!("`{name}` belongs to a weighted sum, which gives up a share, got \"{trimmed}\"");
         return refuse("E0103", message, "no share", format!("write {either}"));
     };
     let amount = parse(trimmed, own, name)

@@ -2,8 +2,8 @@
 
 use crate::criterion::{self, criterion};
 use crate::engine::Engine;
-use crate::quantity::{Bound, Dimension, Refusal, parse, within};
 use crate::give_up;
+use crate::quantity::{Bound, Dimension, Refusal, parse, within};
 use crate::task::{GiveUp, Limit, Load, Stage};
 
 /// Why a text is no quantity of the kind that is due.
@@ -227,7 +227,9 @@ pub fn give_up(
             let names: Vec<String> = names.map(|term| criterion::criterion_name(&term.1, engine)).collect();
             BadQuantity::from(give_up::no_stage(name.trim(), &names))
         })?;
-        give_up::amount(value, &stages[stage], name.trim()).map(|given| (stage, given)).map_err(BadQuantity::from)
+        give_up::amount(value, &stages[stage], name.trim())
+            .map(|given| (stage, given))
+            .map_err(BadQuantity::from)
     };
     if let Some((name, value)) = text.rsplit_once('=') {
         return of_stage(name, value);
@@ -247,7 +249,11 @@ pub fn give_up(
     }
     let Some(stage) = stages.get(place) else {
         return Err(BadQuantity {
-            message: format!("`{option} '{text}'` is for stage {}, and there are {}", place + 1, stages.len()),
+            message: format!(
+                "`{option} '{text}'` is for stage {}, and there are {}",
+                place + 1,
+                stages.len()
+            ),
             hint: "give one for each stage at most, or name the stage".into(),
         });
     };

@@ -104,7 +104,8 @@ impl TaskOptions {
 
     /// What is minimised, what must hold, what must vanish.
     fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
-        let wanted = self.minimise.len() + self.limits.len() + self.give_up.len() + usize::from(self.budget.is_some());
+        let wanted =
+            self.minimise.len() + self.limits.len() + self.give_up.len() + usize::from(self.budget.is_some());
         if !self.cancel.is_empty() && wanted > 0 {
             return Err(refused(
                 format!(
@@ -126,7 +127,10 @@ impl TaskOptions {
         if !self.give_up.is_empty() {
             if !task.cancel.is_empty() {
                 return Err(refused(
-                    format!("{} has no effect: [balance] asks for orders that must vanish", self.name("give-up")),
+                    format!(
+                        "{} has no effect: [balance] asks for orders that must vanish",
+                        self.name("give-up")
+                    ),
                     &format!("add {} with what is to be minimised", self.name("minimise")),
                 ));
             }
@@ -137,7 +141,11 @@ impl TaskOptions {
                 let (stage, given) = option::give_up(text, place, &stages, engine, &self.name("give-up"))?;
                 if taken.contains(&stage) {
                     return Err(refused(
-                        format!("{} '{text}' is for stage {}, which has one already", self.name("give-up"), stage + 1),
+                        format!(
+                            "{} '{text}' is for stage {}, which has one already",
+                            self.name("give-up"),
+                            stage + 1
+                        ),
                         "give one for each stage",
                     ));
                 }
@@ -203,7 +211,11 @@ impl TaskOptions {
                     let ends = weight.most.filter(|most| *most < step * (1.0 - 1e-9));
                     if ends.is_some() {
                         return Err(refused(
-                            format!("{} is larger than the largest amount of \"{}\"", self.name("step"), weight.name),
+                            format!(
+                                "{} is larger than the largest amount of \"{}\"",
+                                self.name("step"),
+                                weight.name
+                            ),
                             "give a smaller step, or a larger largest amount",
                         ));
                     }
@@ -211,7 +223,11 @@ impl TaskOptions {
                 }
                 if self.equal_parts && weight.catalogue.is_none() {
                     return Err(refused(
-                        format!("{} has no effect on \"{}\": it has any amount", self.name("equal-parts"), weight.name),
+                        format!(
+                            "{} has no effect on \"{}\": it has any amount",
+                            self.name("equal-parts"),
+                            weight.name
+                        ),
                         &format!("add {} '200 g mm'", self.name("step")),
                     ));
                 }

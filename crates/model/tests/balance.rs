@@ -1,8 +1,8 @@
 //! The section `[balance]` of an engine file.
 
 use lanchester_model::{
-    BalanceTask, Catalogue, Cost, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity, Stage, default_task,
-    expanded, json_schema, option, read, render, templates,
+    BalanceTask, Catalogue, Cost, Criterion, Engine, GiveUp, Load, Phase, Place, Ratio, Seat, Severity,
+    Stage, default_task, expanded, json_schema, option, read, render, templates,
 };
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -64,7 +64,8 @@ fn stages_give_up_shares_and_amounts() {
     let of = |section: &str| task("in-line-3", &format!("[balance]\n{section}\n")).give_up;
     // Of the default stages, force and couple.
     assert_eq!(of("give_up = { couple = \"2 N m\" }"), [GiveUp::Nothing, GiveUp::Amount(2.0)]);
-    let stages = "minimise = [\"couple\", { force = \"1 kN\", \"roll moment\" = \"40 N m\" }, \"bending moment\"]";
+    let stages =
+        "minimise = [\"couple\", { force = \"1 kN\", \"roll moment\" = \"40 N m\" }, \"bending moment\"]";
     assert_eq!(
         of(&format!("{stages}\ngive_up = {{ \"roll moment\" = \"0.5 %\", couple = \"1 %\" }}")),
         [GiveUp::Share(0.01), GiveUp::Share(0.005)]
@@ -126,9 +127,15 @@ fn amounts_in_steps_from_lists_and_of_equal_parts() {
     assert_eq!(third.most, Some(0.02));
     // Numbers of amounts, with rounding and ends.
     let steps = Catalogue::Steps(0.1);
-    assert_eq!([steps.below(0.3), steps.below(0.299_999), steps.nearest(0.26), steps.nearest(0.24)], [3, 2, 3, 2]);
+    assert_eq!(
+        [steps.below(0.3), steps.below(0.299_999), steps.nearest(0.26), steps.nearest(0.24)],
+        [3, 2, 3, 2]
+    );
     let list = Catalogue::Amounts(vec![1.0, 4.0]);
-    assert_eq!([list.below(0.5), list.below(1e9), list.nearest(0.6), list.nearest(9.0), list.last()], [0, 2, 1, 2, 2]);
+    assert_eq!(
+        [list.below(0.5), list.below(1e9), list.nearest(0.6), list.nearest(9.0), list.last()],
+        [0, 2, 1, 2, 2]
+    );
     assert_eq!((list.largest(), steps.largest(), list.amount(0)), (Some(4.0), None, 0.0));
 }
 
@@ -143,8 +150,13 @@ fn costs_and_a_budget() {
     assert_eq!(task.weights[0].cost, Cost { fixed: 2.0, per_amount: 10.0 / 0.05 });
     assert_eq!(task.weights[1].cost, Cost { fixed: 0.0, per_amount: 30.0 });
     assert_eq!((task.shaft_cost(0), task.shaft_cost(1)), (7.0, 0.0));
-    assert!(task.asks_for_cost() && task.pays_for_weight(0) && !task.pays_for_weight(1) && task.pays_for_shaft(0));
-    assert_eq!(task.limits.iter().filter(|l| l.criterion == Criterion::Cost).map(|l| l.most).sum::<f64>(), 12.5);
+    assert!(
+        task.asks_for_cost() && task.pays_for_weight(0) && !task.pays_for_weight(1) && task.pays_for_shaft(0)
+    );
+    assert_eq!(
+        task.limits.iter().filter(|l| l.criterion == Criterion::Cost).map(|l| l.most).sum::<f64>(),
+        12.5
+    );
     assert_eq!(task.stages[1].terms, [(1.0, Criterion::Cost)]);
     let refused = |text: &str| option::budget(text, "--budget").expect_err(text);
     for text in ["-1", "nan", "3 N", "", "inf"] {
@@ -152,7 +164,12 @@ fn costs_and_a_budget() {
     }
     assert_eq!(option::budget(" 40 ", "--budget").map(|limit| limit.most), Ok(40.0));
     let engine = engine(template("in-line-3"));
-    assert!(option::limit("cost = 40", &engine, "--limit").expect_err("it has no unit").hint.contains("--budget 40"));
+    assert!(
+        option::limit("cost = 40", &engine, "--limit")
+            .expect_err("it has no unit")
+            .hint
+            .contains("--budget 40")
+    );
 }
 
 #[test]

@@ -15,7 +15,9 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
         CancellationVerdict::Vanish { total, .. } if *total == 0.0 && answer.among_equals.is_empty() => {
             format!("{names} {verb} without any weight.")
         }
-        CancellationVerdict::Vanish { total, least, is_mass, lightest } if !answer.among_equals.is_empty() => {
+        CancellationVerdict::Vanish { total, least, is_mass, lightest }
+            if !answer.among_equals.is_empty() =>
+        {
             let (factor, unit) = total_unit(*is_mass);
             format!(
                 "{names} {verb}. The weights have {} {unit} in all; the lightest that do it, whatever becomes of the rest, have {} {unit}, no others less than {} {unit}.",

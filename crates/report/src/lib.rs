@@ -40,6 +40,7 @@ mod frame_sketch;
 mod front_plot;
 mod front_view;
 mod gallery;
+mod give_up_text;
 mod hodograph;
 mod internal_figure;
 mod internal_noise;
@@ -52,8 +53,6 @@ mod mechanism_sketch;
 mod motion_plot;
 mod mount_figures;
 mod mount_shapes;
-mod give_up_text;
-mod robust_text;
 mod mount_tables;
 mod mount_text;
 mod number;
@@ -67,6 +66,7 @@ mod polar;
 mod pose;
 mod published_tables;
 mod published_text;
+mod robust_text;
 #[cfg(test)]
 mod sample;
 mod scatter_figures;
@@ -101,7 +101,6 @@ pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
 };
-pub use robust_text::robust_text;
 pub use balance_text::{balance_text, equals_words, headline, search_state_words};
 pub use bearing_tables::{
     BearingSizes, bearing_figures, bearing_parts_table, bearings_csv, bearings_text, main_bearings_table,
@@ -162,6 +161,7 @@ pub use published_tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 pub use published_text::method_text;
+pub use robust_text::robust_text;
 pub use scatter_figures::scatter_figure;
 pub use scatter_tables::{
     scatter_limit_table, scatter_table, scatter_text, tighten_words, tolerance_name, tolerance_table,

@@ -29,7 +29,8 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
         ),
     );
     if let Some(second) = found.second_value {
-        let words = format!("{} other engines, drawn independently, have {}.", found.second_samples, amount(second));
+        let words =
+            format!("{} other engines, drawn independently, have {}.", found.second_samples, amount(second));
         push_wrapped(&mut out, "", &words);
     }
     push_wrapped(
@@ -43,7 +44,8 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
         ),
     );
     let answer = &found.answer;
-    let tables = [Some(found_weights_table(answer)), found_shafts_table(answer), found_inertias_table(answer)];
+    let tables =
+        [Some(found_weights_table(answer)), found_shafts_table(answer), found_inertias_table(answer)];
     for table in tables.into_iter().flatten().chain([effects_table(engine, answer)]) {
         out.push('\n');
         out.push_str(&table.text());

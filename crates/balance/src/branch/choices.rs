@@ -247,7 +247,8 @@ impl Choices {
     fn with_amounts(mut self, task: &BalanceTask) -> Option<Choices> {
         for (weight, free) in task.weights.iter().enumerate().filter(|(_, free)| free.catalogue.is_some()) {
             let equals = |other: &usize| {
-                *other == weight || free.equal_parts.is_some() && task.weights[*other].equal_parts == free.equal_parts
+                *other == weight
+                    || free.equal_parts.is_some() && task.weights[*other].equal_parts == free.equal_parts
             };
             if self.weights[weight].usage == Use::No {
                 continue;
@@ -328,8 +329,10 @@ impl Choices {
         }
         let undecided = this.undecided();
         if left == 0 {
-            let weights = this.weights.iter_mut().map(|w| &mut w.usage).zip(task.weights.iter().map(|w| w.optional));
-            let shafts = this.shafts.iter_mut().map(|s| &mut s.usage).zip(task.shafts.iter().map(|s| s.optional));
+            let weights =
+                this.weights.iter_mut().map(|w| &mut w.usage).zip(task.weights.iter().map(|w| w.optional));
+            let shafts =
+                this.shafts.iter_mut().map(|s| &mut s.usage).zip(task.shafts.iter().map(|s| s.optional));
             let open = weights.chain(shafts).filter(|(usage, optional)| *optional && **usage == Use::Open);
             open.for_each(|(usage, _)| *usage = Use::No);
         }

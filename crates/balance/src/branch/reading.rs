@@ -200,7 +200,11 @@ impl<'a> Reading<'a> {
             Split::UseWeight(weight) => {
                 below(weight) || self.task.pays_for_weight(weight) && paid_in_part(self.share(weight))
             }
-            Split::UseShaft(shaft) if self.task.pays_for_shaft(shaft) && paid_in_part(self.shaft_share(shaft)) => true,
+            Split::UseShaft(shaft)
+                if self.task.pays_for_shaft(shaft) && paid_in_part(self.shaft_share(shaft)) =>
+            {
+                true
+            }
             Split::UseShaft(shaft) => {
                 on_shaft(self.task, shaft).filter(|&w| self.choices.weights[w].usage == Use::Yes).any(below)
             }
@@ -297,7 +301,8 @@ impl<'a> Reading<'a> {
             let Some(catalogue) = &free.catalogue else { continue };
             let parts: Vec<usize> = (0..self.weights.len())
                 .filter(|&other| {
-                    let equal = free.equal_parts.is_some() && self.task.weights[other].equal_parts == free.equal_parts;
+                    let equal = free.equal_parts.is_some()
+                        && self.task.weights[other].equal_parts == free.equal_parts;
                     (other == weight || equal) && chosen.weights[other].usage == Use::Yes
                 })
                 .collect();
@@ -385,7 +390,9 @@ impl<'a> Reading<'a> {
                 Heading::Line(_) if bound => Heading::Ray(angle),
                 Heading::Line(_) => heading,
                 Heading::Any | Heading::Sector { .. } if !bound => Heading::Any,
-                Heading::Any | Heading::Sector { .. } if chosen.given(self.task, weight) => Heading::Ray(angle),
+                Heading::Any | Heading::Sector { .. } if chosen.given(self.task, weight) => {
+                    Heading::Ray(angle)
+                }
                 Heading::Any | Heading::Sector { .. } => Heading::Tangent(angle),
             };
         }

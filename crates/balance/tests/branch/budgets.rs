@@ -13,7 +13,8 @@ fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
 /// Four weights on a three and two shafts, with their costs.
 fn priced() -> (Engine, BalanceTask) {
     let cost = |fixed: f64, per_amount: f64| Cost { fixed, per_amount };
-    let bounded = |name: &str, z: f64, cost: Cost| FreeWeight { most: Some(0.015), cost, ..on_crank(name, z) };
+    let bounded =
+        |name: &str, z: f64, cost: Cost| FreeWeight { most: Some(0.015), cost, ..on_crank(name, z) };
     let mut weights = vec![
         bounded("a", -0.1, cost(3.0, 100.0)),
         bounded("b", -0.04, cost(1.0, 300.0)),
@@ -50,7 +51,8 @@ fn sets(task: &BalanceTask) -> Vec<(f64, BalanceTask)> {
             let mut fixed: f64 = weights.clone().map(|(_, weight)| weight.cost.fixed).sum();
             let weights = weights.map(|(_, weight)| free(weight)).collect();
             let mut own = BalanceTask { weights, ..task.clone() };
-            fixed += (0..task.shafts.len()).filter(|&s| is_in(4 + s)).map(|s| task.shaft_cost(s)).sum::<f64>();
+            fixed +=
+                (0..task.shafts.len()).filter(|&s| is_in(4 + s)).map(|s| task.shaft_cost(s)).sum::<f64>();
             own.shaft_costs.clear();
             (fixed, own)
         })
@@ -59,7 +61,8 @@ fn sets(task: &BalanceTask) -> Vec<(f64, BalanceTask)> {
 
 fn cost_of(task: &BalanceTask, answer: &Answer) -> f64 {
     let weights = task.weights.iter().zip(&answer.weights).filter(|(_, found)| found.used);
-    let weights: f64 = weights.map(|(w, found)| w.cost.fixed + w.cost.per_amount * found.unbalance.norm()).sum();
+    let weights: f64 =
+        weights.map(|(w, found)| w.cost.fixed + w.cost.per_amount * found.unbalance.norm()).sum();
     let shafts = (0..task.shafts.len()).filter(|&s| answer.shafts[s].used).map(|s| task.shaft_cost(s));
     weights + shafts.sum::<f64>()
 }
@@ -75,7 +78,8 @@ fn a_budget_is_spent_on_the_best_devices() {
     let (engine, task) = priced();
     let mut values = Vec::new();
     for budget in [0.0, 4.2, 6.7, 9.3, 13.2, 40.0] {
-        let task = BalanceTask { stages: vec![stage(Load::Couple)], limits: vec![limit(budget)], ..task.clone() };
+        let task =
+            BalanceTask { stages: vec![stage(Load::Couple)], limits: vec![limit(budget)], ..task.clone() };
         let answer = solved(&engine, &task);
         let mut best = f64::INFINITY;
         for (fixed, own) in sets(&task) {
@@ -91,17 +95,24 @@ fn a_budget_is_spent_on_the_best_devices() {
         let cost = cost_of(&task, &answer);
         assert!(cost <= budget * (1.0 + 1e-8) + 1e-9, "{budget}: {cost}");
         let told = &answer.limits[0];
-        assert!(told.criterion == Some(COST) && told.unit == "unit" && (told.value - cost).abs() < 1e-6, "{told:?} {cost}");
+        assert!(
+            told.criterion == Some(COST) && told.unit == "unit" && (told.value - cost).abs() < 1e-6,
+            "{told:?} {cost}"
+        );
         values.push(stage.value);
     }
-    assert!(values.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-8)) && values[5] < 0.5 * values[0], "{values:?}");
+    assert!(
+        values.windows(2).all(|pair| pair[1] <= pair[0] * (1.0 + 1e-8)) && values[5] < 0.5 * values[0],
+        "{values:?}"
+    );
 }
 
 #[test]
 fn the_least_cost_that_holds_a_limit() {
     let (engine, task) = priced();
     let couple = |most: f64| Limit { criterion: Criterion::Peak(Load::Couple), most };
-    let least = solved(&engine, &BalanceTask { stages: vec![stage(Load::Couple)], ..task.clone() }).stages[0].value;
+    let least =
+        solved(&engine, &BalanceTask { stages: vec![stage(Load::Couple)], ..task.clone() }).stages[0].value;
     let cost = Stage { terms: vec![(1.0, COST)] };
     let asked = BalanceTask { stages: vec![cost], ..task };
     for share in [1.3, 2.0, 2.5] {
@@ -150,10 +161,19 @@ fn costs_go_with_steps_and_optional_devices() {
         }
         let mut fitted = engine.clone();
         for (weight, amount) in task.weights.iter().zip(&amounts) {
-            let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else { panic!("{weight:?}") };
+            let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else {
+                panic!("{weight:?}")
+            };
             let angle = phase - engine.crankshafts[0].phase;
             let name = weight.name.clone();
-            fitted.counterweights.push(Counterweight { name, crankshaft: 0, z, unbalance: *amount, angle, part: None });
+            fitted.counterweights.push(Counterweight {
+                name,
+                crankshaft: 0,
+                z,
+                unbalance: *amount,
+                angle,
+                part: None,
+            });
         }
         let couple = Criterion::Peak(Load::Couple);
         best = best.min(lanchester_balance::as_it_stands(&fitted, couple).expect("a load"));
@@ -188,7 +208,12 @@ fn an_in_line_four_in_steps_keeps_the_weights_of_its_bearings() {
     let mut task = default_task(&engine);
     let any = solved(&engine, &task);
     let rms = |answer: &Answer| {
-        answer.effects.iter().find(|e| e.criterion == Criterion::MainRms(Mains::All)).expect("always told").after
+        answer
+            .effects
+            .iter()
+            .find(|e| e.criterion == Criterion::MainRms(Mains::All))
+            .expect("always told")
+            .after
     };
     for (weight, old) in task.weights.iter_mut().zip(&engine.counterweights) {
         weight.catalogue = Some(Catalogue::Steps(0.002));
@@ -196,6 +221,12 @@ fn an_in_line_four_in_steps_keeps_the_weights_of_its_bearings() {
     }
     let answer = optimise(&engine, &task).expect("a valid task");
     assert!(answer.weights.iter().filter(|w| w.used).count() >= 4, "{:#?}", answer.weights);
-    let without = answer.effects.iter().find(|e| e.criterion == Criterion::MainRms(Mains::All)).unwrap().without;
-    assert!(rms(&answer) < rms(&any) + 0.1 * (without - rms(&any)), "{} {} {without}", rms(&answer), rms(&any));
+    let without =
+        answer.effects.iter().find(|e| e.criterion == Criterion::MainRms(Mains::All)).unwrap().without;
+    assert!(
+        rms(&answer) < rms(&any) + 0.1 * (without - rms(&any)),
+        "{} {} {without}",
+        rms(&answer),
+        rms(&any)
+    );
 }

@@ -55,7 +55,9 @@ fn enumerated(engine: &Engine, task: &BalanceTask, allowed: impl Fn(&[f64]) -> b
         }
         let mut engine = engine.clone();
         for (weight, amount) in task.weights.iter().zip(&amounts) {
-            let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else { panic!("{weight:?}") };
+            let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else {
+                panic!("{weight:?}")
+            };
             engine.counterweights.push(Counterweight {
                 name: weight.name.clone(),
                 crankshaft: 0,
@@ -79,7 +81,12 @@ fn amounts(answer: &Answer) -> Vec<f64> {
 
 fn assert_same(answer: &Answer, (value, want): &(f64, Vec<f64>)) {
     let stage = &answer.stages[0];
-    assert!((stage.value - value).abs() <= 1e-8 * value, "{} {value} {want:?} {:?}", stage.value, amounts(answer));
+    assert!(
+        (stage.value - value).abs() <= 1e-8 * value,
+        "{} {value} {want:?} {:?}",
+        stage.value,
+        amounts(answer)
+    );
     assert!(stage.lower_bound <= value * (1.0 + 1e-9) && stage.gap <= 1e-7 * value, "{stage:#?}");
 }
 
@@ -108,7 +115,8 @@ fn steps_are_the_best_of_all_steps() {
 #[test]
 fn lists_are_the_best_of_all_lists_and_may_be_left_out() {
     let list = |amounts: &[f64]| Catalogue::Amounts(amounts.to_vec());
-    let catalogue = [list(&[0.0031, 0.0122, 0.0171]), list(&[0.0008, 0.012]), list(&[0.002, 0.0047, 0.0095, 0.0199])];
+    let catalogue =
+        [list(&[0.0031, 0.0122, 0.0171]), list(&[0.0008, 0.012]), list(&[0.002, 0.0047, 0.0095, 0.0199])];
     for load in [Load::Couple, Load::Force, Load::BendingMoment] {
         let (engine, task) = three(&catalogue, &[load]);
         let answer = solved(&engine, &task);
@@ -119,7 +127,10 @@ fn lists_are_the_best_of_all_lists_and_may_be_left_out() {
     task.weights.iter_mut().for_each(|weight| weight.most = None);
     let open = solved(&engine, &task);
     let (_, bounded) = three(&catalogue, &[Load::Couple]);
-    assert!((open.stages[0].value - solved(&engine, &bounded).stages[0].value).abs() < 1e-8 * open.stages[0].value);
+    assert!(
+        (open.stages[0].value - solved(&engine, &bounded).stages[0].value).abs()
+            < 1e-8 * open.stages[0].value
+    );
 }
 
 #[test]
@@ -143,14 +154,25 @@ fn directions_are_found_with_the_amounts() {
     let engine = stripped("in-line-3");
     let list = Catalogue::Amounts(vec![0.002, 0.005]);
     let free = FreeWeight { catalogue: Some(list.clone()), ..on_crank("a", 0.05) };
-    let task = BalanceTask { weights: vec![free.clone()], stages: vec![stage(Load::Couple)], ..Default::default() };
+    let task =
+        BalanceTask { weights: vec![free.clone()], stages: vec![stage(Load::Couple)], ..Default::default() };
     let answer = solved(&engine, &task);
     let mut least = f64::INFINITY;
     for k in 0..720 {
         let phase = Phase::Direction(f64::from(k).to_radians() / 2.0);
         let one = FreeWeight { phase, ..free.clone() };
         let one = BalanceTask { weights: vec![one], ..task.clone() };
-        least = least.min(enumerated(&engine, &BalanceTask { weights: vec![FreeWeight { most: Some(0.005), ..one.weights[0].clone() }], ..one }, |_| true).0);
+        least = least.min(
+            enumerated(
+                &engine,
+                &BalanceTask {
+                    weights: vec![FreeWeight { most: Some(0.005), ..one.weights[0].clone() }],
+                    ..one
+                },
+                |_| true,
+            )
+            .0,
+        );
     }
     let value = answer.stages[0].value;
     assert!(value <= least * (1.0 + 1e-9) && value > least * (1.0 - 1e-3), "{value} {least}");
@@ -186,9 +208,15 @@ fn a_search_that_stops_tells_an_honest_gap() {
     let stopped = optimise_watched(&engine, &task, &settings, &|_| Next::Continue).unwrap();
     let whole = solved(&engine, &task);
     let (part, all) = (&stopped.stages[0], &whole.stages[0]);
-    assert!(part.lower_bound <= all.value * (1.0 + 1e-9) && part.value >= all.value * (1.0 - 1e-9), "{part:#?} {all:#?}");
+    assert!(
+        part.lower_bound <= all.value * (1.0 + 1e-9) && part.value >= all.value * (1.0 - 1e-9),
+        "{part:#?} {all:#?}"
+    );
     if part.gap > 1e-7 * part.value {
-        assert!(matches!(stopped.outcome, Outcome::Stopped { cause: StopCause::MaxNodes, .. }), "{stopped:#?}");
+        assert!(
+            matches!(stopped.outcome, Outcome::Stopped { cause: StopCause::MaxNodes, .. }),
+            "{stopped:#?}"
+        );
     }
 }
 
@@ -211,7 +239,11 @@ fn later_stages_keep_the_steps() {
             best = best.min(of(1));
         }
     }
-    assert!((answer.stages[1].value - best).abs() < 1e-7 * best, "{} {best} {second:?}", answer.stages[1].value);
+    assert!(
+        (answer.stages[1].value - best).abs() < 1e-7 * best,
+        "{} {best} {second:?}",
+        answer.stages[1].value
+    );
 }
 
 fn enumerated_one(engine: &Engine, task: &BalanceTask, amounts: &[f64]) -> f64 {
@@ -242,7 +274,8 @@ fn what_is_no_catalogue_is_refused() {
         assert!(matches!(error, BalanceError::Number { .. }), "{error}");
     }
     for change in [
-        &(|w: &mut FreeWeight| w.catalogue = Some(Catalogue::Amounts(Vec::new()))) as &dyn Fn(&mut FreeWeight),
+        &(|w: &mut FreeWeight| w.catalogue = Some(Catalogue::Amounts(Vec::new())))
+            as &dyn Fn(&mut FreeWeight),
         &|w| w.catalogue = Some(Catalogue::Amounts(vec![0.002, 0.001])),
         &|w| (w.least, w.most) = (0.0021, Some(0.0039)),
         &|w| (w.catalogue, w.equal_parts) = (None, Some("a".into())),

@@ -14,8 +14,7 @@ fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
 #[test]
 fn another_choice_may_be_worth_it() {
     let engine = stripped("in-line-3");
-    let optional =
-        |name: &str, z: f64| FreeWeight { optional: true, most: Some(0.02), ..on_crank(name, z) };
+    let optional = |name: &str, z: f64| FreeWeight { optional: true, most: Some(0.02), ..on_crank(name, z) };
     let weights = vec![optional("a", -0.1), optional("b", 0.01), optional("c", 0.09)];
     let task = |give_up: Vec<GiveUp>, limits: Vec<Limit>, loads: &[Load]| BalanceTask {
         weights: weights.clone(),

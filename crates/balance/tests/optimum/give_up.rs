@@ -21,7 +21,10 @@ fn one_sided(stages: &[Load], give_up: &[GiveUp]) -> (Engine, BalanceTask) {
 fn limited(task: &BalanceTask, at: usize, limits: &[(Load, f64)]) -> BalanceTask {
     BalanceTask {
         stages: vec![task.stages[at].clone()],
-        limits: limits.iter().map(|(load, most)| Limit { criterion: Criterion::Peak(*load), most: *most }).collect(),
+        limits: limits
+            .iter()
+            .map(|(load, most)| Limit { criterion: Criterion::Peak(*load), most: *most })
+            .collect(),
         give_up: Vec::new(),
         ..task.clone()
     }
@@ -57,7 +60,11 @@ fn a_share_of_one_stage_is_a_limit_for_the_next() {
         let strict = solved(&engine, &BalanceTask { give_up: Vec::new(), ..task.clone() });
         let told = answer.stages[1].without_give_up.expect("the couple gives up something");
         assert_near(told, strict.stages[1].value, "the force without that");
-        assert!(answer.stages[1].value < told * (1.0 - 1e-3 * share), "it gains: {} {told}", answer.stages[1].value);
+        assert!(
+            answer.stages[1].value < told * (1.0 - 1e-3 * share),
+            "it gains: {} {told}",
+            answer.stages[1].value
+        );
         assert!(strict.stages.iter().all(|s| s.give_up.is_none() && s.without_give_up.is_none()));
     }
 }
@@ -72,7 +79,9 @@ fn amounts_and_shares_add_up_over_stages() {
     let limits = [(Load::Couple, couple), (Load::Force, force)];
     let want = solved(&engine, &limited(&task, 2, &limits)).stages[0].value;
     assert_near(answer.stages[2].value, want, "the largest main load");
-    assert!(answer.stages[0].value <= couple * (1.0 + 1e-9) && answer.stages[1].value <= force * (1.0 + 1e-9));
+    assert!(
+        answer.stages[0].value <= couple * (1.0 + 1e-9) && answer.stages[1].value <= force * (1.0 + 1e-9)
+    );
     assert_near(given(&answer.stages[1]).least, force / 1.05, "the force by itself");
 }
 
@@ -83,7 +92,12 @@ fn what_decides_among_equals_uses_it_too() {
     let strict = solved(&engine, &BalanceTask { give_up: Vec::new(), ..task.clone() });
     let answer = solved(&engine, &task);
     let rms = |answer: &Answer| {
-        answer.effects.iter().find(|e| e.criterion == Criterion::MainRms(Mains::All)).expect("always told").after
+        answer
+            .effects
+            .iter()
+            .find(|e| e.criterion == Criterion::MainRms(Mains::All))
+            .expect("always told")
+            .after
     };
     assert!(rms(&answer) < rms(&strict) * (1.0 - 1e-4), "{} {}", rms(&answer), rms(&strict));
     assert_near(answer.stages[0].value, strict.stages[0].value, "the force");

@@ -55,7 +55,9 @@ fn peaks(answer: &RobustAnswer, samples: &[Engine]) -> Vec<f64> {
 
 #[test]
 fn one_sample_is_the_ordinary_optimum() {
-    for (name, load) in [("twin-360", Load::Force), ("in-line-3", Load::Couple), ("in-line-3", Load::LargestMainLoad)] {
+    for (name, load) in
+        [("twin-360", Load::Force), ("in-line-3", Load::Couple), ("in-line-3", Load::LargestMainLoad)]
+    {
         let engine = stripped(name);
         let weights = vec![on_crank("front", -0.06), on_crank("rear", 0.05)];
         let task = BalanceTask { weights, stages: vec![stage(load)], ..Default::default() };

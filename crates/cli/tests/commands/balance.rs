@@ -117,8 +117,7 @@ fn what_a_stage_gives_up_is_told_with_what_that_gains() {
     let stages = ["--minimise", "couple", "--minimise", "main-bearing load rms"];
     let strict = output_json(&folder, 0, &[&bounded[..], &stages, &["--format", "json"]].concat());
     let give_up = ["--give-up", "couple = 5 %"];
-    let found =
-        output_json(&folder, 0, &[&bounded[..], &stages, &give_up, &["--format", "json"]].concat());
+    let found = output_json(&folder, 0, &[&bounded[..], &stages, &give_up, &["--format", "json"]].concat());
     let given = &found["stages"][0]["give_up"];
     assert!((given["most"].as_f64().unwrap() / reached(&strict, 0) - 1.05).abs() < 1e-7, "{given}");
     assert!(reached(&found, 1) < reached(&strict, 1), "{found}");
@@ -130,7 +129,8 @@ fn what_a_stage_gives_up_is_told_with_what_that_gains() {
     }
     // The file says the same.
     let path = folder.join(&file);
-    let section = "\n[balance]\nminimise = [\"couple\", \"main-bearing load rms\"]\ngive_up = { couple = \"5 %\" }\n";
+    let section =
+        "\n[balance]\nminimise = [\"couple\", \"main-bearing load rms\"]\ngive_up = { couple = \"5 %\" }\n";
     fs::write(&path, fs::read_to_string(&path).unwrap() + section).unwrap();
     let by_file = output_json(&folder, 0, &[&bounded[..], &["--format", "json"]].concat());
     assert_eq!(by_file["stages"], found["stages"]);
@@ -171,7 +171,8 @@ fn a_budget_chooses_the_weights() {
     let weight = |throw: u32, cost: u32| {
         format!("[[balance.counterweight]]\nthrow = {throw}\nmost = \"0.01 kg m\"\nfixed_cost = {cost}\n")
     };
-    let section = format!("\n[balance]\nminimise = [\"couple\"]\nbudget = 7\n{}{}", weight(1, 4), weight(3, 6));
+    let section =
+        format!("\n[balance]\nminimise = [\"couple\"]\nbudget = 7\n{}{}", weight(1, 4), weight(3, 6));
     fs::write(&path, fs::read_to_string(&path).unwrap() + &section).unwrap();
     let used = |budget: &[&str]| {
         let found = output_json(&folder, 0, &[&["balance", &file, "--format", "json"], budget].concat());
@@ -202,7 +203,12 @@ fn weights_for_a_production_of_engines() {
     assert_eq!((worst["averaged"].as_u64(), mean["averaged"].as_u64()), (Some(1), Some(6)));
     for one in [&worst, &mean] {
         let (value, bound) = (number(one, "value"), number(one, "lower_bound"));
-        assert!(value >= bound && value - bound <= 1e-5 * value && value <= number(one, "ordinary") * (1.0 + 1e-9), "{one}");
+        assert!(
+            value >= bound
+                && value - bound <= 1e-5 * value
+                && value <= number(one, "ordinary") * (1.0 + 1e-9),
+            "{one}"
+        );
         assert_eq!(one["samples"].as_u64(), Some(60));
     }
     assert!(number(&mean, "value") < number(&worst, "value"));
@@ -212,7 +218,11 @@ fn weights_for_a_production_of_engines() {
     for words in ["the worst of 60 engines", "Standard error", "drawn independently", "as it is meant"] {
         assert!(text.contains(words), "{words}: {text}");
     }
-    for (more, says) in [(["--worst-share", "0 %"], "above 0"), (["--worst-share", "x"], "--worst-share"), (["--format", "csv"], "no table")] {
+    for (more, says) in [
+        (["--worst-share", "0 %"], "above 0"),
+        (["--worst-share", "x"], "--worst-share"),
+        (["--format", "csv"], "no table"),
+    ] {
         let refused = message(&folder, 2, &[&asked[..], &more].concat());
         assert!(refused.contains(says), "{more:?}: {refused}");
     }

@@ -63,7 +63,8 @@ impl<'a> Reader<'a> {
         let counterweights = self.free_counterweights(section, throws, crankshafts);
         let shafts = self.free_shafts(section);
         let inertias = self.free_inertias(section);
-        let (mut weights, (shafts, shaft_costs, shaft_weights), inertias) = (counterweights?, shafts?, inertias?);
+        let (mut weights, (shafts, shaft_costs, shaft_weights), inertias) =
+            (counterweights?, shafts?, inertias?);
         weights.extend(shaft_weights);
         let are_tied = self.follow_leaders(&mut weights);
         let mut draft = DraftBalance {

@@ -92,9 +92,7 @@ fn key_schema(key: &Key) -> Value {
         }
         Kind::Orders => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
         Kind::Limits => criteria_with_values(&CRITERION_DIMENSIONS),
-        Kind::GiveUps => {
-            criteria_with_values(&[&CRITERION_DIMENSIONS[..], &[Dimension::Share]].concat())
-        }
+        Kind::GiveUps => criteria_with_values(&[&CRITERION_DIMENSIONS[..], &[Dimension::Share]].concat()),
         Kind::Ratio => json!({ "anyOf": [
             { "type": "integer", "not": { "const": 0 } },
             { "type": "string", "pattern": "^\\s*[+-]?0*[1-9][0-9]*\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },

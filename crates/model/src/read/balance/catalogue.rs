@@ -26,7 +26,12 @@ impl<'a> Reader<'a> {
             (Field::Absent, Field::Absent) => {
                 if section.has("equal_parts") {
                     let why = "equal parts have the same amount of their steps or of their list";
-                    self.without_effect(section, "equal_parts", why, "add step = \"5 g\", or tie weights with equal_to");
+                    self.without_effect(
+                        section,
+                        "equal_parts",
+                        why,
+                        "add step = \"5 g\", or tie weights with equal_to",
+                    );
                 }
                 return Some(None);
             }

@@ -5,10 +5,10 @@ use crate::criterion;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span, Term};
 use crate::engine::Engine;
+use crate::give_up;
 use crate::main_load;
 use crate::mount::Mount;
 use crate::quantity::{self, Refusal};
-use crate::give_up;
 use crate::task::{BalanceTask, Criterion, GiveUp, Limit, Load, Stage};
 
 impl<'a> Reader<'a> {
@@ -91,7 +91,8 @@ impl<'a> Reader<'a> {
         for term in terms {
             let Some(amount) = &term.amount else { continue };
             let name: String = term.name.value.chars().take(60).collect();
-            let found = criterion::named(&term.name.value, mounts).map_err(|refusal| (refusal, &term.name.span));
+            let found =
+                criterion::named(&term.name.value, mounts).map_err(|refusal| (refusal, &term.name.span));
             let found = found.and_then(|criterion| {
                 let stage = give_up::stage_of(&criterion, &named).ok_or_else(|| {
                     let names = named.iter().flat_map(|stage| &stage.terms);

@@ -199,7 +199,15 @@ impl<'a> Reader<'a> {
         let most = most.or_else(|| catalogue.as_ref().and_then(Catalogue::largest));
         if let Some(follows) = &follows {
             let keys = [
-                direction_key, "line", "least", "most", "unbalance", "optional", "step", "catalogue", "equal_parts",
+                direction_key,
+                "line",
+                "least",
+                "most",
+                "unbalance",
+                "optional",
+                "step",
+                "catalogue",
+                "equal_parts",
             ];
             for key in keys.into_iter().filter(|key| section.has(key)) {
                 let why = format!("the weight follows \"{}\"", follows.leader_name);
