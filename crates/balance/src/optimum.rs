@@ -413,7 +413,7 @@ pub(crate) fn found_stage(
         _ => "1",
     };
     let used = if proof.allowed > 0.0 { (value - proof.least).max(0.0) } else { 0.0 };
-    let give_up = (proof.allowed > 0.0).then(|| StageGiveUp {
+    let give_up = (proof.allowed > 0.0).then_some(StageGiveUp {
         least: proof.least,
         most: proof.least + proof.allowed,
         used,
