@@ -21,7 +21,7 @@ use lanchester_model::{BalanceTask, Criterion, Engine, Load, Stage};
 use std::collections::BTreeSet;
 
 /// A speed may pass the value by this share of it.
-const EXCESS: f64 = 1e-6;
+const EXCESS: f64 = 5e-9;
 
 /// Most rounds; what is left then is told.
 const MOST_ROUNDS: usize = 24;
