@@ -19,11 +19,11 @@ const SAME_DIRECTION: f64 = 1e-11;
 /// Share of the duty within which what is shared is known.
 const SAME: f64 = 1e-10;
 /// Envelopes that differ by less are the same [m].
-const SAME_RADIUS: f64 = 1e-9;
+const SAME_RADIUS: f64 = 3e-7;
 /// How often an envelope is drawn nearer where a shape within it misses the clearance between two of its directions.
 pub(crate) const MOST_ROUNDS: usize = 6;
 /// Part of the largest unbalance that a shape can have which is not promised: without it too few shapes are left to find one.
-const MARGIN: f64 = 1e-5;
+const MARGIN: f64 = 3e-5;
 
 /// What a shape shares with its plain web beyond the web's disc: it is the web's.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
@@ -243,7 +243,14 @@ pub(crate) fn clear_of<T>(
         let (design, found) = find(&now)?;
         let Some(design) = design else { return Ok(Some(found)) };
         let Some(miss) = missed(engine, index, &design, task.density)? else { return Ok(Some(found)) };
-        now = if at + 1 < MOST_ROUNDS { now.shrunk(1.05 * miss + 1e-7) } else { last.clone() };
+        // Another shape may be turned on its web another way.
+        now = if at == 0 {
+            self::envelope(engine, index, &design, task)?
+        } else if at + 1 < MOST_ROUNDS {
+            now.shrunk(1.05 * miss + 1e-7)
+        } else {
+            last.clone()
+        };
     }
     Ok(None)
 }
