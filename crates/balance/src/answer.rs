@@ -20,7 +20,10 @@ pub struct Answer {
     pub speed: f64,
     /// Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mount_speeds: Option<MountSpeeds>,
+    pub mount_speeds: Option<JudgedSpeeds>,
+    /// Where main-bearing loads with gas are judged: the speeds that decide [rad/s], and where the largest of them stands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gas_speeds: Option<JudgedSpeeds>,
     /// What was asked.
     pub task: BalanceTask,
     /// Whether there is an optimum, and if not, why.
@@ -49,6 +52,22 @@ pub struct Answer {
     pub effects: Vec<Effect>,
     /// Where orders had to vanish exactly: whether they do, and the proof.
     pub cancellation: Option<Cancellation>,
+    /// Weights on webs whose largest amount is what fits there: the optimum is one within these bounds.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub web_bounds: Vec<WebBound>,
+}
+
+/// What fits on a web.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct WebBound {
+    /// Name of the weight.
+    pub name: String,
+    /// The web, counted from 1 through all throws.
+    pub web: usize,
+    /// The largest unbalance that it can have there [kg m].
+    pub bound: f64,
+    /// What bounds it: the ranges of its shapes, or what is in the way.
+    pub by: String,
 }
 
 /// Whether there is an optimum.
@@ -83,12 +102,12 @@ pub enum Outcome {
     },
 }
 
-/// Speeds at which forces at mounts with springs were judged.
+/// Speeds at which loads were judged that a higher speed need not raise: forces at mounts with springs, loads with gas.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct MountSpeeds {
+pub struct JudgedSpeeds {
     /// Speeds of crankshaft 1 [rad/s] that hold the proof: over a range the ends, the resonances, some between and the worst of every round.
     pub judged: Vec<f64>,
-    /// Speed [rad/s] at which the first criterion of mount force is largest with what was found.
+    /// Speed [rad/s] at which the first of these criteria is largest with what was found.
     pub worst: f64,
     /// By how much a speed between passes the value, at most, as a share of it: what the search over the range left.
     pub excess: f64,
@@ -161,8 +180,14 @@ pub struct FoundStage {
     pub value: f64,
     /// No choice of these devices that holds the limits goes below this.
     pub lower_bound: f64,
-    /// `value - lower_bound`.
+    /// `value - lower_bound`, without what later stages took of what this one gives up.
     pub gap: f64,
+    /// What it gives up for later stages, if anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub give_up: Option<StageGiveUp>,
+    /// The value of this stage if no earlier one gave up anything, where one does: the difference is what that gains.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub without_give_up: Option<f64>,
     /// SI unit of the value: that of the criterion, or `1` for a weighted sum, whose terms are shares of given values.
     pub unit: String,
     /// Each term's criterion and true value.
@@ -171,6 +196,17 @@ pub struct FoundStage {
     pub term_weights: Vec<f64>,
     /// The parts of the cycle that hold the optimum up; none where the stage vanishes.
     pub active: Vec<Active>,
+}
+
+/// What a stage gives up for later ones.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct StageGiveUp {
+    /// The least value that the stage reached by itself, in its unit; its proof is about this one.
+    pub least: f64,
+    /// The value that later stages had to keep, in its unit.
+    pub most: f64,
+    /// How far they raised it, in its unit.
+    pub used: f64,
 }
 
 /// A crank angle at which a criterion stands at its peak and holds the optimum up.

@@ -1,5 +1,6 @@
-//! Exact cancellation: the lightest weights that make chosen orders vanish, or the proof that none can (book, "Exact
-//! cancellation", eqs. (20.1) to (20.5)).
+//! Exact cancellation: weights that make chosen orders vanish, or the proof that none can (book, "Exact cancellation",
+//! eqs. (20.1) to (20.5)). Of all that do it, those that come first by the stages of a task that says nothing: force, couple,
+//! loads of the main bearings, bending moment; then the lightest. How light any can be is proved in any case.
 
 pub(crate) mod answer;
 mod equations;
@@ -13,14 +14,16 @@ pub use answer::{
     Cancellation, CancellationVerdict, CancelledOrder, Functional, FunctionalTerm, Obstruction, OrderSense,
 };
 
-use crate::answer::{Answer, Method, Outcome};
+use crate::answer::{Answer, FoundStage, Method, Outcome};
 use crate::check::check;
 use crate::error::BalanceError;
 use crate::fitted::{bare, fitted};
+use crate::limits::found_limits;
 use crate::operator::{Operator, middle};
-use crate::optimum::{optimise_with, with_devices};
+use crate::optimum::{found_stage, optimise_with, with_devices};
 use crate::problem::Problem;
 use crate::settings::StopCause;
+use crate::stages::{Reached, StageProof, Walk};
 use equations::Equations;
 use functional::Weighed;
 use lanchester_mechanism::Kinematics;
@@ -36,7 +39,7 @@ const RANK: f64 = 1e-12;
 /// What has vanished, as a share of the loads of all moving masses.
 const VANISHED: f64 = 1e-10;
 
-/// The lightest weights that make the orders of `task.cancel` vanish; where none can, the proof, and the weights that
+/// The weights that make the orders of `task.cancel` vanish and come first by the default stages, then the lightest; where none can, the proof, and the weights that
 /// leave the least.
 pub(crate) fn cancel(
     engine: &Engine,
@@ -88,6 +91,13 @@ fn suits(task: &BalanceTask) -> Result<(), BalanceError> {
             "leave out `least`, or `unbalance` where it gives the amount",
         );
     }
+    if let Some(weight) = task.weights.iter().find(|w| w.catalogue.is_some()) {
+        return unsuited(
+            "weights of any amount from 0 on",
+            format!("`{}` with a catalogue", weight.name),
+            "leave out `step` or `catalogue`: steps cancel nothing exactly",
+        );
+    }
     if task.inertias.len() > 1 {
         return unsuited(
             "one counter-rotating inertia at most",
@@ -102,7 +112,7 @@ fn suits(task: &BalanceTask) -> Result<(), BalanceError> {
             "leave out `most_optional`, or ask with fewer devices",
         );
     }
-    if !task.stages.is_empty() || !task.limits.is_empty() {
+    if !task.stages.is_empty() || !task.limits.is_empty() || !task.give_up.is_empty() {
         return unsuited(
             "orders to cancel alone",
             "criteria to minimise or limits beside them".into(),
@@ -125,16 +135,32 @@ impl Question<'_> {
     /// The answer where the orders vanish.
     fn vanishing(self, total: &Total, found: &Lightest, solves: usize) -> Result<Answer, BalanceError> {
         let Question { engine, task, kinematics, operator, equations } = self;
-        let x = equations.unscaled(&found.u);
+        let mut solves = solves;
+        let judged = judged(task, Vec::new());
+        let mut problem = Problem::new(engine, &judged, operator)?;
+        let reached = by_stages(&mut problem, &equations, equations.unscaled(&found.u), &mut solves);
+        let x = &reached.x;
         let mut stages = vec![Stage { terms: vec![(1.0, total.criterion)] }];
         stages.extend(stages_of(task));
-        let judged = judged(task, stages);
-        let problem = Problem::new(engine, &judged, operator)?;
-        let mut answer = with_devices(engine, &judged, kinematics, &problem, &x)?;
+        let named = BalanceTask { stages, ..judged };
+        let of_named = Problem::new(engine, &named, problem.operator.clone())?;
+        let mut answer = with_devices(engine, &named, kinematics, &of_named, x)?;
         answer.task = task.clone();
         answer.method = Method::Convex { solves };
-        answer.stages = vec![total.stage(found)];
-        answer.limits = total.limits(task, &equations, found);
+        let lightest_decides = reached.among_equals.is_empty();
+        if lightest_decides {
+            answer.stages = vec![total.stage(found)];
+            answer.limits = total.limits(task, &equations, found);
+        } else {
+            answer.among_equals = reached
+                .among_equals
+                .iter()
+                .map(|(place, proof)| found_stage(&problem, &problem.implied[*place], proof, x))
+                .collect();
+            let inertia = (!task.inertias.is_empty()).then_some(0);
+            answer.limits = found_limits(engine, &problem, task, &reached, &answer, inertia);
+            answer.outcome = outcome(&answer.among_equals, &reached.among_equals);
+        }
         let orders = orders(engine, task, kinematics, &answer)?;
         let natural = |order: &CancelledOrder| match criterion_unit(&order.criterion) {
             "N" => problem.operator.natural_force,
@@ -145,7 +171,8 @@ impl Question<'_> {
             answer.outcome = Outcome::Stopped { reason, cause: StopCause::Rounding };
         }
         let verdict = CancellationVerdict::Vanish {
-            total: total.unit * found.value,
+            total: if lightest_decides { total.unit * found.value } else { total.of(&equations, x) },
+            least: total.unit * found.value,
             is_mass: total.criterion == Criterion::AddedMass,
             lightest: found.proof.functional(&equations, task, total.unit),
         };
@@ -182,6 +209,47 @@ impl Question<'_> {
         answer.cancellation = Some(Cancellation { orders, verdict });
         Ok(answer)
     }
+}
+
+/// Among the points that satisfy the equations those that come first by the stages of a task that says nothing, then the
+/// lightest; `lightest` itself where these stages leave nothing open.
+fn by_stages(
+    problem: &mut Problem,
+    equations: &Equations,
+    lightest: Vec<f64>,
+    solves: &mut usize,
+) -> Reached {
+    for row in 0..equations.matrix.rows {
+        let mut line: Vec<f64> = equations
+            .matrix
+            .row(row)
+            .iter()
+            .zip(&equations.stretch)
+            .map(|(value, stretch)| value / stretch)
+            .collect();
+        let largest = line.iter().fold(0.0f64, |a, b| a.max(b.abs()));
+        if largest > 0.0 {
+            line.iter_mut().for_each(|value| *value /= largest);
+            problem.operator.equalities.push(&line);
+            problem.operator.equal_to.push(equations.right[row] / largest);
+        }
+    }
+    let stages = std::mem::take(&mut problem.stages);
+    let implied = std::mem::take(&mut problem.implied);
+    problem.implied = stages.into_iter().chain(implied).collect();
+    let mut walk = Walk::new(problem);
+    walk.x.clone_from(&lightest);
+    let reached = walk.settle(solves);
+    if reached.among_equals.is_empty() { Reached { x: lightest, ..reached } } else { reached }
+}
+
+/// Optimal where every gap of what decided is closed.
+fn outcome(stages: &[FoundStage], proofs: &[(usize, StageProof)]) -> Outcome {
+    let open = stages.iter().zip(proofs).find(|(stage, (_, proof))| stage.gap > proof.target);
+    open.map_or(Outcome::Optimal, |(stage, _)| Outcome::Stopped {
+        reason: format!("rounding leaves a gap of {:.1e} {} open", stage.gap, stage.unit),
+        cause: StopCause::Rounding,
+    })
 }
 
 /// The orders as stages, one after the other.

@@ -2,7 +2,8 @@
 
 use crate::error::BalanceError;
 use crate::operator::ratio_of;
-use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Phase, Place, Seat};
+use crate::problem::implied;
+use lanchester_model::{BalanceTask, Catalogue, Criterion, Engine, FreeWeight, GiveUp, Phase, Place, Seat};
 
 /// Places closer than this are the same [m].
 const SAME_PLACE: f64 = 1e-9;
@@ -54,6 +55,7 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
             return Err(number("limit", &format!("{:?}", limit.criterion), "0 or more", limit.most));
         }
     }
+    give_ups(engine, task)?;
     alike(engine, task)?;
     let mass = task
         .stages
@@ -64,6 +66,30 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
         && let Some(weight) = task.weights.iter().find(|w| w.radius.is_none())
     {
         return Err(BalanceError::NoRadius { weight: weight.name.clone() });
+    }
+    Ok(())
+}
+
+/// Refuses shares and amounts that are none, stages that are not there, and what nobody could use.
+fn give_ups(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
+    let count = task.stages_or_default().len();
+    for (stage, give_up) in task.give_up.iter().enumerate() {
+        let (GiveUp::Share(value) | GiveUp::Amount(value)) = *give_up else { continue };
+        let name = format!("stage {}", stage + 1);
+        if stage >= count {
+            return Err(number("give-up", &name, "for a stage that is there", value));
+        }
+        if !(value >= 0.0 && value.is_finite()) {
+            return Err(number("give-up", &name, "0 or more", value));
+        }
+        if stage + 1 == count && value > 0.0 && implied(engine, task).is_empty() {
+            return Err(BalanceError::Unsuited {
+                method: "what the last stage gives up",
+                needed: "something after it that could use it",
+                got: "nothing that is decided after it".into(),
+                hint: "add another criterion to what is minimised, or leave the give-up out",
+            });
+        }
     }
     Ok(())
 }
@@ -111,6 +137,7 @@ fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<()
         Phase::Free | Phase::Line(_) | Phase::Direction(_) => {}
     }
     weight.radius.map_or(Ok(()), |radius| positive("radius", name, radius))?;
+    catalogue(task, weight)?;
     let on_free_shaft = match weight.seat {
         Seat::Shaft(index) => {
             let shaft = &task.shafts[index];
@@ -123,6 +150,63 @@ fn weight(engine: &Engine, task: &BalanceTask, weight: &FreeWeight) -> Result<()
         return Err(BalanceError::Unbounded { device: name.clone() });
     }
     Ok(())
+}
+
+/// Refuses catalogues that are none, that leave no amount, and equal parts of unlike catalogues.
+fn catalogue(task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError> {
+    let unsuited = |needed: &'static str, got: String, hint: &'static str| {
+        Err(BalanceError::Unsuited { method: "a catalogue of amounts", needed, got, hint })
+    };
+    let name = &weight.name;
+    let Some(catalogue) = &weight.catalogue else {
+        if weight.equal_parts.is_some() {
+            return unsuited(
+                "a step or a list of amounts where parts are equal",
+                format!("neither for `{name}`"),
+                "give `step` or `catalogue`, or tie the weights with `equal_to`",
+            );
+        }
+        return Ok(());
+    };
+    match catalogue {
+        Catalogue::Steps(step) => positive("step", name, *step)?,
+        Catalogue::Amounts(list) => {
+            list.iter().try_for_each(|amount| positive("amount of the catalogue", name, *amount))?;
+            if list.is_empty() || !list.is_sorted_by(|a, b| a < b) {
+                return unsuited(
+                    "one amount or more, rising",
+                    format!("{} for `{name}`", list.len()),
+                    "sort them and give each once",
+                );
+            }
+        }
+    }
+    let last = weight.most.map_or(catalogue.last(), |most| catalogue.below(most));
+    if weight.least > 0.0 && catalogue.amount(last) < weight.least * (1.0 - 1e-9) {
+        return unsuited(
+            "an amount from the least to the largest one",
+            format!("none for `{name}`"),
+            "widen `least` and `most`, or add an amount",
+        );
+    }
+    if task.ties.iter().any(|tie| task.weights[tie.second].name == *name) {
+        return unsuited(
+            "weights that follow no other",
+            format!("`{name}`"),
+            "give the leader the catalogue",
+        );
+    }
+    let unlike = |other: &&FreeWeight| {
+        other.equal_parts == weight.equal_parts && other.catalogue.as_ref() != Some(catalogue)
+    };
+    match task.weights.iter().find(unlike).filter(|_| weight.equal_parts.is_some()) {
+        Some(other) => unsuited(
+            "the same catalogue for equal parts",
+            format!("others for `{name}` and `{}`", other.name),
+            "give both the same amounts, or another name of the parts",
+        ),
+        None => Ok(()),
+    }
 }
 
 /// Refuses two weights in one plane of one axis at one speed that are not tied and have a direction in common.
@@ -152,7 +236,7 @@ fn alike(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceError> {
             let same_speed = ratio_of(engine, task, first.seat) == ratio_of(engine, task, second.seat);
             let tied =
                 task.ties.iter().any(|t| (t.first, t.second) == (i, j) || (t.first, t.second) == (j, i));
-            let chosen = first.optional || second.optional || first.least > 0.0 || second.least > 0.0;
+            let chosen = [first, second].iter().any(|w| w.optional || w.least > 0.0 || w.catalogue.is_some());
             if same_axis
                 && same_speed
                 && (z1 - z2).abs() < SAME_PLACE

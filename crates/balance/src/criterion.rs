@@ -9,14 +9,20 @@ use crate::convex::curve::{Curve, Grid, Member};
 use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
 use crate::error::BalanceError;
+use crate::gas_places::GasCycle;
+use crate::gas_range::indices;
 use crate::mounts;
 use crate::operator::{Channel, Operator};
 use crate::wave::{Wave, curve};
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains};
+use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains, Statistic};
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// Directions that change a root mean square by less than this share of the most that any does change it by rounding only.
 const SHORTENED: f64 = 1e-15;
+
+/// Equal angles of a revolution at which a mean over the cycle is judged.
+const MEAN_ANGLES: usize = 180;
 
 /// A criterion in terms of the groups of a programme: `scale * SUM of share * level`.
 #[derive(Debug, Clone, PartialEq)]
@@ -144,6 +150,48 @@ pub(crate) fn judge(
             };
             Ok(rms(operator, criterion, &sets, groups))
         }
+        Criterion::MainMean(mains) => {
+            let all = main_loads(operator)?;
+            if let Mains::One(index) = mains {
+                vectors(engine, operator, Load::MainLoad(index))?;
+            }
+            let waves = indices(mains, all.len()).into_iter().map(|main| &all[main]);
+            let count = MEAN_ANGLES * operator.grid.revolutions as usize;
+            let angles = (0..count).map(|k| TAU * k as f64 / count as f64);
+            let members =
+                waves.flat_map(|main| angles.clone().map(|phi| (1.0, standing(operator, main, phi))));
+            Ok(mean(operator, criterion, members.collect(), groups))
+        }
+        Criterion::MainsWithGas(statistic, mains) => {
+            let count = main_loads(operator)?.len();
+            if let Mains::One(index) = mains {
+                vectors(engine, operator, Load::MainLoad(index))?;
+            }
+            let indices = indices(mains, count);
+            let cycles = &operator.gas.cycles;
+            match statistic {
+                Statistic::Peak => {
+                    let peaks = operator.gas.peaks.iter().filter(|peak| indices.contains(&peak.main));
+                    let members = peaks.map(|peak| peak.vector(operator)).collect();
+                    Ok(largest_of(operator, criterion, members, groups))
+                }
+                Statistic::Rms => {
+                    let waves = |cycle: &GasCycle| -> Vec<[Wave; 2]> {
+                        indices.iter().map(|main| cycle.waves(operator, *main)).collect()
+                    };
+                    let at_speeds: Vec<Vec<[Wave; 2]>> = cycles.iter().map(waves).collect();
+                    let each = if mains == Mains::Largest { 1 } else { indices.len() };
+                    let sets: Vec<&[[Wave; 2]]> = at_speeds.iter().flat_map(|all| all.chunks(each)).collect();
+                    Ok(rms(operator, criterion, &sets, groups))
+                }
+                Statistic::Mean => {
+                    let one = cycles.first().map(|cycle| {
+                        indices.iter().flat_map(|main| cycle.vectors(operator, *main)).collect()
+                    });
+                    Ok(mean(operator, criterion, one.unwrap_or_default(), groups))
+                }
+            }
+        }
         Criterion::AddedUnbalance => Ok(sum(criterion, operator, amounts, |_| Ok(1.0))?),
         Criterion::AddedMass => Ok(sum(criterion, operator, amounts, |weight| {
             let weight = &task.weights[weight];
@@ -218,15 +266,75 @@ fn rms(operator: &Operator, criterion: Criterion, sets: &[&[[Wave; 2]]], groups:
     let vectors: Vec<(Matrix, Vec<f64>)> = sets.iter().map(vector).collect();
     let unbalanced = vectors.iter().map(|v| norm(&v.1)).fold(0.0, f64::max);
     let unit = if unbalanced > 1e-7 { unbalanced } else { 1.0 };
-    let member = |(columns, base): &(Matrix, Vec<f64>)| Member::Vector {
-        base: base.iter().map(|value| value / unit).collect(),
-        columns: columns.scaled(1.0 / unit),
-    };
-    groups.push(Group::new(vectors.iter().map(member).collect()));
+    let member = |(columns, base)| Member::Vector { base, columns }.in_unit(unit);
+    groups.push(Group::new(vectors.into_iter().map(member).collect()));
     let natural = operator.natural_force;
     Judged {
         criterion,
         groups: vec![(groups.len() - 1, 1.0)],
+        scale: unit * natural,
+        unbalanced: unbalanced * natural,
+    }
+}
+
+/// The load of a main bearing at one angle `phi`, measured against the natural force.
+fn standing(operator: &Operator, main: &[Wave; 2], phi: f64) -> Member {
+    let mut columns = Matrix::zeros(2, operator.variables);
+    let mut base = vec![0.0; 2];
+    for (row, wave) in main.iter().enumerate() {
+        let value = |key: u32, [cos, sin]: [f64; 2]| {
+            let (s, c) = (f64::from(key) * phi).sin_cos();
+            (cos * c + sin * s) / operator.natural_force
+        };
+        base[row] = wave.base.iter().map(|(key, own)| value(*key, *own)).sum();
+        for &(variable, key, part) in &wave.parts {
+            columns[(row, variable)] += value(key, part);
+        }
+    }
+    Member::Vector { base, columns }
+}
+
+/// A group of fixed vectors whose largest amount counts, measured against the natural force.
+fn largest_of(
+    operator: &Operator,
+    criterion: Criterion,
+    members: Vec<Member>,
+    groups: &mut Vec<Group>,
+) -> Judged {
+    let nothing = vec![0.0; operator.variables];
+    let amount = |member: &Member| member.summits(&operator.grid, &nothing, 0.0)[0].amount;
+    let unbalanced = members.iter().map(amount).fold(0.0, f64::max);
+    let unit = if unbalanced > 1e-7 { unbalanced } else { 1.0 };
+    groups.push(Group::new(members.into_iter().map(|member| member.in_unit(unit)).collect()));
+    let natural = operator.natural_force;
+    let (scale, unbalanced) = (unit * natural, unbalanced * natural);
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+}
+
+/// A group for each of `members`, whose amounts have this mean:
+///
+/// ```text
+/// mean = SUM over j of w_j |F(theta_j)| / SUM of w_j        over the cycle and all loads together
+/// ```
+fn mean(
+    operator: &Operator,
+    criterion: Criterion,
+    members: Vec<(f64, Member)>,
+    groups: &mut Vec<Group>,
+) -> Judged {
+    let nothing = vec![0.0; operator.variables];
+    let total: f64 = members.iter().map(|one| one.0).sum();
+    let amount =
+        |(weight, member): &(f64, Member)| weight * member.summits(&operator.grid, &nothing, 0.0)[0].amount;
+    let unbalanced = members.iter().map(amount).sum::<f64>() / total.max(f64::MIN_POSITIVE);
+    let unit = if unbalanced > 1e-7 { unbalanced } else { 1.0 };
+    let first = groups.len();
+    let weights: Vec<f64> = members.iter().map(|one| one.0 / total).collect();
+    groups.extend(members.into_iter().map(|(_, member)| Group::new(vec![member.in_unit(unit)])));
+    let natural = operator.natural_force;
+    Judged {
+        criterion,
+        groups: (first..).zip(weights).collect(),
         scale: unit * natural,
         unbalanced: unbalanced * natural,
     }

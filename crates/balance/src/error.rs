@@ -15,6 +15,12 @@ pub enum BalanceError {
     /// The loads of the main bearings cannot be computed.
     #[error(transparent)]
     Bearings(#[from] TorqueError),
+    /// The pressures of the cylinders cannot be had.
+    #[error("{reason}")]
+    Gas {
+        /// Why.
+        reason: String,
+    },
     /// Two free weights act in exactly the same way.
     #[error(
         "weights `{first}` and `{second}` act alike: same plane, axis and speed\nhint: leave one out, or tie them"

@@ -19,6 +19,8 @@ mod crank_sweep;
 mod criterion;
 mod error;
 mod fitted;
+mod gas_places;
+mod gas_range;
 mod infeasible;
 mod limits;
 mod mounts;
@@ -47,6 +49,7 @@ pub use consequences::{
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
+pub use gas_range::GasOverSpeed;
 pub use optimum::{optimise, optimise_watched, optimise_with};
 pub use settings::{BalanceSettings, Next, SearchState, StopCause};
 pub use swept::{SWEPT_VERSION, Swept, swept};

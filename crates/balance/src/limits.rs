@@ -52,6 +52,10 @@ pub(crate) fn found_limits(
                     stage,
                 }
             }
+            // Amounts of a catalogue are chosen: no price is that of one.
+            Rule::MostAmount(index) | Rule::LeastAmount(index) if task.weights[index].catalogue.is_some() => {
+                continue;
+            }
             Rule::MostAmount(index) => {
                 let most = task.weights[index].most.unwrap_or(f64::INFINITY);
                 of_amount("largest", index, LimitSide::AtMost, most)
@@ -104,7 +108,7 @@ fn given_amounts(
     let slopes = equality_slopes(problem, proof);
     let mut found = Vec::new();
     for &(weight, row) in &problem.given {
-        if slopes[row].abs() <= ACTIVE * proof.scale {
+        if task.weights[weight].catalogue.is_some() || slopes[row].abs() <= ACTIVE * proof.scale {
             continue;
         }
         let price = slopes[row] / problem.operator.weights[weight].unit;

@@ -11,6 +11,7 @@
 use crate::convex::curve::Grid;
 use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
+use crate::gas_places::GasPlaces;
 use crate::rounding::clear_rounding;
 use crate::wave::Wave;
 use lanchester_mechanism::{
@@ -71,6 +72,8 @@ pub(crate) struct EngineLoads {
     speed: f64,
     natural_force: f64,
     natural_moment: f64,
+    /// Where its main-bearing loads with gas are judged.
+    gas: Rc<GasPlaces>,
 }
 
 impl EngineLoads {
@@ -80,7 +83,13 @@ impl EngineLoads {
         let speed = engine.speed.highest;
         let (natural_force, natural_moment) = natural(engine, speed);
         let mains = main_orders(engine, &LoadRequest { kinematics, ..LoadRequest::default() })?;
-        Ok(EngineLoads { orders, mains, revolutions, speed, natural_force, natural_moment })
+        let gas = Rc::default();
+        Ok(EngineLoads { orders, mains, revolutions, speed, natural_force, natural_moment, gas })
+    }
+
+    /// The same with places at which its main-bearing loads with gas are judged.
+    pub fn with_gas(self, gas: &Rc<GasPlaces>) -> EngineLoads {
+        EngineLoads { gas: Rc::clone(gas), ..self }
     }
 }
 
@@ -121,6 +130,8 @@ pub(crate) struct Operator {
     pub natural_force: f64,
     /// What moments are measured against [N m].
     pub natural_moment: f64,
+    /// Where main-bearing loads with gas are judged.
+    pub gas: Rc<GasPlaces>,
 }
 
 impl Operator {
@@ -148,8 +159,7 @@ impl Operator {
         places: &[Vec<(Complex64, f64)>],
         areas: &[AxisArea],
     ) -> Result<Operator, BalanceError> {
-        let &EngineLoads { ref orders, ref mains, revolutions: own, speed, natural_force, natural_moment } =
-            engine_loads;
+        let &EngineLoads { ref orders, ref mains, revolutions: own, speed, .. } = engine_loads;
         let ratios: Vec<Ratio> = task.weights.iter().map(|w| ratio_of(engine, task, w.seat)).collect();
         let revolutions = (1..=MOST_REVOLUTIONS)
             .find(|r| r % own == 0 && ratios.iter().all(|ratio| r % ratio.denominator() == 0))
@@ -167,8 +177,9 @@ impl Operator {
             axes: Vec::new(),
             equalities: Matrix::zeros(0, 0),
             equal_to: Vec::new(),
-            natural_force,
-            natural_moment,
+            natural_force: engine_loads.natural_force,
+            natural_moment: engine_loads.natural_moment,
+            gas: Rc::clone(&engine_loads.gas),
         };
         for order in orders {
             operator.add_order(order, revolutions);

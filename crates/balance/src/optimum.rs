@@ -9,15 +9,18 @@ use crate::convex::dense::norm;
 use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
+use crate::gas_places::GasPlaces;
+use crate::gas_range::{GasOverSpeed, with_gas};
 use crate::infeasible::obstacle;
 use crate::limits::found_limits;
-use crate::operator::{Operator, WeightColumns, inertia_of, middle};
+use crate::operator::{EngineLoads, Operator, WeightColumns, inertia_of, middle};
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause, Watch};
 use crate::speed_range::over_the_range;
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
+use std::rc::Rc;
 
 /// Share of what a stage is without the devices below which it vanishes.
 const VANISHES: f64 = 1e-9;
@@ -46,11 +49,11 @@ pub fn optimise_with(
     task: &BalanceTask,
     kinematics: Kinematics,
 ) -> Result<Answer, BalanceError> {
-    found(engine, task, kinematics, &BalanceSettings::default(), &|_| Next::Continue)
+    found(engine, task, kinematics, None, &BalanceSettings::default(), &|_| Next::Continue)
 }
 
 /// As [`optimise`], with settings, for a caller who watches: a search over choices tells `watch` where it stands before each of its
-/// nodes, and does what it says. Stopped, it answers with the best so far and the bound that is proved by then
+/// nodes, and does what it says. `gas`: the pressures, which main-bearing loads with gas need. Stopped, it answers with the best so far and the bound that is proved by then
 /// ([`Outcome::Stopped`]). Convex programmes take milliseconds and are always finished.
 ///
 /// # Errors
@@ -58,17 +61,19 @@ pub fn optimise_with(
 pub fn optimise_watched(
     engine: &Engine,
     task: &BalanceTask,
+    gas: Option<&dyn GasOverSpeed>,
     settings: &BalanceSettings,
     watch: &dyn Fn(&SearchState<'_>) -> Next,
 ) -> Result<Answer, BalanceError> {
     settings.check()?;
-    found(engine, task, Kinematics::Exact, settings, watch)
+    found(engine, task, Kinematics::Exact, gas, settings, watch)
 }
 
 fn found(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    gas: Option<&dyn GasOverSpeed>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Answer, BalanceError> {
@@ -76,18 +81,46 @@ fn found(
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
-    over_the_range(engine, task, kinematics, &|task| {
-        if branch::is_needed(task) {
-            return searched(engine, task, kinematics, settings, watch);
-        }
-        convex(engine, task, kinematics)
-    })
+    let mut answer = with_gas(engine, task, gas, &|task, places| {
+        over_the_range(engine, task, kinematics, &|task| {
+            if branch::is_needed(task) {
+                return searched(engine, task, kinematics, places, settings, watch);
+            }
+            convex(engine, task, kinematics, places)
+        })
+    })?;
+    if answer.outcome == Outcome::Optimal && answer.stages.iter().any(|stage| stage.give_up.is_some()) {
+        let strict = BalanceTask { give_up: Vec::new(), ..task.clone() };
+        compare_gains(&mut answer, &found(engine, &strict, kinematics, gas, settings, watch)?);
+    }
+    Ok(answer)
+}
+
+/// Notes what the stages behind one that gives up something reach without that: in `strict` nobody gives up anything.
+fn compare_gains(answer: &mut Answer, strict: &Answer) {
+    let first = answer.stages.iter().position(|stage| stage.give_up.is_some()).unwrap_or(0);
+    for (stage, strict) in answer.stages.iter_mut().zip(&strict.stages).skip(first + 1) {
+        stage.without_give_up = Some(strict.value);
+    }
+    for stage in &mut answer.among_equals {
+        let Some((criterion, _)) = stage.terms.first() else { continue };
+        // What nobody can move without the give-up stands among the effects alone.
+        let effect = strict.effects.iter().find(|effect| effect.criterion == *criterion);
+        stage.without_give_up = effect.map(|effect| effect.after);
+    }
 }
 
 /// The answer of one convex programme.
-fn convex(engine: &Engine, task: &BalanceTask, kinematics: Kinematics) -> Result<Answer, BalanceError> {
+fn convex(
+    engine: &Engine,
+    task: &BalanceTask,
+    kinematics: Kinematics,
+    gas: &Rc<GasPlaces>,
+) -> Result<Answer, BalanceError> {
     let places = middle(engine, task);
-    let operator = Operator::new(&bare(engine, task), task, kinematics, &places)?;
+    let bare = bare(engine, task);
+    let loads = EngineLoads::of(&bare, kinematics)?.with_gas(gas);
+    let operator = Operator::with(&loads, &bare, task, &places, &[])?;
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
     let mut answer = empty(engine, task);
@@ -110,10 +143,11 @@ fn searched(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    gas: &Rc<GasPlaces>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Answer, BalanceError> {
-    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, settings, watch)?;
+    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, gas, settings, watch)?;
     let mut answer = Answer { settings: *settings, ..empty(engine, task) };
     let chosen = branch::is_choice(task);
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
@@ -143,10 +177,12 @@ fn searched(
 
 fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
     Answer {
+        web_bounds: Vec::new(),
         version: ANSWER_VERSION,
         engine: engine.name.clone(),
         speed: engine.speed.highest,
         mount_speeds: None,
+        gas_speeds: None,
         task: task.clone(),
         outcome: Outcome::Optimal,
         method: Method::Convex { solves: 0 },
@@ -356,7 +392,12 @@ fn infeasible_words(engine: &Engine, task: &BalanceTask, relaxation: f64, closes
     reason
 }
 
-fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x: &[f64]) -> FoundStage {
+pub(crate) fn found_stage(
+    problem: &Problem,
+    terms: &[(f64, Judged)],
+    proof: &StageProof,
+    x: &[f64],
+) -> FoundStage {
     let values: Vec<(Criterion, f64)> =
         terms.iter().map(|(_, judged)| (judged.criterion, problem.value(judged, x))).collect();
     let value: f64 = terms.iter().zip(&values).map(|((weight, _), (_, value))| weight * value).sum();
@@ -370,10 +411,18 @@ fn found_stage(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof, x
         ([1.0], [(criterion, _)]) => criterion_unit(criterion),
         _ => "1",
     };
+    let used = if proof.allowed > 0.0 { (value - proof.least).max(0.0) } else { 0.0 };
+    let give_up = (proof.allowed > 0.0).then(|| StageGiveUp {
+        least: proof.least,
+        most: proof.least + proof.allowed,
+        used,
+    });
     FoundStage {
         value,
         lower_bound,
-        gap: value - lower_bound,
+        gap: value - used - lower_bound,
+        give_up,
+        without_give_up: None,
         unit: unit.into(),
         terms: values,
         term_weights,
@@ -416,6 +465,13 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64
         // Rounding is no weight.
         if unbalance.norm() <= 1e-12 * columns.unit {
             unbalance = num_complex::Complex64::ZERO;
+        }
+        // Rounding is no other amount of a catalogue.
+        if let Some(catalogue) = weight.catalogue.as_ref().filter(|_| unbalance.norm() > 0.0) {
+            let amount = catalogue.amount(catalogue.nearest(unbalance.norm()));
+            if (amount - unbalance.norm()).abs() <= LEFTOVER * columns.unit {
+                unbalance *= amount / unbalance.norm();
+            }
         }
         found.push(FoundWeight {
             name: weight.name.clone(),

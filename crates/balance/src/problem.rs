@@ -5,7 +5,7 @@ use crate::convex::programme::{Group, Programme, Row};
 use crate::criterion::{Judged, amounts, judge, level};
 use crate::error::BalanceError;
 use crate::operator::Operator;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains, Place, Seat, Stage};
+use lanchester_model::{BalanceTask, Criterion, Engine, GiveUp, Load, Mains, Place, Seat, Stage};
 use std::rc::Rc;
 
 /// What a row of the programme stands for.
@@ -33,6 +33,8 @@ pub(crate) struct Problem {
     pub rules: Vec<(Rule, f64)>,
     /// The stages' terms.
     pub stages: Vec<Vec<(f64, Judged)>>,
+    /// What each stage gives up for later ones, in the order of the stages.
+    pub give_up: Vec<GiveUp>,
     /// What is minimised after them without being asked.
     pub implied: Vec<Vec<(f64, Judged)>>,
     /// The task's limits.
@@ -49,10 +51,7 @@ pub(crate) struct Problem {
 
 /// The stages of a task: what it says, or force and then couple.
 pub(crate) fn stages(task: &BalanceTask) -> Vec<Stage> {
-    if !task.stages.is_empty() {
-        return task.stages.clone();
-    }
-    [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
+    task.stages_or_default()
 }
 
 /// What decides among answers that the stages leave equal, before the weights do: of force and couple what the stages do
@@ -140,6 +139,7 @@ impl Problem {
             rules: Vec::new(),
             operator,
             stages,
+            give_up: task.give_up.clone(),
             implied,
             limits,
             given: Vec::new(),
@@ -205,6 +205,11 @@ impl Problem {
             self.programme.rows.push(Row { shares: Vec::new(), directions, most });
             self.rules.push((Rule::MostInertia, 1.0));
         }
+    }
+
+    /// How far later stages may raise a stage with this least value, in its unit.
+    pub fn allowed(&self, stage: usize, least: f64) -> f64 {
+        self.give_up.get(stage).map_or(0.0, |give_up| give_up.amount(least))
     }
 
     /// All criteria that decide: of the stages, of what is implied, and of the limits.

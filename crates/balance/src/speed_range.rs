@@ -8,7 +8,7 @@
 //! the devices and steps between; after each optimum the largest force over the whole range is looked for, and its
 //! speed joins the set until nothing passes the value by more than [`EXCESS`].
 
-use crate::answer::{Answer, MountSpeeds};
+use crate::answer::{Answer, JudgedSpeeds};
 use crate::convex::curve::Member;
 use crate::error::BalanceError;
 use crate::fitted::{bare, fitted};
@@ -104,7 +104,7 @@ pub(crate) fn over_the_range(
         added.retain(|speed| !known(speed));
         if added.is_empty() || round == MOST_ROUNDS || !range {
             let worst = worst.unwrap_or(engine.speed.highest);
-            answer.mount_speeds = Some(MountSpeeds { judged, worst, excess, range });
+            answer.mount_speeds = Some(JudgedSpeeds { judged, worst, excess, range });
             tell_the_range(&mut answer, engine, task, kinematics, &criteria, &forces)?;
             answer.task = task.clone();
             return Ok(answer);
@@ -134,7 +134,12 @@ fn tell_the_range(
         effect.without = without.largest(effect.criterion)?;
         effect.after = effect.after.max(after.largest(effect.criterion)?);
     }
-    // A stage has what the range has of it, above the bound by no more than the search left.
+    raise(answer, criteria);
+    Ok(())
+}
+
+/// A stage has what the range has of it, above the bound by no more than the search left.
+pub(crate) fn raise(answer: &mut Answer, criteria: &[Criterion]) {
     for stage in &mut answer.stages {
         for ((criterion, value), weight) in stage.terms.iter_mut().zip(&stage.term_weights) {
             let effect = answer.effects.iter().find(|effect| effect.criterion == *criterion);
@@ -145,7 +150,6 @@ fn tell_the_range(
             }
         }
     }
-    Ok(())
 }
 
 /// The criteria of a task that are about forces at mounts, each once.
@@ -329,6 +333,6 @@ fn thin(speeds: &mut Vec<f64>, same: f64) {
 }
 
 /// Equal steps from one speed to another, both included.
-fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
+pub(crate) fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
     (0..=count).map(|k| from + (to - from) * k as f64 / count.max(1) as f64).collect()
 }

@@ -11,7 +11,7 @@
 //! row, a ten-thousand-millionth wider than the value reached.
 
 use crate::convex::curve::Member;
-use crate::convex::dense::{Matrix, RowFactors, norm};
+use crate::convex::dense::{Matrix, RowFactors, add_scaled, norm};
 use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
 use crate::convex::{Failure, better, proved, solve};
 use crate::criterion::Judged;
@@ -36,6 +36,9 @@ const KEEPS: f64 = 1e-10;
 /// Multipliers below this share of the group's weight fix nothing.
 const NOISE: f64 = 1e-6;
 
+/// With more multipliers than this, as of a mean over the cycle, a vector's level is not an unknown of the face.
+const MANY: usize = 400;
+
 /// Levels below this share of the unbalanced load vanish.
 const VANISHES: f64 = 1e-10;
 
@@ -44,6 +47,10 @@ const VANISHES: f64 = 1e-10;
 pub(crate) struct StageProof {
     /// Lower bound, in the unit of the stage.
     pub bound: f64,
+    /// The least value that was reached, in the unit of the stage.
+    pub least: f64,
+    /// How far later stages may raise it, in the unit of the stage.
+    pub allowed: f64,
     /// What a level of 1 is in the unit of the stage.
     pub scale: f64,
     /// Gap that was aimed at, in the unit of the stage.
@@ -68,8 +75,8 @@ pub(crate) struct Reached {
 /// All stages and the lightest answer. `Err`: the first stage has no solution.
 pub(crate) fn run(problem: &Problem, solves: &mut usize) -> Result<Reached, Failure> {
     let mut walk = Walk::new(problem);
-    for terms in &problem.stages {
-        walk.stage(terms, solves)?;
+    for stage in 0..problem.stages.len() {
+        walk.giving_stage(stage, solves)?;
     }
     Ok(walk.settle(solves))
 }
@@ -126,6 +133,34 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
+    /// A stage of the problem which later ones may raise by what it gives up: they move wherever it is not passed.
+    fn giving_stage(&mut self, stage: usize, solves: &mut usize) -> Result<(), Failure> {
+        let mut alone = self.clone();
+        alone.stage(&self.problem.stages[stage], solves)?;
+        let proof = alone.proofs.last_mut().ok_or(Failure::NoPoint)?;
+        let allowed = self.problem.allowed(stage, proof.least);
+        if allowed <= proof.target {
+            *self = alone;
+            return Ok(());
+        }
+        proof.allowed = allowed;
+        let held = Held { value: proof.least, slack: allowed, exact: false };
+        self.proofs = alone.proofs;
+        self.hold_from(alone.x, stage, held, solves)
+    }
+
+    /// Holds an earlier stage, which `x` keeps.
+    pub fn hold_from(
+        &mut self,
+        x: Vec<f64>,
+        stage: usize,
+        held: Held,
+        solves: &mut usize,
+    ) -> Result<(), Failure> {
+        self.x = x;
+        self.hold(stage, held, solves)
+    }
+
     pub fn stage(&mut self, terms: &[(f64, Judged)], solves: &mut usize) -> Result<(), Failure> {
         let (cost, scale, unbalanced) = self.problem.cost(terms);
         // Loads that are rounding of what the single masses do count as nothing.
@@ -145,6 +180,8 @@ impl<'a> Walk<'a> {
         let aim = 10.0 * GAP * largest * scale;
         self.proofs.push(StageProof {
             bound: solution.bound * scale,
+            least: solution.value * scale,
+            allowed: 0.0,
             scale,
             aim,
             target: aim.max(rounding * scale),
@@ -302,6 +339,8 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         line.iter_mut().for_each(|value| *value /= size);
         rows.push(&line);
     };
+    let many = solution.support.len() > MANY;
+    let mut followers: Vec<Option<Vec<f64>>> = vec![None; groups];
     for one in &solution.support {
         let weight = programme.weight(one.group, &solution.prices);
         let size = norm(&one.y);
@@ -311,6 +350,18 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         }
         let reach = programme.groups[one.group].reach;
         let directions = member.directions(one.angle);
+        if many && programme.groups[one.group].members.len() == 1 && matches!(member, Member::Vector { .. }) {
+            // Its level follows the variables: only what is across it is fixed.
+            let mut along = vec![0.0; n];
+            directions.add_transposed(&one.y, 1.0 / size, &mut along);
+            for m in 0..directions.rows {
+                let mut across = directions.row(m).to_vec();
+                add_scaled(&mut across, -one.y[m] / size, &along);
+                fix(&across, &[], reach);
+            }
+            followers[one.group] = Some(along);
+            continue;
+        }
         for m in 0..directions.rows {
             fix(directions.row(m), &[(one.group, -one.y[m] / size)], reach);
         }
@@ -330,10 +381,25 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         }
     }
     let costs: Vec<(usize, f64)> = programme.cost.iter().copied().enumerate().filter(|c| c.1 > 0.0).collect();
-    fix(&programme.linear, &costs, f64::MIN_POSITIVE);
+    let mut kept = |directions: &[f64], shares: &[(usize, f64)]| {
+        let mut directions = directions.to_vec();
+        let mut own: Vec<(usize, f64)> = Vec::new();
+        for &(group, share) in shares {
+            match &followers[group] {
+                Some(along) => add_scaled(&mut directions, share, along),
+                None => own.push((group, share)),
+            }
+        }
+        // What follows adds up to rounding where the costs are least.
+        if !followers.iter().all(Option::is_none) && own.is_empty() {
+            return;
+        }
+        fix(&directions, &own, f64::MIN_POSITIVE);
+    };
+    kept(&programme.linear, &costs);
     for (row, price) in programme.rows.iter().zip(&solution.prices) {
         if *price > NOISE {
-            fix(&row.directions, &row.shares, f64::MIN_POSITIVE);
+            kept(&row.directions, &row.shares);
         }
     }
     let (_, free) = RowFactors::of(&rows, 1e-8).bases();

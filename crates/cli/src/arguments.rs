@@ -7,12 +7,12 @@ use crate::explore_arguments::ExploreArguments;
 use crate::failure::exit_statuses;
 use crate::format::Format;
 use crate::mounts_arguments::MountsArguments;
-use crate::simulation_arguments::{CrosscheckArguments, SimulateArguments};
 use crate::published_arguments::PublishedArguments;
 use crate::scatter_arguments::ScatterArguments;
 use crate::search_arguments::SearchArguments;
 use crate::search_limit_arguments::SearchLimitArguments;
 use crate::sensitivity_arguments::SensitivityArguments;
+use crate::simulation_arguments::{CrosscheckArguments, SimulateArguments};
 use crate::studio_arguments::StudioArguments;
 use crate::torque_arguments::{BearingsArguments, TorqueArguments};
 use crate::workshop_arguments::WorkshopArguments;
@@ -356,11 +356,15 @@ pub struct BalanceArguments {
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
     pub minimise: Vec<String>,
-    /// Speed at which forces at mounts with springs are judged, such as `2000 rpm`; may be given several times, the largest force
+    /// What a stage may lose for those after it: `force = 1 %` of its least value, or `force = 5 N`; without a name, in the order
+    /// of the stages. May be given several times.
+    #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]
+    pub give_up: Vec<String>,
+    /// Speed at which forces at mounts with springs and loads with gas are judged, such as `2000 rpm`; may be given several times, the largest
     /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
-    /// Orders that must vanish exactly, by the lightest weights: `force order 1, couple order 1`. If they cannot, the
+    /// Orders that must vanish exactly: `force order 1, couple order 1`; of all weights that do it those that the bearings need. If they cannot, the
     /// proof is printed, and the weights that leave the least. May be given several times; in place of what [balance]
     /// wants.
     #[arg(long, value_name = "ORDERS", conflicts_with_all = ["minimise", "limit"])]
@@ -371,9 +375,16 @@ pub struct BalanceArguments {
     /// Which weights on the crankshaft are free; default: those of [balance].
     #[arg(long, value_enum)]
     pub counterweights: Option<CrankWeights>,
-    /// Largest unbalance of every free weight on the crankshaft.
+    /// Largest unbalance of every free weight on the crankshaft, or `what fits`: what shapes and clearance allow on its web.
     #[arg(long, value_name = "UNBALANCE", allow_hyphen_values = true)]
     pub most: Option<String>,
+    /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius
+    /// that [balance] gives.
+    #[arg(long, value_name = "AMOUNT")]
+    pub step: Option<String>,
+    /// All free weights on the crankshafts are the same part: one amount of their steps or lists, each in its own direction.
+    #[arg(long)]
+    pub equal_parts: bool,
     /// Least unbalance of every free weight on the crankshaft that is used.
     #[arg(long, value_name = "UNBALANCE")]
     pub least: Option<String>,

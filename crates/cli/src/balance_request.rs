@@ -15,9 +15,12 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         cancel: arguments.cancel.clone(),
         least: arguments.least.clone(),
         most: arguments.most.clone(),
+        step: arguments.step.clone(),
+        equal_parts: arguments.equal_parts,
         optional: arguments.optional,
         most_optional: arguments.most_optional,
         speeds: arguments.speed.clone(),
+        give_up: arguments.give_up.clone(),
     };
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
     let changed = options.change(engine, task)?;

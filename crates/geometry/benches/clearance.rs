@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a bench fails by panicking")]
 
 #[allow(dead_code, reason = "what the tests use of it, and the bench does not")]
-#[path = "../tests/support/hand_made.rs"]
+#[path = "../tests/geometry/support/hand_made.rs"]
 mod hand_made;
 
 use criterion::{Criterion, criterion_group, criterion_main};

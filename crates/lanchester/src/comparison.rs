@@ -2,15 +2,17 @@
 
 use crate::consequences::consequences;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::speed_gas::SpeedGas;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
+use crate::web_bounds::{WebBoundError, optimise_on_webs};
 use lanchester_balance::{
-    Affected, ArrangementOptions, BalanceError, Consequences, Outcome, TwinArrangement, arranged,
-    as_it_stands, fitted, optimise,
+    Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome,
+    TwinArrangement, arranged, as_it_stands, fitted,
 };
 use lanchester_mechanism::{
-    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, Torque,
-    TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations, merged_orders, motion,
-    torque, total_loads,
+    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, SpeedResponse,
+    Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations, merged_orders,
+    motion, torque, total_loads,
 };
 use lanchester_model::Criterion::Peak;
 use lanchester_model::{Engine, Load, Mount, SpeedRange, default_task};
@@ -130,6 +132,14 @@ pub enum CompareError {
         engine: String,
         /// Why.
         error: Box<BalanceError>,
+    },
+    /// It cannot be balanced on its webs as asked.
+    #[error("{engine}: {error}")]
+    Optimum {
+        /// Name of the engine.
+        engine: String,
+        /// Why.
+        error: Box<WebBoundError>,
     },
     /// The optimum that was asked for is none.
     #[error("{engine}: its balance has no optimum: {reason}\nhint: `lanchester balance` tells more")]
@@ -281,6 +291,7 @@ struct Candidate {
     speed: f64,
     displacement: Option<f64>,
     gas: Option<Gas>,
+    traces: Vec<TraceFile>,
 }
 
 /// Pressures on all pistons of an engine.
@@ -309,7 +320,7 @@ impl Candidate {
                 let with = arranged(&own, arrangement, &options).map_err(balance)?;
                 (with, Some(arrangement.name().to_owned()))
             }
-            ComparedWith::Optimum => (optimal(&own, warnings)?, Some("optimum".to_owned())),
+            ComparedWith::Optimum => (optimal(&own, &entry.traces, warnings)?, Some("optimum".to_owned())),
         };
         let refused = |error| CompareError::Load { engine: own_name.clone(), error: Box::new(error) };
         let strokes =
@@ -321,7 +332,7 @@ impl Candidate {
             .map(|(cylinder, motion)| Some(PI / 4.0 * cylinder.bore?.powi(2) * motion.stroke));
         let displacement = swept.sum();
         let gas = Gas::of(&engine, &entry.traces, speed, warnings)?;
-        Ok(Candidate { displacement, gas, with, speed, engine })
+        Ok(Candidate { displacement, gas, with, speed, engine, traces: entry.traces.clone() })
     }
 
     /// Net indicated power in the size of the file [W]; `None` without gas.
@@ -428,24 +439,48 @@ impl Candidate {
         Ok(if value <= ROUNDING * natural { 0.0 } else { similar.force() * value })
     }
 
-    /// Largest force at any mount, with mounts that are similar too.
+    /// Largest force at any mount over the range of speeds, with mounts that are similar too.
     fn sprung_mount_force(&self, similar: Similar) -> Result<f64, CompareError> {
+        let factor = similar.speed_of_original();
+        let (lowest, highest) = (self.engine.speed.lowest * factor, self.engine.speed.highest * factor);
+        let steps = if lowest < highest { SPEED_STEPS } else { 0 };
+        let speed = |k: f64| lowest + (highest - lowest) * k / steps.max(1) as f64;
+        let speeds: Vec<f64> = (0..=steps).map(|k| speed(k as f64)).collect();
+        let forces = self.forces_at_mounts(&speeds)?;
+        let place = (0..forces.len()).max_by(|a, b| forces[*a].total_cmp(&forces[*b])).unwrap_or(0);
+        // Between its neighbours, finely enough for any resonance that a step shows.
+        let fine: Vec<f64> = (-8..=8)
+            .map(|k| (place as f64 + f64::from(k) / 8.0).clamp(0.0, steps as f64))
+            .map(speed)
+            .collect();
+        let fine = self.forces_at_mounts(&fine)?;
+        Ok(similar.force() * forces.into_iter().chain(fine).fold(0.0, f64::max))
+    }
+
+    /// Largest force at any mount at each of `speeds` [rad/s].
+    fn forces_at_mounts(&self, speeds: &[f64]) -> Result<Vec<f64>, CompareError> {
         let refused =
             |error| CompareError::Mounts { engine: self.engine.name.clone(), error: Box::new(error) };
-        let speed = self.speed * similar.speed_of_original();
-        let mut excitations = inertia_excitations(&self.engine, &[speed], MOUNT_ORDERS).map_err(refused)?;
-        if let Some(gas) = &self.gas {
-            let train =
-                GasTrain::new(&self.engine, &gas.own, Lever::Exact).map_err(|error| self.no_torque(error))?;
+        let mut excitations = inertia_excitations(&self.engine, speeds, MOUNT_ORDERS).map_err(refused)?;
+        if self.gas.is_some() {
+            let gas = SpeedGas::new(&self.engine, Ok(&self.traces));
             for excitation in &mut excitations {
+                let pressures = gas.at(excitation.speed).map_err(|reason| self.no_pressures(reason))?;
+                let train = GasTrain::new(&self.engine, &pressures, Lever::Exact)
+                    .map_err(|error| self.no_torque(error))?;
                 excitation.orders = merged_orders(&excitation.orders, &train.orders(MOUNT_ORDERS));
             }
         }
         let response = MountSystem::new(&self.engine)
             .and_then(|system| system.response(&excitations))
             .map_err(refused)?;
-        let peaks = response.speeds.iter().flat_map(|at| &at.peaks).map(|peak| peak.value);
-        Ok(similar.force() * peaks.fold(0.0, f64::max))
+        let largest = |at: &SpeedResponse| at.peaks.iter().map(|peak| peak.value).fold(0.0, f64::max);
+        Ok(response.speeds.iter().map(largest).collect())
+    }
+
+    fn no_pressures(&self, reason: String) -> CompareError {
+        let error = BalanceError::Gas { reason };
+        CompareError::Balance { engine: self.engine.name.clone(), error: Box::new(error) }
     }
 
     fn torque(&self, similar: Similar, fluctuation: f64) -> Result<Option<ComparedTorque>, CompareError> {
@@ -514,10 +549,15 @@ fn mounts_apart(spacing: f64) -> Vec<Mount> {
 }
 
 /// The engine with the best devices for the task of its file.
-fn optimal(engine: &Engine, warnings: &mut Vec<String>) -> Result<Engine, CompareError> {
+fn optimal(
+    engine: &Engine,
+    traces: &[TraceFile],
+    warnings: &mut Vec<String>,
+) -> Result<Engine, CompareError> {
     let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
-    let answer = optimise(engine, &task)
-        .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: error.into() })?;
+    let answer =
+        optimise_on_webs(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
+            .map_err(|error| CompareError::Optimum { engine: engine.name.clone(), error: Box::new(error) })?;
     match &answer.outcome {
         Outcome::Optimal => {}
         Outcome::Stopped { reason, .. } if !answer.weights.is_empty() => {
@@ -531,6 +571,9 @@ fn optimal(engine: &Engine, warnings: &mut Vec<String>) -> Result<Engine, Compar
     }
     Ok(fitted(engine, &answer))
 }
+
+/// Equal steps of speed at which forces at mounts with springs are looked at.
+const SPEED_STEPS: usize = 120;
 
 /// Highest order of the forces at the mounts.
 const MOUNT_ORDERS: u32 = 12;

@@ -27,8 +27,10 @@ pub struct CheckedCounterweight {
     pub unbalance: f64,
     /// Whether it is within a hundredth of what it should be.
     pub is_met: bool,
-    /// Its mass beyond the plain web [kg].
+    /// Its mass beyond the plain web [kg]: what it adds to the crankshaft.
     pub mass: f64,
+    /// Mass of the part as it is exported, with what of the web it covers [kg].
+    pub part_mass: f64,
     /// Its polar inertia about the crank axis beyond the plain web [kg m^2].
     pub polar_inertia: f64,
     /// Swept radius [m].
@@ -102,6 +104,7 @@ pub fn check_counterweights(engine: &Engine) -> Result<CounterweightCheck, Count
             unbalance: weight.unbalance,
             is_met,
             mass: properties.mass,
+            part_mass: part.part.moments().mass,
             polar_inertia: properties.polar_inertia(),
             swept_radius: part.part.outline().swept_radius(),
             thickness: part.part.thickness(),

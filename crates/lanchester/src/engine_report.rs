@@ -4,7 +4,8 @@ use crate::consequences::consequences;
 use crate::counterweight_check::{CounterweightCheck, check_counterweights};
 use crate::pressure::TraceFile;
 use crate::running::{Running, running};
-use lanchester_balance::{Answer, Consequences, fitted, optimise};
+use crate::web_bounds::optimise_on_webs;
+use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
 use lanchester_mechanism::{
     InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
 };
@@ -60,7 +61,7 @@ impl<'a> EngineReport<'a> {
         let internal = internal_cases(engine, internal)?;
         let mut warnings: Vec<String> = warnings.iter().map(in_one_line).collect();
         let told = warnings.len();
-        let optimum = optimum(engine, &mut warnings)?;
+        let optimum = optimum(engine, traces.clone(), &mut warnings)?;
         let crankshaft = crankshaft(engine, &mut warnings);
         let running = running(engine, traces, loads.speed);
         for warning in running.all_warnings() {
@@ -128,15 +129,20 @@ impl FoundOptimum {
 }
 
 /// What the section `[balance]` of the file asks, answered; a question without meaning is one more warning.
-fn optimum(engine: &Engine, warnings: &mut Vec<String>) -> Result<Option<FoundOptimum>, LoadError> {
+fn optimum(
+    engine: &Engine,
+    traces: Result<&[TraceFile], String>,
+    warnings: &mut Vec<String>,
+) -> Result<Option<FoundOptimum>, LoadError> {
     let Some(task) = &engine.balance else { return Ok(None) };
-    let answer = match optimise(engine, task) {
-        Ok(answer) => answer,
-        Err(error) => {
-            warnings.push(format!("the section [balance] has no answer: {error}"));
-            return Ok(None);
-        }
-    };
+    let answer =
+        match optimise_on_webs(engine, traces, task, &BalanceSettings::default(), &|_| Next::Continue) {
+            Ok(answer) => answer,
+            Err(error) => {
+                warnings.push(format!("the section [balance] has no answer: {error}"));
+                return Ok(None);
+            }
+        };
     let fitted = fitted(engine, &answer);
     let (before, after) = (loads(engine, &LoadRequest::default())?, loads(&fitted, &LoadRequest::default())?);
     let consequences = match answer.weights.is_empty() {

@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 mod arrangements;
+mod best_shape;
 mod clearance;
 mod comparison;
 mod consequences;
@@ -41,12 +42,16 @@ mod running;
 mod sample_study;
 mod scene;
 mod shaft_weights;
+mod shape_front;
 mod simulated_gas;
 mod simulation;
+mod speed_gas;
 mod torque_report;
+mod web_bounds;
 mod weights_as_parts;
 
 pub use arrangements::arrangements;
+pub use best_shape::SharedWithWeb;
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
@@ -93,8 +98,10 @@ pub use shaft_weights::{
 };
 pub use simulated_gas::GivenGas;
 pub use simulation::{RunLength, SimulateRequest, simulate};
+pub use speed_gas::optimised;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
+pub use web_bounds::{WebBoundError, optimise_on_webs};
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};

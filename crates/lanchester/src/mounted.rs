@@ -109,7 +109,7 @@ struct GasAtSpeed {
 }
 
 /// Whether the pressures over the angle are others at another speed.
-fn depends_on_speed(gas: &Gas) -> bool {
+pub(crate) fn depends_on_speed(gas: &Gas) -> bool {
     match &gas.source {
         GasSource::Traces { traces, .. } => traces.len() > 1,
         GasSource::Cycle(cycle) => matches!(cycle.process, GasProcess::SingleZone(_)),

@@ -18,7 +18,7 @@ pub struct WeightAsPart {
     pub unbalance: f64,
     /// What it weighs with its centre at the radius that the task gives [kg], where it gives one.
     pub at_radius: Option<f64>,
-    /// What the best shape weighs [kg], a counterweight beyond the disc of its web; none where no shape of the ranges has the unbalance.
+    /// What the best shape weighs [kg], a counterweight beyond its web as it is; none where no shape of the ranges has the unbalance.
     pub mass: Option<f64>,
 }
 

@@ -38,8 +38,8 @@ const LARGEST_DENOMINATOR: u32 = 64;
 /// The criterion of this name: a load such as `force`, `couple y`, `roll moment`, `mount force` (the largest of all
 /// mounts), `mount force front`, `main-bearing load` (the largest of all main bearings), `main-bearing load 3`,
 /// `bending moment`; one order of it, such as `force order 2` or `roll moment order 1/2`; `main-bearing load rms` (of
-/// all main bearings and the cycle), `main-bearing load 3 rms`, `largest main-bearing load rms`; `added mass` or `added
-/// unbalance`.
+/// all main bearings and the cycle), `main-bearing load 3 rms`, `largest main-bearing load rms`, the same with `mean`; any of
+/// these with the gas over the range of speeds, `main-bearing load with gas`; `added mass` or `added unbalance`.
 ///
 /// # Errors
 /// [`BadQuantity`] if there is no such criterion, or no such mount or main bearing.
@@ -79,7 +79,7 @@ pub(crate) fn dimension(criterion: &Criterion) -> Dimension {
                 Dimension::Torque
             }
         },
-        Criterion::MainRms(_) => Dimension::Force,
+        Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => Dimension::Force,
         Criterion::AddedMass => Dimension::Mass,
         Criterion::AddedUnbalance => Dimension::Unbalance,
     }
@@ -89,7 +89,9 @@ pub(crate) fn dimension(criterion: &Criterion) -> Dimension {
 pub(crate) fn load(criterion: &Criterion) -> Option<Load> {
     match criterion {
         Criterion::Peak(load) | Criterion::Order(load, _) => Some(*load),
-        Criterion::MainRms(_) => Some(Load::LargestMainLoad),
+        Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => {
+            Some(Load::LargestMainLoad)
+        }
         Criterion::AddedMass | Criterion::AddedUnbalance => None,
     }
 }
@@ -127,7 +129,7 @@ pub(crate) fn name_among(criterion: &Criterion, mounts: &[Mount]) -> String {
         Load::MainLoad(index) => main_load::load_name(*index),
         _ => LOADS.iter().find(|(_, known)| known == load).map_or("", |(name, _)| name).to_string(),
     };
-    if let Some(name) = main_load::rms_name(criterion) {
+    if let Some(name) = main_load::statistic_name(criterion) {
         return name;
     }
     match criterion {

@@ -99,6 +99,7 @@ enum Value {
     Stages(Vec<Spot<Vec<Term>>>),
     Wholes(Vec<Spot<i64>>),
     Numbers(Vec<Spot<f64>>),
+    Texts(Vec<Spot<String>>),
     Table(Section),
     Tables(Vec<Section>),
 }
@@ -158,7 +159,8 @@ impl Section {
             Kind::Quantity(dimension, _)
             | Kind::Quantities(dimension, _)
             | Kind::QuantityOrPair(dimension, _)
-            | Kind::QuantityOrThree(dimension, _) => Some(dimension),
+            | Kind::QuantityOrThree(dimension, _)
+            | Kind::QuantityOrWord(dimension, ..) => Some(dimension),
             Kind::Share | Kind::ShareOrPair | Kind::ShareOrThree => Some(Dimension::Share),
             _ => None,
         }
@@ -220,6 +222,11 @@ impl Section {
     /// Criteria and the value of each.
     pub(crate) fn terms(&self, name: &str) -> Field<&[Term]> {
         self.field(name, |value| if let Value::Terms(terms) = value { Some(terms.as_slice()) } else { None })
+    }
+
+    /// Quantities whose dimension only the reader knows.
+    pub(crate) fn texts(&self, name: &str) -> Field<&[Spot<String>]> {
+        self.field(name, |value| if let Value::Texts(texts) = value { Some(texts.as_slice()) } else { None })
     }
 
     /// Criteria, or tables of them.

@@ -48,6 +48,7 @@ mod flywheel;
 mod free_shaft;
 mod friction;
 mod gas;
+mod give_up;
 mod layout;
 mod main_load;
 mod mains;

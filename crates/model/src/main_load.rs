@@ -1,12 +1,13 @@
 //! Criteria of main-bearing loads in words: `main-bearing load 3 rms`.
 //!
 //! Main bearings are told by number, crankshaft 1 first, each from the free end on. A number alone asks for the peak over the
-//! cycle, `rms` behind it for the root mean square; without a number `rms` is that of all main bearings together, and `largest`
-//! before the name asks for the bearing with the largest.
+//! cycle, `rms` behind it for the root mean square, `mean` for the mean of the load's amount; without a number these are of all
+//! main bearings together, and `largest` before the name asks for the bearing with the largest. `with gas` at the end adds
+//! the gas, over the range of speeds.
 
 use crate::engine::Engine;
 use crate::quantity::Refusal;
-use crate::task::{Criterion, Load, Mains};
+use crate::task::{Criterion, Load, Mains, Statistic};
 
 /// Largest peak of any main bearing, and what every other name begins with.
 pub(crate) const NAME: &str = "main-bearing load";
@@ -14,11 +15,20 @@ pub(crate) const NAME: &str = "main-bearing load";
 /// What stands before the name where the bearing with the largest counts.
 const LARGEST: &str = "largest ";
 
-/// What stands behind the name where the root mean square over the cycle counts.
-const RMS: &str = "rms";
+/// What stands behind the name where a statistic over the cycle counts, not the peak.
+const STATISTICS: [(&str, Statistic); 2] = [("rms", Statistic::Rms), ("mean", Statistic::Mean)];
+
+/// What stands at the end where the gas counts too.
+const WITH_GAS: &str = "with gas";
 
 /// Names to propose where somebody writes something near to them.
-pub(crate) const PROPOSED: [&str; 2] = ["main-bearing load rms", "largest main-bearing load rms"];
+pub(crate) const PROPOSED: [&str; 5] = [
+    "main-bearing load rms",
+    "largest main-bearing load rms",
+    "main-bearing load mean",
+    "main-bearing load with gas",
+    "main-bearing load rms with gas",
+];
 
 /// The criterion of a name with single spaces; `None` where it is about something else.
 pub(crate) fn named(text: &str) -> Option<Result<Criterion, Refusal>> {
@@ -30,11 +40,16 @@ pub(crate) fn named(text: &str) -> Option<Result<Criterion, Refusal>> {
     if !(rest.is_empty() || rest.starts_with(' ')) {
         return None;
     }
+    let (rest, gas) = match rest.strip_suffix(WITH_GAS) {
+        Some(rest) if rest.ends_with(' ') => (rest, true),
+        _ => (rest, false),
+    };
     let mut words: Vec<&str> = rest.split_whitespace().collect();
-    let rms = words.pop_if(|word| *word == RMS).is_some();
+    let statistic = STATISTICS.iter().find(|(word, _)| words.pop_if(|last| last == word).is_some());
+    let statistic = statistic.map_or(Statistic::Peak, |(_, statistic)| *statistic);
     let mains = match (words.as_slice(), largest) {
         ([], true) => Mains::Largest,
-        ([], false) if !rms => Mains::Largest,
+        ([], false) if statistic == Statistic::Peak => Mains::Largest,
         ([], false) => Mains::All,
         ([number], false) => match index(number) {
             Some(index) => Mains::One(index),
@@ -42,10 +57,15 @@ pub(crate) fn named(text: &str) -> Option<Result<Criterion, Refusal>> {
         },
         (words, _) => return Some(Err(no_number(text, &words.join(" ")))),
     };
-    Some(Ok(match (rms, mains) {
-        (true, mains) => Criterion::MainRms(mains),
-        (false, Mains::One(index)) => Criterion::Peak(Load::MainLoad(index)),
-        (false, _) => Criterion::Peak(Load::LargestMainLoad),
+    if statistic == Statistic::Mean && mains == Mains::Largest {
+        return Some(Err(no_largest_mean(text)));
+    }
+    Some(Ok(match (statistic, mains) {
+        (statistic, mains) if gas => Criterion::MainsWithGas(statistic, mains),
+        (Statistic::Rms, mains) => Criterion::MainRms(mains),
+        (Statistic::Mean, mains) => Criterion::MainMean(mains),
+        (Statistic::Peak, Mains::One(index)) => Criterion::Peak(Load::MainLoad(index)),
+        (Statistic::Peak, _) => Criterion::Peak(Load::LargestMainLoad),
     }))
 }
 
@@ -60,21 +80,31 @@ pub(crate) fn load_name(index: usize) -> String {
     format!("{NAME} {}", index + 1)
 }
 
-/// The name of a root mean square of main-bearing loads; `None` for another criterion.
-pub(crate) fn rms_name(criterion: &Criterion) -> Option<String> {
-    let Criterion::MainRms(mains) = criterion else { return None };
-    Some(match mains {
-        Mains::All => format!("{NAME} {RMS}"),
-        Mains::Largest => format!("{LARGEST}{NAME} {RMS}"),
-        Mains::One(index) => format!("{} {RMS}", load_name(*index)),
-    })
+/// The name of a statistic of main-bearing loads, and of what counts with gas; `None` for another criterion.
+pub(crate) fn statistic_name(criterion: &Criterion) -> Option<String> {
+    let (statistic, mains, gas) = match criterion {
+        Criterion::MainRms(mains) => (Statistic::Rms, mains, false),
+        Criterion::MainMean(mains) => (Statistic::Mean, mains, false),
+        Criterion::MainsWithGas(statistic, mains) => (*statistic, mains, true),
+        _ => return None,
+    };
+    let word = STATISTICS.iter().find(|(_, known)| *known == statistic).map(|(word, _)| *word);
+    let load = match mains {
+        Mains::Largest if word.is_some() => format!("{LARGEST}{NAME}"),
+        Mains::All | Mains::Largest => NAME.to_string(),
+        Mains::One(index) => load_name(*index),
+    };
+    let parts = [Some(load.as_str()), word, gas.then_some(WITH_GAS)];
+    Some(parts.into_iter().flatten().collect::<Vec<_>>().join(" "))
 }
 
 /// Index of the main bearing that a criterion is about, if it is about one.
 fn main_of(criterion: &Criterion) -> Option<usize> {
     match criterion {
         Criterion::Peak(Load::MainLoad(index)) | Criterion::Order(Load::MainLoad(index), _) => Some(*index),
-        Criterion::MainRms(Mains::One(index)) => Some(*index),
+        Criterion::MainRms(Mains::One(index))
+        | Criterion::MainMean(Mains::One(index))
+        | Criterion::MainsWithGas(_, Mains::One(index)) => Some(*index),
         _ => None,
     }
 }
@@ -84,6 +114,8 @@ pub(crate) fn is_about_mains(criterion: &Criterion) -> bool {
     matches!(
         criterion,
         Criterion::MainRms(_)
+            | Criterion::MainMean(_)
+            | Criterion::MainsWithGas(..)
             | Criterion::Peak(Load::MainLoad(_) | Load::LargestMainLoad)
             | Criterion::Order(Load::MainLoad(_) | Load::LargestMainLoad, _)
     )
@@ -114,6 +146,18 @@ pub(crate) fn check(criterion: &Criterion, engine: &Engine) -> Result<(), Refusa
     }
 }
 
+fn no_largest_mean(text: &str) -> Refusal {
+    Refusal {
+        code: "E0109",
+        message: format!(
+            "a mean is that of all main bearings together or of one, got \"{}\"",
+            text.chars().take(60).collect::<String>()
+        ),
+        label: "no mean of the largest".into(),
+        hint: format!("write \"{NAME} mean\" or \"{NAME} 3 mean\""),
+    }
+}
+
 fn no_number(text: &str, got: &str) -> Refusal {
     let short = |text: &str| text.chars().take(60).collect::<String>();
     Refusal {
@@ -125,7 +169,8 @@ fn no_number(text: &str, got: &str) -> Refusal {
         ),
         label: "no number".into(),
         hint: format!(
-            "write \"{NAME} 3\" for its peak, \"{NAME} 3 {RMS}\" for its root mean square; without a number for all"
+            "write \"{NAME} 3\" for its peak, \"{NAME} 3 rms\" for its root mean square, \"{NAME} 3 mean\" for its mean; \
+             without a number for all"
         ),
     }
 }
@@ -143,7 +188,13 @@ mod tests {
     fn every_name_reads_back_as_its_criterion() {
         let engine = four();
         let mains = [Mains::All, Mains::Largest, Mains::One(0), Mains::One(4)];
-        let statistics = mains.map(Criterion::MainRms).into_iter();
+        let gas = [Statistic::Rms, Statistic::Mean, Statistic::Peak]
+            .into_iter()
+            .flat_map(|statistic| mains.map(|mains| Criterion::MainsWithGas(statistic, mains)))
+            .filter(|one| *one != Criterion::MainsWithGas(Statistic::Peak, Mains::All))
+            .filter(|one| *one != Criterion::MainsWithGas(Statistic::Mean, Mains::Largest));
+        let means = [Mains::All, Mains::One(0)].map(Criterion::MainMean);
+        let statistics = mains.map(Criterion::MainRms).into_iter().chain(means).chain(gas);
         let loads = [Load::LargestMainLoad, Load::MainLoad(2)];
         let peaks = loads
             .into_iter()
@@ -164,6 +215,11 @@ mod tests {
         assert_eq!(read("main-bearing load 3"), Criterion::Peak(Load::MainLoad(2)));
         assert_eq!(read("main-bearing load 3 rms"), Criterion::MainRms(Mains::One(2)));
         assert_eq!(read("main-bearing load 3 order 1"), Criterion::Order(Load::MainLoad(2), 1.0));
+        assert_eq!(read("main-bearing load mean"), Criterion::MainMean(Mains::All));
+        let gas = |statistic, mains| Criterion::MainsWithGas(statistic, mains);
+        assert_eq!(read("main-bearing load with  gas"), gas(Statistic::Peak, Mains::Largest));
+        assert_eq!(read("main-bearing load 3 with gas"), gas(Statistic::Peak, Mains::One(2)));
+        assert_eq!(read("largest main-bearing load rms with gas"), gas(Statistic::Rms, Mains::Largest));
     }
 
     #[test]
@@ -180,9 +236,12 @@ mod tests {
             "main-bearing load front",
             "main-bearing load 3 4",
             "largest main-bearing load 3",
+            "main-bearing load rms mean",
+            "main-bearing load with",
         ] {
             assert!(refused(text).contains("a number from 1 on"), "{text}");
         }
+        assert!(refused("largest main-bearing load mean").contains("write \"main-bearing load mean\""));
         assert!(refused("main-bearing laod").contains("did you mean \"main-bearing load\"?"));
         assert!(refused("main-bearing load rns").contains("a number from 1 on"));
         assert!(refused("main bearing load rms").contains("did you mean \"main-bearing load rms\"?"));

@@ -2,8 +2,9 @@
 
 use crate::criterion::{self, criterion};
 use crate::engine::Engine;
+use crate::give_up;
 use crate::quantity::{Bound, Dimension, Refusal, parse, within};
-use crate::task::{Limit, Load, Stage};
+use crate::task::{GiveUp, Limit, Load, Stage};
 
 /// Why a text is no quantity of the kind that is due.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -135,6 +136,28 @@ pub fn unbalance(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Unbalance, Bound::NotNegative, option)
 }
 
+/// An unbalance [kg m], given as itself or as a mass at `radius`; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if it is neither, not above 0, or a mass without a radius.
+pub fn mass_or_unbalance(text: &str, radius: Option<f64>, option: &str) -> Result<f64, BadQuantity> {
+    let example = "write a mass such as \"5 g\", which counts at the radius of the weight, or an unbalance such as \"200 g mm\"";
+    let hinted = |refusal: Refusal| BadQuantity { message: refusal.message, hint: example.into() };
+    let mass = parse(text, Dimension::Mass, option);
+    let own = if mass.is_ok() { Dimension::Mass } else { Dimension::Unbalance };
+    let is_mass = mass.is_ok();
+    let value = mass.or_else(|_| parse(text, Dimension::Unbalance, option)).map_err(hinted)?;
+    let value = within(value, own, Bound::Positive, option, text, None).map_err(hinted)?;
+    match (is_mass, radius) {
+        (false, _) => Ok(value),
+        (true, Some(radius)) => Ok(value * radius),
+        (true, None) => Err(BadQuantity {
+            message: format!("a mass in `{option}` needs the radius of every weight"),
+            hint: "give an unbalance such as \"200 g mm\", or radius in [balance]".into(),
+        }),
+    }
+}
+
 /// A limit such as "couple = 5 N m" or "force order 1=200 N"; `option` names what asks for it in the message.
 ///
 /// # Errors
@@ -179,6 +202,59 @@ pub fn stage(text: &str, engine: &Engine, option: &str) -> Result<Stage, BadQuan
         }
     };
     Ok(Stage::of(text.split(',').map(term).collect::<Result<_, _>>()?))
+}
+
+/// What a stage gives up for those after it: "force = 1 %", "force 1 %", "force = 5 N", or "1 %" for the stage at `place` of
+/// `stages`; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if it names no stage, or no share or amount of 0 or more.
+pub fn give_up(
+    text: &str,
+    place: usize,
+    stages: &[Stage],
+    engine: &Engine,
+    option: &str,
+) -> Result<(usize, GiveUp), BadQuantity> {
+    let of_stage = |name: &str, value: &str| {
+        let found = criterion(name, engine)?;
+        let stage = give_up::stage_of(&found, stages).ok_or_else(|| {
+            let names = stages.iter().flat_map(|stage| &stage.terms);
+            let names: Vec<String> = names.map(|term| criterion::criterion_name(&term.1, engine)).collect();
+            BadQuantity::from(give_up::no_stage(name.trim(), &names))
+        })?;
+        give_up::amount(value, &stages[stage], name.trim())
+            .map(|given| (stage, given))
+            .map_err(BadQuantity::from)
+    };
+    if let Some((name, value)) = text.rsplit_once('=') {
+        return of_stage(name, value);
+    }
+    // The longest beginning that is a criterion: names of orders end in a number too.
+    let text = text.trim();
+    let ends = text.char_indices().filter(|(_, c)| c.is_whitespace()).map(|(place, _)| place);
+    let names: Vec<usize> = ends.filter(|&end| criterion(&text[..end], engine).is_ok()).collect();
+    if let Some(&end) = names.last() {
+        return of_stage(&text[..end], &text[end..]);
+    }
+    if !text.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+        return Err(BadQuantity {
+            message: format!("`{option}` needs a stage and what it gives up, got \"{text}\""),
+            hint: format!("for example {option} 'force = 1 %', or {option} '1 %' for the first stage"),
+        });
+    }
+    let Some(stage) = stages.get(place) else {
+        return Err(BadQuantity {
+            message: format!(
+                "`{option} '{text}'` is for stage {}, and there are {}",
+                place + 1,
+                stages.len()
+            ),
+            hint: "give one for each stage at most, or name the stage".into(),
+        });
+    };
+    let name = stage.terms.first().map_or(String::new(), |term| criterion::criterion_name(&term.1, engine));
+    give_up::amount(text, stage, &name).map(|given| (place, given)).map_err(BadQuantity::from)
 }
 
 /// Orders that must vanish: one, such as "force order 1", or several with commas between them; `option` names what asks

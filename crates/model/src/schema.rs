@@ -71,6 +71,9 @@ pub(crate) enum Need {
     Optional,
 }
 
+/// The largest amount of a weight that shapes and clearance give.
+pub(crate) const WHAT_FITS: &str = "what fits";
+
 /// What a key holds.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Kind {
@@ -94,6 +97,8 @@ pub(crate) enum Kind {
     QuantityOrPair(Dimension, Bound),
     /// A quantity, or a list of three, one for each direction.
     QuantityOrThree(Dimension, Bound),
+    /// A quantity with its unit, or the word that stands for one that is found.
+    QuantityOrWord(Dimension, Bound, &'static str),
     /// `"50 %"` or a bare fraction.
     Share,
     /// A share, or a list of two.
@@ -108,10 +113,14 @@ pub(crate) enum Kind {
     Truth,
     /// A list of criteria, or of tables of criteria and the value of each that counts as much as the others'.
     Stages,
+    /// A mass or an unbalance, or a list of them.
+    Amounts,
     /// A list of criteria that are one order of a load each.
     Orders,
     /// A table of criteria and the largest value of each.
     Limits,
+    /// A table of criteria and the share or amount of each that later stages may give up.
+    GiveUps,
     /// A whole number or a fraction such as `"1/2"`, not 0.
     Ratio,
     /// A table.
@@ -145,6 +154,9 @@ impl Kind {
             Kind::QuantityOrThree(dimension, _) => {
                 format!("{} with its unit, or a list of three", dimension.with_article())
             }
+            Kind::QuantityOrWord(dimension, _, word) => {
+                format!("{} with its unit, or \"{word}\"", dimension.with_article())
+            }
             Kind::Share => "a share such as \"50 %\"".into(),
             Kind::ShareOrPair => "a share such as \"50 %\", or a list of the least and the most".into(),
             Kind::ShareOrThree => "a share such as 0.1 or \"10 %\", or a list of three".into(),
@@ -152,8 +164,10 @@ impl Kind {
             Kind::Number(_) => "a bare number".into(),
             Kind::Truth => "true or false".into(),
             Kind::Stages => "a list of criteria".into(),
+            Kind::Amounts => "a mass or an unbalance with its unit, or a list of them".into(),
             Kind::Orders => "a list of orders of loads".into(),
             Kind::Limits => "a table of criteria and their largest values".into(),
+            Kind::GiveUps => "a table of criteria and what each may give up".into(),
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),
             Kind::Tables(..) => "a list of tables".into(),

@@ -24,18 +24,37 @@ pub struct BalanceTask {
     /// root mean square of main-bearing loads, then the least largest one, then the least bending moment; of those the
     /// lightest.
     pub stages: Vec<Stage>,
+    /// How far later stages may raise each stage above its least value, in the order of the stages (of the default ones where
+    /// none are named); a stage without an entry gives up nothing.
+    pub give_up: Vec<GiveUp>,
     /// What must hold.
     pub limits: Vec<Limit>,
-    /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs are judged, the largest of all counting; empty: the
-    /// whole range of the engine. All other loads are largest at the highest speed.
+    /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs and loads with gas are judged, the largest of all counting;
+    /// empty: the whole range of the engine. All other loads are largest at the highest speed.
     pub speeds: Vec<f64>,
-    /// Orders of loads that must vanish exactly, by the lightest weights; instead of stages and limits.
+    /// Orders of loads that must vanish exactly, instead of stages and limits. Of all weights that do it those come first that the
+    /// default stages and what decides among equals put first.
     pub cancel: Vec<(Load, f64)>,
     /// Most of the optional weights, shafts and inertias that may be used at once.
     pub most_optional: Option<usize>,
 }
 
 impl BalanceTask {
+    /// The stages: those named or, where none are, force and then couple.
+    pub fn stages_or_default(&self) -> Vec<Stage> {
+        if !self.stages.is_empty() {
+            return self.stages.clone();
+        }
+        [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
+    }
+
+    /// Whether anything that is minimised or limited counts the gas.
+    pub fn counts_gas(&self) -> bool {
+        let stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
+        let mut asked = stages.chain(self.limits.iter().map(|limit| limit.criterion));
+        asked.any(|criterion| matches!(criterion, Criterion::MainsWithGas(..)))
+    }
+
     /// Takes all other weights out, with the ties that they are in.
     pub fn keep_weights(&mut self, keep: impl Fn(&FreeWeight) -> bool) {
         let kept: Vec<bool> = self.weights.iter().map(keep).collect();
@@ -100,12 +119,19 @@ pub struct FreeWeight {
     pub least: f64,
     /// Largest amount [kg m]; equal to `least` for a given amount.
     pub most: Option<f64>,
+    /// Whether its largest amount is what fits on its web, by shapes and clearance.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub fits: bool,
     /// Direction at `theta = 0` in the engine's frame (crankshaft phase included).
     pub phase: Phase,
     /// Whether it may be left out.
     pub optional: bool,
     /// Distance of its centre of gravity from the axis it turns about [m]: its mass is amount over radius.
     pub radius: Option<f64>,
+    /// Amounts that can be made, within `least` and `most`; none: every amount.
+    pub catalogue: Option<Catalogue>,
+    /// Name of the parts that it is one of: used weights with the same name have the same amount of their catalogue.
+    pub equal_parts: Option<String>,
 }
 
 impl FreeWeight {
@@ -118,10 +144,67 @@ impl FreeWeight {
             z,
             least: 0.0,
             most: None,
+            fits: false,
             phase: Phase::Free,
             optional: false,
             radius: None,
+            catalogue: None,
+            equal_parts: None,
         }
+    }
+}
+
+/// Amounts of which a free weight has one, or none at all.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Catalogue {
+    /// Whole multiples of this [kg m].
+    Steps(f64),
+    /// These [kg m], rising, all above 0.
+    Amounts(Vec<f64>),
+}
+
+impl Catalogue {
+    /// Amounts that differ by less than this share are one.
+    const ONE_AMOUNT: f64 = 1e-9;
+
+    /// Its amount number `index` [kg m]; number 0 is none at all. Beyond the last one it is infinite.
+    pub fn amount(&self, index: usize) -> f64 {
+        match (self, index) {
+            (_, 0) => 0.0,
+            (_, usize::MAX) => f64::INFINITY,
+            (Catalogue::Steps(step), _) => step * index as f64,
+            (Catalogue::Amounts(list), _) => list.get(index - 1).copied().unwrap_or(f64::INFINITY),
+        }
+    }
+
+    /// Number of its last amount; `usize::MAX` where it has no end.
+    pub fn last(&self) -> usize {
+        match self {
+            Catalogue::Steps(_) => usize::MAX,
+            Catalogue::Amounts(list) => list.len(),
+        }
+    }
+
+    /// Its largest amount [kg m]; none where it has no end.
+    pub fn largest(&self) -> Option<f64> {
+        Some(self.amount(self.last())).filter(|amount| amount.is_finite())
+    }
+
+    /// Number of its largest amount that is no larger than `amount`, to rounding.
+    pub fn below(&self, amount: f64) -> usize {
+        let most = amount * (1.0 + Self::ONE_AMOUNT);
+        match self {
+            Catalogue::Steps(step) => (most / step).floor().max(0.0) as usize,
+            Catalogue::Amounts(list) => list.iter().take_while(|one| **one <= most).count(),
+        }
+    }
+
+    /// Number of its amount that is nearest to `amount`.
+    pub fn nearest(&self, amount: f64) -> usize {
+        let below = self.below(amount);
+        let is_next = self.amount(below.saturating_add(1)) - amount < amount - self.amount(below);
+        if is_next { below + 1 } else { below }
     }
 }
 
@@ -212,6 +295,18 @@ pub enum Mains {
     One(usize),
 }
 
+/// What counts of a load over the cycle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Statistic {
+    /// Root mean square.
+    Rms,
+    /// Mean of the amount.
+    Mean,
+    /// Largest amount.
+    Peak,
+}
+
 /// What is judged.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -222,6 +317,10 @@ pub enum Criterion {
     Order(Load, f64),
     /// Root mean square of main-bearing loads of inertia over the continuous cycle [N], at the highest speed.
     MainRms(Mains),
+    /// Mean of the amount of main-bearing loads of inertia over equal angles of the cycle [N], at the highest speed.
+    MainMean(Mains),
+    /// Main-bearing loads of inertia and gas [N], the largest over the range of speeds, or over the speeds of the task.
+    MainsWithGas(Statistic, Mains),
     /// Mass of all free weights [kg]: every one needs its radius.
     AddedMass,
     /// Sum of the amounts of all free weights [kg m].
@@ -242,6 +341,30 @@ impl Stage {
             *weight = 1.0;
         }
         Stage { terms }
+    }
+}
+
+/// How far later stages may raise a stage above its least value.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum GiveUp {
+    /// Not at all.
+    #[default]
+    Nothing,
+    /// By this share of the least value: 0.01 is 1 %.
+    Share(f64),
+    /// By this much, in the SI unit of the stage's criterion.
+    Amount(f64),
+}
+
+impl GiveUp {
+    /// How far a stage with this least value may be raised, in its unit.
+    pub fn amount(self, least: f64) -> f64 {
+        match self {
+            GiveUp::Nothing => 0.0,
+            GiveUp::Share(share) => share * least,
+            GiveUp::Amount(amount) => amount,
+        }
     }
 }
 

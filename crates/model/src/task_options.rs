@@ -2,9 +2,11 @@
 
 use crate::default_task::{CrankWeightPlaces, crank_weights};
 use crate::engine::Engine;
+use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
-use crate::task::{BalanceTask, Seat};
+use crate::schema::WHAT_FITS;
+use crate::task::{BalanceTask, Catalogue, Seat};
 
 /// Options as text, each as `lanchester balance` takes it.
 #[derive(Debug, Clone, Default)]
@@ -17,14 +19,20 @@ pub struct TaskOptions {
     pub shafts: Vec<String>,
     /// What is minimised ([`option::stage`]), in place of the task's stages and orders to cancel.
     pub minimise: Vec<String>,
+    /// What stages give up for those after them ([`option::give_up`]), in place of what the task says.
+    pub give_up: Vec<String>,
     /// What must hold ([`option::limit`]); replaces limits on the same.
     pub limits: Vec<String>,
     /// Orders that must vanish ([`option::cancel`]), in place of the task's stages and limits.
     pub cancel: Vec<String>,
     /// Least unbalance of every free weight on a crankshaft that is used.
     pub least: Option<String>,
-    /// Largest unbalance of every free weight on a crankshaft.
+    /// Largest unbalance of every free weight on a crankshaft, or `what fits`.
     pub most: Option<String>,
+    /// Step in which every free weight on a crankshaft is made ([`option::mass_or_unbalance`]).
+    pub step: Option<String>,
+    /// Whether all free weights on crankshafts have the same amount of their steps or lists.
+    pub equal_parts: bool,
     /// Whether every free weight on a crankshaft may be left out.
     pub optional: bool,
     /// Most optional devices that may be used at once.
@@ -86,14 +94,15 @@ impl TaskOptions {
 
     /// What is minimised, what must hold, what must vanish.
     fn set_aims(&self, engine: &Engine, task: &mut BalanceTask) -> Result<(), BadQuantity> {
-        let wanted = self.minimise.len() + self.limits.len();
+        let wanted = self.minimise.len() + self.limits.len() + self.give_up.len();
         if !self.cancel.is_empty() && wanted > 0 {
             return Err(refused(
                 format!(
-                    "orders that must vanish stand in place of what is minimised and of limits, got {} beside {} or {}",
+                    "orders that must vanish stand in place of what is minimised and of limits, got {} beside {}, {} or {}",
                     self.name("cancel"),
                     self.name("minimise"),
-                    self.name("limit")
+                    self.name("limit"),
+                    self.name("give-up")
                 ),
                 "ask for one of them",
             ));
@@ -102,11 +111,56 @@ impl TaskOptions {
             let stage = |text: &String| option::stage(text, engine, &self.name("minimise"));
             task.stages = self.minimise.iter().map(stage).collect::<Result<_, _>>()?;
             task.cancel.clear();
+            task.give_up.clear();
+        }
+        if !self.give_up.is_empty() {
+            if !task.cancel.is_empty() {
+                return Err(refused(
+                    format!(
+                        "{} has no effect: [balance] asks for orders that must vanish",
+                        self.name("give-up")
+                    ),
+                    &format!("add {} with what is to be minimised", self.name("minimise")),
+                ));
+            }
+            let stages = task.stages_or_default();
+            let mut list = Vec::new();
+            let mut taken = Vec::new();
+            for (place, text) in self.give_up.iter().enumerate() {
+                let (stage, given) = option::give_up(text, place, &stages, engine, &self.name("give-up"))?;
+                if taken.contains(&stage) {
+                    return Err(refused(
+                        format!(
+                            "{} '{text}' is for stage {}, which has one already",
+                            self.name("give-up"),
+                            stage + 1
+                        ),
+                        "give one for each stage",
+                    ));
+                }
+                taken.push(stage);
+                give_up::put(&mut list, stage, given);
+            }
+            task.give_up = list;
+        }
+        if !self.cancel.is_empty() {
+            let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));
+            let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
+            (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
+            task.give_up.clear();
+        }
+        for text in &self.limits {
+            let limit = option::limit(text, engine, &self.name("limit"))?;
+            task.limits.retain(|known| known.criterion != limit.criterion);
+            task.limits.push(limit);
         }
         if !self.speeds.is_empty() {
-            if !engine.is_on_springs() {
+            if !engine.is_on_springs() && !task.counts_gas() {
                 return Err(refused(
-                    format!("{} has no effect: no mount of the engine has springs", self.name("speed")),
+                    format!(
+                        "{} has no effect: no mount of the engine has springs, and no criterion counts the gas",
+                        self.name("speed")
+                    ),
                     "leave it out: all other loads are largest at the highest speed",
                 ));
             }
@@ -123,16 +177,6 @@ impl TaskOptions {
                 ));
             }
         }
-        if !self.cancel.is_empty() {
-            let orders = |text: &String| option::cancel(text, engine, &self.name("cancel"));
-            let lists: Vec<_> = self.cancel.iter().map(orders).collect::<Result<_, _>>()?;
-            (task.cancel, task.stages, task.limits) = (lists.concat(), Vec::new(), Vec::new());
-        }
-        for text in &self.limits {
-            let limit = option::limit(text, engine, &self.name("limit"))?;
-            task.limits.retain(|known| known.criterion != limit.criterion);
-            task.limits.push(limit);
-        }
         Ok(())
     }
 
@@ -141,17 +185,51 @@ impl TaskOptions {
         let amount = |text: &Option<String>, option: &str| {
             text.as_ref().map(|text| option::unbalance(text, &self.name(option))).transpose()
         };
-        let (least, most) = (amount(&self.least, "least")?, amount(&self.most, "most")?);
+        let fits = self.most.as_ref().is_some_and(|text| text.trim() == WHAT_FITS);
+        let most = if fits { None } else { amount(&self.most, "most")? };
+        let least = amount(&self.least, "least")?;
         let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
         for (index, weight) in task.weights.iter_mut().enumerate() {
             if !matches!(weight.seat, Seat::Crankshaft(_)) {
                 continue;
             }
-            weight.most = most.or(weight.most);
+            if fits {
+                (weight.most, weight.fits) = (None, true);
+            } else if most.is_some() {
+                (weight.most, weight.fits) = (most, false);
+            }
             // A follower does what its leader does.
             if !followers.contains(&index) {
                 weight.least = least.unwrap_or(weight.least);
                 weight.optional |= self.optional;
+                if let Some(step) = &self.step {
+                    let step = option::mass_or_unbalance(step, weight.radius, &self.name("step"))?;
+                    let ends = weight.most.filter(|most| *most < step * (1.0 - 1e-9));
+                    if ends.is_some() {
+                        return Err(refused(
+                            format!(
+                                "{} is larger than the largest amount of \"{}\"",
+                                self.name("step"),
+                                weight.name
+                            ),
+                            "give a smaller step, or a larger largest amount",
+                        ));
+                    }
+                    weight.catalogue = Some(Catalogue::Steps(step));
+                }
+                if self.equal_parts && weight.catalogue.is_none() {
+                    return Err(refused(
+                        format!(
+                            "{} has no effect on \"{}\": it has any amount",
+                            self.name("equal-parts"),
+                            weight.name
+                        ),
+                        &format!("add {} '200 g mm'", self.name("step")),
+                    ));
+                }
+                if self.equal_parts {
+                    weight.equal_parts = Some("counterweight".into());
+                }
             }
         }
         let Some(most) = self.most_optional else { return Ok(()) };

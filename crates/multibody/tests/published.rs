@@ -1,6 +1,6 @@
 //! Published trajectories of mechanisms and engines.
 
-#[path = "../../mechanism/tests/support/mod.rs"]
+#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
 mod support;
 
 use lanchester_model::{Engine, Rod, RodJoint, RodMassRule, Strokes};

@@ -1,6 +1,6 @@
 //! The equations of the crank train and its reactions against the referee's bodies and joints, for random engines in random motion.
 
-#[path = "../../mechanism/tests/support/mod.rs"]
+#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
 mod support;
 
 use lanchester_model::{Block, Engine, MovingParts};

@@ -1,6 +1,6 @@
 //! Runs: conservation, start, run-down, load step, misfire, governor, driveline, imposed speed, accuracy.
 
-#[path = "../../mechanism/tests/support/mod.rs"]
+#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
 mod support;
 
 use lanchester_model::{Block, Engine, Mount, MountSpring, MovingParts, Strokes};

@@ -1,9 +1,33 @@
 //! The answer of a balancing question as tables.
 
 use crate::number;
-use crate::table::{Cell, Column, Table, column_cells};
-use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method};
+use crate::table::{Cell, Column, Table, column_cells, numbers, words};
+use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method, WebBound};
 use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
+
+/// What fits on the webs whose weights it bounds; none where no weight is bounded so.
+pub fn web_bounds_table(answer: &Answer) -> Option<Table> {
+    let bounds = &answer.web_bounds;
+    let used = |bound: &WebBound| {
+        let found = answer.weights.iter().find(|weight| weight.name == bound.name);
+        let found = found.map_or(0.0, |weight| weight.unbalance.norm());
+        if bound.bound > 0.0 { 100.0 * found / bound.bound } else { 0.0 }
+    };
+    (!bounds.is_empty()).then(|| {
+        Table::of_columns(
+            "web-bounds",
+            "What fits on the webs",
+            "The largest unbalance that shapes and clearance allow there: the optimum is the best within these bounds.",
+            vec![
+                words("weight", bounds.iter().map(|bound| bound.name.clone())),
+                words("web", bounds.iter().map(|bound| bound.web.to_string())),
+                numbers("largest", "g mm", bounds.iter().map(|bound| 1e6 * bound.bound), 5),
+                numbers("used", "%", bounds.iter().map(used), 4),
+                words("by", bounds.iter().map(|bound| bound.by.clone())),
+            ],
+        )
+    })
+}
 
 /// Every free weight: where it stands, how much it is, in which direction.
 pub fn found_weights_table(answer: &Answer) -> Table {
@@ -277,18 +301,23 @@ pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
         format!("{}{more}", shown.join(", "))
     };
     let rows = 0..stages.len();
+    let given = |stage: &FoundStage| stage.give_up.map_or(Cell::Empty, |given| Cell::number(given.used, 5));
+    let mut columns = vec![
+        (Column::words("minimised"), stages.iter().map(|s| Cell::text(stage_name(engine, s))).collect()),
+        (Column::words("unit"), stages.iter().map(|s| Cell::text(&s.unit)).collect()),
+        (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
+        (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
+        (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
+        (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
+    ];
+    if stages.iter().any(|stage| stage.give_up.is_some()) {
+        columns.insert(4, (Column::numbers("given up", ""), stages.iter().map(given).collect()));
+    }
     Table::of_columns(
         "stages",
         "The proof",
         "No choice of these devices goes below the bound; a gap is closed where it is less than 1e-8 of the value; the angles are where the load stands at its peak and cannot give way.",
-        vec![
-            (Column::words("minimised"), stages.iter().map(|s| Cell::text(stage_name(engine, s))).collect()),
-            (Column::words("unit"), stages.iter().map(|s| Cell::text(&s.unit)).collect()),
-            (Column::numbers("reached", ""), stages.iter().map(|s| Cell::number(s.value, 7)).collect()),
-            (Column::numbers("bound", ""), stages.iter().map(|s| Cell::number(s.lower_bound, 7)).collect()),
-            (Column::words("gap"), stages.iter().map(|s| Cell::text(gap(answer, s))).collect()),
-            (Column::words("held up at θ ="), rows.map(|k| Cell::text(angles(k))).collect()),
-        ],
+        columns,
     )
 }
 

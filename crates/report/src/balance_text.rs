@@ -2,14 +2,17 @@
 
 use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stage_name, stages_table,
+    limits_table, stage_name, stages_table, web_bounds_table,
 };
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
+use crate::give_up_text::give_up_words;
 use crate::number;
 use crate::terminal::push_wrapped;
-use lanchester_balance::{Answer, BalanceSettings, Consequences, FoundStage, Method, Outcome, SearchState};
+use lanchester_balance::{
+    Answer, BalanceSettings, Consequences, FoundStage, JudgedSpeeds, Method, Outcome, SearchState,
+};
 use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
 use std::fmt::Write;
 
@@ -23,12 +26,14 @@ pub fn balance_text(
 ) -> String {
     let mut out = String::with_capacity(4096);
     let rpm = number::terminal(number::rpm(answer.speed), 0);
-    let _ = writeln!(out, "{} at {rpm} rpm, where the loads of the range are largest", answer.engine);
+    let others = answer.mount_speeds.is_some() || answer.gas_speeds.is_some();
+    let of = if others { "inertia loads" } else { "the loads of the range" };
+    let _ = writeln!(out, "{} at {rpm} rpm, where {of} are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(answer));
     push_wrapped(&mut out, "", &headline(engine, answer));
     let equals = equals_words(engine, answer);
     let effects = consequences.map_or_else(String::new, consequence_words);
-    for words in [equals, effects].iter().filter(|words| !words.is_empty()) {
+    for words in [give_up_words(engine, answer), equals, effects].iter().filter(|words| !words.is_empty()) {
         push_wrapped(&mut out, "", words);
     }
     if let Outcome::Infeasible { closest, .. } = &answer.outcome {
@@ -40,6 +45,7 @@ pub fn balance_text(
     let mut tables = Vec::new();
     if !answer.weights.is_empty() {
         tables.push(found_weights_table(answer));
+        tables.extend(web_bounds_table(answer));
     }
     tables.extend(found_shafts_table(answer));
     tables.extend(found_inertias_table(answer));
@@ -79,19 +85,50 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
     match &answer.outcome {
         Outcome::CannotVanish { reason } => format!("{reason}."),
         Outcome::Optimal if answer.stages.first().is_some_and(FoundStage::is_weighted_sum) => {
-            format!("{}.{}", number::capital(&reached()), gap_words(answer))
+            format!("{}.{}{}", number::capital(&reached()), speeds_words(answer), gap_words(answer))
         }
         Outcome::Optimal => {
-            format!("The least that these devices allow: {}.{}", reached(), gap_words(answer))
+            let given = answer.stages.iter().any(|stage| stage.give_up.is_some());
+            let with = if given { " with what earlier stages give up" } else { "" };
+            let (speeds, gap) = (speeds_words(answer), gap_words(answer));
+            format!("The least that these devices allow{with}: {}.{speeds}{gap}", reached())
         }
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
         Outcome::Stopped { reason, .. } if answer.stages.is_empty() => {
             format!("No answer was found: {reason}.")
         }
         Outcome::Stopped { reason, .. } => {
-            format!("The search stopped early ({reason}); the best so far: {}.", reached())
+            let speeds = speeds_words(answer);
+            format!("The search stopped early ({reason}); the best so far: {}.{speeds}", reached())
         }
     }
+}
+
+/// At which speeds loads were judged that a higher speed need not raise, and where the largest stands.
+fn speeds_words(answer: &Answer) -> String {
+    let words = |(name, judged): (&str, &JudgedSpeeds)| {
+        let rpm = |speed: f64| number::terminal(number::rpm(speed), 0);
+        let (Some(&first), Some(&last)) = (judged.judged.first(), judged.judged.last()) else {
+            return String::new();
+        };
+        let where_to = match (judged.range, judged.judged.len()) {
+            (true, _) => "over the whole range of speeds".into(),
+            (false, 1) => format!("at {} rpm", rpm(first)),
+            (false, count) => format!("at {count} speeds from {} to {} rpm", rpm(first), rpm(last)),
+        };
+        let left = match judged.excess > 1.01e-6 {
+            true => format!(" (a speed between passes the value by {})", number::terminal(judged.excess, 6)),
+            false => String::new(),
+        };
+        let worst = match judged.range || judged.judged.len() > 1 {
+            true => format!("; the largest is at {} rpm", rpm(judged.worst)),
+            false => String::new(),
+        };
+        format!(" {name} count {where_to}{worst}{left}.")
+    };
+    let all =
+        [("Forces at the mounts", &answer.mount_speeds), ("Main-bearing loads with gas", &answer.gas_speeds)];
+    all.into_iter().filter_map(|(name, judged)| Some(words((name, judged.as_ref()?)))).collect()
 }
 
 /// How far the search went, where a wider gap than usual was asked for; empty elsewhere.

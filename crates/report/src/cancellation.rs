@@ -12,10 +12,21 @@ pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellati
     let names = listed(&names);
     let verb = if cancellation.orders.len() == 1 { "vanishes" } else { "vanish" };
     match &cancellation.verdict {
-        CancellationVerdict::Vanish { total, .. } if *total == 0.0 => {
+        CancellationVerdict::Vanish { total, .. } if *total == 0.0 && answer.among_equals.is_empty() => {
             format!("{names} {verb} without any weight.")
         }
-        CancellationVerdict::Vanish { total, is_mass, lightest } => {
+        CancellationVerdict::Vanish { total, least, is_mass, lightest }
+            if !answer.among_equals.is_empty() =>
+        {
+            let (factor, unit) = total_unit(*is_mass);
+            format!(
+                "{names} {verb}. The weights have {} {unit} in all; the lightest that do it, whatever becomes of the rest, have {} {unit}, no others less than {} {unit}.",
+                number::short(factor * total, 6),
+                number::short(factor * least, 6),
+                number::short(factor * lightest.value, 6)
+            )
+        }
+        CancellationVerdict::Vanish { total, is_mass, lightest, .. } => {
             let (factor, unit) = total_unit(*is_mass);
             format!(
                 "{names} {verb}. The lightest weights that do it have {} {unit} in all; no others have less than {} {unit}.",

@@ -11,8 +11,6 @@ pub struct DesignedShape<'a> {
     pub names: &'a str,
     /// The unbalance that is full balance [kg m].
     pub duty: f64,
-    /// What of it the plain web has already [kg m].
-    pub shared: f64,
     /// The design.
     pub design: &'a Design,
 }
@@ -45,17 +43,15 @@ pub fn objective_words(objective: Objective, value: f64) -> String {
 /// Mass, balance and room of designed counterweights.
 pub fn designed_properties_table(shapes: &[DesignedShape<'_>]) -> Table {
     let of = |value: fn(&Design) -> f64| shapes.iter().map(move |shape| value(shape.design));
-    let on_web =
-        |factor: f64| shapes.iter().map(move |shape| factor * (shape.design.unbalance - shape.shared));
-    let balance = on_web(100.0).zip(shapes).map(|(unbalance, shape)| unbalance / shape.duty);
+    let balance = shapes.iter().map(|shape| 100.0 * shape.design.unbalance / shape.duty);
     Table::of_columns(
         "counterweights",
         "The counterweights",
-        "Mass, unbalance and polar inertia about the crank axis without the disc of the web, which is balanced.",
+        "What the counterweight adds to the crankshaft beyond the web as it is: mass, unbalance, polar inertia about the crank axis.",
         vec![
             words("weight", shapes.iter().map(|shape| shape.names.to_owned())),
             numbers("mass", "g", of(|d| 1e3 * d.mass), 5),
-            numbers("unbalance", "kg mm", on_web(1e3), 5),
+            numbers("unbalance", "kg mm", of(|d| 1e3 * d.unbalance), 5),
             numbers("wanted", "kg mm", shapes.iter().map(|shape| 1e3 * shape.duty), 5),
             numbers("balance", "%", balance, 5),
             numbers("swept radius", "mm", of(|d| 1e3 * d.swept_radius), 4),

@@ -28,8 +28,8 @@ mod crank_strip;
 mod crank_view;
 mod crankshaft_section;
 mod crankshaft_tables;
-mod csv;
 mod crosscheck;
+mod csv;
 mod cycle_result;
 mod cycle_tables;
 mod dimension;
@@ -41,6 +41,7 @@ mod frame_sketch;
 mod front_plot;
 mod front_view;
 mod gallery;
+mod give_up_text;
 mod hodograph;
 mod internal_figure;
 mod internal_noise;
@@ -74,8 +75,8 @@ mod sensitivity_tables;
 mod shaft_weight_drawing;
 mod shaft_weight_tables;
 mod share_plot;
-mod simulation;
 mod side_view;
+mod simulation;
 mod spectrum;
 mod speed_table;
 mod star;
@@ -100,6 +101,7 @@ pub use assignment::{assignment_table, assignment_text};
 pub use balance_plot::optimum_figures;
 pub use balance_tables::{
     effects_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
+    web_bounds_table,
 };
 pub use balance_text::{balance_text, equals_words, headline, search_state_words};
 pub use bearing_tables::{
@@ -127,9 +129,8 @@ pub use crankshaft_tables::{
     clearance_words, clearances_table, counterweight_parts_table, crank_body_words, crank_sections_table,
     obstacle_name,
 };
-pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use crosscheck::*;
-pub use simulation::*;
+pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use cycle_result::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};
 pub use cycle_tables::{cycle_angle_table, cycle_figures, cycle_table};
 pub use drawing::drawing;
@@ -177,6 +178,7 @@ pub use shaft_weight_tables::{
 };
 pub use share_plot::share_plots;
 pub use side_view::side_view;
+pub use simulation::*;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
 pub use speed_table::speed_table;
 pub use star::{couple_stars, force_stars};

@@ -3,7 +3,7 @@
 use crate::balance_plot::optimum_figures;
 use crate::balance_tables::{
     closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stages_table,
+    limits_table, stages_table, web_bounds_table,
 };
 use crate::balance_text::{equals_words, headline, method_words};
 use crate::cancellation::{cancellation_proof_table, cancelled_orders_table};
@@ -61,6 +61,7 @@ impl OptimumSection {
         let mut tables = Vec::new();
         if !answer.weights.is_empty() {
             tables.push(found_weights_table(answer));
+            tables.extend(web_bounds_table(answer));
         }
         tables.extend(found_shafts_table(answer));
         tables.extend(found_inertias_table(answer));

@@ -7,7 +7,7 @@ use crate::reading::{NewText, engine};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
-    Next, Outcome, SearchState, Target, arrangements, fitted, optimise_watched, searched_engine,
+    Next, Outcome, SearchState, Target, arrangements, fitted, searched_engine,
 };
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{
@@ -15,6 +15,7 @@ use lanchester::model::{
     TaskOptions, crank_weights, default_task, option, write_back,
 };
 use lanchester::report::{consequence_words, headline};
+use lanchester::{WebBoundError, optimise_on_webs};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -34,6 +35,9 @@ struct BalanceQuestion {
     /// Criteria in their order, as `--minimise` takes them; none: force, then couple.
     #[serde(default)]
     minimise: Vec<String>,
+    /// What stages give up for those after them, as `--give-up` takes it.
+    #[serde(default)]
+    give_up: Vec<String>,
     /// Limits as `--limit` takes them.
     #[serde(default)]
     limits: Vec<String>,
@@ -193,10 +197,15 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => settings.next(began.elapsed().as_secs_f64()),
         false => Next::Abandon,
     };
-    let answer = optimise_watched(&engine, &task, &settings, &watch).map_err(|error| match error {
-        BalanceError::BrokenOff => superseded(),
-        error => Problem::refused(error),
-    })?;
+    let traces = match task.counts_gas() {
+        true => asker.studio.folder.traces(&engine)?,
+        false => Vec::new(),
+    };
+    let answer =
+        optimise_on_webs(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
+            WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
+            error => Problem::refused(error),
+        })?;
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
         return Ok(BalanceAnswer { answer, headline, text: None, after: None, effect: None, warnings });
@@ -249,6 +258,7 @@ fn task(engine: &Engine, question: &BalanceQuestion) -> Result<ChangedTask, Prob
         shafts: question.shafts.clone(),
         minimise: question.minimise.clone(),
         limits: question.limits.clone(),
+        give_up: question.give_up.clone(),
         cancel: question.cancel.clone(),
         least: question.least.clone(),
         most: question.most.clone(),

@@ -208,7 +208,7 @@ impl<'a> Search<'a> {
                 }
                 _ => false,
             },
-            Criterion::MainRms(_) => false,
+            Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,
             Criterion::AddedMass | Criterion::AddedUnbalance => false,
         }
     }

@@ -21,6 +21,8 @@ impl Alike {
                 && a.phase == b.phase
                 && a.optional == b.optional
                 && a.radius == b.radius
+                && a.catalogue == b.catalogue
+                && a.equal_parts == b.equal_parts
         };
         let weights = pairs(task.weights.len())
             .filter(|&(i, j)| {

@@ -1,6 +1,6 @@
 //! Boxes of choices: which devices are used, in what stretch each stands, in what sector its phase lies.
 
-use lanchester_model::{BalanceTask, Phase, Place, Seat};
+use lanchester_model::{BalanceTask, FreeWeight, Phase, Place, Seat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Stretches shorter than this are one place [m].
@@ -50,6 +50,8 @@ pub(super) struct WeightChoice {
     /// Its plane lies from the first to the second [m].
     pub z: [f64; 2],
     pub heading: Heading,
+    /// Numbers of the least and of the largest amount of its catalogue, if it has one.
+    pub amount: [usize; 2],
 }
 
 /// What is chosen for a shaft.
@@ -77,6 +79,8 @@ pub(super) struct Choices {
 pub(super) enum Split {
     UseWeight(usize),
     UseShaft(usize),
+    /// Weight, number of the amount of its catalogue that ends the lower part.
+    Amount(usize, usize),
     Plane(usize, f64),
     /// Weight, the plane where its stretch ends and another begins.
     PlaneAt(usize, f64),
@@ -108,10 +112,17 @@ pub(super) fn open(stretch: [f64; 2]) -> bool {
     stretch[1] - stretch[0] > ONE_PLACE
 }
 
-/// Whether the least amount of a weight is its largest.
-pub(super) fn given(task: &BalanceTask, weight: usize) -> bool {
-    let weight = &task.weights[weight];
-    weight.most.is_some_and(|most| most - weight.least <= ONE_AMOUNT * most && most > 0.0)
+/// Numbers of the amounts of a catalogue that a weight may have if it is used.
+fn amounts(weight: &FreeWeight) -> [usize; 2] {
+    let Some(catalogue) = &weight.catalogue else { return [0, usize::MAX] };
+    let below = catalogue.below(weight.least);
+    // Left out is a choice of its own.
+    let first = match weight.least > 0.0 {
+        true if catalogue.amount(below) >= weight.least * (1.0 - ONE_AMOUNT) => below,
+        true => below + 1,
+        false => usize::from(weight.optional),
+    };
+    [first, weight.most.map_or(catalogue.last(), |most| catalogue.below(most))]
 }
 
 /// Weights on a shaft.
@@ -134,6 +145,7 @@ impl Choices {
                     Phase::Line(angle) => Heading::Line(angle),
                     Phase::Direction(angle) => Heading::Ray(angle),
                 },
+                amount: amounts(weight),
             })
             .collect();
         let shafts = task
@@ -159,6 +171,92 @@ impl Choices {
         };
         let with = |inertia| Choices { inertia, ..all.clone() };
         inertias.into_iter().map(with).filter_map(|choices| choices.settled(task)).collect()
+    }
+
+    /// Least amount of a weight that is used [kg m].
+    pub fn least(&self, task: &BalanceTask, weight: usize) -> f64 {
+        let own = &task.weights[weight];
+        own.catalogue.as_ref().map_or(own.least, |own| own.amount(self.weights[weight].amount[0]))
+    }
+
+    /// Largest amount of a weight [kg m].
+    pub fn most(&self, task: &BalanceTask, weight: usize) -> Option<f64> {
+        let own = &task.weights[weight];
+        match &own.catalogue {
+            Some(catalogue) => {
+                Some(catalogue.amount(self.weights[weight].amount[1])).filter(|most| most.is_finite())
+            }
+            None => own.most,
+        }
+    }
+
+    /// Whether the least amount of a weight is its largest.
+    pub fn given(&self, task: &BalanceTask, weight: usize) -> bool {
+        let least = self.least(task, weight);
+        self.most(task, weight).is_some_and(|most| most - least <= ONE_AMOUNT * most && most > 0.0)
+    }
+
+    /// Whether more than one amount of the catalogue of a weight is left.
+    pub fn has_amounts(&self, task: &BalanceTask, weight: usize) -> bool {
+        let [first, last] = self.weights[weight].amount;
+        task.weights[weight].catalogue.is_some() && first < last
+    }
+
+    /// The next larger or smaller amount of the catalogue for a weight with one amount, and for the parts that are equal to it.
+    pub fn stepped(&self, task: &BalanceTask, weight: usize, up: bool) -> Option<Choices> {
+        let free = &task.weights[weight];
+        let [now, last] = self.weights[weight].amount;
+        let [least, most] = amounts(free);
+        // A weight that is not used has no direction, unless one is given.
+        let has_direction = matches!(self.weights[weight].heading, Heading::Ray(_));
+        if free.catalogue.is_none() || now != last || !has_direction || free.optional {
+            return None;
+        }
+        let next = if up { now + 1 } else { now.checked_sub(1)? };
+        if next < least || next > most {
+            return None;
+        }
+        let mut stepped = self.clone();
+        for (choice, other) in stepped.weights.iter_mut().zip(&task.weights) {
+            let equal = free.equal_parts.is_some() && other.equal_parts == free.equal_parts;
+            if (equal || std::ptr::eq(free, other)) && !(other.optional && choice.usage == Use::No) {
+                choice.amount = [next; 2];
+                choice.usage = if next == 0 { Use::No } else { Use::Yes };
+            }
+        }
+        stepped.settled(task)
+    }
+
+    /// Gives equal parts the amounts that all of them may have; what may have none is not used. `None` where none is left.
+    fn with_amounts(mut self, task: &BalanceTask) -> Option<Choices> {
+        for (weight, free) in task.weights.iter().enumerate().filter(|(_, free)| free.catalogue.is_some()) {
+            let equals = |other: &usize| {
+                *other == weight
+                    || free.equal_parts.is_some() && task.weights[*other].equal_parts == free.equal_parts
+            };
+            if self.weights[weight].usage == Use::No {
+                continue;
+            }
+            let parts = (0..task.weights.len()).filter(equals);
+            let used = parts.filter(|&part| self.weights[part].usage != Use::No);
+            let [first, last] = used.fold([0, usize::MAX], |[first, last], part| {
+                let own = self.weights[part].amount;
+                [first.max(own[0]), last.min(own[1])]
+            });
+            if first > last {
+                // A part that may be left out is.
+                match self.weights[weight].usage {
+                    Use::Open => self.weights[weight].usage = Use::No,
+                    _ => return None,
+                }
+                continue;
+            }
+            self.weights[weight].amount = [first, last];
+            if last == 0 {
+                self.weights[weight].usage = Use::No;
+            }
+        }
+        Some(self)
     }
 
     /// Whether a weight is used, its shaft's use considered.
@@ -192,42 +290,43 @@ impl Choices {
     /// The box with what follows from its choices; `None` where they contradict one another.
     ///
     /// A device without a least amount is never worse used than not, if it does not count.
-    pub fn settled(mut self, task: &BalanceTask) -> Option<Choices> {
+    pub fn settled(self, task: &BalanceTask) -> Option<Choices> {
+        let mut this = self.with_amounts(task)?;
         let left = match task.most_optional {
-            Some(most) => most.checked_sub(self.used(task))?,
+            Some(most) => most.checked_sub(this.used(task))?,
             None => usize::MAX,
         };
-        for shaft in 0..self.shafts.len() {
-            if self.shafts[shaft].usage == Use::No {
+        for shaft in 0..this.shafts.len() {
+            if this.shafts[shaft].usage == Use::No {
                 // What stands on a shaft that is left out need not be decided.
                 for weight in on_shaft(task, shaft).filter(|&w| task.weights[w].optional) {
-                    self.weights[weight].usage = Use::No;
+                    this.weights[weight].usage = Use::No;
                 }
             }
         }
-        let undecided = self.undecided();
+        let undecided = this.undecided();
         if left == 0 {
-            let weights = self.weights.iter_mut().map(|w| &mut w.usage);
-            let usages = weights.chain(self.shafts.iter_mut().map(|s| &mut s.usage));
+            let weights = this.weights.iter_mut().map(|w| &mut w.usage);
+            let usages = weights.chain(this.shafts.iter_mut().map(|s| &mut s.usage));
             usages.filter(|usage| **usage == Use::Open).for_each(|usage| *usage = Use::No);
-            return self.settled_if_changed(task, undecided);
+            return this.settled_if_changed(task, undecided);
         }
         if undecided <= left {
-            for weight in 0..self.weights.len() {
-                if self.weights[weight].usage == Use::Open && task.weights[weight].least == 0.0 {
-                    self.weights[weight].usage = Use::Yes;
+            for weight in 0..this.weights.len() {
+                if this.weights[weight].usage == Use::Open && this.least(task, weight) == 0.0 {
+                    this.weights[weight].usage = Use::Yes;
                 }
             }
-            for shaft in 0..self.shafts.len() {
+            for shaft in 0..this.shafts.len() {
                 let harmless =
-                    on_shaft(task, shaft).all(|w| task.weights[w].least == 0.0 || task.weights[w].optional);
-                if self.shafts[shaft].usage == Use::Open && harmless {
-                    self.shafts[shaft].usage = Use::Yes;
+                    on_shaft(task, shaft).all(|w| this.least(task, w) == 0.0 || task.weights[w].optional);
+                if this.shafts[shaft].usage == Use::Open && harmless {
+                    this.shafts[shaft].usage = Use::Yes;
                 }
             }
-            return self.settled_if_changed(task, undecided);
+            return this.settled_if_changed(task, undecided);
         }
-        Some(self)
+        Some(this)
     }
 
     fn settled_if_changed(self, task: &BalanceTask, undecided: usize) -> Option<Choices> {
@@ -263,7 +362,13 @@ impl Choices {
                 continue;
             }
             all.push((share(choice.z, stretch(weight.z)), Split::Plane(index, middle(choice.z))));
-            if open(choice.z) || weight.least > 0.0 && usage == Use::Yes {
+            if self.has_amounts(task, index) {
+                let [first, last] = choice.amount;
+                // Half of what is left; of a catalogue without an end twice what is known.
+                let half = if last == usize::MAX { 2 * first + 1 } else { first + (last - first) / 2 };
+                all.push((1.0, Split::Amount(index, half)));
+            }
+            if open(choice.z) || self.least(task, index) > 0.0 && usage == Use::Yes {
                 all.push((divisible(choice.heading), Split::Heading(index, Looked::default())));
             }
         }
@@ -304,6 +409,10 @@ impl Choices {
             }
             Split::UseShaft(shaft) => {
                 [Use::Yes, Use::No].map(|usage| with(&|c| c.shafts[shaft].usage = usage)).into()
+            }
+            Split::Amount(weight, at) => {
+                let [first, last] = self.weights[weight].amount;
+                [[first, at], [at + 1, last]].map(|part| with(&|c| c.weights[weight].amount = part)).into()
             }
             Split::Plane(weight, at) => {
                 halves(self.weights[weight].z, at).map(|part| with(&|c| c.weights[weight].z = part)).into()

@@ -22,6 +22,7 @@ mod search;
 
 use crate::error::BalanceError;
 use crate::fitted::bare;
+use crate::gas_places::GasPlaces;
 use crate::operator::EngineLoads;
 use crate::problem::{Problem, has_free_axis, implied, is_of_crank, stages};
 use crate::settings::{BalanceSettings, StopCause, Watch};
@@ -31,6 +32,7 @@ use lanchester_mechanism::Kinematics;
 use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
 use relaxed::Ground;
 use search::{Effort, Found, Goal, Search};
+use std::rc::Rc;
 
 /// The best choice with its convex programme.
 pub(crate) struct Chosen {
@@ -85,7 +87,7 @@ pub(crate) struct Searched {
 /// Whether a task asks for more than one convex programme.
 pub(crate) fn is_needed(task: &BalanceTask) -> bool {
     let place = |place: Place| matches!(place, Place::Between(..));
-    task.weights.iter().any(|w| w.least > 0.0 || place(w.z))
+    task.weights.iter().any(|w| w.least > 0.0 || place(w.z) || w.catalogue.is_some())
         || has_free_axis(task)
         || task.inertias.len() > 1
         || task.most_optional.is_some()
@@ -97,6 +99,7 @@ pub(crate) fn is_choice(task: &BalanceTask) -> bool {
     let open = |w: &FreeWeight| {
         !matches!(w.phase, Phase::Direction(_)) && (w.least > 0.0 || place(w.z))
             || w.least > 0.0 && w.optional
+            || w.catalogue.is_some()
             // A crankshaft bends otherwise on either side of a plane, and other mains carry it on either side of a main.
             || place(w.z) && matches!(w.seat, Seat::Crankshaft(_))
     };
@@ -111,11 +114,12 @@ pub(crate) fn search(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    gas: &Rc<GasPlaces>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Searched, BalanceError> {
     let bare = bare(engine, task);
-    let loads = EngineLoads::of(&bare, kinematics)?;
+    let loads = EngineLoads::of(&bare, kinematics)?.with_gas(gas);
     let asked = stages(task);
     let asked_count = asked.len();
     // An axis that is to be found is not left to chance by those who do not name the roll moment. The bearings of a crankshaft
@@ -147,7 +151,7 @@ fn sees_axes(task: &BalanceTask) -> bool {
         Criterion::Peak(load) | Criterion::Order(load, _) => {
             matches!(load, Load::RollMoment | Load::MountForce(_) | Load::LargestMountForce)
         }
-        Criterion::MainRms(_) => false,
+        Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,
         Criterion::AddedMass | Criterion::AddedUnbalance => false,
     })
 }
@@ -159,6 +163,7 @@ fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, 
     let mut held: Vec<Held> = Vec::new();
     let mut known: Option<Choices> = None;
     let mut bounds = Vec::new();
+    let mut given_up = Vec::new();
     let mut stopped = None;
     for stage in 0..count {
         let settings = &ground.settings;
@@ -176,18 +181,27 @@ fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, 
             stopped.get_or_insert((stage, cause));
         }
         bounds.push((found.bound, best.target));
-        held.push(Held { value: best.value, slack: best.slack, exact: found.exact });
+        let allowed = ground.task.give_up.get(stage).map_or(0.0, |give_up| give_up.amount(best.value));
+        let allowed = if allowed > best.target { allowed } else { 0.0 };
+        given_up.push(allowed);
+        let slack = best.slack + allowed;
+        held.push(Held { value: best.value, slack, exact: found.exact && allowed == 0.0 });
         known = Some(best.choices.clone());
         boxes = found.left;
     }
     let nothing = Ending::Nothing(stopped.map_or(StopCause::Rounding, |(_, cause)| cause));
     let Some(choices) = known else { return Ok(nothing) };
     let Some(problem) = ground.problem(&choices)? else { return Ok(nothing) };
-    let Some(mut reached) = reached(&problem, &held, &mut search.solves) else {
+    let Some(mut reached) = reached(&problem, &held, &given_up, &mut search.solves) else {
         return Ok(nothing);
     };
     for (proof, (bound, target)) in reached.stages.iter_mut().zip(bounds) {
         (proof.bound, proof.target) = (bound, target);
+    }
+    for (proof, (held, allowed)) in reached.stages.iter_mut().zip(held.iter().zip(given_up)) {
+        if allowed > 0.0 {
+            (proof.least, proof.allowed) = (held.value, allowed);
+        }
     }
     let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
     Ok(Ending::Chosen(Box::new(Chosen {
@@ -201,16 +215,18 @@ fn ending(search: &mut Search, ground: &Ground, asked: usize) -> Result<Ending, 
 }
 
 /// The point of a choice, the earlier stages held as in the search, and the proof of each stage.
-fn reached(problem: &Problem, held: &[Held], solves: &mut usize) -> Option<Reached> {
+fn reached(problem: &Problem, held: &[Held], given_up: &[f64], solves: &mut usize) -> Option<Reached> {
     let mut walk = Walk::new(problem);
     let mut proofs = Vec::new();
     for (stage, one) in held.iter().enumerate() {
         let mut alone = walk.clone();
         alone.stage(&problem.stages[stage], solves).ok()?;
         proofs.push(alone.proofs.pop()?);
-        if one.exact || stage + 1 == held.len() {
+        if one.exact || stage + 1 == held.len() && given_up[stage] == 0.0 {
             alone.proofs.clear();
             walk = alone;
+        } else if stage + 1 == held.len() {
+            walk.hold_from(alone.x, stage, *one, solves).ok()?;
         } else {
             walk.hold(stage, *one, solves).ok()?;
         }

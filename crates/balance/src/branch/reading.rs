@@ -1,6 +1,6 @@
 //! What the optimum of a box's programme says: where it goes beyond the task, and which choice lies nearest to it.
 
-use super::choices::{Choices, Heading, Looked, ONE_PLACE, Split, Use, given, on_shaft, open};
+use super::choices::{Choices, Heading, Looked, ONE_PLACE, Split, Use, on_shaft, open};
 use super::relaxed::corners;
 use crate::problem::Problem;
 use lanchester_model::BalanceTask;
@@ -183,7 +183,7 @@ impl<'a> Reading<'a> {
     /// Whether an undecided device is used less than it may be if it is used at all.
     fn is_between(&self, split: Split) -> bool {
         let below = |weight: usize| {
-            self.weights[weight].unbalance.norm() < self.task.weights[weight].least * (1.0 - UNUSED)
+            self.weights[weight].unbalance.norm() < self.choices.least(self.task, weight) * (1.0 - UNUSED)
         };
         match split {
             Split::UseWeight(weight) => below(weight),
@@ -220,7 +220,10 @@ impl<'a> Reading<'a> {
             }
             let (seen, choice) = (&self.weights[weight], &self.choices.weights[weight]);
             let turn = seen.square / self.natural_force;
-            let short = self.task.weights[weight].least - seen.unbalance.norm();
+            let short = self.choices.least(self.task, weight) - seen.unbalance.norm();
+            if let Some((beyond, at)) = self.between_amounts(weight) {
+                consider(turn * beyond, vec![Split::Amount(weight, at)]);
+            }
             let divisible = !matches!(choice.heading, Heading::Ray(_) | Heading::Tangent(_));
             if self.choices.usage(self.task, weight) == Use::Yes && divisible {
                 consider(
@@ -258,6 +261,47 @@ impl<'a> Reading<'a> {
         worst.1
     }
 
+    /// How far the amount of a weight is from the nearest of its catalogue [kg m], and the number of the one below it; none
+    /// where it is one of them, or where the box leaves one only.
+    fn between_amounts(&self, weight: usize) -> Option<(f64, usize)> {
+        let catalogue = self.task.weights[weight].catalogue.as_ref()?;
+        let [first, last] = self.choices.weights[weight].amount;
+        if first >= last {
+            return None;
+        }
+        let amount = self.weights[weight].unbalance.norm();
+        let below = catalogue.below(amount).clamp(first, last - 1);
+        let next = catalogue.amount(below + 1);
+        let beyond = (amount - catalogue.amount(below)).abs().min((next - amount).abs());
+        Some((beyond, below))
+    }
+
+    /// Gives every weight with a catalogue the nearest amount of it, equal parts the one nearest to their mean.
+    fn round_amounts(&self, chosen: &mut Choices) {
+        for (weight, free) in self.task.weights.iter().enumerate() {
+            let Some(catalogue) = &free.catalogue else { continue };
+            let parts: Vec<usize> = (0..self.weights.len())
+                .filter(|&other| {
+                    let equal = free.equal_parts.is_some()
+                        && self.task.weights[other].equal_parts == free.equal_parts;
+                    (other == weight || equal) && chosen.weights[other].usage == Use::Yes
+                })
+                .collect();
+            if !parts.contains(&weight) {
+                continue;
+            }
+            let sum: f64 = parts.iter().map(|&part| self.weights[part].unbalance.norm()).sum();
+            let [first, last] = chosen.weights[weight].amount;
+            let nearest = catalogue.nearest(sum / parts.len() as f64).clamp(first, last);
+            chosen.weights[weight].amount = [nearest; 2];
+        }
+        for (choice, free) in chosen.weights.iter_mut().zip(&self.task.weights) {
+            if free.catalogue.is_some() && choice.amount[1] == 0 {
+                choice.usage = Use::No;
+            }
+        }
+    }
+
     /// The larger of stretch and sector, both as shares of all of them.
     fn axis_split(&self, shaft: usize, axis: Complex64) -> Split {
         let choice = &self.choices.shafts[shaft];
@@ -291,7 +335,7 @@ impl<'a> Reading<'a> {
         for (rank, &(_, split)) in undecided.iter().enumerate() {
             let mut far = false;
             if let Split::UseWeight(weight) = split {
-                far = self.weights[weight].unbalance.norm() < 0.5 * self.task.weights[weight].least;
+                far = self.weights[weight].unbalance.norm() < 0.5 * self.choices.least(self.task, weight);
             }
             let wanted = left.is_none_or(|left| rank < left) && self.is_used(split) && !far;
             let usage = if wanted { Use::Yes } else { Use::No };
@@ -306,6 +350,7 @@ impl<'a> Reading<'a> {
                 choice.usage = Use::No;
             }
         }
+        self.round_amounts(&mut chosen);
         for shaft in 0..chosen.shafts.len() {
             let axis = self.axis(shaft);
             chosen.shafts[shaft].x = [axis.re; 2];
@@ -315,14 +360,16 @@ impl<'a> Reading<'a> {
             chosen.weights[weight].z = [self.plane(weight); 2];
             let unbalance = self.weights[weight].unbalance;
             let heading = self.choices.weights[weight].heading;
-            let bound = self.task.weights[weight].least > 0.0 && chosen.usage(self.task, weight) == Use::Yes;
+            let bound = chosen.least(self.task, weight) > 0.0 && chosen.usage(self.task, weight) == Use::Yes;
             let angle = heading.nearest(unbalance.arg());
             chosen.weights[weight].heading = match heading {
                 Heading::Ray(_) | Heading::Tangent(_) => heading,
                 Heading::Line(_) if bound => Heading::Ray(angle),
                 Heading::Line(_) => heading,
                 Heading::Any | Heading::Sector { .. } if !bound => Heading::Any,
-                Heading::Any | Heading::Sector { .. } if given(self.task, weight) => Heading::Ray(angle),
+                Heading::Any | Heading::Sector { .. } if chosen.given(self.task, weight) => {
+                    Heading::Ray(angle)
+                }
                 Heading::Any | Heading::Sector { .. } => Heading::Tangent(angle),
             };
         }

@@ -15,7 +15,7 @@
 //! the box is `U_1` and `U_2` with unlike phases; the error is of the order of stretch times sector. With one given
 //! direction there is none: such a weight is found without any division.
 
-use super::choices::{Choices, Heading, Use, given, on_shaft, open};
+use super::choices::{Choices, Heading, Use, on_shaft, open};
 use crate::convex::curve::Member;
 use crate::convex::dense::{Matrix, RowFactors, norm};
 use crate::convex::programme::{Group, Row};
@@ -72,11 +72,12 @@ impl Ground<'_> {
             if !open(choice.z) {
                 weight.z = Place::At(0.5 * (choice.z[0] + choice.z[1]));
             }
+            (weight.least, weight.most) = (choices.least(self.task, index), choices.most(self.task, index));
             match choice.heading {
                 Heading::Ray(angle) => {
                     weight.phase = Phase::Direction(angle);
                     // Said by an equation in place of two bounds that leave no room between them.
-                    if given(self.task, index) && choices.usage(self.task, index) == Use::Yes {
+                    if choices.given(self.task, index) && choices.usage(self.task, index) == Use::Yes {
                         weight.most = None;
                     }
                 }
@@ -142,7 +143,7 @@ impl Ground<'_> {
     }
 
     fn add_least(&self, problem: &mut Problem, choices: &Choices, weight: usize) {
-        let least = self.task.weights[weight].least;
+        let least = choices.least(self.task, weight);
         if least <= 0.0 {
             return;
         }
@@ -154,7 +155,7 @@ impl Ground<'_> {
             directions(problem, &terms, turned)
         };
         match choices.weights[weight].heading {
-            Heading::Ray(angle) if given(self.task, weight) => {
+            Heading::Ray(angle) if choices.given(self.task, weight) => {
                 let row = along(problem, angle, 1.0);
                 problem.given.push((weight, problem.operator.equalities.rows));
                 problem.operator.equalities.push(&row);
@@ -201,7 +202,7 @@ impl Ground<'_> {
         if let Heading::Sector { start, width } = heading {
             parts.iter().for_each(|part| add_sector(problem, part, [start, width], unit));
         }
-        let most: Option<f64> = on_shaft(self.task, shaft).map(|w| self.task.weights[w].most).sum();
+        let most: Option<f64> = on_shaft(self.task, shaft).map(|w| choices.most(self.task, w)).sum();
         if let Some(most) = most {
             let mut shares = Vec::new();
             for part in &parts {
@@ -222,7 +223,7 @@ impl Ground<'_> {
         let usage = |weights: &[usize], problem: &mut Problem| {
             let mut members = Vec::new();
             for &weight in weights {
-                let most = self.task.weights[weight].most.filter(|most| *most > 0.0)?;
+                let most = choices.most(self.task, weight).filter(|most| *most > 0.0)?;
                 let corners = problem.operator.weights[weight].corners.clone();
                 let terms: Vec<(f64, &Corner)> = corners.iter().map(|c| (1.0, c)).collect();
                 members.push(plane(problem, &terms, most));

@@ -11,6 +11,7 @@ use crate::infeasible::relaxation;
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause};
 use crate::stages::{GAP, Held, Walk};
+use lanchester_model::GiveUp;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -180,6 +181,10 @@ impl<'a> Search<'a> {
     ) -> Result<Found, BalanceError> {
         let mut hunt = Hunt {
             goal,
+            give_up: match goal {
+                Goal::Stage(stage) => self.ground.task.give_up.get(stage).copied().unwrap_or_default(),
+                Goal::Relaxation => GiveUp::Nothing,
+            },
             held,
             effort,
             best: None,
@@ -318,7 +323,11 @@ impl<'a> Search<'a> {
         }
         let reading = Reading::of(self.ground.task, &choices, &problem, &optimum.x);
         if !hunt.closes(bound) {
+            let before = hunt.best.as_ref().map_or(f64::INFINITY, |best| best.value);
             self.attempt(hunt, &reading.nearest())?;
+            if hunt.best.as_ref().is_some_and(|best| best.value < before) {
+                self.step_about(hunt)?;
+            }
         }
         let spoiled = if spoils { parent.spoiled + 1 } else { 0 };
         let mut splits = reading.splits();
@@ -376,6 +385,25 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
+    /// Moves the amounts of catalogues up and down by one, as long as that helps.
+    fn step_about(&mut self, hunt: &mut Hunt) -> Result<(), BalanceError> {
+        for _ in 0..MOVES {
+            let Some(before) = hunt.best.as_ref().map(|best| best.value) else { return Ok(()) };
+            for weight in 0..self.ground.task.weights.len() {
+                for up in [true, false] {
+                    let Some(best) = &hunt.best else { return Ok(()) };
+                    if let Some(stepped) = best.choices.stepped(self.ground.task, weight, up) {
+                        self.attempt(hunt, &stepped)?;
+                    }
+                }
+            }
+            if hunt.best.as_ref().is_none_or(|best| before - best.value <= best.slack) {
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
     fn optimum(&mut self, problem: &Problem, goal: Goal, held: &[Held]) -> Result<Optimum, Failure> {
         match goal {
             Goal::Stage(stage) => {
@@ -402,6 +430,8 @@ impl<'a> Search<'a> {
 /// The state of one search.
 struct Hunt<'a> {
     goal: Goal,
+    /// What the stage gives up for later ones: boxes that are worse by no more than that stay theirs.
+    give_up: GiveUp,
     held: &'a [Held],
     effort: Effort,
     best: Option<Incumbent>,
@@ -427,9 +457,10 @@ impl Hunt<'_> {
         }
     }
 
-    /// Whether everything in a box with this bound is worse than the best by more than the gap.
+    /// Whether everything in a box with this bound is worse than the best by more than the gap and what may be given up.
     fn is_worse(&self, bound: f64) -> bool {
-        self.best.as_ref().is_some_and(|best| bound > best.value + best.slack)
+        let most = |best: &Incumbent| best.value + best.slack + self.give_up.amount(best.value);
+        self.best.as_ref().is_some_and(|best| bound > most(best))
     }
 
     fn found(self, stopped: Option<StopCause>) -> Found {

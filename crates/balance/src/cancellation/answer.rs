@@ -30,10 +30,13 @@ pub struct CancelledOrder {
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum CancellationVerdict {
-    /// They vanish; the proof is that nothing lighter does it.
+    /// They vanish. Of all weights that do it the answer has those that come first by the default stages
+    /// ([`crate::Answer::among_equals`]), then the lightest; the proof is that nothing lighter than `least` does it.
     Vanish {
-        /// Total unbalance [kg m], or mass [kg] where every weight has a radius.
+        /// Total unbalance of the answer [kg m], or mass [kg] where every weight has a radius.
         total: f64,
+        /// That of the lightest weights that do it; the same where nothing but the weights decides.
+        least: f64,
         /// Whether the total is a mass.
         is_mass: bool,
         /// No weights that make the orders vanish have a total below `lightest.value`.

@@ -34,6 +34,13 @@ impl Total {
         Total { criterion, costs, unit }
     }
 
+    /// The total of a point of the operator, in its unit.
+    pub fn of(&self, equations: &Equations, x: &[f64]) -> f64 {
+        let u: Vec<f64> = x.iter().zip(&equations.stretch).map(|(x, stretch)| x / stretch).collect();
+        let sizes = equations.devices.iter().map(|device| equations.size(device, &u));
+        self.unit * self.costs.iter().zip(sizes).map(|(cost, size)| cost * size).sum::<f64>()
+    }
+
     /// The total with its bound.
     pub fn stage(&self, found: &Lightest) -> FoundStage {
         let value = self.unit * found.value;
@@ -43,6 +50,8 @@ impl Total {
             value,
             lower_bound,
             gap: value - lower_bound,
+            give_up: None,
+            without_give_up: None,
             unit: criterion_unit(&self.criterion).into(),
             terms: vec![(self.criterion, value)],
             term_weights: vec![1.0],

@@ -19,6 +19,9 @@ const VANISHES: f64 = 1e-6;
 /// Conditions that differ from the others by less than this share are theirs: what they ask beyond is rounding, and charged.
 const DEPENDENT: f64 = 1e-10;
 
+/// With more multipliers than this the weights of groups of one are not solved for.
+const MANY: usize = 400;
+
 /// Multipliers made admissible, and what they prove.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Certificate {
@@ -87,8 +90,10 @@ fn project(
     prices: &mut [f64],
 ) {
     let n = programme.variables;
-    let groups: Vec<usize> =
-        (0..programme.groups.len()).filter(|&g| support.iter().any(|s| s.group == g)).collect();
+    // Where a mean over the cycle has a group at every angle, a group of one multiplier is left to [`settle`]: it loses no more
+    // than the change here.
+    let least = if support.len() > MANY { 2 } else { 1 };
+    let groups: Vec<usize> = (0..programme.groups.len()).filter(|&g| count_of(support, g) >= least).collect();
     let unknowns: usize = directions.iter().map(|d| d.rows).sum::<usize>() + prices.len();
     let mut matrix = Matrix::zeros(n + groups.len(), unknowns);
     let mut right: Vec<f64> =
@@ -96,12 +101,14 @@ fn project(
     let mut at = 0;
     for (one, directions) in support.iter().zip(directions) {
         let size = norm(&one.y);
-        let line = groups.iter().position(|&g| g == one.group).expect("invariant: its group is listed");
+        let line = groups.iter().position(|&g| g == one.group);
         for m in 0..directions.rows {
             for j in 0..n {
                 matrix[(j, at + m)] = size * directions[(m, j)];
             }
-            matrix[(n + line, at + m)] = one.y[m];
+            if let Some(line) = line {
+                matrix[(n + line, at + m)] = one.y[m];
+            }
         }
         at += directions.rows;
     }
@@ -136,6 +143,10 @@ fn project(
     for (price, change) in prices.iter_mut().zip(&change[at..]) {
         *price *= 1.0 + change;
     }
+}
+
+fn count_of(support: &[Support], group: usize) -> usize {
+    support.iter().filter(|one| one.group == group).count()
 }
 
 /// Makes `SUM of |y|` of every group at most its weight: a row of the group is raised, or all multipliers are scaled.

@@ -478,6 +478,17 @@ impl Member {
         Member::Vector { base: vec![0.0; columns.rows], columns }
     }
 
+    /// The same, divided by `unit`.
+    pub fn in_unit(&self, unit: f64) -> Member {
+        match self {
+            Member::Curve(curve) => Member::Curve(curve.in_unit(unit)),
+            Member::Vector { base, columns } => Member::Vector {
+                base: base.iter().map(|value| value / unit).collect(),
+                columns: columns.scaled(1.0 / unit),
+            },
+        }
+    }
+
     pub fn dimension(&self) -> usize {
         match self {
             Member::Curve(curve) => curve.dimension,

@@ -5,8 +5,10 @@ mod support;
 
 mod amounts;
 mod axes;
+mod catalogues;
 mod choices;
 mod example;
+mod give_up;
 mod limits;
 mod places;
 mod prices;

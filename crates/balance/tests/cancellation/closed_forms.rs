@@ -73,7 +73,7 @@ fn in_line_three_with_one_shaft_against_the_crank() {
     let (reciprocating, _) = masses(&engine);
     let planes: Vec<f64> = engine.throws.iter().map(|t| t.z).collect();
     let spacing = planes[1] - planes[0];
-    let mut three = task(on_crank(&planes), &[FORCE_1, COUPLE_1]);
+    let mut three = beside_crank(&planes, &[FORCE_1, COUPLE_1]);
     let reach = 0.15;
     add_shaft(&mut three, -1, 0.0, 0.1, &[-reach, reach]);
     let answer = optimise(&engine, &three).unwrap();

@@ -25,7 +25,7 @@ fn single(cancel: &[(Load, f64)]) -> (Engine, BalanceTask) {
 fn nothing_is_needed_where_nothing_is_there() {
     let engine = stripped("in-line-6");
     let planes: Vec<f64> = engine.throws.iter().map(|t| t.z).collect();
-    let answer = optimise(&engine, &task(on_crank(&planes), &[FORCE_1, COUPLE_1])).unwrap();
+    let answer = optimise(&engine, &beside_crank(&planes, &[FORCE_1, COUPLE_1])).unwrap();
     assert_eq!(assert_vanishes(&engine, &answer), 0.0);
     assert!(answer.weights.iter().all(|w| !w.used), "{:?}", answer.weights);
     // An order that no part of the engine has.
@@ -108,7 +108,7 @@ fn a_largest_amount_has_a_price_in_the_total() {
     // The couple of an in-line three goes to the outer planes; bounded ones leave the rest to a shorter lever.
     let engine = stripped("in-line-3");
     let make = |most: f64| {
-        let mut task = task(on_crank(&[-0.1, -0.06, 0.06, 0.1]), &[FORCE_1, COUPLE_1]);
+        let mut task = beside_crank(&[-0.1, -0.06, 0.06, 0.1], &[FORCE_1, COUPLE_1]);
         for weight in [0, 3] {
             task.weights[weight].most = Some(most);
         }
@@ -171,7 +171,7 @@ fn tied_weights_move_together() {
 fn masses_prefer_long_radii() {
     // The same couple by two pairs of planes: lever times radius decides.
     let engine = stripped("in-line-3");
-    let mut by_mass = task(on_crank(&[-0.1, -0.08, 0.08, 0.1]), &[FORCE_1, COUPLE_1]);
+    let mut by_mass = beside_crank(&[-0.1, -0.08, 0.08, 0.1], &[FORCE_1, COUPLE_1]);
     add_shaft(&mut by_mass, -1, 0.0, 0.1, &[-0.15, 0.15]);
     by_mass.weights.iter_mut().for_each(|w| w.radius = Some(0.04));
     let outer = optimise(&engine, &by_mass).unwrap();

@@ -4,6 +4,7 @@ mod closed_forms;
 mod conditions;
 mod equals;
 mod gallery;
+mod give_up;
 mod limits;
 mod main_loads;
 mod mounts;

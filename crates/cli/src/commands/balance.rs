@@ -8,13 +8,14 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
 use crate::search_limit_arguments::hint;
+use crate::trace_files::trace_files;
 use crate::watch::Watch;
-use lanchester::balance::{Answer, Consequences, Outcome, fitted, optimise_watched};
+use lanchester::balance::{Answer, Consequences, Outcome, fitted};
 use lanchester::model::Engine;
 use lanchester::report::{
     PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
 };
-use lanchester::{WeightAsPart, weights_as_parts};
+use lanchester::{WeightAsPart, optimise_on_webs, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
 
@@ -66,7 +67,11 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let settings = arguments.limits.settings()?;
     let watch = Watch::new(engine, settings);
-    let answer = optimise_watched(engine, &task, &settings, &|state| watch.look(state));
+    let traces = match task.counts_gas() {
+        true => trace_files(engine, &arguments.file)?,
+        false => Vec::new(),
+    };
+    let answer = optimise_on_webs(engine, Ok(&traces), &task, &settings, &|state| watch.look(state));
     drop(watch);
     let answer = answer.map_err(Failure::refused)?;
     if let Outcome::Stopped { cause, .. } = &answer.outcome {

@@ -11,7 +11,7 @@ mod import;
 use crate::counterweight_arguments::{CounterweightArguments, CounterweightCommand};
 use crate::failure::Failure;
 use crate::files::write_result;
-use lanchester::geometry::clearance::SweptRoom;
+use lanchester::geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester::model::Engine;
 use lanchester::report::{counterweight_drawings, obstacle_name, shaft_weight_drawings};
 use std::path::Path;
@@ -31,14 +31,24 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// What keeps clear of everything.
-fn room_words(room: &SweptRoom) -> String {
-    format!(
-        "a swept radius up to {:.2} mm keeps {:.2} mm of clearance whatever the shape; first in the way is {}.",
-        1e3 * room.radius,
-        1e3 * room.least,
-        obstacle_name(room.limit)
-    )
+/// What the wanted clearance leaves: the envelope over the cycle, and the circle that keeps clear whatever the shape.
+fn room_words(room: Option<&SweptRoom>, envelope: Option<&RadialEnvelope>) -> Option<String> {
+    let (Some(envelope), Some(limit)) = (envelope, envelope.and_then(|envelope| envelope.limit)) else {
+        return None;
+    };
+    let [least, most] =
+        [envelope.smallest(), envelope.largest()].map(|radius| format!("{:.2} mm", 1e3 * radius));
+    let radii = if least == most { least } else { format!("{least} to {most}, depending on the direction,") };
+    let round = room.map(|room| {
+        let limit = obstacle_name(room.limit);
+        format!("; {:.2} mm whatever the shape, by {limit}", 1e3 * room.radius)
+    });
+    Some(format!(
+        "over the cycle a radius of {radii} keeps {:.2} mm of clearance, bounded first by {}{}.",
+        1e3 * envelope.least,
+        obstacle_name(limit),
+        round.unwrap_or_default()
+    ))
 }
 
 /// Draws the counterweights and the weights of balance shafts of an engine into the folder, those of one shape once.

@@ -110,6 +110,60 @@ fn a_limit_that_nobody_reaches_is_told_and_nothing_is_written() {
 }
 
 #[test]
+fn what_a_stage_gives_up_is_told_with_what_that_gains() {
+    let folder = folder("balance-give-up");
+    let file = template(&folder, "in-line-3");
+    let bounded = ["balance", &file, "--counterweights", "throws", "--most", "0.005 kg m"];
+    let stages = ["--minimise", "couple", "--minimise", "main-bearing load rms"];
+    let strict = output_json(&folder, 0, &[&bounded[..], &stages, &["--format", "json"]].concat());
+    let give_up = ["--give-up", "couple = 5 %"];
+    let found = output_json(&folder, 0, &[&bounded[..], &stages, &give_up, &["--format", "json"]].concat());
+    let given = &found["stages"][0]["give_up"];
+    assert!((given["most"].as_f64().unwrap() / reached(&strict, 0) - 1.05).abs() < 1e-7, "{given}");
+    assert!(reached(&found, 1) < reached(&strict, 1), "{found}");
+    let told = found["stages"][1]["without_give_up"].as_f64().unwrap();
+    assert!((told / reached(&strict, 1) - 1.0).abs() < 1e-7);
+    let text = output(&folder, 0, &[&bounded[..], &stages, &give_up].concat());
+    for words in ["with what earlier stages give up", "Give-up: couple could be", "that lowers", "given up"] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    // The file says the same.
+    let path = folder.join(&file);
+    let section =
+        "\n[balance]\nminimise = [\"couple\", \"main-bearing load rms\"]\ngive_up = { couple = \"5 %\" }\n";
+    fs::write(&path, fs::read_to_string(&path).unwrap() + section).unwrap();
+    let by_file = output_json(&folder, 0, &[&bounded[..], &["--format", "json"]].concat());
+    assert_eq!(by_file["stages"], found["stages"]);
+    let refused = message(&folder, 2, &[&bounded[..], &["--give-up", "force = 1 %"]].concat());
+    assert!(refused.contains("no stage minimises `force`") && refused.contains("hint:"), "{refused}");
+}
+
+#[test]
+fn weights_in_steps_and_equal_parts() {
+    let folder = folder("balance-steps");
+    let file = template(&folder, "in-line-3");
+    let bounded = ["balance", &file, "--counterweights", "throws", "--minimise", "couple", "--gap", "1 %"];
+    let steps = ["--step", "1000 g mm", "--most", "15000 g mm", "--format", "json"];
+    let found = output_json(&folder, 0, &[&bounded[..], &steps].concat());
+    for weight in found["weights"].as_array().unwrap() {
+        let [x, y] = [0, 1].map(|k| weight["unbalance"][k].as_f64().unwrap());
+        let number = x.hypot(y) / 1e-3;
+        assert!((number - number.round()).abs() < 1e-9, "{weight}");
+    }
+    assert_eq!(found["method"]["kind"], "branch-and-bound");
+    for (options, says) in [
+        (vec!["--step", "5 g"], "needs the radius"),
+        (vec!["--step", "0 g mm"], "more than 0"),
+        (vec!["--step", "5 N"], "`--step`"),
+        (vec!["--equal-parts"], "has no effect"),
+        (vec!["--step", "3 kg mm", "--most", "2 kg mm"], "larger than the largest amount"),
+    ] {
+        let refused = message(&folder, 2, &[&bounded[..], &options].concat());
+        assert!(refused.contains(says) && refused.contains("hint:"), "{options:?}: {refused}");
+    }
+}
+
+#[test]
 fn the_tables_of_an_optimum_are_comma_separated_values() {
     let folder = folder("balance-csv");
     let file = template(&folder, "in-line-3");

@@ -9,7 +9,7 @@ use crate::clearance::result::{
     BigEndClearance, BodyClearances, CLEARANCE_VERSION, Clearance, ClearanceCurve, Clearances, DepthAlong,
     Obstacle, Overlap, Smallest, SweptRoom,
 };
-use crate::clearance::search::{CLEARANCE_GAP, nearest};
+use crate::clearance::search::{CLEARANCE_GAP, nearest, nearest_below};
 use crate::clearance::turning_body::{Plate, Spindle, TurningBody};
 use lanchester_shape::Point;
 
@@ -54,6 +54,45 @@ impl<M: RodMotion> ClearanceModel<'_, M> {
             smallest,
             is_kept,
         })
+    }
+
+    /// By how much one counterweight or web, by its index in [`Clearances::bodies`], misses the wanted clearance [m]; none where it keeps it, proved as
+    /// [`ClearanceModel::clearances`] does. What overlaps misses all of it at least.
+    ///
+    /// # Errors
+    /// [`ClearanceError`] where there is no such counterweight or web; [`ClearanceError::PeriodTooLong`].
+    pub fn missed(&self, body: usize) -> Result<Option<f64>, ClearanceError> {
+        let Some(body) = self.bodies.get(body) else {
+            return Err(ClearanceError::Unknown { what: format!("counterweight or web of index {body}") });
+        };
+        let least = self.envelope.least.unwrap_or(0.0);
+        let enough = least - CLEARANCE_GAP;
+        let mut most: Option<f64> = None;
+        let mut miss = |by: f64| most = Some(most.map_or(by, |most: f64| most.max(by)));
+        if let Some(radius) = self.envelope.crankcase_radius {
+            let left = radius - body.farthest().0;
+            if left < enough || left < 0.0 {
+                miss(least - left);
+            }
+        }
+        for obstacle in self.obstacles(body.crankshaft, body.throw).into_iter().flatten() {
+            let contacts = self.contacts(&body.plates, body.crankshaft, body.throw, obstacle);
+            let is_side = matches!(obstacle, Obstacle::BigEndSide { .. });
+            let near = contacts.iter().map(|contact| contact.section.least()).fold(f64::INFINITY, f64::min);
+            if near > least {
+                continue;
+            }
+            let period = self.period(body.crankshaft, obstacle)?;
+            // Without a wanted clearance nothing may overlap, and touching is none.
+            let wanted = if is_side { TOUCH } else { enough.max(TOUCH) };
+            let found = nearest_below(&contacts, &self.motions, 0.0, period, wanted);
+            if !is_side && found.bound < enough {
+                miss(least - found.bound);
+            } else if found.distance == 0.0 && !self.overlapping(&contacts, period).is_empty() {
+                miss(least.max(TOUCH));
+            }
+        }
+        Ok(most)
     }
 
     /// The distance of a counterweight or web, by its index in [`Clearances::bodies`], from an obstacle at `count` angles.

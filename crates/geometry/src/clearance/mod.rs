@@ -14,6 +14,7 @@
 
 mod clearance_model;
 mod contact;
+mod envelope;
 mod error;
 mod evaluation;
 mod frame;
@@ -26,6 +27,7 @@ mod swept;
 mod turning_body;
 
 pub use clearance_model::ClearanceModel;
+pub use envelope::RadialEnvelope;
 pub use error::ClearanceError;
 pub use motion::{RodBounds, RodMotion, RodPose};
 pub use result::{

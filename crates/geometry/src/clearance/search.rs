@@ -104,6 +104,17 @@ pub(super) fn cover(contacts: &[Contact], start: f64, span: f64) -> Vec<Cell> {
 
 /// The least distance of all contacts over the angles from `start` on through `span` [rad].
 pub(super) fn nearest<M: RodMotion>(contacts: &[Contact], motions: &[M], start: f64, span: f64) -> Nearest {
+    nearest_below(contacts, motions, start, span, f64::INFINITY)
+}
+
+/// As [`nearest`], where a distance of `enough` [m] is as good as any larger one: the bound is that at most, and what is no nearer is not looked for.
+pub(super) fn nearest_below<M: RodMotion>(
+    contacts: &[Contact],
+    motions: &[M],
+    start: f64,
+    span: f64,
+    enough: f64,
+) -> Nearest {
     let mut best = Nearest {
         distance: f64::INFINITY,
         bound: f64::INFINITY,
@@ -136,7 +147,7 @@ pub(super) fn nearest<M: RodMotion>(contacts: &[Contact], motions: &[M], start: 
         let [_, bound] = local.bounds(&contact.section, &level);
         cell.bound = bound.max(cell.bound).max(contact.section.least());
         cell.split_angle = local.is_wider_in_angle();
-        (cell.bound < best.distance).then_some(cell)
+        (cell.bound < best.distance.min(enough)).then_some(cell)
     };
     for cell in cover(contacts, start, span) {
         heap.extend(look(cell, &mut best));
@@ -145,11 +156,11 @@ pub(super) fn nearest<M: RodMotion>(contacts: &[Contact], motions: &[M], start: 
     while let Some(cell) = heap.pop() {
         looked += 1;
         if cell.bound >= best.distance - CLEARANCE_GAP || best.distance <= least || looked > MOST_CELLS {
-            return Nearest { bound: cell.bound.max(0.0).min(best.distance), ..best };
+            return Nearest { bound: cell.bound.max(0.0).min(best.distance).min(enough), ..best };
         }
         for half in cell.halves() {
             heap.extend(look(half, &mut best));
         }
     }
-    Nearest { bound: best.distance, ..best }
+    Nearest { bound: best.distance.min(enough), ..best }
 }

@@ -49,8 +49,14 @@ impl Plate {
 
     /// The stretch of the crank axis between two planes.
     pub fn axis(faces: [f64; 2]) -> Plate {
-        let edge = Edge::line(Point::ORIGIN, Point::ORIGIN);
-        Plate { faces, pieces: vec![Piece { edge, length: 0.0, turn: 0.0, reach: 0.0 }], outline: None }
+        Plate::point(Point::ORIGIN, faces)
+    }
+
+    /// A stretch along the crank between two planes, that turns with the crankshaft.
+    pub fn point(point: Point, faces: [f64; 2]) -> Plate {
+        let edge = Edge::line(point, point);
+        let piece = Piece { edge, length: 0.0, turn: 0.0, reach: point.norm() };
+        Plate { faces, pieces: vec![piece], outline: None }
     }
 
     /// Farthest point from the axis.

@@ -4,6 +4,7 @@ use super::optimum::{DESIGN_VERSION, Design, PROVED_GAP, Search, realised, withi
 use super::problem::{Kind, Problem};
 use super::refute::ROUNDING;
 use super::task::DesignTask;
+use crate::clearance::RadialEnvelope;
 use lanchester_model::Objective;
 use lanchester_shape::GeometryError;
 use serde::Serialize;
@@ -36,6 +37,19 @@ const SLACK: f64 = 0.1 * PROVED_GAP;
 /// # Errors
 /// A number of the task that has no meaning, one objective twice, or fewer than two designs.
 pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Result<Front, GeometryError> {
+    front_within(task, objectives, count, None)
+}
+
+/// As [`front`], among the shapes that stay within an envelope.
+///
+/// # Errors
+/// As [`front`].
+pub fn front_within(
+    task: &DesignTask,
+    objectives: [Objective; 2],
+    count: usize,
+    envelope: Option<&RadialEnvelope>,
+) -> Result<Front, GeometryError> {
     task.check()?;
     if count < 2 {
         return Err(GeometryError::Number {
@@ -50,19 +64,22 @@ pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Res
     }
     let [first, second] = objectives.map(Kind::from);
     let problem = Problem::new(task);
+    let problems = problem.clone().within(envelope);
+    let limited = |kind, level| -> Vec<Problem> {
+        problems.iter().map(|problem| problem.clone().limited(kind, level)).collect()
+    };
     let mut search = Search::default();
     let mut front =
         Front { version: DESIGN_VERSION, objectives, designs: Vec::new(), proved: true, boxes: 0 };
     // The least of one, then of the other at that level.
     let mut ends = [None; 2];
     for (end, (kind, other)) in ends.iter_mut().zip([(first, second), (second, first)]) {
-        let found = search.best(&problem, kind, None);
+        let found = search.best(&problems, kind, None);
         front.boxes += found.boxes;
         front.proved &= found.proved;
         let Some(best) = found.best.filter(|best| within(&problem, kind, best)) else { return Ok(front) };
-        let mut limited = problem.clone();
         let own = problem.levels.of(kind).unwrap_or(f64::INFINITY).max(best.level * (1.0 + ROUNDING));
-        limited.levels = problem.levels.with(kind, own.min(best.level * (1.0 + SLACK)));
+        let limited = limited(kind, own.min(best.level * (1.0 + SLACK)));
         let found = search.best(&limited, other, Some(best.x));
         front.boxes += found.boxes;
         front.proved &= found.proved;
@@ -79,9 +96,7 @@ pub fn front(task: &DesignTask, objectives: [Objective; 2], count: usize) -> Res
         if level(&last) <= limit {
             continue;
         }
-        let mut limited = problem.clone();
-        limited.levels = problem.levels.with(second, limit);
-        let found = search.best(&limited, first, Some(last));
+        let found = search.best(&limited(second, limit), first, Some(last));
         front.boxes += found.boxes;
         front.proved &= found.proved;
         if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {

@@ -15,14 +15,16 @@ mod number;
 mod optimum;
 mod problem;
 mod refute;
+mod sector;
 mod simplex;
 mod task;
 
 pub use evolution::{Evolution, Evolved, evolve};
-pub use front::{Front, front};
+pub use front::{Front, front, front_within};
 pub use lanchester_model::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 pub use optimum::{
     DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, PROVED_GAP, design,
+    design_within, largest_balance,
 };
 pub use task::DesignTask;
 

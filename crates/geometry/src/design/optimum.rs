@@ -4,6 +4,7 @@ use super::descent::{Descent, Reached, sense};
 use super::problem::{Kind, Problem, SHAPE};
 use super::refute::{Refutation, Refuter};
 use super::task::DesignTask;
+use crate::clearance::RadialEnvelope;
 use lanchester_model::Objective;
 use lanchester_shape::CounterweightShape;
 use lanchester_shape::GeometryError;
@@ -19,14 +20,14 @@ const MET: f64 = 1e-9;
 /// Shapes from which the search starts, spread evenly over the ranges.
 const STARTS: usize = 6;
 
-/// A complete counterweight.
+/// A complete counterweight, beyond the disc of its web; on an engine's web beyond the web as it is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Design {
     /// Its shape.
     pub shape: CounterweightShape,
     /// Its thickness [m].
     pub thickness: f64,
-    /// Its mass, without the web's disc [kg].
+    /// Its mass, without the web [kg].
     pub mass: f64,
     /// Its unbalance [kg m].
     pub unbalance: f64,
@@ -36,7 +37,7 @@ pub struct Design {
     pub centre: f64,
     /// Farthest point of web and counterweight from the crank axis [m].
     pub swept_radius: f64,
-    /// Polar inertia about the crank axis, without the web's disc [kg m^2].
+    /// Polar inertia about the crank axis, without the web [kg m^2].
     pub inertia: f64,
     /// Half of its largest width [m].
     pub half_width: f64,
@@ -128,14 +129,46 @@ const LIMITS: [(Limit, Kind); 6] = [
 /// # Errors
 /// A number of the task that has no meaning. Limits that no shape meets are an outcome.
 pub fn design(task: &DesignTask, objective: Objective) -> Result<DesignOutcome, GeometryError> {
+    design_within(task, objective, None)
+}
+
+/// The design with the least `objective` among the shapes that stay within an envelope: the arc in its own directions, and the corner of its
+/// chord within the least radius of its own direction and of those behind it.
+///
+/// # Errors
+/// As [`design`].
+pub fn design_within(
+    task: &DesignTask,
+    objective: Objective,
+    envelope: Option<&RadialEnvelope>,
+) -> Result<DesignOutcome, GeometryError> {
     task.check()?;
     let problem = Problem::new(task);
+    let problems = problem.clone().within(envelope);
     let mut search = Search::default();
-    let found = search.best(&problem, objective.into(), None);
+    let found = search.best(&problems, objective.into(), None);
     Ok(match found.best.filter(|best| within(&problem, objective.into(), best)) {
         Some(best) => DesignOutcome::Found(Box::new(optimum(task, &problem, objective, &best, &found))),
-        None => DesignOutcome::Infeasible(search.infeasible(task, &problem, found.proved)),
+        None => DesignOutcome::Infeasible(search.infeasible(task, &problems, found.proved)),
     })
+}
+
+/// The design with the largest unbalance among the shapes within limits and envelope, whatever the task asks for; none if there is no
+/// shape at all.
+///
+/// # Errors
+/// As [`design`].
+pub fn largest_balance(
+    task: &DesignTask,
+    envelope: Option<&RadialEnvelope>,
+) -> Result<Option<Design>, GeometryError> {
+    task.check()?;
+    let problem = Problem::new(task);
+    let found = Search::default().best(&problem.clone().within(envelope), Kind::Balance, None);
+    let Some(best) = found.best.filter(|best| best.level > 0.0) else { return Ok(None) };
+    let shape = problem.shape(&best.x);
+    let thickness = best.level * problem.unit(Kind::Thickness) / problem.quantities(&best.x).first;
+    Ok(Some(Design::of(task, shape, thickness.min(task.thickness.most))))
 }
 
 /// Whether a level keeps the limit that the task has for what is made small itself.
@@ -213,11 +246,9 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// The best shape, from evenly spread starts and `hint`, and its proof.
-    pub fn best(&mut self, problem: &Problem, kind: Kind, hint: Option<[f64; SHAPE]>) -> Refutation {
-        if problem.is_empty() {
-            return Refutation { best: None, proved: true, boxes: 0 };
-        }
+    /// The best shape of all problems, which differ in the place of the corner alone, from evenly spread starts and `hint`, and its proof.
+    pub fn best(&mut self, problems: &[Problem], kind: Kind, hint: Option<[f64; SHAPE]>) -> Refutation {
+        let problems = || problems.iter().filter(|problem| !problem.is_empty());
         let mut best: Option<Reached> = None;
         let mut take = |found: Reached| {
             let is_better = |old: Reached| sense(kind) * found.level < sense(kind) * old.level;
@@ -227,21 +258,40 @@ impl Search {
             best
         };
         let mut known = None;
-        if let Some(x) = hint {
-            take(self.descent.reached(problem, kind, x));
-            known = take(self.descent.run(problem, kind, x, None));
+        for problem in problems() {
+            if let Some(x) = hint {
+                // Elsewhere the proof looks for a better one itself.
+                if problem.sector.as_ref().is_some_and(|sector| !sector.holds(x[1] + x[2], x[3])) {
+                    continue;
+                }
+                take(self.descent.reached(problem, kind, x));
+                known = take(self.descent.run(problem, kind, x, None));
+            }
+            // From a hint the proof goes on by itself.
+            let starts = match (hint.and(known), &problem.sector) {
+                (Some(_), _) => 0,
+                (None, None) => STARTS,
+                (None, Some(_)) => 1,
+            };
+            for at in 0..starts {
+                known = take(self.descent.run(problem, kind, spread(problem, at), known));
+            }
         }
-        for at in 0..if hint.is_some() { 1 } else { STARTS } {
-            known = take(self.descent.run(problem, kind, spread(problem, at), known));
+        let mut all = Refutation { best, proved: true, boxes: 0 };
+        for problem in problems() {
+            let found = self.refuter.run(problem, kind, all.best, PROVED_GAP, &mut self.descent);
+            let (proved, boxes) = (all.proved && found.proved, all.boxes + found.boxes);
+            all = Refutation { best: found.best, proved, boxes };
         }
-        self.refuter.run(problem, kind, best, PROVED_GAP, &mut self.descent)
+        all
     }
 
-    fn infeasible(&mut self, task: &DesignTask, problem: &Problem, proved: bool) -> Infeasible {
+    fn infeasible(&mut self, task: &DesignTask, problems: &[Problem], proved: bool) -> Infeasible {
         let mut nearest = Vec::new();
         for (limit, kind) in LIMITS {
+            let Some(problem) = problems.first() else { break };
             let Some(asked) = problem.levels.of(kind) else { continue };
-            let Some(best) = self.best(problem, kind, None).best else { continue };
+            let Some(best) = self.best(problems, kind, None).best else { continue };
             let unit = if kind == Kind::Balance { task.least_balance } else { problem.unit(kind) };
             nearest.push(NearestLimit { limit, asked: asked * unit, nearest: best.level * unit });
         }

@@ -8,7 +8,9 @@
 
 use super::interval::Interval;
 use super::number::Number;
+use super::sector::Sector;
 use super::task::DesignTask;
+use crate::clearance::RadialEnvelope;
 use lanchester_model::{Objective, Range, Shoulder};
 use lanchester_shape::CounterweightShape;
 use std::f64::consts::PI;
@@ -98,6 +100,7 @@ pub(super) struct Quantities<T> {
     sine: T,
     late_sine: T,
     shoulder: T,
+    half_tangent: T,
     crown: T,
 }
 
@@ -111,6 +114,8 @@ pub(super) struct Problem {
     thinnest: f64,
     most_balance: Option<f64>,
     shoulder_angle: Option<[f64; 2]>,
+    /// The directions in which the corner of the chord may lie, with the envelope around the shape.
+    pub sector: Option<Sector>,
     /// Length that is one [m].
     pub length: f64,
     unbalance: f64,
@@ -170,6 +175,7 @@ impl Problem {
             thinnest: 0.0,
             most_balance: task.most_balance.map(|most| most / task.least_balance),
             shoulder_angle: angle.map(|range| [range.least, range.most]),
+            sector: None,
             length,
             unbalance: task.unbalance * task.least_balance,
             density: task.density,
@@ -186,6 +192,31 @@ impl Problem {
         };
         problem.thinnest = task.thickness.least / problem.unit(Kind::Thickness);
         problem
+    }
+
+    /// The task within an envelope: one for every range of directions in which the corner of the chord may lie.
+    pub fn within(self, envelope: Option<&RadialEnvelope>) -> Vec<Problem> {
+        let Some(envelope) = envelope else { return vec![self] };
+        let sectors = Sector::all(envelope, self.length);
+        let at = |sector| Problem { sector: Some(sector), ..self.clone() };
+        // Where the chord can be neither so near nor so wide there is nothing to search.
+        let ends = |problem: &Problem| {
+            let near = problem.low[1] + problem.low[2];
+            let far = problem.high[1] + problem.high[2];
+            [problem.low[3].atan2(far), problem.high[3].atan2(near)]
+        };
+        let all = sectors.into_iter().map(at);
+        all.filter(|one| {
+            let [least, most] = ends(one);
+            one.sector.as_ref().is_some_and(|sector| sector.from <= most && sector.to >= least)
+        })
+        .collect()
+    }
+
+    /// With this level of a quantity.
+    pub fn limited(mut self, kind: Kind, level: f64) -> Problem {
+        self.levels = self.levels.with(kind, level);
+        self
     }
 
     /// Whether a range is empty: then no shape is within it.
@@ -239,6 +270,7 @@ impl Problem {
                     + big_h.square() * (sum + w.times(2.0)).times(1.0 / 6.0)
                     + sum * (w2 + r2).times(1.0 / 6.0))
             - r2.square().times(PI / 4.0);
+        let half_tangent = a.half_tangent();
         Quantities {
             area,
             first,
@@ -250,7 +282,8 @@ impl Problem {
             sine: a.sin(),
             late_sine: a.late_sine(),
             shoulder: w - r,
-            crown: y + w * a.half_tangent(),
+            half_tangent,
+            crown: y + w * half_tangent,
         }
     }
 
@@ -298,6 +331,11 @@ impl Problem {
         push(w - q.sine.times(most), false);
         push(-q.shoulder, false);
         push(r - q.crown, false);
+        if let Some(sector) = &self.sector {
+            push(r - T::of(sector.least), false);
+            push(q.crown - T::of(sector.crown), false);
+            sector.terms(y, w, q.half_tangent, |value| push(value, false));
+        }
         if let Some(range) = self.shoulder_angle {
             for (angle, sign) in [(range[0], 1.0), (range[1], -1.0)] {
                 push(

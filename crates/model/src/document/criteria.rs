@@ -3,7 +3,7 @@
 
 use super::value::LONGEST_LIST;
 use super::walk::Walk;
-use super::{Spot, Term, Value};
+use super::{Span, Spot, Term, Value};
 use crate::diagnostic::Mistake;
 use crate::schema::Key;
 use toml_spanner::{Item, Value as Toml};
@@ -77,6 +77,21 @@ impl Walk<'_> {
             return None;
         }
         Some(())
+    }
+
+    /// An amount whose quantity only the reader knows.
+    pub(super) fn amount(&mut self, key: &Key, item: &Item<'_>, key_span: &Span) -> Option<Spot<String>> {
+        let span = item.span().range();
+        let text = match item.value() {
+            Toml::String(text) => text.to_string(),
+            // Without its unit the reader refuses it, as everywhere.
+            Toml::Integer(_) | Toml::Float(_) => self.text.get(span.clone()).unwrap_or("").to_string(),
+            _ => {
+                self.wrong_kind(key, item, key_span);
+                return None;
+            }
+        };
+        Some(Spot { value: text, span })
     }
 
     /// A table of criteria and a value of each.

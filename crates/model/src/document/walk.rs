@@ -136,14 +136,18 @@ impl Walk<'_> {
             (Kind::Wholes(least, most), Toml::Array(_)) => {
                 self.list(key, item, |walk, item| walk.whole(key, item, least, most)).map(Value::Wholes)
             }
+            (Kind::QuantityOrWord(_, _, word), Toml::String(text)) if text.trim() == word => {
+                Some(Value::Word(word))
+            }
             (
                 Kind::Quantity(dimension, bound)
+                | Kind::QuantityOrWord(dimension, bound, _)
                 | Kind::QuantityOrPair(dimension, bound)
                 | Kind::QuantityOrThree(dimension, bound),
                 Toml::String(_) | Toml::Integer(_) | Toml::Float(_),
             ) => {
                 let spot = self.quantity(key, item, dimension, bound)?;
-                Some(if matches!(key.kind, Kind::Quantity(..)) {
+                Some(if matches!(key.kind, Kind::Quantity(..) | Kind::QuantityOrWord(..)) {
                     Value::Number(spot.value)
                 } else {
                     Value::Numbers(vec![spot])
@@ -176,7 +180,13 @@ impl Walk<'_> {
             (Kind::Truth, Toml::Boolean(truth)) => Some(Value::Truth(*truth)),
             (Kind::Stages, Toml::Array(array)) => self.stages(key, array, item),
             (Kind::Orders, Toml::Array(array)) => self.orders(key, array, item),
-            (Kind::Limits, Toml::Table(table)) => self.terms(key, table).map(Value::Terms),
+            (Kind::Limits | Kind::GiveUps, Toml::Table(table)) => self.terms(key, table).map(Value::Terms),
+            (Kind::Amounts, Toml::String(_) | Toml::Integer(_) | Toml::Float(_)) => {
+                self.amount(key, item, key_span).map(|one| Value::Texts(vec![one]))
+            }
+            (Kind::Amounts, Toml::Array(_)) => {
+                self.list(key, item, |walk, item| walk.amount(key, item, key_span)).map(Value::Texts)
+            }
             (Kind::Ratio, Toml::Integer(_) | Toml::Float(_) | Toml::String(_)) => self.ratio(key, item),
             (Kind::Table(table), Toml::Table(toml)) => {
                 let span = self.item_span(item, key_span);

@@ -4,7 +4,8 @@ use super::{File, quantity, quoted, ratio, turn_between};
 use crate::criterion::{dimension, name_among};
 use crate::engine::Engine;
 use crate::quantity::{Dimension, text_that};
-use crate::task::{BalanceTask, Criterion, FreeWeight, Phase, Place, Seat};
+use crate::schema::WHAT_FITS;
+use crate::task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
 
 impl File {
     pub(super) fn balance(&mut self, engine: &Engine) {
@@ -37,6 +38,23 @@ impl File {
             let speeds: Vec<String> =
                 task.speeds.iter().map(|speed| quantity(*speed, Dimension::Speed)).collect();
             self.entry("speeds", &format!("[{}]", speeds.join(", ")));
+        }
+        let give_ups: Vec<String> = task
+            .stages_or_default()
+            .iter()
+            .zip(&task.give_up)
+            .filter_map(|(stage, give_up)| {
+                let criterion = &stage.terms.first()?.1;
+                let text = match give_up {
+                    GiveUp::Nothing => return None,
+                    GiveUp::Share(share) => quantity(*share, Dimension::Share),
+                    GiveUp::Amount(amount) => quantity(*amount, dimension(criterion)),
+                };
+                Some(format!("{} = {text}", named(criterion)))
+            })
+            .collect();
+        if !give_ups.is_empty() {
+            self.entry("give_up", &format!("{{ {} }}", give_ups.join(", ")));
         }
         if !task.limits.is_empty() {
             let limits: Vec<String> = task
@@ -136,8 +154,20 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
                     entries.push(("least", amount(weight.least)));
                 }
                 entries.extend(most.map(|most| ("most", amount(most))));
+                if weight.fits && most.is_none() {
+                    entries.push(("most", quoted(WHAT_FITS)));
+                }
             }
         }
+        match &weight.catalogue {
+            Some(Catalogue::Steps(step)) => entries.push(("step", amount(*step))),
+            Some(Catalogue::Amounts(list)) => {
+                let list: Vec<String> = list.iter().map(|one| amount(*one)).collect();
+                entries.push(("catalogue", format!("[{}]", list.join(", "))));
+            }
+            None => {}
+        }
+        entries.extend(weight.equal_parts.as_ref().map(|name| ("equal_parts", quoted(name))));
         if weight.optional {
             entries.push(("optional", "true".to_string()));
         }

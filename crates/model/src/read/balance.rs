@@ -1,5 +1,6 @@
 //! `[balance]`: what may be done to balance the engine, and what is wanted.
 
+mod catalogue;
 mod criteria;
 mod devices;
 mod free_shaft;
@@ -13,7 +14,7 @@ use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::mount::Mount;
 use crate::quantity::{self, Dimension};
-use crate::task::{BalanceTask, Criterion, FreeInertia, FreeShaft, Limit, Load, Place, Stage};
+use crate::task::{BalanceTask, Criterion, FreeInertia, FreeShaft, GiveUp, Limit, Load, Place, Stage};
 use free_weight::DraftFreeWeight;
 
 /// `[balance]` before the engine is known.
@@ -23,6 +24,7 @@ pub(super) struct DraftBalance {
     inertias: Vec<FreeInertia>,
     stages: Vec<Stage>,
     limits: Vec<Limit>,
+    give_up: Vec<GiveUp>,
     cancel: Vec<(Load, f64)>,
     most_optional: Option<usize>,
     /// Speeds at which forces at mounts are judged, and where `speeds` stands.
@@ -46,6 +48,7 @@ impl<'a> Reader<'a> {
         let stages = self.stages(section, mounts);
         let limits = self.limits(section, mounts);
         let cancel = self.cancelled(section, mounts);
+        let give_up = stages.as_ref().and_then(|stages| self.given_up(section, stages, mounts));
         let mass_span = self.mass_span(section, mounts);
         let most_optional = section.whole("most_optional");
         let speeds = match section.numbers("speeds") {
@@ -68,6 +71,7 @@ impl<'a> Reader<'a> {
             stages: stages?,
             limits: limits?,
             cancel: cancel?,
+            give_up: give_up?,
             most_optional: None,
             speeds: speeds?.map(|speeds| (speeds, section.key_span("speeds"))),
             mass_span,
@@ -99,6 +103,7 @@ impl<'a> Reader<'a> {
             stages: draft.stages,
             limits: draft.limits,
             cancel: draft.cancel,
+            give_up: draft.give_up,
             most_optional: draft.most_optional,
             speeds: draft.speeds.as_ref().map(|(speeds, _)| speeds.clone()).unwrap_or_default(),
             weights: Vec::new(),
@@ -129,11 +134,13 @@ impl<'a> Reader<'a> {
         }
         if let Some((_, span)) = draft.speeds
             && !engine.is_on_springs()
+            && !task.counts_gas()
         {
-            let message = "`speeds` has no effect: no mount has springs, and all other loads are largest at the highest speed";
+            let message = "`speeds` has no effect: no mount has springs, no criterion counts the gas, and all other loads are largest \
+                           at the highest speed";
             self.mistakes.push(
                 Mistake::error("E0204", span, message)
-                    .hint("give [block] and stiffness to every [[mount]], or leave it out"),
+                    .hint("give [block] and stiffness to every [[mount]], name a criterion \"with gas\", or leave it out"),
             );
         }
         if let Some(span) = draft.mass_span {

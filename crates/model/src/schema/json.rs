@@ -64,6 +64,9 @@ fn key_schema(key: &Key) -> Value {
             bounded(dimension, bound),
             { "type": "array", "items": bounded(dimension, bound), "minItems": 3, "maxItems": 3 },
         ] }),
+        Kind::QuantityOrWord(dimension, bound, word) => {
+            json!({ "anyOf": [bounded(dimension, bound), { "enum": [word] }] })
+        }
         Kind::Share => share_schema(),
         Kind::ShareOrPair => {
             let share = share_schema();
@@ -82,11 +85,17 @@ fn key_schema(key: &Key) -> Value {
         Kind::Truth => json!({ "type": "boolean" }),
         Kind::Stages => json!({
             "type": "array",
-            "items": { "anyOf": [{ "type": "string" }, criteria_with_values()] },
+            "items": { "anyOf": [{ "type": "string" }, criteria_with_values(&CRITERION_DIMENSIONS)] },
             "minItems": 1,
         }),
+        Kind::Amounts => {
+            let amounts = [Dimension::Mass, Dimension::Unbalance].map(|own| bounded(own, Bound::Positive));
+            let one = json!({ "anyOf": amounts });
+            json!({ "anyOf": [one, list(one.clone())] })
+        }
         Kind::Orders => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
-        Kind::Limits => criteria_with_values(),
+        Kind::Limits => criteria_with_values(&CRITERION_DIMENSIONS),
+        Kind::GiveUps => criteria_with_values(&[&CRITERION_DIMENSIONS[..], &[Dimension::Share]].concat()),
         Kind::Ratio => json!({ "anyOf": [
             { "type": "integer", "not": { "const": 0 } },
             { "type": "string", "pattern": "^\\s*[+-]?0*[1-9][0-9]*\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },
@@ -116,9 +125,13 @@ fn share_schema() -> Value {
 }
 
 /// A table whose keys are criteria: each value is a quantity in a unit of its criterion.
-fn criteria_with_values() -> Value {
-    let values = [Dimension::Force, Dimension::Torque, Dimension::Mass, Dimension::Unbalance]
-        .map(|dimension| bounded(dimension, Bound::NotNegative));
+/// What criteria measure.
+const CRITERION_DIMENSIONS: [Dimension; 4] =
+    [Dimension::Force, Dimension::Torque, Dimension::Mass, Dimension::Unbalance];
+
+fn criteria_with_values(dimensions: &[Dimension]) -> Value {
+    let values: Vec<Value> =
+        dimensions.iter().map(|dimension| bounded(*dimension, Bound::NotNegative)).collect();
     json!({ "type": "object", "additionalProperties": { "anyOf": values }, "minProperties": 1 })
 }
 

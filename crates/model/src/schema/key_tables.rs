@@ -63,15 +63,17 @@ fn info(key: &Key) -> KeyInfo {
         Kind::Whole(..) => ("whole", Vec::new()),
         Kind::WholeChoice(choices) => ("choice", choices.iter().map(i64::to_string).collect()),
         Kind::Choice(choices) => ("choice", words(choices)),
-        Kind::Quantity(..) => ("quantity", Vec::new()),
+        Kind::Quantity(..) | Kind::QuantityOrWord(..) => ("quantity", Vec::new()),
         Kind::Quantities(..) | Kind::QuantityOrPair(..) | Kind::QuantityOrThree(..) => {
             ("quantities", Vec::new())
         }
         Kind::Share | Kind::ShareOrPair | Kind::ShareOrThree => ("share", Vec::new()),
         Kind::Number(_) => ("number", Vec::new()),
         Kind::Ratio => ("ratio", Vec::new()),
-        Kind::Wholes(..) | Kind::Direction | Kind::Stages | Kind::Orders => ("list", Vec::new()),
-        Kind::Limits | Kind::Table(_) => ("table", Vec::new()),
+        Kind::Wholes(..) | Kind::Direction | Kind::Amounts | Kind::Stages | Kind::Orders => {
+            ("list", Vec::new())
+        }
+        Kind::Limits | Kind::GiveUps | Kind::Table(_) => ("table", Vec::new()),
         Kind::Tables(..) => ("tables", Vec::new()),
     };
     KeyInfo {

@@ -73,6 +73,9 @@ fn holds(kind: Kind) -> String {
         Kind::Quantities(dimension, bound) => format!("list: {}", bounded(dimension, bound)),
         Kind::QuantityOrPair(dimension, bound) => format!("{}; one or two", bounded(dimension, bound)),
         Kind::QuantityOrThree(dimension, bound) => format!("{}; one or three", bounded(dimension, bound)),
+        Kind::QuantityOrWord(dimension, bound, word) => {
+            format!("{}, or `\"{word}\"`", bounded(dimension, bound))
+        }
         Kind::Share => "share, or a bare fraction".into(),
         Kind::ShareOrPair => "share, or a bare fraction; one or two".into(),
         Kind::ShareOrThree => "share, or a bare fraction; one or three".into(),
@@ -84,8 +87,9 @@ fn holds(kind: Kind) -> String {
         },
         Kind::Truth => "`true` or `false`".into(),
         Kind::Stages => "list of criteria".into(),
+        Kind::Amounts => "mass or unbalance; one or a list".into(),
         Kind::Orders => "list of criteria, one order each".into(),
-        Kind::Limits => "table of criteria".into(),
+        Kind::Limits | Kind::GiveUps => "table of criteria".into(),
         Kind::Ratio => "whole number, or a fraction as text".into(),
         Kind::Table(table) => format!("table `{}`", table.header),
         Kind::Tables(table, most) => format!("tables `{}`, at most {most}", table.header),

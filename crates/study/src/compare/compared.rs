@@ -53,8 +53,8 @@ pub struct Compared {
     pub couple_leading: Option<Leading>,
     /// Largest roll moment of the moving masses, either way [N m].
     pub roll_moment: f64,
-    /// Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, on mounts with springs; of inertia alone on
-    /// mounts without, which share what they can carry. `None` without mounts.
+    /// Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, over the range of speeds on mounts with
+    /// springs; of inertia alone, at the speed, on mounts without, which share what they can carry. `None` without mounts.
     pub mount_force: Option<f64>,
     /// Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws.
     pub main_load: Option<f64>,

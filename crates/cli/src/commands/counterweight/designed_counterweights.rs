@@ -1,7 +1,7 @@
 //! What `counterweight design` found for counterweights, as text and CSV.
 
 use super::{list, room_words};
-use lanchester::geometry::clearance::SweptRoom;
+use lanchester::geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester::geometry::{DesignOutcome, Evolution, Optimum};
 use lanchester::report::{
     DesignedShape, designed_dimensions_table, designed_properties_table, nearest_limits_table,
@@ -13,9 +13,9 @@ use lanchester::{CounterweightDesigns, DesignedCounterweight};
 struct Group<'a> {
     names: String,
     duty: f64,
-    /// What of the shape the plain web has already [kg m].
-    shared: f64,
     room: Option<&'a SweptRoom>,
+    envelope: Option<&'a RadialEnvelope>,
+    part_mass: Option<f64>,
     without_room: Option<f64>,
     outcome: &'a DesignOutcome,
     evolution: Option<&'a Evolution>,
@@ -35,8 +35,9 @@ fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
         groups.push(Group {
             names,
             duty: weight.duty,
-            shared: weight.shared,
             room: weight.room.as_ref(),
+            envelope: weight.envelope.as_ref(),
+            part_mass: weight.part_mass,
             without_room: weight.without_room,
             outcome: &weight.outcome,
             evolution: weight.evolution.as_ref(),
@@ -48,8 +49,7 @@ fn groups(designs: &CounterweightDesigns) -> Vec<Group<'_>> {
 fn shapes<'a>(groups: &'a [Group<'a>]) -> Vec<(DesignedShape<'a>, &'a Optimum)> {
     let found = groups.iter().filter_map(|group| match group.outcome {
         DesignOutcome::Found(best) => {
-            let (names, duty, shared) = (group.names.as_str(), group.duty, group.shared);
-            let shape = DesignedShape { names, duty, shared, design: &best.design };
+            let shape = DesignedShape { names: &group.names, duty: group.duty, design: &best.design };
             Some((shape, best.as_ref()))
         }
         DesignOutcome::Infeasible(_) => None,
@@ -65,9 +65,15 @@ pub fn text(designs: &CounterweightDesigns) -> String {
     for (shape, best) in &shapes {
         let name = objective_name(best.objective);
         let value = objective_words(best.objective, best.value);
+        let is_bounded = groups.iter().any(|group| group.names == shape.names && group.envelope.is_some());
+        let within = if is_bounded {
+            "the ranges, limits and the clearance envelope"
+        } else {
+            "the ranges and limits"
+        };
         out += &match best.proved {
             true => format!(
-                "{}: the least {name} of all shapes within the ranges and limits is {value}, proved to one part in a million.\n",
+                "{}: the least {name} of all shapes within {within} is {value}, proved to one part in a million.\n",
                 shape.names
             ),
             false => format!(
@@ -77,6 +83,16 @@ pub fn text(designs: &CounterweightDesigns) -> String {
         };
     }
     out += &groups.iter().filter_map(in_the_room).collect::<String>();
+    for group in groups {
+        if let (Some(mass), DesignOutcome::Found(best)) = (group.part_mass, group.outcome) {
+            out += &format!(
+                "{}: the exported part has {:.1} g, with the web's disc and flank that it covers; {:.1} g of it are beyond the web as it is.\n",
+                group.names,
+                1e3 * mass,
+                1e3 * best.design.mass
+            );
+        }
+    }
     for group in groups {
         out += &group
             .evolution
@@ -93,8 +109,12 @@ pub fn text(designs: &CounterweightDesigns) -> String {
 
 /// What clearance costs, where it does.
 fn in_the_room(group: &Group<'_>) -> Option<String> {
-    let room = group.room?;
-    let mut told = format!("{}: {}", group.names, room_words(room));
+    let mut told = format!("{}: {}", group.names, room_words(group.room, group.envelope)?);
+    if let DesignOutcome::Infeasible(infeasible) = group.outcome
+        && infeasible.nearest.is_empty()
+    {
+        told += " No shape with this unbalance keeps it: relaxing one limit alone is not sufficient.";
+    }
     if let (Some(without), DesignOutcome::Found(best)) = (group.without_room, group.outcome) {
         told += &format!(
             " The best shape of all, which does not keep it, has {}: no shape that does has less.",

@@ -7,7 +7,7 @@ use crate::files::write_result;
 use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
 use lanchester::model::{Engine, option};
-use lanchester::{crankshaft_parts, engine_parts, shaft_parts};
+use lanchester::{check_counterweights, crankshaft_parts, engine_parts, shaft_parts};
 use lanchester_files::shown;
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
@@ -47,7 +47,27 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     write_result(&arguments.output, &arguments.file, &content)?;
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     eprintln!("{} written: {}", shown(&arguments.output), names.join(", "));
+    if matches!(ending.as_str(), "step" | "stp" | "stl" | "glb") {
+        eprint!("{}", masses(&opened.engine, &parts));
+    }
     Ok(DONE)
+}
+
+/// What exported counterweights weigh, where that is more than what they add to the crankshaft.
+fn masses(engine: &Engine, parts: &[PlacedPart]) -> String {
+    let mut told = String::new();
+    for weight in check_counterweights(engine).map(|checked| checked.counterweights).unwrap_or_default() {
+        if !parts.iter().any(|part| part.name == weight.name) || weight.part_mass - weight.mass < 1e-9 {
+            continue;
+        }
+        told += &format!(
+            "{}: {:.1} g as a solid, which holds the web's disc and flank that it covers; {:.1} g are beyond the web as it is\n",
+            weight.name,
+            1e3 * weight.part_mass,
+            1e3 * weight.mass
+        );
+    }
+    told
 }
 
 /// What is asked for: balance shafts alone, counterweights alone, or a crankshaft, the first one with the balance shafts around it.

@@ -9,7 +9,6 @@ use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::shape_request::shape_request;
 use lanchester::geometry::Front;
-use lanchester::geometry::clearance::SweptRoom;
 use lanchester::report::{front_designs_table, front_plot, objective_name};
 use lanchester::{
     CounterweightFront, adopted, counterweight_front, design_counterweights, with_counterweights,
@@ -22,7 +21,7 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     let request = shape_request(engine, &arguments.shape)?;
     let found = counterweight_front(engine, &request, arguments.against.into(), arguments.designs)
         .map_err(Failure::refused)?;
-    let CounterweightFront { front, weights, room } = &found;
+    let CounterweightFront { front, weights, room, envelope } = &found;
     if front.designs.is_empty() {
         // The optimum alone says what is in the way.
         let designs = design_counterweights(engine, &request).map_err(Failure::refused)?;
@@ -55,14 +54,14 @@ pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     }
     let names = list(weights.iter().map(|index| engine.counterweights[*index].name.as_str()));
     print(&match arguments.format {
-        Format::Text => text(&names, room.as_ref(), front),
+        Format::Text => text(&names, room_words(room.as_ref(), envelope.as_ref()), front),
         Format::Json => json(&found)?,
         Format::Csv => front_designs_table(front).csv(),
     })?;
     Ok(DONE)
 }
 
-fn text(names: &str, room: Option<&SweptRoom>, front: &Front) -> String {
+fn text(names: &str, room: Option<String>, front: &Front) -> String {
     let [first, second] = front.objectives.map(objective_name);
     let proof = match front.proved {
         true => {
@@ -70,6 +69,6 @@ fn text(names: &str, room: Option<&SweptRoom>, front: &Front) -> String {
         }
         false => "Not every design is proved to be the best: a search was broken off.".to_owned(),
     };
-    let room = room.map(|room| room_words(room) + "\n").unwrap_or_default();
+    let room = room.map(|room| room + "\n").unwrap_or_default();
     format!("{names}\n{room}{proof}\n\n{}", front_designs_table(front).text())
 }

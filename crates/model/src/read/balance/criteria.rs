@@ -5,10 +5,11 @@ use crate::criterion;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span, Term};
 use crate::engine::Engine;
+use crate::give_up;
 use crate::main_load;
 use crate::mount::Mount;
 use crate::quantity::{self, Refusal};
-use crate::task::{BalanceTask, Criterion, Limit, Load, Stage};
+use crate::task::{BalanceTask, Criterion, GiveUp, Limit, Load, Stage};
 
 impl<'a> Reader<'a> {
     pub(super) fn stages(&mut self, section: &'a Section, mounts: Option<&[Mount]>) -> Option<Vec<Stage>> {
@@ -71,6 +72,59 @@ impl<'a> Reader<'a> {
         limits.into_iter().collect()
     }
 
+    /// What each stage gives up for those after it.
+    pub(super) fn given_up(
+        &mut self,
+        section: &'a Section,
+        stages: &[Stage],
+        mounts: Option<&[Mount]>,
+    ) -> Option<Vec<GiveUp>> {
+        let terms = match section.terms("give_up") {
+            Field::Given(terms) => terms.value,
+            Field::Absent => return Some(Vec::new()),
+            Field::Bad => return None,
+        };
+        let named = BalanceTask { stages: stages.to_vec(), ..BalanceTask::default() }.stages_or_default();
+        let mut list = Vec::new();
+        let mut taken: Vec<(usize, Span)> = Vec::new();
+        let mut are_good = true;
+        for term in terms {
+            let Some(amount) = &term.amount else { continue };
+            let name: String = term.name.value.chars().take(60).collect();
+            let found =
+                criterion::named(&term.name.value, mounts).map_err(|refusal| (refusal, &term.name.span));
+            let found = found.and_then(|criterion| {
+                let stage = give_up::stage_of(&criterion, &named).ok_or_else(|| {
+                    let names = named.iter().flat_map(|stage| &stage.terms);
+                    let names = names.map(|term| criterion::name_among(&term.1, mounts.unwrap_or(&[])));
+                    (give_up::no_stage(&name, &names.collect::<Vec<_>>()), &term.name.span)
+                })?;
+                let given = give_up::amount(&amount.value, &named[stage], &name);
+                given.map(|given| (stage, given)).map_err(|refusal| (refusal, &amount.span))
+            });
+            match found {
+                Ok((stage, given)) => {
+                    if let Some((_, first)) = taken.iter().find(|one| one.0 == stage) {
+                        let message = format!("the stage of `{name}` gives up something twice");
+                        self.mistakes.push(
+                            Mistake::error("E0204", term.name.span.clone(), message)
+                                .related(first.clone(), "the same stage")
+                                .hint("a weighted sum is one stage: name it by one of its criteria"),
+                        );
+                        are_good = false;
+                    }
+                    taken.push((stage, term.name.span.clone()));
+                    give_up::put(&mut list, stage, given);
+                }
+                Err((refusal, span)) => {
+                    self.refuse(refusal, span);
+                    are_good = false;
+                }
+            }
+        }
+        are_good.then_some(list)
+    }
+
     /// Orders that must vanish, which leave nothing to minimise or to limit.
     pub(super) fn cancelled(
         &mut self,
@@ -82,9 +136,9 @@ impl<'a> Reader<'a> {
             Field::Absent => return Some(Vec::new()),
             Field::Bad => return None,
         };
-        for other in ["minimise", "limits"] {
+        for other in ["minimise", "give_up", "limits"] {
             if section.has(other) {
-                let why = "`cancel` asks for the lightest weights that make its orders vanish";
+                let why = "`cancel` asks for weights that make its orders vanish";
                 self.without_effect(section, other, why, "leave one of them out");
             }
         }

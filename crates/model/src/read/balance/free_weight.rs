@@ -7,7 +7,8 @@ use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Span};
 use crate::engine::Engine;
 use crate::quantity::{self, Dimension};
-use crate::task::{FreeWeight, Phase, Place, Seat};
+use crate::schema::WHAT_FITS;
+use crate::task::{Catalogue, FreeWeight, Phase, Place, Seat};
 
 /// Why a weight needs its largest amount.
 pub(super) const PLACE_TO_BE_FOUND: &str = "a weight whose place is to be found";
@@ -44,8 +45,11 @@ pub(super) struct Properties {
     direction: Phase,
     least: f64,
     most: Option<f64>,
+    fits: bool,
     pub(super) optional: bool,
     radius: Option<f64>,
+    catalogue: Option<Catalogue>,
+    equal_parts: Option<String>,
     pub(super) follows: Option<Follows>,
     pub(super) span: Span,
 }
@@ -168,10 +172,21 @@ impl<'a> Reader<'a> {
     ) -> Option<Properties> {
         let name = section.text("name");
         let [along, line] = [direction_key, "line"].map(|key| section.number(key));
-        let bounds = self.bounds(section);
+        let fits = section.word("most").given() == Some(WHAT_FITS);
+        let bounds = self.bounds(section, fits);
         let radius = section.number("radius");
         let optional = section.truth("optional").or(false);
         let follows = self.follows(section);
+        let bounded = bounds.unwrap_or((0.0, None));
+        let catalogue = match radius.is_bad() {
+            true => None,
+            false => self.catalogue(section, radius.clone().given(), bounded),
+        };
+        let equal_parts = match section.text("equal_parts") {
+            Field::Given(name) => Some(name.value),
+            Field::Absent => None,
+            Field::Bad => return None,
+        };
         if section.has(direction_key) && section.has("line") {
             self.two_sources(section, direction_key, "line", "the direction of the weight");
             return None;
@@ -180,13 +195,26 @@ impl<'a> Reader<'a> {
             return None;
         }
         let (follows, (least, most), optional) = (follows?, bounds?, optional?);
+        let (catalogue, equal_parts) = (catalogue?, equal_parts);
+        // A list is an end to what may be chosen.
+        let most = most.or_else(|| catalogue.as_ref().and_then(Catalogue::largest));
         if let Some(follows) = &follows {
-            let keys = [direction_key, "line", "least", "most", "unbalance", "optional"];
+            let keys = [
+                direction_key,
+                "line",
+                "least",
+                "most",
+                "unbalance",
+                "optional",
+                "step",
+                "catalogue",
+                "equal_parts",
+            ];
             for key in keys.into_iter().filter(|key| section.has(key)) {
                 let why = format!("the weight follows \"{}\"", follows.leader_name);
                 self.without_effect(section, key, &why, "give it to that weight");
             }
-        } else if most.is_none() {
+        } else if most.is_none() && !fits {
             let why = if optional { Some("an optional weight") } else { why };
             if let Some(why) = why {
                 self.most_missing(&section.span, why, "most = \"0.1 kg m\"");
@@ -202,15 +230,18 @@ impl<'a> Reader<'a> {
             direction,
             least,
             most,
+            fits,
             optional,
             radius: radius.given(),
+            catalogue,
+            equal_parts,
             follows,
             span: section.span.clone(),
         })
     }
 
     /// Least and largest amount.
-    fn bounds(&mut self, section: &'a Section) -> Option<(f64, Option<f64>)> {
+    fn bounds(&mut self, section: &'a Section, fits: bool) -> Option<(f64, Option<f64>)> {
         let [least, most, given] = ["least", "most", "unbalance"].map(|key| section.number(key));
         if section.has("unbalance") {
             if let Some(other) = ["least", "most"].into_iter().find(|key| section.has(key)) {
@@ -219,7 +250,7 @@ impl<'a> Reader<'a> {
             }
             return given.given().map(|amount| (amount, Some(amount)));
         }
-        if most.is_bad() {
+        if most.is_bad() && !fits {
             return None;
         }
         let (least, most) = (least.or(0.0)?, most.given());
@@ -283,6 +314,7 @@ impl<'a> Reader<'a> {
         Some(FreeWeight {
             least: draft.own.least,
             most: draft.own.most,
+            fits: draft.own.fits,
             phase: match draft.own.direction {
                 Phase::Free => Phase::Free,
                 Phase::Line(angle) => Phase::Line(turned(angle)),
@@ -290,6 +322,8 @@ impl<'a> Reader<'a> {
             },
             optional: draft.own.optional,
             radius: draft.own.radius,
+            catalogue: draft.own.catalogue.clone(),
+            equal_parts: draft.own.equal_parts.clone(),
             ..FreeWeight::new(&draft.name, seat, z)
         })
     }

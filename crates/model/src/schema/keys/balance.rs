@@ -2,7 +2,7 @@
 
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
-use super::super::{Key, Kind, Table};
+use super::super::{Key, Kind, Table, WHAT_FITS};
 use super::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use crate::quantity::Dimension::{Angle, Inertia, Length, Speed, Unbalance};
 
@@ -20,8 +20,11 @@ pub(super) static BALANCE: Table = Table {
           `main-bearing load` (the largest of all main bearings, inertia alone), `main-bearing load 3` or `bending moment`; \
           one order of it with ` order 2` or ` order 1/2` behind; the root mean square over the cycle \
           `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
-          `largest main-bearing load rms`; or `added mass` or `added unbalance` of the free weights. Main bearings \
-          are numbered from the free end on, those of crankshaft 1 first.",
+          `largest main-bearing load rms`, the mean `main-bearing load mean` or `main-bearing load 3 mean`; any of these with \
+          the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas` (a mean at one of `speeds`); or \
+          `added mass` or `added unbalance` of the free weights. Main bearings are numbered from the free end on, those of \
+          crankshaft 1 first. A higher speed raises all loads of inertia, but neither the forces at mounts with stiffness nor \
+          loads with gas: these count over the whole range of speeds, or at `speeds`.",
     keys: &[
         key(
             "minimise",
@@ -34,6 +37,15 @@ pub(super) static BALANCE: Table = Table {
             "[\"force\", { couple = \"10 N m\", \"roll moment\" = \"40 N m\" }]",
         ),
         key(
+            "give_up",
+            Kind::GiveUps,
+            Optional,
+            "What stages after it may cost a stage: criteria of `minimise` (or `force` and `couple` where it is left out), each \
+             with a share of the least value that it reached, or an amount in its unit. A weighted sum goes by any of its \
+             criteria and takes a share. Default nothing.",
+            "{ force = \"1 %\" }",
+        ),
+        key(
             "limits",
             Kind::Limits,
             Optional,
@@ -44,7 +56,8 @@ pub(super) static BALANCE: Table = Table {
             "cancel",
             Kind::Orders,
             Optional,
-            "Orders of loads that must vanish exactly, by the lightest weights; instead of `minimise` and `limits`.",
+            "Orders of loads that must vanish exactly, instead of `minimise` and `limits`; of all weights that do it those with the least \
+             force, couple and main-bearing loads, then the lightest.",
             "[\"force order 1\", \"couple order 1\"]",
         ),
         key(
@@ -58,8 +71,8 @@ pub(super) static BALANCE: Table = Table {
             "speeds",
             Kind::Quantities(Speed, Positive),
             Optional,
-            "Speeds at which forces at mounts with springs are judged, the largest of all counting; default the whole range of `speed`, resonances included. \
-             All other loads are largest at the highest speed.",
+            "Speeds at which forces at mounts with springs and loads with gas are judged, the largest of all counting; default the \
+             whole range of `speed`, resonances included. All other loads are largest at the highest speed.",
             "[\"1500 rpm\", \"3000 rpm\"]",
         ),
         key(
@@ -100,7 +113,16 @@ const LEAST: Key = quantity(
     "Least amount (of an optional one: if it is used).",
     "\"0.01 kg m\"",
 );
-const MOST: Key = quantity(
+const MOST: Key = key(
+    "most",
+    Kind::QuantityOrWord(Unbalance, Positive, WHAT_FITS),
+    Optional,
+    "Largest amount; needed if it is optional or stands at a place to be found. `\"what fits\"`: the largest unbalance that the shapes of \
+     `[counterweight_design]` and the wanted clearance allow on its web; that is the default where the file has `[crank.body]` and \
+     `[counterweight_design]`.",
+    "\"0.1 kg m\"",
+);
+const MOST_ON_SHAFT: Key = quantity(
     "most",
     Unbalance,
     Positive,
@@ -115,6 +137,28 @@ const RADIUS: Key = quantity(
     Positive,
     "Distance of its centre of gravity from the axis; needed for `added mass`.",
     "\"60 mm\"",
+);
+const STEP: Key = key(
+    "step",
+    Kind::Amounts,
+    Optional,
+    "It is made in whole steps of this: a mass at `radius`, or an unbalance. None at all is allowed too, unless `least` says more.",
+    "\"5 g\"",
+);
+const CATALOGUE: Key = key(
+    "catalogue",
+    Kind::Amounts,
+    Optional,
+    "It is one of these, or left away: masses at `radius`, or unbalances.",
+    "[\"120 g\", \"150 g\", \"180 g\"]",
+);
+const EQUAL_PARTS: Key = key(
+    "equal_parts",
+    Kind::Text(100),
+    Optional,
+    "Name of the part that it is: all weights with this name that are used have the same amount, each in its own direction. With `step` or \
+     `catalogue`, the same for all of them.",
+    "\"web weight\"",
 );
 const OPTIONAL: Key =
     key("optional", Kind::Truth, Optional, "Whether it may be left out; default false.", "true");
@@ -187,6 +231,9 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
         MOST,
         GIVEN,
         RADIUS,
+        STEP,
+        CATALOGUE,
+        EQUAL_PARTS,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,
@@ -259,9 +306,12 @@ static FREE_SHAFT_WEIGHT: Table = Table {
         ),
         LINE,
         LEAST,
-        MOST,
+        MOST_ON_SHAFT,
         GIVEN,
         RADIUS,
+        STEP,
+        CATALOGUE,
+        EQUAL_PARTS,
         OPTIONAL,
         EQUAL_TO,
         OPPOSED_TO,

@@ -1,0 +1,127 @@
+//! Energy audit: through every bond, at every junction and two-port, in every store, of the whole.
+
+use crate::equations::Equations;
+use crate::graph::{Kind, Law};
+use serde::Serialize;
+
+/// Where the energy went.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Audit {
+    /// Energy through each bond, along its half arrow [J].
+    pub bonds: Vec<BondEnergy>,
+    /// Energy that each one-port took in [J]; of sources negative what they gave.
+    pub elements: Vec<ElementEnergy>,
+    /// Largest difference of powers at each junction and two-port over all samples, against the largest power there.
+    pub residuals: Vec<Residual>,
+    /// Largest energy that a bond carried [J]: what the errors are measured by.
+    pub throughput: f64,
+    /// Sum of what all one-ports took in, against the throughput: the error of the whole.
+    pub whole: f64,
+}
+
+/// Energy through one bond.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BondEnergy {
+    /// The bond.
+    pub bond: String,
+    /// Its energy [J].
+    pub energy: f64,
+}
+
+/// Energy of one element.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ElementEnergy {
+    /// The element.
+    pub element: String,
+    /// Its kind.
+    pub kind: Kind,
+    /// What it took in [J].
+    pub taken: f64,
+    /// Change of what it holds by its law [J], where that is linear.
+    pub held: Option<f64>,
+    /// Their difference against the throughput.
+    pub error: Option<f64>,
+}
+
+/// Error of one junction or two-port.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Residual {
+    /// The element.
+    pub element: String,
+    /// Largest sum of powers against the largest power.
+    pub error: f64,
+}
+
+pub(crate) fn audit(
+    equations: &Equations,
+    samples: &[(f64, Vec<f64>)],
+    variables: &[Vec<f64>],
+    end: &[f64],
+) -> Audit {
+    let graph = &equations.graph;
+    let count = graph.bonds.len();
+    let energies = &end[equations.states.len()..];
+    let throughput = energies.iter().fold(0.0f64, |most, energy| most.max(energy.abs()));
+    let measure = if throughput > 0.0 { throughput } else { 1.0 };
+    let bonds =
+        (0..count).map(|bond| BondEnergy { bond: graph.bond_name(bond), energy: energies[bond] }).collect();
+    let (mut elements, mut residuals) = (Vec::new(), Vec::new());
+    let mut whole = 0.0;
+    for (index, element) in graph.elements.iter().enumerate() {
+        let many = matches!(element.kind, Kind::Zero | Kind::One | Kind::TF | Kind::GY);
+        if many {
+            let mut error = 0.0f64;
+            for values in variables {
+                let powers = element.ports.iter().map(|bond| {
+                    let effort = if graph.bonds[*bond].domain.is_true_bond() { values[*bond] } else { 1.0 };
+                    graph.bonds[*bond].sign_into(index) * effort * values[count + *bond]
+                });
+                let (sum, most) =
+                    powers.fold((0.0, 0.0f64), |(sum, most), power| (sum + power, most.max(power.abs())));
+                if most > 0.0 {
+                    error = error.max((sum / most).abs());
+                }
+            }
+            residuals.push(Residual { element: element.name.clone(), error });
+        } else {
+            let taken: f64 =
+                element.ports.iter().map(|bond| graph.bonds[*bond].sign_into(index) * energies[*bond]).sum();
+            whole += taken;
+            let held = held(equations, index, samples, variables);
+            elements.push(ElementEnergy {
+                element: element.name.clone(),
+                kind: element.kind,
+                taken,
+                held,
+                error: held.map(|held| (held - taken).abs() / measure),
+            });
+        }
+    }
+    Audit { bonds, elements, residuals, throughput, whole: whole.abs() / measure }
+}
+
+/// Change of half of content times its co-variable between first and last sample: the energy of a linear store.
+fn held(
+    equations: &Equations,
+    element: usize,
+    samples: &[(f64, Vec<f64>)],
+    variables: &[Vec<f64>],
+) -> Option<f64> {
+    let graph = &equations.graph;
+    let Law::Store(ports) = &graph.elements[element].law else { return None };
+    let [port] = ports.as_slice() else { return None };
+    port.inverse?;
+    let bond = graph.elements[element].ports[0];
+    // Of a heat store the content itself is the energy.
+    let share = if graph.bonds[bond].domain.is_true_bond() { 0.5 } else { 1.0 };
+    let what = if port.flow.is_some() { "momentum" } else { "displacement" };
+    let symbol = format!("{}.{what}", graph.bond_name(bond));
+    let state = equations.states.iter().position(|state| state.symbol == symbol)?;
+    let across = if port.flow.is_some() { graph.bonds.len() + bond } else { bond };
+    let energy = |sample: usize| {
+        let content = samples[sample].1[state];
+        share * content * if share == 0.5 { variables[sample][across] } else { 1.0 }
+    };
+    let last = samples.len().checked_sub(1)?;
+    Some(energy(last) - energy(0))
+}

@@ -1,0 +1,369 @@
+//! Causality by the sequential procedure.
+//!
+//! Each bond has one end that sets its effort and another that sets its flow; the causal stroke stands where the effort arrives.
+//! Sources come first, then laws that have one form alone, then stores in integral causality in the order of the description, then
+//! what is left; after each, junctions and two-ports hand on what follows. Source: Karnopp, Margolis, Rosenberg, *System Dynamics*,
+//! 5th edition, section 3.4; van Dijk, Breedveld, Journal of the Franklin Institute 328 (1991), 747-764.
+
+use crate::description::Text;
+use crate::graph::{Graph, Kind, Law};
+use crate::mistake::Mistakes;
+use lanchester_model::Diagnostic;
+use serde::Serialize;
+
+/// Which stores are assigned first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Preference {
+    /// Stores become states.
+    #[default]
+    Integral,
+    /// Stores follow: the dual, for study.
+    Derivative,
+}
+
+/// The causality of a graph, in words and as strokes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Causality {
+    /// For each bond: whether the stroke stands at the end that the half arrow points to.
+    pub stroke_at_head: Vec<bool>,
+    /// The steps of the procedure in words.
+    pub steps: Vec<Step>,
+    /// Stores in integral causality, by name.
+    pub states: Vec<String>,
+    /// Stores that follow others.
+    pub followers: Vec<Follower>,
+    /// Resistors and bonds whose causality was free: each is a sign of an algebraic loop.
+    pub free: Vec<String>,
+    /// Bonds of the ports of stores that follow.
+    #[serde(skip)]
+    pub(crate) following_bonds: Vec<usize>,
+    /// Bonds whose causality was free.
+    #[serde(skip)]
+    pub(crate) free_bonds: Vec<usize>,
+}
+
+/// One step of the procedure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Step {
+    /// What was assigned and why.
+    pub text: String,
+    /// Bonds that were settled by it, the first by choice, the others by what follows.
+    pub bonds: Vec<String>,
+}
+
+/// A store in derivative causality.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Follower {
+    /// Its name.
+    pub element: String,
+    /// Elements through which it follows, the store or source that leads it first.
+    pub path: Vec<String>,
+}
+
+struct Procedure<'a> {
+    graph: &'a Graph,
+    /// Whether the stroke is at the head.
+    strokes: Vec<Option<bool>>,
+    /// Through which element and from which bond a bond was settled.
+    causes: Vec<Option<(usize, usize)>>,
+    broken: Vec<bool>,
+    settled: Vec<usize>,
+    mistakes: Mistakes,
+}
+
+/// Assigns causality.
+///
+/// # Errors
+/// Every conflict, with the elements that cause it and what mends it.
+pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec<Diagnostic>> {
+    let count = graph.bonds.len();
+    let mut procedure = Procedure {
+        graph,
+        strokes: vec![None; count],
+        causes: vec![None; count],
+        broken: vec![false; graph.elements.len()],
+        settled: Vec::new(),
+        mistakes: Mistakes::default(),
+    };
+    let mut steps = Vec::new();
+    let (mut states, mut following_bonds, mut free_bonds) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, element) in graph.elements.iter().enumerate() {
+        match element.kind {
+            Kind::Se => steps.push(procedure.assign(index, 0, false, "is a source of effort")),
+            Kind::Sf => steps.push(procedure.assign(index, 0, true, "is a source of flow")),
+            _ => {}
+        }
+    }
+    for (index, element) in graph.elements.iter().enumerate() {
+        match &element.law {
+            Law::Resistor { effort: None, .. } => {
+                steps.push(procedure.assign(index, 0, true, "gives its flow by its effort alone"));
+            }
+            Law::Resistor { flow: None, .. } => {
+                steps.push(procedure.assign(index, 0, false, "gives its effort by its flow alone"));
+            }
+            Law::Matrix(rows) => {
+                let columns = rows[0].len();
+                for port in 0..columns + rows.len() {
+                    let what = "multiplies flows by its matrix, efforts by the transposed";
+                    steps.push(procedure.assign(index, port, port >= columns, what));
+                }
+            }
+            Law::Store(ports) => {
+                for (port, law) in ports.iter().enumerate() {
+                    if law.inverse.is_none() {
+                        let what = "has a law that cannot be turned round";
+                        steps.push(procedure.assign(index, port, law.flow.is_some(), what));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    for (index, element) in graph.elements.iter().enumerate() {
+        let Law::Store(ports) = &element.law else { continue };
+        for (port, law) in ports.iter().enumerate() {
+            if law.inverse.is_some() && procedure.strokes[element.ports[port]].is_none() {
+                let integral = preference == Preference::Integral;
+                let what = if integral { "becomes a state" } else { "is made to follow" };
+                steps.push(procedure.assign(index, port, law.flow.is_some() == integral, what));
+            }
+        }
+    }
+    for (index, element) in graph.elements.iter().enumerate() {
+        if matches!(element.law, Law::Resistor { .. }) && procedure.strokes[element.ports[0]].is_none() {
+            free_bonds.push(element.ports[0]);
+            steps.push(procedure.assign(
+                index,
+                0,
+                false,
+                "is free: it is given its flow, within an algebraic loop",
+            ));
+        }
+    }
+    for bond in 0..count {
+        if procedure.strokes[bond].is_none() {
+            free_bonds.push(bond);
+            let head = graph.bonds[bond].to;
+            let port = graph.elements[head].ports.iter().position(|b| *b == bond).unwrap_or(0);
+            steps.push(procedure.assign(head, port, true, "has a free bond, within an algebraic loop"));
+        }
+    }
+    for index in 0..graph.elements.len() {
+        procedure.hand_on(index, &mut Vec::new());
+    }
+    let mut followers = Vec::new();
+    for (index, element) in graph.elements.iter().enumerate() {
+        let Law::Store(ports) = &element.law else { continue };
+        for (port, law) in ports.iter().enumerate() {
+            let bond = element.ports[port];
+            let integral = procedure.at(bond, index) == Some(law.flow.is_some());
+            if integral {
+                states.push(graph.bond_name(bond));
+            } else {
+                following_bonds.push(bond);
+                followers
+                    .push(Follower { element: graph.bond_name(bond), path: procedure.path(bond, index) });
+            }
+        }
+    }
+    if procedure.mistakes.any() {
+        return Err(procedure.mistakes.into_diagnostics(""));
+    }
+    Ok(Causality {
+        stroke_at_head: procedure.strokes.into_iter().map(|stroke| stroke.unwrap_or(true)).collect(),
+        steps: steps.into_iter().flatten().collect(),
+        states,
+        followers,
+        free: free_bonds.iter().map(|bond| graph.bond_name(*bond)).collect(),
+        following_bonds,
+        free_bonds,
+    })
+}
+
+impl Procedure<'_> {
+    /// Whether the stroke of a bond stands at an element.
+    fn at(&self, bond: usize, element: usize) -> Option<bool> {
+        self.strokes[bond].map(|at_head| at_head == (self.graph.bonds[bond].to == element))
+    }
+
+    /// Settles a bond by choice and what follows; a step, if the bond was not settled before.
+    fn assign(&mut self, element: usize, port: usize, stroke_here: bool, why: &str) -> Option<Step> {
+        let bond = self.graph.elements[element].ports[port];
+        let name = &self.graph.elements[element].name;
+        match self.at(bond, element) {
+            Some(here) if here == stroke_here => return None,
+            Some(_) => {
+                self.refuse_forced(element, bond, stroke_here, why);
+                return None;
+            }
+            None => {}
+        }
+        self.settled.clear();
+        let mut waiting = Vec::new();
+        self.set(bond, element, stroke_here, None, &mut waiting);
+        while let Some(next) = waiting.pop() {
+            self.hand_on(next, &mut waiting);
+        }
+        let bonds = self.settled.iter().map(|bond| self.graph.bond_name(*bond)).collect();
+        let written = &self.graph.elements[element].written;
+        Some(Step { text: format!("{name} ({written}) {why}"), bonds })
+    }
+
+    fn set(
+        &mut self,
+        bond: usize,
+        element: usize,
+        stroke_here: bool,
+        cause: Option<(usize, usize)>,
+        waiting: &mut Vec<usize>,
+    ) {
+        let ends = &self.graph.bonds[bond];
+        self.strokes[bond] = Some(stroke_here == (ends.to == element));
+        self.causes[bond] = cause;
+        self.settled.push(bond);
+        waiting.extend([ends.to, ends.from]);
+    }
+
+    /// What an element's settled bonds say of the others.
+    fn hand_on(&mut self, element: usize, waiting: &mut Vec<usize>) {
+        let graph = self.graph;
+        let ports = &graph.elements[element].ports;
+        if self.broken[element] {
+            return;
+        }
+        match graph.elements[element].kind {
+            Kind::Zero | Kind::One => {
+                // The one bond that decides: at a 0 it brings the effort, at a 1 the flow.
+                let decides = graph.elements[element].kind == Kind::Zero;
+                let deciding: Vec<usize> =
+                    ports.iter().copied().filter(|bond| self.at(*bond, element) == Some(decides)).collect();
+                let open: Vec<usize> =
+                    ports.iter().copied().filter(|bond| self.strokes[*bond].is_none()).collect();
+                match (deciding.as_slice(), open.as_slice()) {
+                    ([one], open) => {
+                        for bond in open {
+                            self.set(*bond, element, !decides, Some((element, *one)), waiting);
+                        }
+                    }
+                    ([], [last]) => {
+                        let others = ports.iter().copied().filter(|bond| bond != last);
+                        let cause = others.last().map(|bond| (element, bond));
+                        self.set(*last, element, decides, cause, waiting);
+                    }
+                    ([], []) => self.refuse_none(element),
+                    ([], _) => {}
+                    (several, _) => self.refuse_several(element, several),
+                }
+            }
+            Kind::TF if matches!(graph.elements[element].law, Law::Ratio(_)) => {
+                self.two_port(element, ports[0], ports[1], true, waiting);
+            }
+            Kind::GY => self.two_port(element, ports[0], ports[1], false, waiting),
+            _ => {}
+        }
+    }
+
+    fn two_port(&mut self, element: usize, a: usize, b: usize, turns: bool, waiting: &mut Vec<usize>) {
+        match (self.at(a, element), self.at(b, element)) {
+            (Some(here), None) => self.set(b, element, here != turns, Some((element, a)), waiting),
+            (None, Some(here)) => self.set(a, element, here != turns, Some((element, b)), waiting),
+            (Some(first), Some(second)) if (first != second) != turns => {
+                self.broken[element] = true;
+                let [first, second] = [self.origin(a), self.origin(b)];
+                let Text { text, span } = self.graph.place(element);
+                let what =
+                    if turns { "the same variable at both sides of" } else { "effort and flow across" };
+                let message = format!("{first} and {second} both set {what} `{text}`");
+                let hint = "take one of them out, or put a spring, inertia or resistor beside it";
+                self.mistakes.push("E1713", &span, message, hint);
+            }
+            _ => {}
+        }
+    }
+
+    /// The element from which the causality of a bond comes.
+    fn origin(&self, bond: usize) -> String {
+        let mut at = bond;
+        for _ in 0..self.causes.len() {
+            match self.causes[at] {
+                Some((_, before)) => at = before,
+                None => break,
+            }
+        }
+        self.graph.bond_name(at)
+    }
+
+    /// Elements from the one that leads to the store that follows.
+    fn path(&self, bond: usize, store: usize) -> Vec<String> {
+        let mut path = vec![self.graph.elements[store].name.clone()];
+        let mut at = bond;
+        for _ in 0..self.causes.len() {
+            match self.causes[at] {
+                Some((element, before)) => {
+                    path.push(self.graph.elements[element].name.clone());
+                    at = before;
+                }
+                None => break,
+            }
+        }
+        path.push(self.graph.bond_name(at));
+        path.dedup();
+        path.reverse();
+        path
+    }
+
+    fn refuse_several(&mut self, junction: usize, bonds: &[usize]) {
+        self.broken[junction] = true;
+        let mut names: Vec<String> = bonds.iter().map(|bond| self.origin(*bond)).collect();
+        names.dedup();
+        let Text { text, span } = self.graph.place(junction);
+        let (what, hint) = match self.graph.elements[junction].kind {
+            Kind::One => {
+                ("flow", "only one element may set it: take one out, or put a spring (C on a 0) between them")
+            }
+            _ => (
+                "effort",
+                "only one element may set it: take one out, or put a resistor or inertia (on a 1) between them",
+            ),
+        };
+        let message = format!("{} both set the {what} of `{text}`", names.join(" and "));
+        self.mistakes.push("E1713", &span, message, hint);
+    }
+
+    fn refuse_none(&mut self, junction: usize) {
+        self.broken[junction] = true;
+        let ports = &self.graph.elements[junction].ports;
+        let mut names: Vec<String> = ports.iter().map(|bond| self.origin(*bond)).collect();
+        names.dedup();
+        let Text { text, span } = self.graph.place(junction);
+        let (what, given, hint) = match self.graph.elements[junction].kind {
+            Kind::One => ("flow", "efforts", "add the inertia or resistor that limits the flow"),
+            _ => ("effort", "flows", "add the capacitor or resistor that takes the difference of the flows"),
+        };
+        let message =
+            format!("nothing sets the {what} of `{text}`: {} all set their {given}", names.join(" and "));
+        self.mistakes.push("E1713", &span, message, hint);
+    }
+
+    fn refuse_forced(&mut self, element: usize, bond: usize, stroke_here: bool, why: &str) {
+        let Text { text, span } = self.graph.place(element);
+        let given = if stroke_here { "flow" } else { "effort" };
+        let other = if stroke_here { "effort" } else { "flow" };
+        let message = format!(
+            "`{text}` {why}, so it needs the {other} of its bond, but {} sets the {given} there",
+            self.origin(bond)
+        );
+        let hint = match self.graph.elements[element].kind {
+            Kind::R => "give the law in its other form, or a resistance",
+            Kind::Se | Kind::Sf => {
+                "two sources at one bond: take one out, or put a resistor or store between"
+            }
+            _ => {
+                "give a capacitance, stiffness or inertia, which can be turned round, or put a spring or inertia between"
+            }
+        };
+        self.mistakes.push("E1713", &span, message, hint);
+    }
+}

@@ -1,0 +1,89 @@
+//! A bond graph as it is described: by a file or by calls, which are the same thing.
+
+use std::ops::Range;
+
+/// A text and its place in the file; empty for what was described by calls.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Text {
+    /// The text.
+    pub text: String,
+    /// Its place in bytes.
+    pub span: Range<usize>,
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Text {
+        Text { text: text.to_owned(), span: 0..0 }
+    }
+}
+
+/// A named thing with keys, each with its text.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Entry {
+    /// Its name.
+    pub name: Text,
+    /// Its keys in their order.
+    pub keys: Vec<(Text, Text)>,
+}
+
+impl Entry {
+    /// The text of a key.
+    pub fn get(&self, key: &str) -> Option<&Text> {
+        self.keys.iter().find(|(name, _)| name.text == key).map(|(_, text)| text)
+    }
+}
+
+/// A bond graph as it is described, unchecked; [`crate::Graph::new`] checks it.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Description {
+    /// Name of the graph.
+    pub name: String,
+    /// Parameters: name and value or expression.
+    pub parameters: Vec<(Text, Text)>,
+    /// Elements with `kind` and the keys of their law.
+    pub elements: Vec<Entry>,
+    /// Signals with `value`, or with `integral_of` and `start`.
+    pub signals: Vec<Entry>,
+    /// Bonds, `"from > to"`.
+    pub bonds: Vec<Text>,
+    /// Duration, samples and tolerance of a simulation.
+    pub simulation: Vec<(Text, Text)>,
+}
+
+impl Description {
+    /// An empty graph.
+    pub fn new(name: &str) -> Description {
+        Description { name: name.to_owned(), ..Description::default() }
+    }
+
+    /// Adds a parameter, a quantity or an expression.
+    #[must_use]
+    pub fn parameter(mut self, name: &str, value: &str) -> Description {
+        self.parameters.push((name.into(), value.into()));
+        self
+    }
+
+    /// Adds an element of a kind with the keys of its law.
+    #[must_use]
+    pub fn element(mut self, name: &str, kind: &str, keys: &[(&str, &str)]) -> Description {
+        let mut entry = Entry { name: name.into(), keys: vec![("kind".into(), kind.into())] };
+        entry.keys.extend(keys.iter().map(|(key, value)| ((*key).into(), (*value).into())));
+        self.elements.push(entry);
+        self
+    }
+
+    /// Adds a signal with its keys.
+    #[must_use]
+    pub fn signal(mut self, name: &str, keys: &[(&str, &str)]) -> Description {
+        let keys = keys.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
+        self.signals.push(Entry { name: name.into(), keys });
+        self
+    }
+
+    /// Adds bonds, each `"from > to"`.
+    #[must_use]
+    pub fn bonds(mut self, bonds: &[&str]) -> Description {
+        self.bonds.extend(bonds.iter().map(|bond| (*bond).into()));
+        self
+    }
+}

@@ -1,0 +1,85 @@
+//! Physical domains: what effort and flow are.
+
+use crate::unit::Unit;
+
+/// A physical domain of a bond.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Domain {
+    /// Force and velocity.
+    Translation,
+    /// Torque and angular velocity.
+    Rotation,
+    /// Voltage and current.
+    Electric,
+    /// Pressure and volume flow.
+    Hydraulic,
+    /// Temperature and entropy flow.
+    Thermal,
+    /// Temperature and heat flow: a pseudo-bond, whose flow itself is the power.
+    Heat,
+}
+
+impl Domain {
+    /// Every domain.
+    pub const ALL: [Domain; 6] = [
+        Domain::Translation,
+        Domain::Rotation,
+        Domain::Electric,
+        Domain::Hydraulic,
+        Domain::Thermal,
+        Domain::Heat,
+    ];
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Domain::Translation => "translation",
+            Domain::Rotation => "rotation",
+            Domain::Electric => "electric",
+            Domain::Hydraulic => "hydraulic",
+            Domain::Thermal => "thermal",
+            Domain::Heat => "heat",
+        }
+    }
+
+    /// Unit of the effort.
+    pub fn effort(self) -> Unit {
+        match self {
+            Domain::Translation => Unit::of([1, 1, -2, 0, 0]),
+            Domain::Rotation => Unit::JOULE,
+            Domain::Electric => Unit::of([2, 1, -3, -1, 0]),
+            Domain::Hydraulic => Unit::of([-1, 1, -2, 0, 0]),
+            Domain::Thermal | Domain::Heat => Unit::of([0, 0, 0, 0, 1]),
+        }
+    }
+
+    /// Unit of the flow.
+    pub fn flow(self) -> Unit {
+        match self {
+            Domain::Translation => Unit::of([1, 0, -1, 0, 0]),
+            Domain::Rotation => Unit::of([0, 0, -1, 0, 0]),
+            Domain::Electric => Unit::of([0, 0, 0, 1, 0]),
+            Domain::Hydraulic => Unit::of([3, 0, -1, 0, 0]),
+            Domain::Thermal => Unit::of([2, 1, -3, 0, -1]),
+            Domain::Heat => Unit::of([2, 1, -3, 0, 0]),
+        }
+    }
+
+    /// Whether effort times flow is power.
+    pub fn is_true_bond(self) -> bool {
+        self != Domain::Heat
+    }
+
+    /// How effort, flow, displacement and momentum read for people, with their unit: `rad/s` rather than `1/s`.
+    pub fn unit_names(self) -> [&'static str; 4] {
+        match self {
+            Domain::Translation => ["N", "m/s", "m", "N s"],
+            Domain::Rotation => ["N m", "rad/s", "rad", "N m s"],
+            Domain::Electric => ["V", "A", "C", "V s"],
+            Domain::Hydraulic => ["Pa", "m3/s", "m3", "Pa s"],
+            Domain::Thermal => ["K", "W/K", "J/K", "K s"],
+            Domain::Heat => ["K", "W", "J", "K s"],
+        }
+    }
+}

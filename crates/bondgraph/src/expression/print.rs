@@ -1,0 +1,205 @@
+//! Expressions as a textbook writes them: plain text, LaTeX, Modelica.
+
+use super::{Function, Id, Node, Pool, Var};
+
+/// How an expression is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Style {
+    Text,
+    Latex,
+    Modelica,
+}
+
+/// An expression to be shown with the names of its variables.
+pub(crate) struct Printed<'a, N> {
+    pub(crate) pool: &'a Pool,
+    pub(crate) style: Style,
+    pub(crate) name: N,
+    /// Most characters; longer expressions end in dots.
+    pub(crate) longest: usize,
+}
+
+/// A number as short as it can be written.
+pub(crate) fn number(value: f64) -> String {
+    let size = value.abs();
+    if value == value.trunc() && size < 1e6 {
+        format!("{value:.0}")
+    } else if (1e-3..1e6).contains(&size) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// How strongly an operation binds.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Binding {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+impl<N: Fn(Var) -> String> Printed<'_, N> {
+    /// The text of an expression.
+    pub(crate) fn text(&self, id: Id) -> String {
+        let mut out = String::new();
+        self.write(id, Binding::Sum, &mut out);
+        if out.len() >= self.longest {
+            out.truncate(out.floor_char_boundary(self.longest));
+            out += " ...";
+        }
+        out
+    }
+
+    fn binding(&self, id: Id) -> Binding {
+        match self.pool.node(id) {
+            Node::Constant(bits) if f64::from_bits(bits) < 0.0 => Binding::Sum,
+            Node::Negative(_) | Node::Sum(..) => Binding::Sum,
+            Node::Quotient(..) if self.style == Style::Latex => Binding::Atom,
+            Node::Product(..) | Node::Quotient(..) => Binding::Product,
+            Node::Power(..) => Binding::Power,
+            _ => Binding::Atom,
+        }
+    }
+
+    fn write(&self, id: Id, at_least: Binding, out: &mut String) {
+        if out.len() >= self.longest {
+            return;
+        }
+        let latex = self.style == Style::Latex;
+        if self.binding(id) < at_least {
+            *out += if latex { "\\left(" } else { "(" };
+            self.write(id, Binding::Sum, out);
+            *out += if latex { "\\right)" } else { ")" };
+            return;
+        }
+        match self.pool.node(id) {
+            Node::Constant(bits) => *out += &self.number(f64::from_bits(bits)),
+            Node::Var(var) => *out += &(self.name)(var),
+            Node::Negative(a) => {
+                out.push('-');
+                self.write(a, Binding::Product, out);
+            }
+            Node::Sum(a, b) => {
+                self.write(a, Binding::Sum, out);
+                match self.pool.node(b) {
+                    Node::Negative(b) => {
+                        *out += " - ";
+                        self.write(b, Binding::Product, out);
+                    }
+                    Node::Constant(bits) if f64::from_bits(bits) < 0.0 => {
+                        *out += " - ";
+                        *out += &self.number(-f64::from_bits(bits));
+                    }
+                    Node::Sum(..) => {
+                        *out += " + ";
+                        self.write(b, Binding::Sum, out);
+                    }
+                    _ => {
+                        *out += " + ";
+                        self.write(b, Binding::Product, out);
+                    }
+                }
+            }
+            Node::Product(a, b) => {
+                self.write(a, Binding::Product, out);
+                *out += if latex { " \\, " } else { "*" };
+                self.write(b, Binding::Product, out);
+            }
+            Node::Quotient(a, b) if latex => {
+                *out += "\\frac{";
+                self.write(a, Binding::Sum, out);
+                *out += "}{";
+                self.write(b, Binding::Sum, out);
+                *out += "}";
+            }
+            Node::Quotient(a, b) => {
+                self.write(a, Binding::Product, out);
+                out.push('/');
+                self.write(b, Binding::Power, out);
+            }
+            Node::Power(a, b) => {
+                self.write(a, Binding::Atom, out);
+                *out += if latex { "^{" } else { "^" };
+                self.write(b, if latex { Binding::Sum } else { Binding::Atom }, out);
+                if latex {
+                    out.push('}');
+                }
+            }
+            Node::Call(function, a) => self.call(self.function(function), &[a], out),
+            Node::Atan2(a, b) => {
+                self.call(if latex { "\\operatorname{atan2}" } else { "atan2" }, &[a, b], out)
+            }
+            Node::Min(a, b) => self.call(if latex { "\\min" } else { "min" }, &[a, b], out),
+            Node::Max(a, b) => self.call(if latex { "\\max" } else { "max" }, &[a, b], out),
+            Node::If(g, a, b) => match self.style {
+                Style::Modelica => {
+                    *out += "(if ";
+                    self.write(g, Binding::Sum, out);
+                    *out += " > 0 then ";
+                    self.write(a, Binding::Sum, out);
+                    *out += " else ";
+                    self.write(b, Binding::Sum, out);
+                    out.push(')');
+                }
+                Style::Text => {
+                    *out += "if(";
+                    self.write(g, Binding::Sum, out);
+                    *out += " > 0, ";
+                    self.write(a, Binding::Sum, out);
+                    *out += ", ";
+                    self.write(b, Binding::Sum, out);
+                    out.push(')');
+                }
+                Style::Latex => self.call("\\operatorname{if}", &[g, a, b], out),
+            },
+        }
+    }
+
+    fn number(&self, value: f64) -> String {
+        match self.style {
+            Style::Modelica => format!("{value:?}"),
+            Style::Text => number(value),
+            Style::Latex => match number(value).split_once('e') {
+                Some((mantissa, exponent)) => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
+                None => number(value),
+            },
+        }
+    }
+
+    fn function(&self, function: Function) -> &'static str {
+        match (self.style, function) {
+            (Style::Modelica, Function::Ln) => "log",
+            (Style::Latex, Function::Sin) => "\\sin",
+            (Style::Latex, Function::Cos) => "\\cos",
+            (Style::Latex, Function::Tan) => "\\tan",
+            (Style::Latex, Function::Asin) => "\\arcsin",
+            (Style::Latex, Function::Acos) => "\\arccos",
+            (Style::Latex, Function::Sqrt) => "\\sqrt",
+            (Style::Latex, Function::Exp) => "\\exp",
+            (Style::Latex, Function::Ln) => "\\ln",
+            (Style::Latex, Function::Tanh) => "\\tanh",
+            (Style::Latex, Function::Abs) => "\\operatorname{abs}",
+            (Style::Latex, Function::Sign) => "\\operatorname{sign}",
+            _ => function.name(),
+        }
+    }
+
+    fn call(&self, name: &str, arguments: &[Id], out: &mut String) {
+        let (open, close) = match (self.style, name) {
+            (Style::Latex, "\\sqrt") => ("{", "}"),
+            (Style::Latex, _) => ("\\left(", "\\right)"),
+            _ => ("(", ")"),
+        };
+        *out += name;
+        *out += open;
+        for (index, argument) in arguments.iter().enumerate() {
+            if index > 0 {
+                *out += ", ";
+            }
+            self.write(*argument, Binding::Sum, out);
+        }
+        *out += close;
+    }
+}

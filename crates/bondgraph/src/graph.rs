@@ -1,0 +1,198 @@
+//! A bond graph whose names, ports, domains and units are known to be right.
+
+use crate::description::{Description, Text};
+use crate::domain::Domain;
+use crate::expression::{Id, Pool};
+use crate::mistake::Mistakes;
+use crate::unit::Unit;
+use crate::{check, file};
+use lanchester_model::Diagnostic;
+
+/// A bond graph, checked. Expressions are kept in a pool of its own.
+#[derive(Debug, Clone)]
+pub struct Graph {
+    /// Its name.
+    pub name: String,
+    pub(crate) pool: Pool,
+    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) elements: Vec<Element>,
+    pub(crate) bonds: Vec<Bond>,
+    pub(crate) signals: Vec<Signal>,
+    /// Duration [s], number of samples, tolerance, as the file asks for.
+    pub simulation: Asked,
+}
+
+/// What a graph file asks of its simulation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Asked {
+    /// Duration [s].
+    pub duration: f64,
+    /// Samples over it.
+    pub samples: usize,
+    /// Relative tolerance.
+    pub tolerance: f64,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Parameter {
+    pub(crate) name: String,
+    pub(crate) unit: Unit,
+    pub(crate) value: f64,
+}
+
+/// The kinds of elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+pub enum Kind {
+    /// Source of effort.
+    Se,
+    /// Source of flow.
+    Sf,
+    /// Resistor.
+    R,
+    /// Capacitor, spring, tank.
+    C,
+    /// Inertia.
+    I,
+    /// Field of stores by an energy function.
+    IC,
+    /// Transformer.
+    TF,
+    /// Gyrator.
+    GY,
+    /// Junction of one effort.
+    Zero,
+    /// Junction of one flow.
+    One,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Element {
+    pub(crate) name: String,
+    /// As written: `MTF`.
+    pub(crate) written: String,
+    pub(crate) kind: Kind,
+    pub(crate) span: std::ops::Range<usize>,
+    /// Bond of each port.
+    pub(crate) ports: Vec<usize>,
+    pub(crate) law: Law,
+}
+
+/// The law of an element in the variables of its bonds.
+#[derive(Debug, Clone)]
+pub(crate) enum Law {
+    /// Effort of Se, flow of Sf.
+    Source(Id),
+    /// Effort by flow and flow by effort; a law that is given in one form has the other not.
+    Resistor {
+        effort: Option<Id>,
+        flow: Option<Id>,
+    },
+    /// Each port of a store or field.
+    Store(Vec<StorePort>),
+    /// Ratio of TF or GY.
+    Ratio(Id),
+    /// Flows of the last ports by those of the first: rows of the matrix.
+    Matrix(Vec<Vec<Id>>),
+    Junction,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct StorePort {
+    /// Effort by displacements (and momenta), where the port has a displacement.
+    pub(crate) effort: Option<Id>,
+    /// Flow by momenta (and displacements), where the port has a momentum.
+    pub(crate) flow: Option<Id>,
+    /// The stored quantity by the port's own effort (C) or flow (I), where the law can be turned round.
+    pub(crate) inverse: Option<Id>,
+    /// Start of displacement and momentum.
+    pub(crate) start: [f64; 2],
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Bond {
+    pub(crate) from: usize,
+    pub(crate) to: usize,
+    pub(crate) domain: Domain,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Signal {
+    pub(crate) name: String,
+    pub(crate) unit: Unit,
+    /// The expression, or the integrand of a signal that is a state.
+    pub(crate) value: Id,
+    /// Start of an integral.
+    pub(crate) start: Option<f64>,
+}
+
+impl Graph {
+    /// Checks a description.
+    ///
+    /// # Errors
+    /// Every mistake at once, each with what mends it.
+    pub fn new(description: &Description) -> Result<Graph, Vec<Diagnostic>> {
+        let mut mistakes = Mistakes::default();
+        let graph = check::check(description, &mut mistakes);
+        graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(""))
+    }
+
+    /// Reads a graph file.
+    ///
+    /// # Errors
+    /// Every mistake at once, with place and hint. No text makes this panic.
+    pub fn read(text: &str) -> Result<Graph, Vec<Diagnostic>> {
+        let mut mistakes = Mistakes::default();
+        let description = file::read(text, &mut mistakes);
+        let graph = check::check(&description, &mut mistakes);
+        graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(text))
+    }
+
+    /// Names of the elements, in their order.
+    pub fn element_names(&self) -> impl Iterator<Item = &str> {
+        self.elements.iter().map(|element| element.name.as_str())
+    }
+
+    /// What a bond is called: its one-port element, or both ends.
+    pub(crate) fn bond_name(&self, bond: usize) -> String {
+        let Bond { from, to, .. } = self.bonds[bond];
+        for end in [to, from] {
+            if self.elements[end].ports.len() == 1 && !self.elements[end].is_junction() {
+                return self.elements[end].name.clone();
+            }
+        }
+        let port = |end: usize| {
+            let element = &self.elements[end];
+            if element.is_junction() {
+                element.name.clone()
+            } else {
+                let port = element.ports.iter().position(|b| *b == bond).unwrap_or(0) + 1;
+                format!("{}.{port}", element.name)
+            }
+        };
+        if !self.elements[to].is_junction() {
+            port(to)
+        } else if !self.elements[from].is_junction() {
+            port(from)
+        } else {
+            format!("{} > {}", port(from), port(to))
+        }
+    }
+
+    /// The span of an element, for diagnostics.
+    pub(crate) fn place(&self, element: usize) -> Text {
+        Text { text: self.elements[element].name.clone(), span: self.elements[element].span.clone() }
+    }
+}
+
+impl Element {
+    pub(crate) fn is_junction(&self) -> bool {
+        matches!(self.kind, Kind::Zero | Kind::One)
+    }
+}
+
+impl Bond {
+    /// +1 where the half arrow points into the element, else -1.
+    pub(crate) fn sign_into(&self, element: usize) -> f64 {
+        if self.to == element { 1.0 } else { -1.0 }
+    }
+}

@@ -1,0 +1,50 @@
+//! Bond graphs: elements, causality, equations, simulation, audit.
+//!
+//! A [`Description`] says what a graph is made of, by a file ([`Graph::read`]) or by calls; [`Graph::new`] checks names, ports,
+//! domains and units; [`causality`] assigns causality step by step; [`equations`] gives the state equations as expressions, which
+//! are shown, made linear, or compiled and integrated.
+//!
+//! ```
+//! use lanchester_bondgraph::{Description, Graph, equations};
+//! let graph = Graph::new(
+//!     &Description::new("oscillator")
+//!         .element("car", "1", &[("domain", "translation")])
+//!         .element("mass", "I", &[("inertia", "2 kg"), ("flow", "1 m/s")])
+//!         .element("spring", "C", &[("stiffness", "8 N/m")])
+//!         .bonds(&["car > mass", "car > spring"]),
+//! ).expect("a good graph");
+//! let equations = equations(&graph).expect("no conflict");
+//! let poles = equations.linear().expect("linear").poles;
+//! assert!((poles[0].frequency - 2.0).abs() < 1e-12);
+//! ```
+#![forbid(unsafe_code)]
+
+mod audit;
+mod causality;
+mod check;
+mod compiled;
+mod description;
+mod domain;
+mod equations;
+mod expression;
+mod file;
+mod graph;
+mod linear;
+mod mistake;
+mod shown;
+mod simulate;
+mod tape;
+mod unit;
+
+pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
+pub use causality::{Causality, Follower, Preference, Step, causality};
+pub use description::{Description, Entry, Text};
+pub use domain::Domain;
+pub use equations::{Equations, equations};
+pub use file::is_graph_file;
+pub use graph::{Asked, Graph, Kind};
+pub use linear::{Linear, NotLinear, Pole, Transfer};
+pub use mistake::diagnostic_codes;
+pub use shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
+pub use simulate::{Event, Method, Series, Simulation, SimulationRequest};
+pub use unit::Unit;

@@ -1,0 +1,310 @@
+//! Simulation: the equations integrated, events located, energy through every bond audited.
+
+use crate::audit::{Audit, audit};
+use crate::compiled::Compiled;
+use crate::equations::Equations;
+use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
+use serde::Serialize;
+use std::ops::ControlFlow;
+
+/// More events than these at places that cannot be told apart mean that a condition switches to and fro.
+const CHATTER: u32 = 200;
+
+/// How a simulation is run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SimulationRequest {
+    /// Duration [s].
+    pub duration: f64,
+    /// Samples over it, beside the start.
+    pub samples: usize,
+    /// Relative tolerance of every step.
+    pub tolerance: f64,
+    /// Whether the energy through every bond is integrated beside the states.
+    pub audit: bool,
+    /// The method; chosen by measured stiffness where absent.
+    pub method: Option<Method>,
+    /// Largest number of evaluations.
+    pub most_evaluations: u64,
+}
+
+/// A method of integration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// DOP853, order 8.
+    Explicit,
+    /// Radau IIA, order 5.
+    Implicit,
+}
+
+/// A simulation: what was computed, what happened, what it cost.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Simulation {
+    /// Version of this structure.
+    pub version: u32,
+    /// Name of the graph.
+    pub graph: String,
+    /// Whether the whole duration was covered; otherwise the samples so far are good.
+    pub complete: bool,
+    /// Why it ended, in words.
+    pub ended: String,
+    /// Methods that ran, in their order.
+    pub methods: Vec<Method>,
+    /// Time at which stiffness made the method implicit [s].
+    pub stiff_from: Option<f64>,
+    /// Relative tolerance.
+    pub tolerance: f64,
+    /// Times of the samples [s].
+    pub time: Vec<f64>,
+    /// States, then effort, flow and power of every bond, then signals, at the samples.
+    pub series: Vec<Series>,
+    /// Switches of conditions.
+    pub events: Vec<Event>,
+    /// Energy through every bond.
+    pub audit: Option<Audit>,
+    /// Cost, of all methods together.
+    pub statistics: Statistics,
+    /// Operations of one evaluation.
+    pub operations: usize,
+}
+
+/// One quantity over time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Series {
+    /// Its name: `crank.momentum`.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// Its values.
+    pub values: Vec<f64>,
+}
+
+/// A condition that switched.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Event {
+    /// When [s].
+    pub time: f64,
+    /// Which condition, by its place among those of the graph.
+    pub condition: usize,
+    /// Whether it became true.
+    pub on: bool,
+}
+
+/// What one pass gives.
+struct Pass {
+    samples: Vec<(f64, Vec<f64>)>,
+    variables: Vec<Vec<f64>>,
+    largest: Vec<f64>,
+    end: (f64, Vec<f64>),
+    ended: String,
+    complete: bool,
+    methods: Vec<Method>,
+    stiff_from: Option<f64>,
+    events: Vec<Event>,
+    statistics: Statistics,
+}
+
+impl Equations {
+    /// What the graph's file asks for.
+    pub fn request(&self) -> SimulationRequest {
+        let asked = self.graph.simulation;
+        SimulationRequest {
+            duration: asked.duration,
+            samples: asked.samples,
+            tolerance: asked.tolerance,
+            audit: false,
+            method: None,
+            most_evaluations: 10_000_000,
+        }
+    }
+
+    /// Simulates. Every way in which a run can end is said in the result.
+    pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
+        let mut compiled = Compiled::new(self, request.audit);
+        let dimension = self.states.len() + if request.audit { self.graph.bonds.len() } else { 0 };
+        // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that.
+        let rough = SimulationRequest { tolerance: 1e-5f64.max(request.tolerance), samples: 1, ..*request };
+        let sizes = self.pass(&mut compiled, &rough, &vec![1e-12; dimension]).largest;
+        let absolute: Vec<f64> =
+            sizes.iter().map(|size| (0.01 * request.tolerance * size).max(1e-200)).collect();
+        let pass = self.pass(&mut compiled, request, &absolute);
+        let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
+        let series = self.series(&pass);
+        let audit = request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.end.1));
+        Simulation {
+            version: 1,
+            graph: self.graph.name.clone(),
+            complete: pass.complete,
+            ended: pass.ended,
+            methods: pass.methods,
+            stiff_from: pass.stiff_from,
+            tolerance: request.tolerance,
+            time,
+            series,
+            events: pass.events,
+            audit,
+            statistics: pass.statistics,
+            operations: compiled.operations(),
+        }
+    }
+
+    fn series(&self, pass: &Pass) -> Vec<Series> {
+        let bonds = self.graph.bonds.len();
+        let mut series = Vec::new();
+        for (index, state) in self.states.iter().enumerate() {
+            series.push(Series {
+                name: state.symbol.clone(),
+                unit: state.unit_name.clone(),
+                values: pass.samples.iter().map(|(_, y)| y[index]).collect(),
+            });
+        }
+        for bond in 0..bonds {
+            let units = self.graph.bonds[bond].domain.unit_names();
+            let name = self.graph.bond_name(bond);
+            let of = |value: &dyn Fn(&[f64]) -> f64| pass.variables.iter().map(|v| value(v)).collect();
+            series.push(Series {
+                name: format!("{name}.effort"),
+                unit: units[0].into(),
+                values: of(&|v| v[bond]),
+            });
+            series.push(Series {
+                name: format!("{name}.flow"),
+                unit: units[1].into(),
+                values: of(&|v| v[bonds + bond]),
+            });
+            let is_true = self.graph.bonds[bond].domain.is_true_bond();
+            series.push(Series {
+                name: format!("{name}.power"),
+                unit: "W".into(),
+                values: of(&|v| if is_true { v[bond] * v[bonds + bond] } else { v[bonds + bond] }),
+            });
+        }
+        for (index, signal) in self.graph.signals.iter().enumerate() {
+            if signal.start.is_none() {
+                series.push(Series {
+                    name: signal.name.clone(),
+                    unit: signal.unit.to_string(),
+                    values: pass.variables.iter().map(|v| v[2 * bonds + index]).collect(),
+                });
+            }
+        }
+        series
+    }
+
+    /// One integration over the whole duration.
+    fn pass(&self, compiled: &mut Compiled, request: &SimulationRequest, absolute: &[f64]) -> Pass {
+        let signals = self.graph.signals.len();
+        let mut y: Vec<f64> = self.states.iter().map(|state| state.start).collect();
+        y.resize(absolute.len(), 0.0);
+        let mut t = 0.0;
+        compiled.settle(t, &y);
+        let places: Vec<f64> =
+            (1..=request.samples).map(|k| request.duration * k as f64 / request.samples as f64).collect();
+        let mut settings = Settings::uniform(y.len(), request.tolerance);
+        settings.absolute = absolute.to_vec();
+        settings.most_evaluations = request.most_evaluations;
+        settings.stiffness_test = request.method.is_none();
+        let mut explicit = Dop853::new(settings.clone());
+        settings.stops = places.clone();
+        let mut implicit = Radau5::new(settings);
+        let first = request.method.unwrap_or(Method::Explicit);
+        let mut pass = Pass {
+            samples: vec![(0.0, y.clone())],
+            variables: vec![compiled.variables(t, &y, signals)],
+            largest: y.iter().map(|y| y.abs()).collect(),
+            end: (0.0, y.clone()),
+            ended: String::new(),
+            complete: false,
+            methods: vec![first],
+            stiff_from: None,
+            events: Vec::new(),
+            statistics: Statistics::default(),
+        };
+        let (mut next, mut at_once) = (0, 0);
+        loop {
+            let samples = &mut pass.samples;
+            let largest = &mut pass.largest;
+            let before = samples.len();
+            let observe = |step: &Step| {
+                for (most, value) in largest.iter_mut().zip(step.end) {
+                    *most = most.max(value.abs());
+                }
+                while next < places.len() && places[next] <= step.to {
+                    let mut state = vec![0.0; step.end.len()];
+                    step.at(places[next], &mut state);
+                    samples.push((places[next], state));
+                    next += 1;
+                }
+                ControlFlow::Continue(())
+            };
+            let is_explicit = pass.methods.last() == Some(&Method::Explicit);
+            let last_time = t;
+            let outcome = if is_explicit {
+                explicit.run(compiled, &mut t, &mut y, request.duration, observe)
+            } else {
+                implicit.run(compiled, &mut t, &mut y, request.duration, observe)
+            };
+            for (place, state) in &pass.samples[before..] {
+                pass.variables.push(compiled.variables(*place, state, signals));
+            }
+            match outcome {
+                Outcome::Event { index, rising } => {
+                    compiled.on[index] = rising;
+                    pass.events.push(Event { time: t, condition: index, on: rising });
+                    at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
+                    if at_once > CHATTER {
+                        pass.ended = format!(
+                            "a condition switches to and fro at {t} s: give it a small width, for example tanh(x/width) instead of sign(x)"
+                        );
+                        break;
+                    }
+                }
+                Outcome::Stiff { .. } => {
+                    pass.stiff_from = Some(t);
+                    pass.methods.push(Method::Implicit);
+                }
+                Outcome::Reached => {
+                    pass.complete = true;
+                    pass.ended = "the whole duration".into();
+                    break;
+                }
+                other => {
+                    pass.ended = self.in_words(other, t, &y);
+                    break;
+                }
+            }
+        }
+        let (a, b) = (explicit.statistics(), implicit.statistics());
+        pass.statistics = Statistics {
+            steps: a.steps + b.steps,
+            rejected: a.rejected + b.rejected,
+            evaluations: a.evaluations + b.evaluations,
+            jacobians: b.jacobians,
+            factorisations: b.factorisations,
+            iterations: b.iterations,
+            events: a.events + b.events,
+        };
+        pass.end = (t, y);
+        pass
+    }
+
+    fn in_words(&self, outcome: Outcome, t: f64, y: &[f64]) -> String {
+        let state = |index: usize| match self.states.get(index) {
+            Some(state) => format!("{} (last {:.6e} {})", state.symbol, y[index], state.unit_name),
+            None => "an energy".to_owned(),
+        };
+        match outcome {
+            Outcome::TooManyEvaluations { limit } => {
+                format!("{limit} evaluations were not enough: at {t} s")
+            }
+            Outcome::NotFinite { component } => {
+                format!("the rate of {} is no finite number behind {t} s", state(component))
+            }
+            Outcome::StepTooSmall { .. } => {
+                format!("no step is short enough at {t} s: a quantity jumps or grows without bound")
+            }
+            Outcome::Singular => format!("Newton's matrix is singular at {t} s"),
+            other => format!("{other:?} at {t} s"),
+        }
+    }
+}

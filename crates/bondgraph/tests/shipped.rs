@@ -1,0 +1,266 @@
+//! The graphs in `examples/bond-graphs` against their exact answers.
+
+use lanchester_bondgraph::{Equations, Graph, Method, Notation, Simulation, equations};
+use nalgebra::{DMatrix, DVector};
+
+fn shipped(text: &str) -> Equations {
+    let graph = Graph::read(text).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    equations(&graph).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"))
+}
+
+macro_rules! graph {
+    ($name:literal) => {
+        shipped(include_str!(concat!("../../../examples/bond-graphs/", $name, ".toml")))
+    };
+}
+
+fn series<'a>(run: &'a Simulation, name: &str) -> &'a [f64] {
+    &run.series.iter().find(|series| series.name == name).unwrap_or_else(|| panic!("no {name}")).values
+}
+
+fn matrix(rows: &[Vec<f64>]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), rows.first().map_or(0, Vec::len), |i, j| rows[i][j])
+}
+
+/// Largest difference of a linear graph's states from the matrix exponential, against the largest of each state.
+fn off_the_exponential(equations: &Equations, a: &DMatrix<f64>, constant: &DVector<f64>) -> f64 {
+    let request = equations.request();
+    let run = equations.simulate(&request);
+    assert!(run.complete, "{}", run.ended);
+    let n = a.nrows();
+    // The constant is a state of its own: x' = A x + b 1.
+    let mut whole = DMatrix::zeros(n + 1, n + 1);
+    whole.view_mut((0, 0), (n, n)).copy_from(a);
+    whole.view_mut((0, n), (n, 1)).copy_from(constant);
+    let step = (whole * (request.duration / request.samples as f64)).exp();
+    let mut exact = DVector::zeros(n + 1);
+    exact[n] = 1.0;
+    let (mut worst, mut largest) = (vec![0.0f64; n], vec![0.0f64; n]);
+    for sample in 1..run.time.len() {
+        exact = &step * exact;
+        for state in 0..n {
+            worst[state] = worst[state].max((run.series[state].values[sample] - exact[state]).abs());
+            largest[state] = largest[state].max(exact[state].abs());
+        }
+    }
+    (0..n).map(|state| worst[state] / largest[state]).fold(0.0, f64::max)
+}
+
+#[test]
+fn mass_spring_damper_is_the_textbook() {
+    let equations = graph!("mass-spring-damper");
+    let shown = equations.shown(Notation::Text);
+    let rates: Vec<String> =
+        shown.rates.iter().map(|rate| format!("{} = {}", rate.left, rate.right)).collect();
+    assert_eq!(
+        rates,
+        [
+            "d(mass.momentum)/dt = F - k*spring.displacement - c*mass.momentum/m",
+            "d(spring.displacement)/dt = mass.momentum/m",
+        ]
+    );
+    let linear = equations.linear().expect("linear");
+    assert_eq!(linear.a, [[-3.0 / 1.2, -250.0], [1.0 / 1.2, 0.0]]);
+    let frequency = (250f64 / 1.2).sqrt();
+    assert!((linear.poles[0].frequency - frequency).abs() < 1e-12 * frequency);
+    assert!((linear.poles[0].damping - 3.0 / (2.0 * (250f64 * 1.2).sqrt())).abs() < 1e-14);
+    // Force to spring force: k/(m s^2 + c s + k).
+    let transfer = linear.transfer.iter().find(|t| t.output == "spring.effort").expect("there");
+    let m = 1.2;
+    for (got, want) in transfer.denominator.iter().zip([250.0 / m, 3.0 / m, 1.0]) {
+        assert!((got - want).abs() < 1e-12 * want, "{transfer:?}");
+    }
+    assert!((transfer.numerator[0] - 250.0 / m).abs() < 1e-10, "{transfer:?}");
+    let off = off_the_exponential(&equations, &matrix(&linear.a), &DVector::from_vec(vec![10.0, 0.0]));
+    assert!(off < 1e-10, "{off:e}");
+}
+
+#[test]
+fn dc_motor_is_the_textbook() {
+    let equations = graph!("dc-motor");
+    let linear = equations.linear().expect("linear");
+    let (l, r, k, j, b) = (2e-3, 0.5, 0.08, 3e-4, 2e-4);
+    let a = DMatrix::from_row_slice(2, 2, &[-r / l, -k / j, k / l, -b / j]);
+    assert!((matrix(&linear.a) - &a).norm() < 1e-12 * a.norm());
+    let off = off_the_exponential(&equations, &a, &DVector::from_vec(vec![24.0, -0.3]));
+    assert!(off < 1e-10, "{off:e}");
+}
+
+#[test]
+fn two_tanks_are_the_textbook() {
+    let equations = graph!("two-tanks");
+    let (c1, c2, r) = (0.05 / 9810.0, 0.08 / 9810.0, 1.2e7);
+    let a =
+        DMatrix::from_row_slice(2, 2, &[-1.0 / (r * c1), 1.0 / (r * c2), 1.0 / (r * c1), -2.0 / (r * c2)]);
+    let linear = equations.linear().expect("linear");
+    assert!((matrix(&linear.a) - &a).norm() < 1e-12 * a.norm());
+    let off = off_the_exponential(&equations, &a, &DVector::from_vec(vec![4e-4, 0.0]));
+    assert!(off < 1e-10, "{off:e}");
+}
+
+#[test]
+fn torsion_chain_against_the_exact_forced_motion() {
+    let equations = graph!("torsion-chain");
+    let (j, k, d) = ([0.05, 0.02, 0.2], [2e5, 3e5], 2.0);
+    // States: momenta 1, twist 1, momentum 2, twist 2, momentum 3; sine and cosine of the torque as two more.
+    let mut a = DMatrix::zeros(7, 7);
+    for (shaft, (left, right)) in [(0, 2), (2, 4)].into_iter().enumerate() {
+        let twist = left + 1;
+        a[(twist, left)] = 1.0 / j[shaft];
+        a[(twist, right)] = -1.0 / j[shaft + 1];
+        for (row, sign) in [(left, -1.0), (right, 1.0)] {
+            a[(row, twist)] += sign * k[shaft];
+            a[(row, left)] += sign * d / j[shaft];
+            a[(row, right)] -= sign * d / j[shaft + 1];
+        }
+    }
+    a[(0, 5)] = 100.0;
+    a[(5, 6)] = 300.0;
+    a[(6, 5)] = -300.0;
+    let run = equations.simulate(&equations.request());
+    assert!(run.complete, "{}", run.ended);
+    let names =
+        ["disc1.momentum", "shaft1.displacement", "disc2.momentum", "shaft2.displacement", "disc3.momentum"];
+    let mut exact = DVector::zeros(7);
+    exact[6] = 1.0;
+    let step = (a * (0.1 / 200.0)).exp();
+    let (mut worst, mut largest) = ([0.0f64; 5], [0.0f64; 5]);
+    for sample in 1..run.time.len() {
+        exact = &step * exact;
+        for (state, name) in names.iter().enumerate() {
+            worst[state] = worst[state].max((series(&run, name)[sample] - exact[state]).abs());
+            largest[state] = largest[state].max(exact[state].abs());
+        }
+    }
+    for state in 0..5 {
+        assert!(
+            worst[state] < 1e-10 * largest[state],
+            "{}: {:e}",
+            names[state],
+            worst[state] / largest[state]
+        );
+    }
+}
+
+fn rk4(y: &mut [f64], h: f64, f: impl Fn(&[f64]) -> Vec<f64>) {
+    let shifted = |k: &[f64], s: f64| y.iter().zip(k).map(|(y, k)| y + s * k).collect::<Vec<f64>>();
+    let k1 = f(y);
+    let k2 = f(&shifted(&k1, 0.5 * h));
+    let k3 = f(&shifted(&k2, 0.5 * h));
+    let k4 = f(&shifted(&k3, h));
+    for i in 0..y.len() {
+        y[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
+    }
+}
+
+const R: f64 = 0.04775;
+const L: f64 = 0.144;
+const M: f64 = 0.98496667;
+
+fn ratio(theta: f64) -> f64 {
+    let (s, c) = theta.sin_cos();
+    -R * s - R * R * s * c / (L * L - R * R * s * s).sqrt()
+}
+
+/// Slope of the ratio by hand.
+fn ratio_slope(theta: f64) -> f64 {
+    let (s, c) = theta.sin_cos();
+    let root = (L * L - R * R * s * s).sqrt();
+    -R * c - R * R * (c * c - s * s) / root - R.powi(4) * s * s * c * c / root.powi(3)
+}
+
+#[test]
+fn slider_crank_piston_follows_and_the_energy_balance_is_exact() {
+    let equations = graph!("slider-crank");
+    let follower = &equations.causality.followers[0];
+    assert_eq!(follower.element, "piston");
+    assert_eq!(follower.path, ["crank", "shaft", "slider", "guide", "piston"]);
+    let shown = equations.shown(Notation::Text);
+    assert!(shown.mass.is_some(), "M x' = f is printed");
+    let mut request = equations.request();
+    request.audit = true;
+    let run = equations.simulate(&request);
+    assert!(run.complete, "{}", run.ended);
+    // Lagrange by hand: (J + m s'^2) w' = T - c w - m s' s'' w^2.
+    let mut y = [0.3, 100.0];
+    let (samples, parts) = (request.samples, 40);
+    let h = request.duration / (samples * parts) as f64;
+    let mut worst = 0.0f64;
+    for sample in 1..=samples {
+        for _ in 0..parts {
+            rk4(&mut y, h, |y| {
+                let (s1, s2) = (ratio(y[0]), ratio_slope(y[0]));
+                let torque = 5.0 - 0.02 * y[1] - M * s1 * s2 * y[1] * y[1];
+                vec![y[1], torque / (0.05 + M * s1 * s1)]
+            });
+        }
+        worst = worst.max((series(&run, "crank.flow")[sample] - y[1]).abs());
+    }
+    // Runge's method of order 4 with steps of 5e-5 s is good to some 1e-9 of the speed here.
+    assert!(worst < 1e-7, "{worst:e} rad/s");
+    let audit = run.audit.as_ref().expect("asked for");
+    assert!(audit.whole < 1e-9, "{:e}", audit.whole);
+    for residual in &audit.residuals {
+        assert!(residual.error < 1e-12, "{residual:?}");
+    }
+    let kinetic = |i: usize| {
+        let (w, v) = (series(&run, "crank.flow")[i], series(&run, "piston.flow")[i]);
+        0.5 * (0.05 * w * w + M * v * v)
+    };
+    let taken = |name: &str| audit.elements.iter().find(|e| e.element == name).expect("there").taken;
+    let gained = kinetic(samples) - kinetic(0);
+    let work = -taken("motor") - taken("rub");
+    assert!((gained - work).abs() < 1e-9 * audit.throughput, "{gained} {work}");
+}
+
+#[test]
+fn elastic_rod_agrees_with_the_ideal_one_as_it_stiffens_and_both_methods_agree() {
+    let equations = graph!("slider-crank-elastic");
+    assert!(equations.causality.followers.is_empty(), "the piston is free");
+    let mut request = equations.request();
+    request.method = Some(Method::Explicit);
+    let explicit = equations.simulate(&request);
+    request.method = Some(Method::Implicit);
+    let implicit = equations.simulate(&request);
+    assert!(explicit.complete && implicit.complete, "{} {}", explicit.ended, implicit.ended);
+    let mut worst = 0.0f64;
+    for (a, b) in series(&explicit, "crank.flow").iter().zip(series(&implicit, "crank.flow")) {
+        worst = worst.max((a - b).abs());
+    }
+    assert!(worst < 1e-6, "explicit and implicit differ by {worst:e} rad/s");
+    let mut ideal = graph!("slider-crank").request();
+    ideal.duration = 0.2;
+    ideal.samples = 400;
+    let ideal = graph!("slider-crank").simulate(&ideal);
+    let off = series(&explicit, "crank.flow")
+        .iter()
+        .zip(series(&ideal, "crank.flow"))
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
+    assert!(off < 0.05, "{off} rad/s off the ideal rod");
+    assert!(off > 1e-9, "the rod is elastic");
+}
+
+#[test]
+fn turbulent_tanks_against_a_fine_independent_integration() {
+    let equations = graph!("two-tanks-turbulent");
+    let run = equations.simulate(&equations.request());
+    assert!(run.complete, "{}", run.ended);
+    let (c1, c2) = (0.05 / 9810.0, 0.08 / 9810.0);
+    let pipe = |e: f64| 3.5e-6 * e.signum() * e.abs().sqrt();
+    let mut y = [9000.0 * c1, 0.0];
+    let (samples, parts) = (run.time.len() - 1, 2000);
+    let h = 600.0 / (samples * parts) as f64;
+    let mut worst = 0.0f64;
+    for sample in 1..=samples {
+        for _ in 0..parts {
+            rk4(&mut y, h, |y| {
+                let (p1, p2) = (y[0] / c1, y[1] / c2);
+                vec![4e-4 - pipe(p1 - p2), pipe(p1 - p2) - pipe(p2)]
+            });
+        }
+        worst = worst.max((series(&run, "tank1.effort")[sample] - y[0] / c1).abs());
+        worst = worst.max((series(&run, "tank2.effort")[sample] - y[1] / c2).abs());
+    }
+    assert!(worst < 0.05, "{worst} Pa");
+}

@@ -1,0 +1,7 @@
+//! All tests of the crate.
+
+mod balance;
+mod ideal;
+mod support;
+mod trace;
+mod zone;

@@ -1,0 +1,116 @@
+//! What fits on the webs bounds the free weights, and every weight of the optimum can be built.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use lanchester::balance::{Answer, BalanceSettings, Next, Outcome, fitted};
+use lanchester::geometry::DesignOutcome;
+use lanchester::model::{
+    BalanceTask, CrankWeightPlaces, Engine, TaskOptions, default_task, read, write_back,
+};
+use lanchester::{
+    CounterweightRequest, WebBoundError, check_counterweights, design_counterweights, optimise_on_webs,
+    with_counterweights,
+};
+
+const EXAMPLE: &str = include_str!("../../../../examples/in-line-3-counterweights.toml");
+
+fn engine(text: &str) -> Engine {
+    let read = read(text);
+    read.engine.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+}
+
+fn on_webs(engine: &Engine, task: &BalanceTask) -> Result<Answer, WebBoundError> {
+    optimise_on_webs(engine, Ok(&[]), task, &BalanceSettings::default(), &|_| Next::Continue)
+}
+
+fn every_web(engine: &Engine, most: Option<&str>) -> BalanceTask {
+    let options = TaskOptions {
+        counterweights: Some(CrankWeightPlaces::Webs),
+        most: most.map(str::to_owned),
+        ..TaskOptions::default()
+    };
+    options.change(engine, default_task(engine)).unwrap().task
+}
+
+/// Balances, writes the answer into the file, designs the weights that the file now asks for, and checks the engine with them.
+fn is_built(text: &str, task: impl Fn(&Engine) -> BalanceTask) -> Answer {
+    let before = engine(text);
+    let answer = on_webs(&before, &task(&before)).unwrap();
+    assert_eq!(answer.outcome, Outcome::Optimal);
+    for bound in &answer.web_bounds {
+        let found = answer.weights.iter().find(|weight| weight.name == bound.name).unwrap();
+        assert!(found.unbalance.norm() <= bound.bound * (1.0 + 1e-6), "{bound:?} {found:?}");
+    }
+    let written = write_back(text, &fitted(&before, &answer)).unwrap();
+    let after = engine(&written);
+    let shapes = after.shape_task.unwrap();
+    let heavy = after.counterweights.iter().filter(|weight| weight.unbalance > 1e-6);
+    let weights: Vec<String> = heavy.map(|weight| weight.name.clone()).collect();
+    assert!(!weights.is_empty());
+    let request = CounterweightRequest { weights, unbalance: None, task: shapes, evolution: None };
+    let designs = design_counterweights(&after, &request).unwrap();
+    let mut found = Vec::new();
+    for weight in &designs.weights {
+        let DesignOutcome::Found(best) = &weight.outcome else {
+            panic!("{} cannot have {} kg m: {:?}", weight.name, weight.duty, weight.outcome)
+        };
+        assert!(best.design.balance > 1.0 - 1e-6, "{best:?}");
+        found.push((weight.index, best.design));
+    }
+    let parts = with_counterweights(&after, &found, shapes.density).unwrap();
+    let checked = check_counterweights(&parts).unwrap();
+    let own = checked.counterweights.iter().filter(|weight| request.weights.contains(&weight.name));
+    assert!(own.clone().all(|weight| weight.is_met), "{:?}", own.collect::<Vec<_>>());
+    assert!(checked.clearances.as_ref().unwrap().is_kept, "{:?}", checked.clearances.unwrap().smallest);
+    answer
+}
+
+#[test]
+fn what_balance_asks_for_can_be_built() {
+    let answer = is_built(EXAMPLE, |engine| every_web(engine, Some("what fits")));
+    assert_eq!(answer.web_bounds.len(), 6);
+    // Without bounds the optimum asks for more than fits on some web.
+    let before = engine(EXAMPLE);
+    let free = lanchester::balance::optimise(&before, &every_web(&before, None)).unwrap();
+    let exceeds = |bound: &lanchester::balance::WebBound| {
+        let found = free.weights.iter().find(|weight| weight.name == bound.name).unwrap();
+        found.unbalance.norm() > bound.bound
+    };
+    assert!(answer.web_bounds.iter().any(exceeds), "{:?}", answer.web_bounds);
+    let close = EXAMPLE.replace("crankcase_radius = \"100 mm\"", "crankcase_radius = \"92.9 mm\"");
+    // As near as the pin's end of the web allows.
+    let tight = is_built(&close, |engine| every_web(engine, None));
+    for (tight, wide) in tight.web_bounds.iter().zip(&answer.web_bounds) {
+        assert!(tight.bound < 0.99 * wide.bound, "{tight:?} {wide:?}");
+        assert_eq!(tight.by, "clearance from crankcase");
+    }
+}
+
+/// With a body and shapes in the file it is the default; an amount in its place counts.
+#[test]
+fn it_is_the_default_where_shapes_are_known() {
+    let before = engine(EXAMPLE);
+    let asked = on_webs(&before, &every_web(&before, Some("what fits"))).unwrap();
+    let usual = on_webs(&before, &every_web(&before, None)).unwrap();
+    assert_eq!(asked.web_bounds, usual.web_bounds);
+    assert_eq!(asked.weights, usual.weights);
+    let given = on_webs(&before, &every_web(&before, Some("10 kg mm"))).unwrap();
+    assert!(given.web_bounds.is_empty());
+    assert!(given.weights.iter().all(|weight| weight.unbalance.norm() < 10.001e-3));
+}
+
+#[test]
+fn the_file_says_it_and_what_is_missing_is_told() {
+    let asks = "\n[balance]\n[[balance.counterweight]]\nwebs = \"all\"\nmost = \"what fits\"\n";
+    let before = engine(&format!("{EXAMPLE}{asks}"));
+    let task = before.balance.clone().unwrap();
+    assert!(task.weights.iter().all(|weight| weight.fits && weight.most.is_none()));
+    assert_eq!(on_webs(&before, &task).unwrap().web_bounds.len(), 6);
+    let start = EXAMPLE.find("# Among these shapes").unwrap();
+    let end = EXAMPLE.find("# What the turning").unwrap();
+    let bare = engine(&format!("{}{}{asks}", &EXAMPLE[..start], &EXAMPLE[end..]));
+    let error = on_webs(&bare, bare.balance.as_ref().unwrap()).unwrap_err().to_string();
+    assert!(error.contains("[counterweight_design]") && error.contains("hint:"), "{error}");
+    let wrong = format!("{EXAMPLE}{}", asks.replace("what fits", "what fit"));
+    assert!(read(&wrong).engine.is_none());
+}

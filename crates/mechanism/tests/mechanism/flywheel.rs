@@ -1,0 +1,192 @@
+//! Inertia of the train against bodies placed by plane geometry, speed ripple against a step-by-step integration, textbook flywheels.
+
+use crate::support;
+use crate::support::pressure::{diesel_like, fired};
+use crate::support::random::{ALL_SHAPES, any_engine};
+use crate::support::{assert_close, brute, in_line};
+use lanchester_mechanism::*;
+use lanchester_model::*;
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    /// 1/2 J w^2 is the kinetic energy of all bodies, but for a constant: what turns about its own axis.
+    #[test]
+    fn prop_the_inertia_is_that_of_the_kinetic_energy(engine in any_engine(ALL_SHAPES)) {
+        let theta: Vec<f64> = support::odd_angles(9).collect();
+        let inertia = train_inertia(&engine, TurningInertia::default(), &theta).unwrap();
+        let brute: Vec<f64> = theta.iter().map(|theta| 2.0 * brute::energy(&engine, *theta, 1.0)).collect();
+        let largest = inertia.extremes.max.value;
+        for j in 1..theta.len() {
+            let got = inertia.total[j] - inertia.total[0];
+            // Rates of the bodies by central differences.
+            prop_assert!((got - (brute[j] - brute[0])).abs() < 1e-6 * largest, "{got} {}", brute[j] - brute[0]);
+        }
+    }
+}
+
+/// Fired in-line engine with its gas.
+fn fired_in_line(angles: &[f64]) -> (Engine, Vec<CylinderGas>) {
+    let mut engine = fired(in_line(angles), 0.08, Strokes::Four);
+    let count = angles.len();
+    for (k, cylinder) in engine.cylinders.iter_mut().enumerate() {
+        cylinder.bore = Some(0.08);
+        cylinder.firing_angle = Some(2.0 * TAU * k as f64 / count as f64);
+    }
+    let gas = vec![diesel_like(&engine, 2.5); count];
+    (engine, gas)
+}
+
+/// A speed that repeats.
+fn periodic(engine: &Engine, gas: Option<&[CylinderGas]>, speed: f64, given: TurningInertia) -> SpeedRipple {
+    match speed_ripple(engine, gas, speed, KnownInertia::of(given)).expect("a valid engine") {
+        RippleOutcome::Periodic(ripple) => *ripple,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn an_inertia_that_is_not_known_is_an_outcome_with_its_key() {
+    let (engine, gas) = fired_in_line(&[0.0, 0.0]);
+    for (flywheel, crankshaft, keys) in [
+        (None, None, vec!["flywheel.inertia".to_owned(), "flywheel.crankshaft_inertia".to_owned()]),
+        (None, Some(0.1), vec!["flywheel.inertia".to_owned()]),
+        (Some(0.1), None, vec!["flywheel.crankshaft_inertia".to_owned()]),
+    ] {
+        let known = KnownInertia { flywheel, crankshaft };
+        let found = speed_ripple(&engine, Some(&gas), 90.0, known).unwrap();
+        let RippleOutcome::IncompleteInertia(incomplete) = &found else { panic!("{found:?}") };
+        assert_eq!((&incomplete.keys, incomplete.mean_speed), (&keys, 90.0));
+        assert!(found.periodic().is_none() && found.trouble().unwrap()[1].contains("[flywheel]"));
+    }
+}
+
+#[test]
+fn an_engine_that_stops_is_an_outcome_with_the_flywheel_that_keeps_it_turning() {
+    let (engine, gas) = fired_in_line(&[0.0]);
+    let (speed, light) = (60.0, TurningInertia { flywheel: 1e-4, crankshaft: 1e-4 });
+    let found = speed_ripple(&engine, Some(&gas), speed, KnownInertia::of(light)).unwrap();
+    let RippleOutcome::Stops(stopped) = &found else { panic!("{found:?}") };
+    assert_eq!(stopped.key, "flywheel.inertia");
+    let flywheel = stopped.flywheel.unwrap();
+    // Just above it turns, with the lowest speed at the limit; just below it stops.
+    let turning =
+        periodic(&engine, Some(&gas), speed, TurningInertia { flywheel: flywheel * 1.0001, ..light });
+    let lowest = turning.speed.iter().copied().fold(f64::INFINITY, f64::min) / speed;
+    assert!((STOPPED..1.01 * STOPPED).contains(&lowest), "{lowest}");
+    let less = KnownInertia { flywheel: Some(flywheel * 0.999), crankshaft: Some(light.crankshaft) };
+    assert!(matches!(speed_ripple(&engine, Some(&gas), speed, less).unwrap(), RippleOutcome::Stops(_)));
+    // There the quadrature still is exact: the time of a period by integrating theta'' = T/J step by step.
+    let train = GasTrain::new(&engine, &gas, Lever::Exact).unwrap();
+    let given = TurningInertia { flywheel: flywheel * 1.0001, ..light };
+    let inertia = |theta: f64| train_inertia(&engine, given, &[theta]).unwrap().mean;
+    let state = |theta: f64| -> f64 {
+        let steps = 20_000;
+        let h = theta / f64::from(steps);
+        let work = |t: f64| train.torque(t) - turning.load;
+        (0..steps).map(|k| h * work(h * (f64::from(k) + 0.5))).sum()
+    };
+    let theta = turning.theta[400];
+    let energy =
+        0.5 * inertia(theta) * turning.speed[400].powi(2) - 0.5 * inertia(0.0) * turning.speed[0].powi(2);
+    assert_close("energy", energy, state(theta), 0.0, 1e-5, "midpoint rule");
+}
+
+#[test]
+fn without_gas_the_inertia_of_the_pistons_makes_the_speed_swing() {
+    let (engine, _) = fired_in_line(&[0.0]);
+    let given = TurningInertia { flywheel: 0.002, crankshaft: 0.001 };
+    let ripple = periodic(&engine, None, 200.0, given);
+    assert!(ripple.fluctuation > 0.01 && ripple.load == 0.0, "{}", ripple.fluctuation);
+    // J w^2 keeps its value.
+    for (j, w) in ripple.speed.iter().enumerate() {
+        let energy = ripple.inertia.total[j] * w * w;
+        let first = ripple.inertia.total[0] * ripple.speed[0] * ripple.speed[0];
+        assert_close("energy", energy, first, 0.0, 1e-12, "nothing does work");
+    }
+    // Highest over lowest speed: the square root of the inertias the other way round.
+    let [most, least] = [ripple.inertia.extremes.max.value, ripple.inertia.extremes.min.value];
+    let ratio = ripple.extremes.max.value / ripple.extremes.min.value;
+    assert_close("ratio", ratio, (most / least).sqrt(), 0.0, 1e-6, "half a degree");
+}
+
+#[test]
+fn the_ripple_is_the_one_of_the_equation_of_motion() {
+    let (engine, gas) = fired_in_line(&[0.0, 0.0]);
+    let given = TurningInertia { flywheel: 0.08, crankshaft: 0.02 };
+    for speed in [90.0, 400.0] {
+        let ripple = periodic(&engine, Some(&gas), speed, given);
+        let train = GasTrain::new(&engine, &gas, Lever::Exact).unwrap();
+        let inertia = |theta: f64| train_inertia(&engine, given, &[theta]).unwrap().mean;
+        // J w w' + 1/2 J' w^2 = T_gas - T_load, by Runge and Kutta.
+        let rate = |theta: f64, w: f64| {
+            let h = 1e-4;
+            let slope = (inertia(theta + h) - inertia(theta - h)) / (2.0 * h);
+            (train.torque(theta) - ripple.load - 0.5 * slope * w * w) / (inertia(theta) * w)
+        };
+        let h = ripple.theta[1];
+        let (mut w, mut time) = (ripple.speed[0], 0.0);
+        for (j, theta) in ripple.theta.iter().enumerate() {
+            assert_close("speed", w, ripple.speed[j], 0.0, 1e-7, "fourth order at half a degree");
+            let k1 = rate(*theta, w);
+            let k2 = rate(theta + 0.5 * h, w + 0.5 * h * k1);
+            let k3 = rate(theta + 0.5 * h, w + 0.5 * h * k2);
+            let k4 = rate(theta + h, w + h * k3);
+            let next = w + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+            time += 0.5 * h * (1.0 / w + 1.0 / next);
+            w = next;
+        }
+        assert_close("period", w, ripple.speed[0], 0.0, 1e-7, "the speed comes back");
+        assert_close(
+            "mean speed",
+            ripple.period / time,
+            speed,
+            0.0,
+            1e-5,
+            "rectangles and trapezia at half a degree",
+        );
+        assert!(
+            ripple.fluctuation > 0.0
+                && ripple.extremes.max.value > speed
+                && ripple.extremes.min.value < speed
+        );
+    }
+}
+
+#[test]
+fn a_heavy_flywheel_follows_the_formula() {
+    let (engine, gas) = fired_in_line(&[0.0, 180.0, 180.0, 0.0]);
+    let need = flywheel_need(&engine, Some(&gas), 150.0, KnownInertia::of(TurningInertia::default()), 0.001)
+        .unwrap();
+    let torque =
+        torque(&engine, &gas, &TorqueRequest { speed: Some(150.0), ..TorqueRequest::default() }).unwrap();
+    assert_close(
+        "formula",
+        need.by_formula,
+        torque.energy.excess / (0.001 * 150.0 * 150.0),
+        0.0,
+        1e-9,
+        "the same largest excess energy",
+    );
+    let flywheel = need.flywheel.unwrap();
+    assert_close(
+        "true flywheel",
+        flywheel,
+        need.flywheel_by_formula,
+        0.0,
+        2e-3,
+        "the formula is the first power of C_s",
+    );
+    let given = TurningInertia { flywheel, crankshaft: 0.0 };
+    let ripple = periodic(&engine, Some(&gas), 150.0, given);
+    assert_close("fluctuation", ripple.fluctuation, 0.001, 0.0, 1e-6, "what was asked for");
+    assert_close("mean", ripple.inertia.mean, flywheel + need.train, 0.0, 1e-12, "parts add up");
+    // A train that is heavy enough by itself needs none.
+    let heavy = KnownInertia { flywheel: None, crankshaft: Some(1e4) };
+    assert_eq!(flywheel_need(&engine, Some(&gas), 150.0, heavy, 0.1).unwrap().flywheel, Some(0.0));
+    for wrong in [0.0, 2.0, f64::NAN] {
+        assert!(flywheel_need(&engine, Some(&gas), 150.0, heavy, wrong).is_err());
+    }
+}

@@ -1,0 +1,22 @@
+//! All tests of the crate.
+
+mod bearings;
+mod coefficients;
+mod diagnosis;
+mod edges;
+mod flywheel;
+mod geared_firing;
+mod internal;
+mod internal_properties;
+mod kernels;
+mod momentum;
+mod motion;
+mod mounts;
+mod mounts_in_time;
+mod mounts_properties;
+mod properties;
+mod spectrum;
+mod support;
+mod support_test;
+mod textbook;
+mod torque;
