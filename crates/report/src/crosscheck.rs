@@ -53,7 +53,7 @@ impl Condition {
         match self {
             Condition::LikeForLike => "imposed speed, fixed block, no gravity",
             Condition::FreeSpeed => "free speed, fixed block, constant load torque",
-            Condition::MovingBlock => "imposed speed, block on its mounts",
+            Condition::MovingBlock => "imposed speed, block on its mounts, inertia alone",
         }
     }
 }
