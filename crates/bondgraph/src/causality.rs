@@ -134,7 +134,12 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
     for (index, element) in graph.elements.iter().enumerate() {
         if matches!(element.law, Law::Resistor { .. }) && procedure.strokes[element.ports[0]].is_none() {
             free_bonds.push(element.ports[0]);
-            steps.push(procedure.assign(index, 0, false, "is free: it is given its flow, within an algebraic loop"));
+            steps.push(procedure.assign(
+                index,
+                0,
+                false,
+                "is free: it is given its flow, within an algebraic loop",
+            ));
         }
     }
     for bond in 0..count {
@@ -158,7 +163,8 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
                 states.push(graph.bond_name(bond));
             } else {
                 following_bonds.push(bond);
-                followers.push(Follower { element: graph.bond_name(bond), path: procedure.path(bond, index) });
+                followers
+                    .push(Follower { element: graph.bond_name(bond), path: procedure.path(bond, index) });
             }
         }
     }
@@ -267,7 +273,8 @@ impl Procedure<'_> {
                 self.broken[element] = true;
                 let [first, second] = [self.origin(a), self.origin(b)];
                 let Text { text, span } = self.graph.place(element);
-                let what = if turns { "the same variable at both sides of" } else { "effort and flow across" };
+                let what =
+                    if turns { "the same variable at both sides of" } else { "effort and flow across" };
                 let message = format!("{first} and {second} both set {what} `{text}`");
                 let hint = "take one of them out, or put a spring, inertia or resistor beside it";
                 self.mistakes.push("E1713", &span, message, hint);
@@ -313,8 +320,13 @@ impl Procedure<'_> {
         names.dedup();
         let Text { text, span } = self.graph.place(junction);
         let (what, hint) = match self.graph.elements[junction].kind {
-            Kind::One => ("flow", "only one element may set it: take one out, or put a spring (C on a 0) between them"),
-            _ => ("effort", "only one element may set it: take one out, or put a resistor or inertia (on a 1) between them"),
+            Kind::One => {
+                ("flow", "only one element may set it: take one out, or put a spring (C on a 0) between them")
+            }
+            _ => (
+                "effort",
+                "only one element may set it: take one out, or put a resistor or inertia (on a 1) between them",
+            ),
         };
         let message = format!("{} both set the {what} of `{text}`", names.join(" and "));
         self.mistakes.push("E1713", &span, message, hint);
@@ -330,7 +342,8 @@ impl Procedure<'_> {
             Kind::One => ("flow", "efforts", "add the inertia or resistor that limits the flow"),
             _ => ("effort", "flows", "add the capacitor or resistor that takes the difference of the flows"),
         };
-        let message = format!("nothing sets the {what} of `{text}`: {} all set their {given}", names.join(" and "));
+        let message =
+            format!("nothing sets the {what} of `{text}`: {} all set their {given}", names.join(" and "));
         self.mistakes.push("E1713", &span, message, hint);
     }
 
@@ -351,9 +364,12 @@ impl Procedure<'_> {
             let message = if common == given {
                 format!("{origin} and {text} both set the {given} of `{place}`")
             } else {
-                format!("nothing sets the {common} of `{place}`: {origin} and {text} both set a {given} there")
+                format!(
+                    "nothing sets the {common} of `{place}`: {origin} and {text} both set a {given} there"
+                )
             };
-            let hint = "take one of the sources out, or put the resistor or store that is missing between them";
+            let hint =
+                "take one of the sources out, or put the resistor or store that is missing between them";
             self.mistakes.push("E1713", &span, message, hint);
             return;
         }
@@ -363,7 +379,9 @@ impl Procedure<'_> {
         );
         let hint = match self.graph.elements[element].kind {
             Kind::R => "give the law in its other form, or a resistance",
-            _ => "give a capacitance, stiffness or inertia, which can be turned round, or put a spring or inertia between",
+            _ => {
+                "give a capacitance, stiffness or inertia, which can be turned round, or put a spring or inertia between"
+            }
         };
         self.mistakes.push("E1713", &span, message, hint);
     }

@@ -42,7 +42,12 @@ pub(crate) struct Checker<'a> {
 /// Checks a description; the graph may be wrong where a mistake was noted.
 pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Option<Graph> {
     if description.elements.len().max(description.bonds.len()).max(description.signals.len()) > MOST {
-        mistakes.push("E1715", &(0..0), format!("more than {MOST} elements, bonds or signals"), "part the graph");
+        mistakes.push(
+            "E1715",
+            &(0..0),
+            format!("more than {MOST} elements, bonds or signals"),
+            "part the graph",
+        );
         return None;
     }
     let mut checker = Checker {
@@ -281,9 +286,15 @@ impl Checker<'_> {
             for (port, bond) in ports.iter().enumerate() {
                 if bond.is_none() {
                     let Text { text, span } = self.entry(element).name.clone();
-                    let port = if ports.len() == 1 { String::new() } else { format!("port {} of ", port + 1) };
+                    let port =
+                        if ports.len() == 1 { String::new() } else { format!("port {} of ", port + 1) };
                     let message = format!("{port}`{text}` has no bond");
-                    self.mistakes.push("E1708", &span, message, "add it to [bonds] list, or take the element out");
+                    self.mistakes.push(
+                        "E1708",
+                        &span,
+                        message,
+                        "add it to [bonds] list, or take the element out",
+                    );
                 }
             }
             if counts[element].is_some() {
@@ -307,7 +318,8 @@ impl Checker<'_> {
             // An element of an unknown kind is a mistake already.
             if !self.description.elements.iter().any(|entry| entry.name.text == name) {
                 let near = nearest(name, self.elements.iter().map(|element| element.name.as_str()));
-                let hint = near.map_or("name an element of [elements]".into(), |near| format!("did you mean {near}?"));
+                let hint = near
+                    .map_or("name an element of [elements]".into(), |near| format!("did you mean {near}?"));
                 self.mistakes.push("E1707", &text.span, format!("there is no element `{name}`"), hint);
             }
             return None;
@@ -315,7 +327,9 @@ impl Checker<'_> {
         match (counts[element], port) {
             (None, None) => Some((element, None)),
             (Some(1), None) => Some((element, Some(0))),
-            (Some(count), Some(port)) if port.parse().is_ok_and(|port: usize| (1..=count).contains(&port)) => {
+            (Some(count), Some(port))
+                if port.parse().is_ok_and(|port: usize| (1..=count).contains(&port)) =>
+            {
                 Some((element, port.parse::<usize>().ok().map(|port| port - 1)))
             }
             (count, _) => {
@@ -336,9 +350,9 @@ impl Checker<'_> {
             Kind::R | Kind::C | Kind::I | Kind::IC => true,
             Kind::TF | Kind::GY => {
                 let entry = self.entry(element);
-                let first = entry.get("matrix").map_or(1, |text| {
-                    text.text.split('|').next().map_or(1, |row| row.split(';').count())
-                });
+                let first = entry
+                    .get("matrix")
+                    .map_or(1, |text| text.text.split('|').next().map_or(1, |row| row.split(';').count()));
                 port.is_some_and(|port| port < first)
             }
             _ => return,
@@ -364,7 +378,12 @@ impl Checker<'_> {
                 if found.is_none() {
                     let names: Vec<&str> = Domain::ALL.iter().map(|domain| domain.name()).collect();
                     let message = format!("`{}` is no domain", text.text);
-                    self.mistakes.push("E1702", &text.span, message, format!("there are {}", names.join(", ")));
+                    self.mistakes.push(
+                        "E1702",
+                        &text.span,
+                        message,
+                        format!("there are {}", names.join(", ")),
+                    );
                 }
                 found
             }));
@@ -376,7 +395,8 @@ impl Checker<'_> {
             changed = false;
             for (bond, pair) in ends.iter().enumerate() {
                 for element in *pair {
-                    let shares = self.elements[element].is_junction() || self.elements[element].ports.len() == 1;
+                    let shares =
+                        self.elements[element].is_junction() || self.elements[element].ports.len() == 1;
                     if !shares {
                         continue;
                     }
@@ -423,7 +443,12 @@ impl Checker<'_> {
         let symbol = self.pool.var(Var::Signal(index as u32));
         if self.signal_progress[index] == Progress::Reading {
             let message = format!("signal `{}` needs itself", name.text);
-            self.mistakes.push("E1711", &name.span, message, "break the circle with an integral, or give its start a unit");
+            self.mistakes.push(
+                "E1711",
+                &name.span,
+                message,
+                "break the circle with an integral, or give its start a unit",
+            );
             return None;
         }
         for (key, _) in &entry.keys {
@@ -448,7 +473,8 @@ impl Checker<'_> {
                 self.signals[index].start = Some(value);
                 if start_unit.is_some() {
                     // The unit is known: the integrand may name the signal itself.
-                    self.signal_progress[index] = Progress::Done(Some(Parsed { id: symbol, unit: start_unit }));
+                    self.signal_progress[index] =
+                        Progress::Done(Some(Parsed { id: symbol, unit: start_unit }));
                 }
                 parse(text, self).map(|integrand| {
                     self.signals[index].value = integrand.id;
@@ -456,7 +482,8 @@ impl Checker<'_> {
                     if let (Some(a), Some(b)) = (unit, start_unit)
                         && a != b
                     {
-                        let message = format!("signal `{}` is an integral in {a}, but starts in {b}", name.text);
+                        let message =
+                            format!("signal `{}` is an integral in {a}, but starts in {b}", name.text);
                         self.mistakes.push("E1705", &start.span, message, format!("give the start in {a}"));
                     }
                     start_unit.or(unit)
@@ -557,7 +584,9 @@ impl Checker<'_> {
                 .chain(self.description.signals.iter().map(|entry| entry.name.text.as_str()));
             let hint = match nearest(name, known) {
                 Some(near) => format!("did you mean {near}?"),
-                None => format!("add `{name}` to [parameters] or [signals]; a bond's variable is named like crank.flow"),
+                None => format!(
+                    "add `{name}` to [parameters] or [signals]; a bond's variable is named like crank.flow"
+                ),
             };
             return Err(Some((format!("`{name}` is not known"), hint)));
         };
@@ -566,11 +595,17 @@ impl Checker<'_> {
             None => (path, Some(1)),
         };
         let Some(element) = self.elements.iter().find(|element| element.name == element_name) else {
-            return Err(Some((format!("there is no element `{element_name}`"), "name an element of [elements]".into())));
+            return Err(Some((
+                format!("there is no element `{element_name}`"),
+                "name an element of [elements]".into(),
+            )));
         };
         let bond = port.and_then(|port| element.ports.get(port.checked_sub(1)?)).copied();
         let Some(bond) = bond else {
-            return Err(Some((format!("`{path}` is no port"), format!("`{element_name}` has {} ports", element.ports.len()))));
+            return Err(Some((
+                format!("`{path}` is no port"),
+                format!("`{element_name}` has {} ports", element.ports.len()),
+            )));
         };
         let shared = match element.kind {
             Kind::One => Some("flow"),
@@ -583,7 +618,10 @@ impl Checker<'_> {
             _ if shared.is_some_and(|shared| shared != what) => {
                 let shared = shared.unwrap_or_default();
                 let message = format!("junction `{element_name}` has one {shared}, no `{what}`");
-                return Err(Some((message, format!("write {element_name}.{shared}, or name one of its elements"))));
+                return Err(Some((
+                    message,
+                    format!("write {element_name}.{shared}, or name one of its elements"),
+                )));
             }
             "effort" => (Var::Effort(number), domain.effort()),
             "flow" => (Var::Flow(number), domain.flow()),
@@ -595,7 +633,10 @@ impl Checker<'_> {
             }
             _ => {
                 let message = format!("`{element_name}` has no `{what}`");
-                return Err(Some((message, "there are effort and flow, displacement of a C, momentum of an I".into())));
+                return Err(Some((
+                    message,
+                    "there are effort and flow, displacement of a C, momentum of an I".into(),
+                )));
             }
         };
         Ok(Parsed { id: self.pool.var(var), unit: Some(unit) })

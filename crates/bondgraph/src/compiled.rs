@@ -61,10 +61,9 @@ impl Compiled {
         let rates: Vec<Id> = equations.states.iter().map(|state| fold(state.rate)).collect();
         let values: Vec<Id> =
             left.iter().map(|index| fold(equations.unknowns[*index as usize].value)).collect();
-        let variables: Vec<Id> =
-            (equations.efforts.iter().chain(&equations.flows).chain(&equations.signals))
-                .map(|id| fold(*id))
-                .collect();
+        let variables: Vec<Id> = (equations.efforts.iter().chain(&equations.flows).chain(&equations.signals))
+            .map(|id| fold(*id))
+            .collect();
         let residuals: Vec<Id> = left
             .iter()
             .zip(values)
@@ -73,10 +72,8 @@ impl Compiled {
                 pool.difference(me, value)
             })
             .collect();
-        let by: Vec<Var> = (0..states as u32)
-            .map(Var::State)
-            .chain(left.iter().map(|index| Var::Unknown(*index)))
-            .collect();
+        let by: Vec<Var> =
+            (0..states as u32).map(Var::State).chain(left.iter().map(|index| Var::Unknown(*index))).collect();
         // Column by column, so that one memory of derivatives serves each.
         let mut slopes = vec![0; (states + left.len()) * by.len()];
         for (column, var) in by.iter().enumerate() {

@@ -47,9 +47,10 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
     }
     for (index, element) in graph.elements.iter().enumerate() {
         let [x, y] = places[index];
-        let follows = element.ports.iter().any(|bond| {
-            causality.following_bonds.contains(bond) && graph.bonds[*bond].to == index
-        });
+        let follows = element
+            .ports
+            .iter()
+            .any(|bond| causality.following_bonds.contains(bond) && graph.bonds[*bond].to == index);
         let colour = if follows { FOLLOWS } else { INK };
         let name = if follows { format!("{} (follows)", element.name) } else { element.name.clone() };
         let kind = escaped(&element.written);
@@ -87,7 +88,8 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
     let mut x = 20.0;
     for (colour, word) in words {
         let y = if colour == INK { legend + 12.0 } else { legend + 32.0 };
-        let _ = writeln!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\" font-size=\"11\" fill=\"{colour}\">{word}</text>");
+        let _ =
+            writeln!(svg, "<text x=\"{x:.0}\" y=\"{y:.0}\" font-size=\"11\" fill=\"{colour}\">{word}</text>");
         if colour != INK {
             x += 7.0 * word.len() as f64;
         }

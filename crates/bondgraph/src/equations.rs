@@ -161,7 +161,14 @@ impl Resolver<'_> {
                     add(Var::Momentum(number), "momentum", domain.effort(), units[3], law.start[1], rate);
                 }
                 if law.effort.is_some() {
-                    add(Var::Displacement(number), "displacement", domain.flow(), units[2], law.start[0], flow);
+                    add(
+                        Var::Displacement(number),
+                        "displacement",
+                        domain.flow(),
+                        units[2],
+                        law.start[0],
+                        flow,
+                    );
                 }
             }
         }
@@ -317,7 +324,8 @@ impl Resolver<'_> {
                 let other = element.ports[1 - port] as u32;
                 if element.kind == Kind::TF {
                     // f2 = ratio f1, e1 = ratio e2
-                    let there = self.resolve(if wants_effort { Var::Effort(other) } else { Var::Flow(other) });
+                    let there =
+                        self.resolve(if wants_effort { Var::Effort(other) } else { Var::Flow(other) });
                     if wants_effort == (port == 0) {
                         self.pool.product(ratio, there)
                     } else {
@@ -325,8 +333,13 @@ impl Resolver<'_> {
                     }
                 } else {
                     // e1 = ratio f2, e2 = ratio f1
-                    let there = self.resolve(if wants_effort { Var::Flow(other) } else { Var::Effort(other) });
-                    if wants_effort { self.pool.product(ratio, there) } else { self.pool.quotient(there, ratio) }
+                    let there =
+                        self.resolve(if wants_effort { Var::Flow(other) } else { Var::Effort(other) });
+                    if wants_effort {
+                        self.pool.product(ratio, there)
+                    } else {
+                        self.pool.quotient(there, ratio)
+                    }
                 }
             }
             Law::Matrix(rows) => {
@@ -431,8 +444,10 @@ impl Resolver<'_> {
                         let bond = self.unknowns[index].bond;
                         let Unknown { name, .. } = &self.unknowns[other as usize];
                         let place = self.graph.place(self.graph.bonds[bond].to);
-                        let message = format!("`{}` follows through an algebraic loop with {name}", place.text);
-                        let hint = "put a spring, or an inertia, where it follows, so that it becomes a state";
+                        let message =
+                            format!("`{}` follows through an algebraic loop with {name}", place.text);
+                        let hint =
+                            "put a spring, or an inertia, where it follows, so that it becomes a state";
                         self.mistakes.push("E1714", &place.span, message, hint);
                     }
                     _ => {}
@@ -455,9 +470,9 @@ impl Resolver<'_> {
             let mut row = vec![zero; states.len()];
             row[i] = self.pool.constant(1.0);
             let mut known = HashMap::new();
-            let mut f = self.pool.substitute(state.rate, &mut known, &|var| {
-                matches!(var, Var::Unknown(_)).then_some(zero)
-            });
+            let mut f = self
+                .pool
+                .substitute(state.rate, &mut known, &|var| matches!(var, Var::Unknown(_)).then_some(zero));
             for index in 0..self.unknowns.len() {
                 let What::Following(held) = self.unknowns[index].what else { continue };
                 let influence =
@@ -471,8 +486,7 @@ impl Resolver<'_> {
                 for (j, entry) in row.iter_mut().enumerate() {
                     let slope = self.pool.derivative(held, Var::State(j as u32), &mut HashMap::new());
                     // The angle's own rate is known: what it brings goes to the right-hand side.
-                    let known_rate =
-                        !self.pool.depends(states[j].rate, |var| matches!(var, Var::Unknown(_)));
+                    let known_rate = !self.pool.depends(states[j].rate, |var| matches!(var, Var::Unknown(_)));
                     let term = self.pool.product(influence, slope);
                     if known_rate {
                         let term = self.pool.product(term, states[j].rate);

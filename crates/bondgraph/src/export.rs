@@ -34,7 +34,8 @@ pub fn modelica(equations: &Equations) -> String {
         let symbol = var(Var::Signal(index as u32));
         match signal.start {
             Some(start) => {
-                let _ = writeln!(head, "  Real {symbol}(start = {start:?}, fixed = true) \"{}\";", signal.unit);
+                let _ =
+                    writeln!(head, "  Real {symbol}(start = {start:?}, fixed = true) \"{}\";", signal.unit);
                 let _ = writeln!(body, "  der({symbol}) = {};", law(signal.value));
             }
             None => {

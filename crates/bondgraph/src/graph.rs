@@ -85,7 +85,10 @@ pub(crate) enum Law {
     /// Effort of Se, flow of Sf.
     Source(Id),
     /// Effort by flow and flow by effort; a law that is given in one form has the other not.
-    Resistor { effort: Option<Id>, flow: Option<Id> },
+    Resistor {
+        effort: Option<Id>,
+        flow: Option<Id>,
+    },
     /// Each port of a store or field.
     Store(Vec<StorePort>),
     /// Ratio of TF or GY.

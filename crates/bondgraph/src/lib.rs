@@ -52,5 +52,7 @@ pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
 pub use shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
 pub use simulate::{Event, Method, Series, Simulation, SimulationRequest};
-pub use text::{audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text};
+pub use text::{
+    audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,
+};
 pub use unit::{Unit, duration};

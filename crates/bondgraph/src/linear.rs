@@ -102,7 +102,9 @@ impl NotLinear {
                 "give its resistors a resistance instead of a law".into(),
             ],
             NotLinear::DrivenStore { store } => [
-                format!("a source of flow drives {store} directly, so that the rate of the input would enter"),
+                format!(
+                    "a source of flow drives {store} directly, so that the rate of the input would enter"
+                ),
                 "put a spring between, or drive it by an effort".into(),
             ],
             NotLinear::Equations => [
@@ -155,7 +157,8 @@ impl Equations {
             by.iter()
                 .map(|var| {
                     let slope = pool.derivative(id, *var, &mut HashMap::new());
-                    let fixed = !pool.depends(slope, |var| !matches!(var, Var::Parameter(_)) || is_input(var));
+                    let fixed =
+                        !pool.depends(slope, |var| !matches!(var, Var::Parameter(_)) || is_input(var));
                     let value = pool.evaluate(slope, &|var| match var {
                         Var::Parameter(index) => {
                             graph.parameters.get(index as usize).map_or(f64::NAN, |p| p.value)
@@ -232,8 +235,7 @@ fn poles(a: &[Vec<f64>]) -> Vec<Pole> {
         .collect();
     poles.sort_by(|p, q| {
         let near = (p.frequency - q.frequency).abs() <= 1e-9 * p.frequency.max(q.frequency);
-        let by_frequency =
-            if near { std::cmp::Ordering::Equal } else { p.frequency.total_cmp(&q.frequency) };
+        let by_frequency = if near { std::cmp::Ordering::Equal } else { p.frequency.total_cmp(&q.frequency) };
         by_frequency.then(q.imaginary.total_cmp(&p.imaginary))
     });
     poles

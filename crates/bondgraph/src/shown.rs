@@ -103,9 +103,7 @@ impl Equations {
             let symbol = self.variable_name(Var::State(index as u32), style);
             if style == Style::Latex { format!("\\dot {symbol}") } else { format!("d({symbol})/dt") }
         };
-        let unit_of_rate = |index: usize| {
-            self.states[index].unit.over(crate::unit::Unit::SECOND).to_string()
-        };
+        let unit_of_rate = |index: usize| self.states[index].unit.over(crate::unit::Unit::SECOND).to_string();
         ShownEquations {
             version: 1,
             graph: graph.name.clone(),
@@ -202,10 +200,7 @@ impl Equations {
             mass: self.mass.as_ref().map(|(mass, _)| {
                 mass.iter().map(|row| row.iter().map(|id| printed.text(*id)).collect()).collect()
             }),
-            right: self
-                .mass
-                .as_ref()
-                .map(|(_, right)| right.iter().map(|id| printed.text(*id)).collect()),
+            right: self.mass.as_ref().map(|(_, right)| right.iter().map(|id| printed.text(*id)).collect()),
         }
     }
 
@@ -383,7 +378,12 @@ impl Equations {
                     unit: units[usize::from(!zero)].to_owned(),
                 });
             }
-            laws.push(Equation { of, left: sum, right: "0".into(), unit: units[usize::from(zero)].to_owned() });
+            laws.push(Equation {
+                of,
+                left: sum,
+                right: "0".into(),
+                unit: units[usize::from(zero)].to_owned(),
+            });
         }
         laws
     }
@@ -391,7 +391,10 @@ impl Equations {
 
 /// A name that a programming language takes.
 pub(crate) fn identifier(name: &str) -> String {
-    name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect::<String>().replace("___", "_")
+    name.chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
+        .collect::<String>()
+        .replace("___", "_")
 }
 
 /// Parts that stand more than once and are worth a name, and the expressions with those names.

@@ -198,9 +198,8 @@ impl Equations {
         y.resize(absolute.len(), 0.0);
         let mut t = 0.0;
         compiled.settle(t, &y);
-        let places: Vec<f64> = (1..=request.samples)
-            .map(|k| request.duration * k as f64 / request.samples as f64)
-            .collect();
+        let places: Vec<f64> =
+            (1..=request.samples).map(|k| request.duration * k as f64 / request.samples as f64).collect();
         let mut settings = Settings::uniform(y.len(), request.tolerance);
         settings.absolute = absolute.to_vec();
         settings.most_evaluations = request.most_evaluations;

@@ -170,7 +170,10 @@ pub fn simulation_text(run: &Simulation) -> String {
     let mut out = format!("{}: {}\n", run.graph, run.ended);
     let _ = writeln!(out, "method: {}; tolerance {:e}", methods.join(", then "), run.tolerance);
     if let Some(from) = run.stiff_from {
-        let _ = writeln!(out, "stiff from {from:.6} s on, by measurement: steps were held by stability, not by accuracy");
+        let _ = writeln!(
+            out,
+            "stiff from {from:.6} s on, by measurement: steps were held by stability, not by accuracy"
+        );
     }
     let s = &run.statistics;
     let _ = writeln!(
@@ -178,7 +181,8 @@ pub fn simulation_text(run: &Simulation) -> String {
         "{} steps, {} rejected, {} evaluations of {} operations, {} events\n",
         s.steps, s.rejected, s.evaluations, run.operations, s.events
     );
-    let _ = writeln!(out, "{:<32} {:>15} {:>15} {:>15} {:>15}", "quantity", "start", "least", "largest", "end");
+    let _ =
+        writeln!(out, "{:<32} {:>15} {:>15} {:>15} {:>15}", "quantity", "start", "least", "largest", "end");
     for series in &run.series {
         let least = series.values.iter().copied().fold(f64::INFINITY, f64::min);
         let largest = series.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -218,7 +222,8 @@ pub fn audit_text(run: &Simulation) -> String {
     for bond in &audit.bonds {
         let _ = writeln!(out, "{:<32} {:>16.8e} J", bond.bond, bond.energy);
     }
-    let _ = writeln!(out, "\n{:<20} {:>16} {:>16} {:>12}", "element", "took in [J]", "holds more [J]", "error");
+    let _ =
+        writeln!(out, "\n{:<20} {:>16} {:>16} {:>12}", "element", "took in [J]", "holds more [J]", "error");
     for element in &audit.elements {
         let held = element.held.map_or(String::new(), |held| format!("{held:.8e}"));
         let error = element.error.map_or(String::new(), |error| format!("{error:.1e}"));

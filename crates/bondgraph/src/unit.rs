@@ -154,9 +154,7 @@ impl Display for Unit {
             return formatter.write_str(name);
         }
         // Usual pairs of a named unit with another.
-        for (first, second) in
-            [("N", "s"), ("N", "m"), ("V", "s"), ("Pa", "s"), ("J", "s"), ("W", "s")]
-        {
+        for (first, second) in [("N", "s"), ("N", "m"), ("V", "s"), ("Pa", "s"), ("J", "s"), ("W", "s")] {
             if let (Some(a), Some(b)) = (of(first), of(second)) {
                 if a.times(b) == *self {
                     return write!(formatter, "{first} {second}");

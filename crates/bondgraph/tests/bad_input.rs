@@ -48,7 +48,8 @@ fn one_change_one_diagnostic_with_place_and_hint() {
 
 #[test]
 fn several_mistakes_are_told_at_once() {
-    let text = GOOD.replace("\"m\"", "\"mass\"").replace("5 N m", "5 V").replace("shaft > rub", "shaft > rob");
+    let text =
+        GOOD.replace("\"m\"", "\"mass\"").replace("5 N m", "5 V").replace("shaft > rub", "shaft > rob");
     let mistakes = Graph::read(&text).expect_err("three mistakes");
     assert!(!mistakes.is_empty(), "{mistakes:#?}");
 }
@@ -83,7 +84,8 @@ fn run(change: (&str, &str), most: u64) -> lanchester_bondgraph::Simulation {
 #[test]
 fn a_run_that_cannot_go_on_says_where_and_keeps_its_samples() {
     // The resistance becomes infinite at half a second.
-    let late = run(("resistance = \"0.02 N m s\"", "effort = \"0.02 N m s*f/sqrt(1 - t/(0.5 s))\""), 1_000_000);
+    let late =
+        run(("resistance = \"0.02 N m s\"", "effort = \"0.02 N m s*f/sqrt(1 - t/(0.5 s))\""), 1_000_000);
     assert!(!late.complete && late.ended.contains("0.5") || late.ended.contains("0.49"), "{}", late.ended);
     assert!(late.time.len() > 200 && late.time.len() < 260, "{}", late.time.len());
     assert!(late.series.iter().all(|series| series.values.iter().all(|value| value.is_finite())));

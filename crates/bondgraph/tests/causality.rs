@@ -88,17 +88,24 @@ fn textbook_graphs_have_the_states_followers_and_loops_of_the_textbook() {
             names.join(" ")
         };
         let sorted = |text: &'static str| words(text.split_whitespace().collect());
-        assert_eq!(words(found.states.iter().map(String::as_str).collect()), sorted(states), "states of {elements}");
+        assert_eq!(
+            words(found.states.iter().map(String::as_str).collect()),
+            sorted(states),
+            "states of {elements}"
+        );
         let names = found.followers.iter().map(|f| f.element.as_str()).collect();
         assert_eq!(words(names), sorted(followers), "followers of {elements}");
-        assert_eq!(words(found.free.iter().map(String::as_str).collect()), sorted(free), "free of {elements}");
+        assert_eq!(
+            words(found.free.iter().map(String::as_str).collect()),
+            sorted(free),
+            "free of {elements}"
+        );
     }
 }
 
 #[test]
 fn followers_name_their_path() {
-    let found =
-        assigned("s: Se, j: 1, m: I, t: TF, g: 1, n: I", "s > j, j > m, j > t.1, t.2 > g, g > n");
+    let found = assigned("s: Se, j: 1, m: I, t: TF, g: 1, n: I", "s > j, j > m, j > t.1, t.2 > g, g > n");
     assert_eq!(found.followers[0].path, ["m", "j", "t", "g", "n"]);
     let found = assigned("s: Sf, j: 1, m: I", "s > j, j > m");
     assert_eq!(found.followers[0].path, ["s", "j", "m"]);
@@ -128,7 +135,10 @@ fn every_kind_of_conflict_is_an_error_with_its_elements_and_a_hint() {
             assert!(mistake.hint.as_ref().is_some_and(|hint| hint.len() > 10), "{mistake:?}");
         }
     }
-    let two = graph("s: Sf, z: Sf, j: 1, m: I, p: Se, q: Se, o: 0, k: C", "s > j, z > j, j > m, p > o, q > o, o > k");
+    let two = graph(
+        "s: Sf, z: Sf, j: 1, m: I, p: Se, q: Se, o: 0, k: C",
+        "s > j, z > j, j > m, p > o, q > o, o > k",
+    );
     assert_eq!(causality(&two, Preference::Integral).expect_err("two conflicts").len(), 2, "both at once");
 }
 

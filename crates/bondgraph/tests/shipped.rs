@@ -90,11 +90,8 @@ fn dc_motor_is_the_textbook() {
 fn two_tanks_are_the_textbook() {
     let equations = graph!("two-tanks");
     let (c1, c2, r) = (0.05 / 9810.0, 0.08 / 9810.0, 1.2e7);
-    let a = DMatrix::from_row_slice(
-        2,
-        2,
-        &[-1.0 / (r * c1), 1.0 / (r * c2), 1.0 / (r * c1), -2.0 / (r * c2)],
-    );
+    let a =
+        DMatrix::from_row_slice(2, 2, &[-1.0 / (r * c1), 1.0 / (r * c2), 1.0 / (r * c1), -2.0 / (r * c2)]);
     let linear = equations.linear().expect("linear");
     assert!((matrix(&linear.a) - &a).norm() < 1e-12 * a.norm());
     let off = off_the_exponential(&equations, &a, &DVector::from_vec(vec![4e-4, 0.0]));
@@ -122,7 +119,8 @@ fn torsion_chain_against_the_exact_forced_motion() {
     a[(6, 5)] = -300.0;
     let run = equations.simulate(&equations.request());
     assert!(run.complete, "{}", run.ended);
-    let names = ["disc1.momentum", "shaft1.displacement", "disc2.momentum", "shaft2.displacement", "disc3.momentum"];
+    let names =
+        ["disc1.momentum", "shaft1.displacement", "disc2.momentum", "shaft2.displacement", "disc3.momentum"];
     let mut exact = DVector::zeros(7);
     exact[6] = 1.0;
     let step = (a * (0.1 / 200.0)).exp();
@@ -135,7 +133,12 @@ fn torsion_chain_against_the_exact_forced_motion() {
         }
     }
     for state in 0..5 {
-        assert!(worst[state] < 1e-10 * largest[state], "{}: {:e}", names[state], worst[state] / largest[state]);
+        assert!(
+            worst[state] < 1e-10 * largest[state],
+            "{}: {:e}",
+            names[state],
+            worst[state] / largest[state]
+        );
     }
 }
 
@@ -260,4 +263,30 @@ fn turbulent_tanks_against_a_fine_independent_integration() {
         worst = worst.max((series(&run, "tank2.effort")[sample] - y[1] / c2).abs());
     }
     assert!(worst < 0.05, "{worst} Pa");
+}
+
+#[test]
+fn slider_crank_as_one_field_by_its_energy_moves_as_the_one_with_a_follower() {
+    let mu = "(-r*sin(q) - r^2*sin(q)*cos(q)/sqrt(l^2 - r^2*sin(q)^2))";
+    let start = mu.replace('q', "(0.3)").replace("s(0.3)rt", "sqrt");
+    let text = format!(
+        "name = \"field\"\n[parameters]\nr = \"47.75 mm\"\nl = \"144 mm\"\nm = \"0.98496667 kg\"\nJ = \"0.05 kg m2\"\n\
+         [elements]\nmotor = {{ kind = \"Se\", effort = \"5 N m\" }}\nshaft = {{ kind = \"1\", domain = \"rotation\" }}\n\
+         train = {{ kind = \"IC\", energy = \"p^2/(2*(J + m*{mu}^2))\", displacement = \"0.3 rad\", \
+         momentum = \"(J + m*{start}^2)*100 1/s\" }}\n\
+         rub = {{ kind = \"R\", resistance = \"0.02 N m s\" }}\n\
+         [bonds]\nlist = [\"motor > shaft\", \"shaft > train\", \"shaft > rub\"]\n\
+         [simulation]\nduration = \"1 s\"\nsamples = 500\ntolerance = 1e-11\n"
+    );
+    let field = shipped(&text);
+    let mut request = field.request();
+    request.audit = true;
+    let run = field.simulate(&request);
+    assert!(run.complete, "{}", run.ended);
+    let other = graph!("slider-crank");
+    let other = other.simulate(&other.request());
+    for (a, b) in series(&run, "train.flow").iter().zip(series(&other, "crank.flow")) {
+        assert!((a - b).abs() < 1e-8, "{a} {b} rad/s");
+    }
+    assert!(run.audit.is_some_and(|audit| audit.whole < 1e-12));
 }

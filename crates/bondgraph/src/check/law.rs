@@ -49,11 +49,13 @@ impl Checker<'_> {
             (Kind::R, Some((key, text))) => self.resistor(element.ports[0], key, text, &element.name),
             (Kind::TF, Some(("matrix", text))) => self.matrix(&element.ports, text, &element.name),
             (Kind::TF, Some((_, text))) => {
-                let [first, second] = [element.ports[0], element.ports[1]].map(|bond| self.bonds[bond].domain);
+                let [first, second] =
+                    [element.ports[0], element.ports[1]].map(|bond| self.bonds[bond].domain);
                 self.of_unit(text, second.flow().over(first.flow()), &element.name).map(Law::Ratio)
             }
             (Kind::GY, Some((_, text))) => {
-                let [first, second] = [element.ports[0], element.ports[1]].map(|bond| self.bonds[bond].domain);
+                let [first, second] =
+                    [element.ports[0], element.ports[1]].map(|bond| self.bonds[bond].domain);
                 self.of_unit(text, first.effort().over(second.flow()), &element.name).map(Law::Ratio)
             }
             (_, Some(("energy", text))) => self.field(index, text),
@@ -103,7 +105,12 @@ impl Checker<'_> {
             let value = self.number(id);
             if value.is_nan() || value <= 0.0 {
                 let message = format!("`{name}` has the {what} {value}, it must be positive");
-                self.mistakes.push("E1712", &text.span, message, "check the number; take the element out where there is none");
+                self.mistakes.push(
+                    "E1712",
+                    &text.span,
+                    message,
+                    "check the number; take the element out where there is none",
+                );
             }
         }
     }
@@ -130,7 +137,8 @@ impl Checker<'_> {
                 Some(Law::Resistor { effort: Some(law?), flow: None })
             }
             _ => {
-                self.local = HashMap::from([("e".into(), Parsed { id: effort, unit: Some(domain.effort()) })]);
+                self.local =
+                    HashMap::from([("e".into(), Parsed { id: effort, unit: Some(domain.effort()) })]);
                 let law = self.of_unit(text, domain.flow(), name);
                 self.local.clear();
                 Some(Law::Resistor { effort: None, flow: Some(law?) })
@@ -168,11 +176,8 @@ impl Checker<'_> {
         let domain = self.bonds[bond].domain;
         let number = bond as u32;
         let capacitor = element.kind == Kind::C;
-        let (across, through) = if capacitor {
-            (domain.effort(), domain.flow())
-        } else {
-            (domain.flow(), domain.effort())
-        };
+        let (across, through) =
+            if capacitor { (domain.effort(), domain.flow()) } else { (domain.flow(), domain.effort()) };
         let stored = through.times(Unit::SECOND);
         let content = if capacitor { Var::Displacement(number) } else { Var::Momentum(number) };
         let co_variable = if capacitor { Var::Effort(number) } else { Var::Flow(number) };
@@ -271,9 +276,11 @@ impl Checker<'_> {
             let domain = self.bonds[*bond].domain;
             let number = *bond as u32;
             let (q, p) = (Var::Displacement(number), Var::Momentum(number));
-            let has = [vars.contains(&q) && element.kind != Kind::I, vars.contains(&p) && element.kind != Kind::C];
+            let has =
+                [vars.contains(&q) && element.kind != Kind::I, vars.contains(&p) && element.kind != Kind::C];
             if !has[0] && !has[1] {
-                let message = format!("the energy of `{}` does not depend on port {}", element.name, port + 1);
+                let message =
+                    format!("the energy of `{}` does not depend on port {}", element.name, port + 1);
                 let hint = format!("name q{0} or p{0} in it, or leave the port out", port + 1);
                 self.mistakes.push("E1709", &text.span, message, hint);
             }

@@ -65,13 +65,7 @@ impl Pool {
         slope
     }
 
-    fn derivative_of_power(
-        &mut self,
-        id: Id,
-        (a, b): (Id, Id),
-        by: Var,
-        known: &mut HashMap<Id, Id>,
-    ) -> Id {
+    fn derivative_of_power(&mut self, id: Id, (a, b): (Id, Id), by: Var, known: &mut HashMap<Id, Id>) -> Id {
         let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
         let minus_one = self.constant(-1.0);
         let lower = self.sum(b, minus_one);

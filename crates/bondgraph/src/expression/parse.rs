@@ -269,7 +269,11 @@ impl<S: Scope> Reader<'_, S> {
     fn function(&mut self, name: &str) -> Option<Parsed> {
         let mut arguments = Vec::new();
         loop {
-            arguments.push(if name == "if" && arguments.is_empty() { self.condition()? } else { self.sum()? });
+            arguments.push(if name == "if" && arguments.is_empty() {
+                self.condition()?
+            } else {
+                self.sum()?
+            });
             if self.take(')') {
                 break;
             }

@@ -128,7 +128,9 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
                 }
             }
             Node::Call(function, a) => self.call(self.function(function), &[a], out),
-            Node::Atan2(a, b) => self.call(if latex { "\\operatorname{atan2}" } else { "atan2" }, &[a, b], out),
+            Node::Atan2(a, b) => {
+                self.call(if latex { "\\operatorname{atan2}" } else { "atan2" }, &[a, b], out)
+            }
             Node::Min(a, b) => self.call(if latex { "\\min" } else { "min" }, &[a, b], out),
             Node::Max(a, b) => self.call(if latex { "\\max" } else { "max" }, &[a, b], out),
             Node::If(g, a, b) => match self.style {

@@ -93,9 +93,9 @@ fn show(
         "export" => print(&match arguments.to {
             ExportOption::Modelica => modelica(found),
             ExportOption::Graphml => graphml(found),
-            ExportOption::Json => {
-                json(&serde_json::json!({ "causality": found.causality, "equations": found.shown(notation) }))?
-            }
+            ExportOption::Json => json(
+                &serde_json::json!({ "causality": found.causality, "equations": found.shown(notation) }),
+            )?,
         })?,
         "simulate" | "audit" => {
             let run = found.simulate(&request(arguments, found, action == "audit")?);
