@@ -290,3 +290,27 @@ fn slider_crank_as_one_field_by_its_energy_moves_as_the_one_with_a_follower() {
     }
     assert!(run.audit.is_some_and(|audit| audit.whole < 1e-12));
 }
+
+#[test]
+fn lever_with_two_inputs_is_a_transformer_by_its_matrix() {
+    let text = "name = \"lever\"\n[elements]\npush = { kind = \"Se\", effort = \"3 N\" }\n\
+                a = { kind = \"1\", domain = \"translation\" }\nma = { kind = \"I\", inertia = \"2 kg\" }\n\
+                b = { kind = \"1\", domain = \"translation\" }\nmb = { kind = \"I\", inertia = \"5 kg\" }\n\
+                lever = { kind = \"TF\", matrix = [[\"1\", \"2\"]] }\nc = { kind = \"1\", domain = \"translation\" }\n\
+                oil = { kind = \"R\", resistance = \"7 N s/m\" }\n\
+                [bonds]\nlist = [\"push > a\", \"a > ma\", \"a > lever.1\", \"b > mb\", \"b > lever.2\", \"lever.3 > c\", \"c > oil\"]\n";
+    let found = shipped(text);
+    let linear = found.linear().expect("linear");
+    // f_out = f_a + 2 f_b, so e_a = e_out and e_b = 2 e_out.
+    let exact = [[-7.0 / 2.0, -7.0 * 2.0 / 5.0], [-2.0 * 7.0 / 2.0, -2.0 * 7.0 * 2.0 / 5.0]];
+    for (row, want) in linear.a.iter().zip(exact) {
+        for (got, want) in row.iter().zip(want) {
+            assert!((got - want).abs() < 1e-14, "{:?}", linear.a);
+        }
+    }
+    let mut request = found.request();
+    request.audit = true;
+    let audit = found.simulate(&request).audit.expect("asked for");
+    let lever = audit.residuals.iter().find(|residual| residual.element == "lever").expect("there");
+    assert!(lever.error < 1e-14, "{lever:?}");
+}
