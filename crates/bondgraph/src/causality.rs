@@ -248,8 +248,8 @@ impl Procedure<'_> {
                         }
                     }
                     ([], [last]) => {
-                        let others = ports.iter().copied().filter(|bond| bond != last);
-                        let cause = others.last().map(|bond| (element, bond));
+                        let mut others = ports.iter().copied().filter(|bond| bond != last);
+                        let cause = others.next_back().map(|bond| (element, bond));
                         self.set(*last, element, decides, cause, waiting);
                     }
                     ([], []) => self.refuse_none(element),

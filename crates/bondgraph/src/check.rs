@@ -216,7 +216,6 @@ impl Checker<'_> {
     /// Number of ports of an element that is no junction; none where any number goes.
     fn port_count(&self, element: usize) -> Option<usize> {
         let entry = self.entry(element);
-        let pieces = |key: &str, sign: &str| entry.get(key).map(|text| text.text.split(sign).count());
         match self.elements[element].kind {
             Kind::Zero | Kind::One => None,
             Kind::TF if entry.get("matrix").is_some() => {
@@ -226,7 +225,7 @@ impl Checker<'_> {
             }
             Kind::TF | Kind::GY => Some(2),
             Kind::C | Kind::I | Kind::IC => match entry.get("energy") {
-                Some(_) => Some(pieces("ports", ";").map_or_else(|| self.field_ports(entry), |count| count)),
+                Some(_) => Some(self.field_ports(entry)),
                 None => Some(1),
             },
             _ => Some(1),

@@ -137,7 +137,7 @@ pub fn modelica(equations: &Equations) -> String {
             }
         }
     }
-    let _ = write!(body, "end {};\n", model_name(&graph.name));
+    let _ = writeln!(body, "end {};", model_name(&graph.name));
     head + &body
 }
 

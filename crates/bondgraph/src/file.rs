@@ -101,6 +101,9 @@ fn texts(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Text)> {
             Value::Array(list) if list.iter().all(|item| item.as_str().is_some()) => {
                 list.iter().filter_map(Item::as_str).collect::<Vec<_>>().join(" ; ")
             }
+            Value::Array(rows) if rows.iter().all(|row| row_text(row).is_some()) => {
+                rows.iter().filter_map(row_text).collect::<Vec<_>>().join(" | ")
+            }
             _ => {
                 mistakes.push(
                     "E1701",
@@ -115,6 +118,13 @@ fn texts(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Text)> {
         found.push((key, Text { text, span: place }));
     }
     found
+}
+
+/// The texts of a row of a matrix.
+fn row_text(row: &Item<'_>) -> Option<String> {
+    let entries = row.as_array()?;
+    let texts: Option<Vec<&str>> = entries.iter().map(Item::as_str).collect();
+    texts.filter(|texts| !texts.is_empty()).map(|texts| texts.join(" ; "))
 }
 
 fn entries(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<Entry> {

@@ -155,10 +155,10 @@ impl Display for Unit {
         }
         // Usual pairs of a named unit with another.
         for (first, second) in [("N", "s"), ("N", "m"), ("V", "s"), ("Pa", "s"), ("J", "s"), ("W", "s")] {
-            if let (Some(a), Some(b)) = (of(first), of(second)) {
-                if a.times(b) == *self {
-                    return write!(formatter, "{first} {second}");
-                }
+            if let (Some(a), Some(b)) = (of(first), of(second))
+                && a.times(b) == *self
+            {
+                return write!(formatter, "{first} {second}");
             }
         }
         for (first, second) in [("N", "m"), ("W", "K"), ("J", "K"), ("Pa", "W"), ("m", "N")] {

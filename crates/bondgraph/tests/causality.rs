@@ -1,6 +1,6 @@
 //! Causality of textbook graphs: states, followers, loops, and every kind of conflict.
 
-use lanchester_bondgraph::{Causality, Description, Graph, Preference, causality, equations};
+use lanchester_bondgraph::{Causality, Description, Graph, Method, Preference, causality, equations};
 
 /// A graph of elements `name: kind` and bonds; every element gets a plain law of its kind.
 fn graph(elements: &str, bonds: &str) -> Graph {
@@ -160,38 +160,73 @@ fn linear_loops_are_solved_by_symbols() {
 
 #[test]
 fn nonlinear_loop_is_solved_at_each_evaluation() {
-    // f = 2 tanh(e), e = 1 - f/2 over the resistor of 2 N s/m in series: two laws that need each other.
-    let graph = graph("s: Se, j: 1, r: Rf, o: 0, q: R, k: C", "s > j, j > r, j > o, o > q, o > k");
-    let found = equations(&graph).expect("an index-1 loop at most");
+    // f = 2 tanh(e) and e = 1 - 2 f - k: two laws that need each other, beside a spring that fills.
+    let graph = graph("s: Se, j: 1, r: Rf, d: R, k: C", "s > j, j > r, j > d, j > k");
+    let found = equations(&graph).expect("index 1");
     let run = found.simulate(&found.request());
     assert!(run.complete, "{}", run.ended);
     let at = |name: &str| run.series.iter().find(|series| series.name == name).expect("there").values.clone();
     for ((e, f), k) in at("r.effort").iter().zip(at("r.flow")).zip(at("k.effort")) {
-        assert!((f - 2.0 * e.tanh()).abs() < 1e-12 && (e + k - 1.0).abs() < 1e-12, "{e} {f} {k}");
+        assert!((f - 2.0 * e.tanh()).abs() < 1e-12, "{e} {f}");
+        assert!((e + 2.0 * f + k - 1.0).abs() < 1e-12, "{e} {f} {k}");
+    }
+    assert!(at("k.effort").last().is_some_and(|k| *k > 0.3), "the spring fills");
+    assert!(found.linear().is_err(), "and has no poles");
+}
+
+#[test]
+fn stiff_graph_goes_on_implicitly_and_says_so() {
+    // A kilogram in oil: the speed settles within a microsecond, the spring behind it within a second.
+    let description = Description::new("stiff")
+        .element("s", "Se", &[("effort", "10 N*sin(3 1/s*t)")])
+        .element("j", "1", &[("domain", "translation")])
+        .element("m", "I", &[("inertia", "1 kg"), ("flow", "1 m/s")])
+        .element("d", "R", &[("resistance", "1e6 N s/m")])
+        .element("k", "C", &[("stiffness", "1e6 N/m")])
+        .bonds(&["s > j", "j > m", "j > d", "j > k"]);
+    let found = equations(&Graph::new(&description).expect("good")).expect("no conflict");
+    let mut request = found.request();
+    request.duration = 2.0;
+    let run = found.simulate(&request);
+    assert!(run.complete && run.stiff_from.is_some_and(|t| t < 0.1), "{} {:?}", run.ended, run.stiff_from);
+    assert_eq!(run.methods, [Method::Explicit, Method::Implicit]);
+    assert!(run.statistics.evaluations < 50_000, "{:?}", run.statistics);
+    // The displacement's slow part: k q + d q' = F within 1e-6 of it, forced at 3 rad/s, from the start's kick v m/d.
+    let q = &run.series.iter().find(|series| series.name == "k.displacement").expect("there").values;
+    let (w, f) = (3.0, 10.0 / 1e6);
+    let amplitude = f / (1.0 + w * w);
+    for (t, q) in run.time.iter().zip(q).skip(1) {
+        let forced = amplitude * ((w * t).sin() - w * (w * t).cos());
+        let exact = forced + (amplitude * w + 1e-6) * (-t).exp();
+        assert!((q - exact).abs() < 2e-11, "at {t} s: {q:e} instead of {exact:e}");
     }
 }
 
 #[test]
 fn singular_loop_is_an_error_that_names_it() {
-    // A transformer of ratio 1 from a junction back to itself: the loop holds for any flow.
+    // The pump gives exactly what the tank takes: that holds for any flow.
     let description = Description::new("loop")
-        .element("s", "Se", &[("effort", "1 N")])
-        .element("a", "1", &[("domain", "translation")])
-        .element("m", "I", &[("inertia", "1 kg")])
-        .element("o", "0", &[("domain", "translation")])
-        .element("p", "0", &[("domain", "translation")])
-        .element("t", "TF", &[("ratio", "1")])
-        .element("b", "1", &[("domain", "translation")])
-        .bonds(&["s > a", "a > m", "a > o", "o > t.1", "t.2 > p", "o > b", "b > p", "p > a"]);
+        .element("pump", "MSf", &[("flow", "tank.flow")])
+        .element("node", "0", &[("domain", "hydraulic")])
+        .element("tank", "C", &[("capacitance", "1e-6 m3/Pa")])
+        .bonds(&["pump > node", "node > tank"]);
     let graph = Graph::new(&description).expect("well formed");
-    match equations(&graph) {
-        Err(mistakes) => assert!(
-            mistakes.iter().all(|mistake| mistake.code == "E1714" || mistake.code == "E1713"),
-            "{mistakes:?}"
-        ),
-        Ok(found) => {
-            let run = found.simulate(&found.request());
-            assert!(!run.complete, "a singular loop has no motion");
-        }
-    }
+    let mistakes = equations(&graph).expect_err("singular");
+    assert_eq!(mistakes.len(), 1, "{mistakes:?}");
+    assert_eq!(mistakes[0].code, "E1714");
+    assert!(mistakes[0].message.contains(".flow is singular"), "{mistakes:?}");
+    // Half of what the tank takes is no such circle: only a flow of nothing meets it.
+    let half = Description { elements: Vec::new(), ..description.clone() }.element(
+        "pump",
+        "MSf",
+        &[("flow", "0.5*tank.flow")],
+    );
+    let half = Description {
+        elements: half.elements.into_iter().chain(description.elements.into_iter().skip(1)).collect(),
+        ..half
+    };
+    let found = equations(&Graph::new(&half).expect("well formed")).expect("regular");
+    let run = found.simulate(&found.request());
+    let flow = &run.series.iter().find(|series| series.name == "tank.flow").expect("there").values;
+    assert!(run.complete && flow.iter().all(|flow| *flow == 0.0), "{}", run.ended);
 }

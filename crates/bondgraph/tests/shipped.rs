@@ -264,3 +264,53 @@ fn turbulent_tanks_against_a_fine_independent_integration() {
     }
     assert!(worst < 0.05, "{worst} Pa");
 }
+
+#[test]
+fn slider_crank_as_one_field_by_its_energy_moves_as_the_one_with_a_follower() {
+    let mu = "(-r*sin(q) - r^2*sin(q)*cos(q)/sqrt(l^2 - r^2*sin(q)^2))";
+    let start = mu.replace('q', "(0.3)").replace("s(0.3)rt", "sqrt");
+    let text = format!(
+        "name = \"field\"\n[parameters]\nr = \"47.75 mm\"\nl = \"144 mm\"\nm = \"0.98496667 kg\"\nJ = \"0.05 kg m2\"\n\
+         [elements]\nmotor = {{ kind = \"Se\", effort = \"5 N m\" }}\nshaft = {{ kind = \"1\", domain = \"rotation\" }}\n\
+         train = {{ kind = \"IC\", energy = \"p^2/(2*(J + m*{mu}^2))\", displacement = \"0.3 rad\", \
+         momentum = \"(J + m*{start}^2)*100 1/s\" }}\n\
+         rub = {{ kind = \"R\", resistance = \"0.02 N m s\" }}\n\
+         [bonds]\nlist = [\"motor > shaft\", \"shaft > train\", \"shaft > rub\"]\n\
+         [simulation]\nduration = \"1 s\"\nsamples = 500\ntolerance = 1e-11\n"
+    );
+    let field = shipped(&text);
+    let mut request = field.request();
+    request.audit = true;
+    let run = field.simulate(&request);
+    assert!(run.complete, "{}", run.ended);
+    let other = graph!("slider-crank");
+    let other = other.simulate(&other.request());
+    for (a, b) in series(&run, "train.flow").iter().zip(series(&other, "crank.flow")) {
+        assert!((a - b).abs() < 1e-8, "{a} {b} rad/s");
+    }
+    assert!(run.audit.is_some_and(|audit| audit.whole < 1e-12));
+}
+
+#[test]
+fn lever_with_two_inputs_is_a_transformer_by_its_matrix() {
+    let text = "name = \"lever\"\n[elements]\npush = { kind = \"Se\", effort = \"3 N\" }\n\
+                a = { kind = \"1\", domain = \"translation\" }\nma = { kind = \"I\", inertia = \"2 kg\" }\n\
+                b = { kind = \"1\", domain = \"translation\" }\nmb = { kind = \"I\", inertia = \"5 kg\" }\n\
+                lever = { kind = \"TF\", matrix = [[\"1\", \"2\"]] }\nc = { kind = \"1\", domain = \"translation\" }\n\
+                oil = { kind = \"R\", resistance = \"7 N s/m\" }\n\
+                [bonds]\nlist = [\"push > a\", \"a > ma\", \"a > lever.1\", \"b > mb\", \"b > lever.2\", \"lever.3 > c\", \"c > oil\"]\n";
+    let found = shipped(text);
+    let linear = found.linear().expect("linear");
+    // f_out = f_a + 2 f_b, so e_a = e_out and e_b = 2 e_out.
+    let exact = [[-7.0 / 2.0, -7.0 * 2.0 / 5.0], [-2.0 * 7.0 / 2.0, -2.0 * 7.0 * 2.0 / 5.0]];
+    for (row, want) in linear.a.iter().zip(exact) {
+        for (got, want) in row.iter().zip(want) {
+            assert!((got - want).abs() < 1e-14, "{:?}", linear.a);
+        }
+    }
+    let mut request = found.request();
+    request.audit = true;
+    let audit = found.simulate(&request).audit.expect("asked for");
+    let lever = audit.residuals.iter().find(|residual| residual.element == "lever").expect("there");
+    assert!(lever.error < 1e-14, "{lever:?}");
+}

@@ -1,0 +1,52 @@
+//! Our equations against those that a Modelica compiler makes of the exported text.
+
+use lanchester_bondgraph::{Graph, equations, modelica};
+use serde_json::Value;
+
+fn compare(graph: &str, model: &str, curves: &str) {
+    let graph = Graph::read(graph).expect("a shipped graph");
+    let found = equations(&graph).expect("no conflict");
+    assert_eq!(modelica(&found), model, "the exported text is the one that was run");
+    let curves: Value = serde_json::from_str(curves).expect("stored curves");
+    let numbers = |value: &Value| -> Vec<f64> {
+        value.as_array().expect("a list").iter().map(|v| v.as_f64().expect("a number")).collect()
+    };
+    let time = numbers(&curves["time"]);
+    let mut request = found.request();
+    request.duration = *time.last().expect("samples");
+    request.samples = time.len() - 1;
+    let run = found.simulate(&request);
+    assert!(run.complete, "{}", run.ended);
+    let mut compared = 0;
+    for (name, values) in curves.as_object().expect("a table") {
+        let Some(series) = run.series.iter().find(|series| series.name.replace('.', "_") == *name) else {
+            continue;
+        };
+        let theirs = numbers(values);
+        let largest = theirs.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+        for (sample, (ours, theirs)) in series.values.iter().zip(&theirs).enumerate() {
+            assert!((run.time[sample] - time[sample]).abs() < 1e-12, "the same times");
+            let off = (ours - theirs).abs() / largest;
+            assert!(off < 1e-6, "{name} at {} s: {ours} here, {theirs} there, {off:e}", time[sample]);
+        }
+        compared += 1;
+    }
+    assert!(compared >= 2, "curves were compared");
+}
+
+macro_rules! external {
+    ($test:ident, $name:literal) => {
+        #[test]
+        fn $test() {
+            compare(
+                include_str!(concat!("../../../examples/bond-graphs/", $name, ".toml")),
+                include_str!(concat!("../../../validation/external/rumoca/", $name, ".mo")),
+                include_str!(concat!("../../../validation/external/rumoca/", $name, ".json")),
+            );
+        }
+    };
+}
+
+external!(ext_rumoca_mass_spring_damper, "mass-spring-damper");
+external!(ext_rumoca_dc_motor, "dc-motor");
+external!(ext_rumoca_slider_crank, "slider-crank");
