@@ -1,6 +1,6 @@
 //! The block on its mounts at imposed speed: the linear response of the closed form, and the three causes by which it differs.
 
-#[path = "../../mechanism/tests/support/mod.rs"]
+#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
 mod support;
 
 use lanchester_mechanism::{MountSystem, inertia_excitations};
@@ -137,10 +137,10 @@ fn linear(engine: &Engine, orders: usize, gyroscopic: bool, roll: bool) -> Vec<[
                 loads.roll_moment - at.x * y + at.y * x,
             ];
             let w = order as f64 * speed;
-            let matrix = nalgebra::Matrix6::from_fn(|a, b| {
+            let matrix = Matrix6::from_fn(|a, b| {
                 Complex64::new(stiffness[(a, b)] - w * w * mass[(a, b)], w * damping[(a, b)])
             });
-            let load = nalgebra::Vector6::from(load);
+            let load = Vector6::from(load);
             let answer = matrix.lu().solve(&load).expect("it is damped");
             std::array::from_fn(|k| answer[k])
         })
