@@ -177,7 +177,6 @@ fn xcheck_mounts_and_the_causes_of_the_difference() {
     let with_both = off(&linear(&whole, orders, true, true), &found);
     let without_gyroscope = off(&linear(&whole, orders, false, true), &found);
     let without_roll = off(&linear(&whole, orders, true, false), &found);
-    eprintln!("{with_both:e} {without_gyroscope:e} {without_roll:e}");
     // Each cause matters more than all that is left.
     assert!(without_gyroscope > 2.0 * with_both && without_roll > 2.0 * with_both);
     // What is left is in proportion to the moving mass.
