@@ -199,7 +199,7 @@ pub enum LoadLaw {
 }
 
 impl LoadLaw {
-    /// Torque against the rotation at `speed` [rad/s], and whether it holds at standstill as dry friction does.
+    /// Torque against the rotation at `speed` [rad/s] [N m], with the sign of the speed.
     pub fn torque(&self, speed: f64) -> f64 {
         let size = speed.abs();
         let amount = match self {

@@ -137,10 +137,10 @@ fn linear(engine: &Engine, orders: usize, gyroscopic: bool, roll: bool) -> Vec<[
                 loads.roll_moment - at.x * y + at.y * x,
             ];
             let w = order as f64 * speed;
-            let matrix = nalgebra::Matrix6::from_fn(|a, b| {
+            let matrix = Matrix6::from_fn(|a, b| {
                 Complex64::new(stiffness[(a, b)] - w * w * mass[(a, b)], w * damping[(a, b)])
             });
-            let load = nalgebra::Vector6::from(load);
+            let load = Vector6::from(load);
             let answer = matrix.lu().solve(&load).expect("it is damped");
             std::array::from_fn(|k| answer[k])
         })
@@ -177,7 +177,6 @@ fn xcheck_mounts_and_the_causes_of_the_difference() {
     let with_both = off(&linear(&whole, orders, true, true), &found);
     let without_gyroscope = off(&linear(&whole, orders, false, true), &found);
     let without_roll = off(&linear(&whole, orders, true, false), &found);
-    eprintln!("{with_both:e} {without_gyroscope:e} {without_roll:e}");
     // Each cause matters more than all that is left.
     assert!(without_gyroscope > 2.0 * with_both && without_roll > 2.0 * with_both);
     // What is left is in proportion to the moving mass.

@@ -14,6 +14,7 @@ fn flat(x: f64, y: f64) -> Vector3<f64> {
     Vector3::new(x, y, 0.0)
 }
 
+#[allow(clippy::excessive_precision, reason = "as the test set prints them")]
 /// The squeezer with every body at its angle; each body's axes are those of the frame where its angle is 0, its reference its centre.
 fn squeezer() -> (Assembly, Vec<Pose>) {
     let [beta, theta, gamma, phi, delta, omega, epsilon]: [f64; 7] = [
