@@ -216,8 +216,11 @@ fn singular_loop_is_an_error_that_names_it() {
     assert_eq!(mistakes[0].code, "E1714");
     assert!(mistakes[0].message.contains(".flow is singular"), "{mistakes:?}");
     // Half of what the tank takes is no such circle: only a flow of nothing meets it.
-    let half = Description { elements: Vec::new(), ..description.clone() }
-        .element("pump", "MSf", &[("flow", "0.5*tank.flow")]);
+    let half = Description { elements: Vec::new(), ..description.clone() }.element(
+        "pump",
+        "MSf",
+        &[("flow", "0.5*tank.flow")],
+    );
     let half = Description {
         elements: half.elements.into_iter().chain(description.elements.into_iter().skip(1)).collect(),
         ..half
