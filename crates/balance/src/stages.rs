@@ -36,9 +36,6 @@ const KEEPS: f64 = 1e-10;
 /// Multipliers below this share of the group's weight fix nothing.
 const NOISE: f64 = 1e-6;
 
-/// With more multipliers than this, as of a mean over the cycle, a vector's level is not an unknown of the face.
-const MANY: usize = 400;
-
 /// Levels below this share of the unbalanced load vanish.
 const VANISHES: f64 = 1e-10;
 
@@ -344,7 +341,7 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         line.iter_mut().for_each(|value| *value /= size);
         rows.push(&line);
     };
-    let many = solution.support.len() > MANY;
+    let terms = programme.terms_of_a_mean();
     let mut followers: Vec<Option<Vec<f64>>> = vec![None; groups];
     for one in &solution.support {
         let weight = programme.weight(one.group, &solution.prices);
@@ -355,7 +352,7 @@ fn face(programme: &Programme, solution: &Solution) -> Matrix {
         }
         let reach = programme.groups[one.group].reach;
         let directions = member.directions(one.angle);
-        if many && programme.groups[one.group].members.len() == 1 && matches!(member, Member::Vector { .. }) {
+        if terms[one.group] {
             // Its level follows the variables: only what is across it is fixed.
             let mut along = vec![0.0; n];
             directions.add_transposed(&one.y, 1.0 / size, &mut along);

@@ -398,7 +398,7 @@ pub struct BalanceArguments {
     /// Step in which every free weight on a crankshaft is made: an unbalance such as `200 g mm`, or a mass such as `5 g` at the radius
     /// that [balance] gives.
     #[arg(long, value_name = "AMOUNT")]
-    pub step: Option<String>,
+    pub weight_step: Option<String>,
     /// All free weights on the crankshafts are the same part: one amount of their steps or lists, each in its own direction.
     #[arg(long)]
     pub equal_parts: bool,

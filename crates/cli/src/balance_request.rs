@@ -16,7 +16,7 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         least: arguments.least.clone(),
         most: arguments.most.clone(),
         budget: arguments.budget.clone(),
-        step: arguments.step.clone(),
+        step: arguments.weight_step.clone(),
         equal_parts: arguments.equal_parts,
         optional: arguments.optional,
         most_optional: arguments.most_optional,

@@ -3,6 +3,7 @@
 use crate::best_shape::{BestShape, SharedWithWeb, fit, fitted_part, plane, refused};
 use crate::clearance::EngineClearanceError;
 use crate::shape_front::best_front;
+use lanchester_geometry::CounterweightShape;
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::crankshaft::CrankshaftError;
 use lanchester_geometry::{
@@ -14,6 +15,9 @@ use std::f64::consts::{PI, TAU};
 
 /// Version of [`CounterweightDesigns`]; raised when a field changes its meaning or goes.
 pub const COUNTERWEIGHT_DESIGNS_VERSION: u32 = 2;
+
+/// Dimensions that differ by no more than this share of the size are the same: what is written has twelve digits.
+const SAME_SHAPE: f64 = 1e-9;
 
 /// What counterweights are asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -303,7 +307,7 @@ pub fn adopted(
         }
         task
     };
-    let adopt = |index: &usize| {
+    let adopt = |index: &usize| -> Result<(usize, Design), CounterweightError> {
         let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[*index]));
         for task in [limited(0.0), limited(1e-5), ShapeTask { minimise: second, ..request.task }] {
             if let DesignOutcome::Found(best) = BestShape::find(engine, *index, duty, &task)?.outcome {
@@ -312,10 +316,49 @@ pub fn adopted(
         }
         Ok((*index, *design))
     };
-    front.weights.iter().map(adopt).collect()
+    let mut designs: Vec<(usize, Design)> = Vec::new();
+    for index in &front.weights {
+        let (index, own) = adopt(index)?;
+        // Webs that are alike have one design, not two that differ by rounding.
+        let alike = designs.iter().map(|one| one.1).find(|known| are_same(known, &own));
+        designs.push((index, alike.unwrap_or(own)));
+    }
+    Ok(designs)
 }
 
-/// The engine with `design`s, of this density [kg/m^3], in the place of the weights of these indices.
+/// Whether two designs differ by rounding alone.
+fn are_same(a: &Design, b: &Design) -> bool {
+    same(a.thickness, b.thickness) && same_shape(&a.shape, &b.shape)
+}
+
+fn same_shape(a: &CounterweightShape, b: &CounterweightShape) -> bool {
+    let size = |shape: &CounterweightShape| shape.web_radius.max(shape.arc_radius);
+    let near = |x: f64, y: f64| (x - y).abs() <= SAME_SHAPE * size(a);
+    near(a.web_radius, b.web_radius)
+        && near(a.rectangle_height, b.rectangle_height)
+        && near(a.shoulder_height, b.shoulder_height)
+        && near(a.arc_radius, b.arc_radius)
+        && same(a.arc_angle, b.arc_angle)
+}
+
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_SHAPE * a.abs()
+}
+
+/// Whether a weight is already the part of this design.
+fn is_fitted(weight: &Counterweight, design: &Design, density: f64) -> bool {
+    weight.part.as_ref().is_some_and(|part| match part.form {
+        CounterweightForm::Family(shape) => {
+            same_shape(&shape, &design.shape)
+                && same(part.part.thickness(), design.thickness)
+                && same(part.part.density(), density)
+        }
+        _ => false,
+    })
+}
+
+/// The engine with `design`s, of this density [kg/m^3], in the place of the weights of these indices. What differs from the part that is
+/// there by rounding alone leaves it as it is.
 ///
 /// # Errors
 /// Where a design is no part: a density or a thickness that no part can have, or one that does not fit its web.
@@ -326,6 +369,9 @@ pub fn with_counterweights(
 ) -> Result<Engine, CounterweightError> {
     let mut fitted = engine.clone();
     for (index, design) in designs {
+        if is_fitted(&engine.counterweights[*index], design, density) {
+            continue;
+        }
         let (part, weight) = fitted_part(engine, *index, design, density)?;
         fit(&mut fitted, *index, part, weight);
     }

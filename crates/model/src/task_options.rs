@@ -217,13 +217,13 @@ impl TaskOptions {
                 weight.least = least.unwrap_or(weight.least);
                 weight.optional |= self.optional;
                 if let Some(step) = &self.step {
-                    let step = option::mass_or_unbalance(step, weight.radius, &self.name("step"))?;
+                    let step = option::mass_or_unbalance(step, weight.radius, &self.name("weight-step"))?;
                     let ends = weight.most.filter(|most| *most < step * (1.0 - 1e-9));
                     if ends.is_some() {
                         return Err(refused(
                             format!(
                                 "{} is larger than the largest amount of \"{}\"",
-                                self.name("step"),
+                                self.name("weight-step"),
                                 weight.name
                             ),
                             "give a smaller step, or a larger largest amount",
@@ -238,7 +238,7 @@ impl TaskOptions {
                             self.name("equal-parts"),
                             weight.name
                         ),
-                        &format!("add {} '200 g mm'", self.name("step")),
+                        &format!("add {} '200 g mm'", self.name("weight-step")),
                     ));
                 }
                 if self.equal_parts {

@@ -19,9 +19,6 @@ const VANISHES: f64 = 1e-6;
 /// Conditions that differ from the others by less than this share are theirs: what they ask beyond is rounding, and charged.
 const DEPENDENT: f64 = 1e-10;
 
-/// With more multipliers than this the weights of groups of one are not solved for.
-const MANY: usize = 400;
-
 /// Multipliers made admissible, and what they prove.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Certificate {
@@ -90,10 +87,10 @@ fn project(
     prices: &mut [f64],
 ) {
     let n = programme.variables;
-    // Where a mean over the cycle has a group at every angle, a group of one multiplier is left to [`settle`]: it loses no more
-    // than the change here.
-    let least = if support.len() > MANY { 2 } else { 1 };
-    let groups: Vec<usize> = (0..programme.groups.len()).filter(|&g| count_of(support, g) >= least).collect();
+    // The terms of a mean over the cycle are left to [`settle`]: it loses no more than the change here.
+    let terms = programme.terms_of_a_mean();
+    let groups: Vec<usize> =
+        (0..programme.groups.len()).filter(|&g| !terms[g] && support.iter().any(|s| s.group == g)).collect();
     let unknowns: usize = directions.iter().map(|d| d.rows).sum::<usize>() + prices.len();
     let mut matrix = Matrix::zeros(n + groups.len(), unknowns);
     let mut right: Vec<f64> =
@@ -143,10 +140,6 @@ fn project(
     for (price, change) in prices.iter_mut().zip(&change[at..]) {
         *price *= 1.0 + change;
     }
-}
-
-fn count_of(support: &[Support], group: usize) -> usize {
-    support.iter().filter(|one| one.group == group).count()
 }
 
 /// Makes `SUM of |y|` of every group at most its weight: a row of the group is raised, or all multipliers are scaled.

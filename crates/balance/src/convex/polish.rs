@@ -29,14 +29,11 @@ const LEVEL: f64 = 2e-13;
 /// Rounds in which peaks and rows may come and go.
 const MOST_ROUNDS: usize = 60;
 
-/// Most multipliers that Newton's method takes: its equations are dense. A mean over the cycle has one at every angle, and
-/// the interior-point method's digits are those of a sum of many smooth terms.
-const MOST_SUPPORT: usize = 400;
-
-/// Improves the point of the interior-point method, with its true levels; `None` where Newton's method does not settle or has too
-/// much to settle.
+/// Improves the point of the interior-point method, with its true levels; `None` where Newton's method does not settle. A mean over
+/// the cycle has a multiplier at every angle, too many for its dense equations, and is smooth: the interior-point method's digits
+/// are enough.
 pub(crate) fn polish(programme: &Programme, point: &ConePoint, levels: Vec<f64>) -> Option<Polished> {
-    if point.support.len() > MOST_SUPPORT {
+    if programme.terms_of_a_mean().contains(&true) {
         return None;
     }
     let mut state = State::of(programme, point, levels);

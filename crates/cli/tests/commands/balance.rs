@@ -143,7 +143,7 @@ fn weights_in_steps_and_equal_parts() {
     let folder = folder("balance-steps");
     let file = template(&folder, "in-line-3");
     let bounded = ["balance", &file, "--counterweights", "throws", "--minimise", "couple", "--gap", "1 %"];
-    let steps = ["--step", "1000 g mm", "--most", "15000 g mm", "--format", "json"];
+    let steps = ["--weight-step", "1000 g mm", "--most", "15000 g mm", "--format", "json"];
     let found = output_json(&folder, 0, &[&bounded[..], &steps].concat());
     for weight in found["weights"].as_array().unwrap() {
         let [x, y] = [0, 1].map(|k| weight["unbalance"][k].as_f64().unwrap());
@@ -152,11 +152,11 @@ fn weights_in_steps_and_equal_parts() {
     }
     assert_eq!(found["method"]["kind"], "branch-and-bound");
     for (options, says) in [
-        (vec!["--step", "5 g"], "needs the radius"),
-        (vec!["--step", "0 g mm"], "more than 0"),
-        (vec!["--step", "5 N"], "`--step`"),
+        (vec!["--weight-step", "5 g"], "needs the radius"),
+        (vec!["--weight-step", "0 g mm"], "more than 0"),
+        (vec!["--weight-step", "5 N"], "`--weight-step`"),
         (vec!["--equal-parts"], "has no effect"),
-        (vec!["--step", "3 kg mm", "--most", "2 kg mm"], "larger than the largest amount"),
+        (vec!["--weight-step", "3 kg mm", "--most", "2 kg mm"], "larger than the largest amount"),
     ] {
         let refused = message(&folder, 2, &[&bounded[..], &options].concat());
         assert!(refused.contains(says) && refused.contains("hint:"), "{options:?}: {refused}");
