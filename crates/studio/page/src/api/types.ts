@@ -63,12 +63,16 @@ export type Answer = {
   effects: Effect[];
   /** Name of the engine. */
   engine: string;
+  /** Where main-bearing loads with gas are judged: the speeds that decide [rad/s], and where the largest of them stands. */
+  gas_speeds?: JudgedSpeeds | null;
   /** Every free inertia. */
   inertias: FoundInertia[];
   /** What each limit costs. */
   limits: FoundLimit[];
   /** How it was found. */
   method: Method;
+  /** Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands. */
+  mount_speeds?: JudgedSpeeds | null;
   /** Whether there is an optimum, and if not, why. */
   outcome: Outcome;
   /** How far the search went, where it was one over choices. */
@@ -83,6 +87,8 @@ export type Answer = {
   task: BalanceTask;
   /** [`ANSWER_VERSION`]. */
   version: number;
+  /** Weights on webs whose largest amount is what fits there: the optimum is one within these bounds. */
+  web_bounds?: WebBound[];
   /** Every free weight. Empty where there is no optimum. */
   weights: FoundWeight[];
 };
@@ -256,6 +262,8 @@ export type BalanceQuestion = {
   free: Free;
   /** Gap at which a search over choices ends, as `--gap` takes it; none: 1e-8. */
   gap: string | null;
+  /** What stages give up for those after them, as `--give-up` takes it. */
+  give_up: string[];
   /** Least unbalance of every free weight on a crankshaft that is used, as `--least` takes it. */
   least: string | null;
   /** Limits as `--limit` takes them. */
@@ -294,16 +302,31 @@ export type BalanceSettings = {
 
 /** Free weights, shafts and inertias, with what is to be minimised and what must hold. */
 export type BalanceTask = {
-  /** Orders of loads that must vanish exactly, by the lightest weights; instead of stages and limits. */
+  /**
+   * Orders of loads that must vanish exactly, instead of stages and limits. Of all weights that do it those come first that the
+   * default stages and what decides among equals put first.
+   */
   cancel: Array<[Load, number]>;
+  /**
+   * How far later stages may raise each stage above its least value, in the order of the stages (of the default ones where
+   * none are named); a stage without an entry gives up nothing.
+   */
+  give_up: GiveUp[];
   /** Inertias that turn against a crankshaft. */
   inertias: FreeInertia[];
   /** What must hold. */
   limits: Limit[];
   /** Most of the optional weights, shafts and inertias that may be used at once. */
   most_optional: number | null;
+  /** What each shaft costs if it is used, in the order of the shafts; a shaft without an entry costs nothing. */
+  shaft_costs: number[];
   /** Balance shafts that may be fitted. */
   shafts: FreeShaft[];
+  /**
+   * Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs and loads with gas are judged, the largest of all counting;
+   * empty: the whole range of the engine. All other loads are largest at the highest speed.
+   */
+  speeds: number[];
   /**
    * What is minimised: the first stage first, each next one without giving up any before it. Empty: force, then
    * couple. Among answers that all stages leave equal the one is chosen whose force and couple, as far as no stage
@@ -469,9 +492,11 @@ export type CancellationVerdict = {
   /** Whether the total is a mass. */
   is_mass: boolean;
   kind: "vanish";
+  /** That of the lightest weights that do it; the same where nothing but the weights decides. */
+  least: number;
   /** No weights that make the orders vanish have a total below `lightest.value`. */
   lightest: Functional;
-  /** Total unbalance [kg m], or mass [kg] where every weight has a radius. */
+  /** Total unbalance of the answer [kg m], or mass [kg] where every weight has a radius. */
   total: number;
 } | {
   kind: "cannot-vanish";
@@ -489,6 +514,13 @@ export type CancelledOrder = {
   left: number;
   /** Its peak without the free devices [N or N m]. */
   without: number;
+};
+
+/** Amounts of which a free weight has one, or none at all. */
+export type Catalogue = {
+  steps: number;
+} | {
+  amounts: number[];
 };
 
 /** The chamber that pistons share. */
@@ -514,10 +546,12 @@ export type CheckedCounterweight = {
   index: number;
   /** Whether it is within a hundredth of what it should be. */
   is_met: boolean;
-  /** Its mass beyond the plain web [kg]. */
+  /** Its mass beyond the plain web [kg]: what it adds to the crankshaft. */
   mass: number;
   /** Its name. */
   name: string;
+  /** Mass of the part as it is exported, with what of the web it covers [kg]. */
+  part_mass: number;
   /** Its polar inertia about the crank axis beyond the plain web [kg m^2]. */
   polar_inertia: number;
   /** Swept radius [m]. */
@@ -651,8 +685,8 @@ export type Compared = {
   /** Largest load of inertia on any main bearing over the cycle, throw by throw [N]; `None` for crankshafts without throws. */
   main_load: number | null;
   /**
-   * Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, on mounts with springs; of inertia alone on
-   * mounts without, which share what they can carry. `None` without mounts.
+   * Largest force at any of its mounts [N]: of inertia and, where it is known, of gas, over the range of speeds on mounts with
+   * springs; of inertia alone, at the speed, on mounts without, which share what they can carry. `None` without mounts.
    */
   mount_force: number | null;
   /** Largest roll moment of the moving masses, either way [N m]. */
@@ -745,6 +779,14 @@ export type Consequences = {
   version: number;
 };
 
+/** What a weight costs if it is used, in whatever unit the file counts: nothing where it is not. */
+export type Cost = {
+  /** Whatever its amount. */
+  fixed: number;
+  /** For every unit of its amount [1/(kg m)]. */
+  per_amount: number;
+};
+
 /** Crankshafts, counterweights, weights of balance shafts and clearances of an engine. */
 export type CounterweightCheck = {
   /** Clearances; none where the file names nothing to stay clear of. */
@@ -782,9 +824,11 @@ export type CounterweightDesigns = {
 
 /** The trade between two objectives for weights of one duty. */
 export type CounterweightFront = {
-  /** The designs. */
+  /** With a room: how far all of them may reach in each direction. */
+  envelope?: RadialEnvelope | null;
+  /** The designs, each as what it adds to the crankshaft beyond the web as it is. */
   front: Front;
-  /** The room that the wanted clearance leaves, to which all swept radii are limited; none where there is nothing to stay clear of. */
+  /** The smallest swept radius that keeps the wanted clearance of one of them whatever the shape; none where there is nothing to stay clear of. */
   room?: SweptRoom | null;
   /** Indices of the weights in [`Engine::counterweights`]. */
   weights: number[];
@@ -885,7 +929,11 @@ export type Criterion = {
   order: [Load, number];
 } | {
   "main-rms": Mains;
-} | "added-mass" | "added-unbalance";
+} | {
+  "main-mean": Mains;
+} | {
+  "mains-with-gas": [Statistic, Mains];
+} | "added-mass" | "added-unbalance" | "cost";
 
 /** Whose curves over the crank angle are in the answer. */
 export type Curves = "all" | "whole";
@@ -1073,7 +1121,7 @@ export type DampedMode = {
 /** Direction in which the depth of an overlap is measured. */
 export type DepthAlong = "cylinder" | "crank" | "radius";
 
-/** A complete counterweight. */
+/** A complete counterweight, beyond the disc of its web; on an engine's web beyond the web as it is. */
 export type Design = {
   /** Unbalance over full balance. */
   balance: number;
@@ -1081,9 +1129,9 @@ export type Design = {
   centre: number;
   /** Half of its largest width [m]. */
   half_width: number;
-  /** Polar inertia about the crank axis, without the web's disc [kg m^2]. */
+  /** Polar inertia about the crank axis, without the web [kg m^2]. */
   inertia: number;
-  /** Its mass, without the web's disc [kg]. */
+  /** Its mass, without the web [kg]. */
   mass: number;
   /** Its shape. */
   shape: CounterweightShape;
@@ -1147,21 +1195,31 @@ export type Designed = {
 export type DesignedCounterweight = {
   /** The unbalance that is full balance [kg m]. */
   duty: number;
+  /** With a room: how far the shape may reach in each direction, by everything that moves past its web over the cycle. */
+  envelope?: RadialEnvelope | null;
   /** What the evolutionary search found, if it was asked for. */
   evolution?: Evolution | null;
   /** Its index in [`Engine::counterweights`]. */
   index: number;
   /** Its name. */
   name: string;
-  /** What was found. */
-  outcome: DesignOutcome;
   /**
-   * The room that the wanted clearance leaves, where it limits the swept radius; none where the best shape of all keeps the clearance,
-   * or there is nothing to stay clear of.
+   * What was found: mass, unbalance and inertia are what the counterweight adds to the crankshaft beyond the web as it is. The proof is about
+   * all shapes that share as much with the flank of the web.
+   */
+  outcome: DesignOutcome;
+  /** Mass of the part as it is exported, the disc of its web included [kg]; none where no shape was found. */
+  part_mass?: number | null;
+  /**
+   * The swept radius that keeps the wanted clearance whatever the shape; none where the best shape of all keeps the clearance, or there is
+   * nothing to stay clear of.
    */
   room?: SweptRoom | null;
-  /** What of its shape the plain web has already, beyond the disc [kg m]: the shape is designed for that much more. */
-  shared: number;
+  /**
+   * What of its outline beyond the web's disc lies within the web as it is and counts as the web's: a design's mass, unbalance and inertia
+   * are without it.
+   */
+  shared: SharedWithWeb;
   /** With a room: what is made small, of the best shape without it [SI]. No shape that keeps the clearance has less. */
   without_room?: number | null;
 };
@@ -1607,8 +1665,10 @@ export type FoundShaft = {
 export type FoundStage = {
   /** The parts of the cycle that hold the optimum up; none where the stage vanishes. */
   active: Active[];
-  /** `value - lower_bound`. */
+  /** `value - lower_bound`, without what later stages took of what this one gives up. */
   gap: number;
+  /** What it gives up for later stages, if anything. */
+  give_up?: StageGiveUp | null;
   /** No choice of these devices that holds the limits goes below this. */
   lower_bound: number;
   /** Weight of each term: 1 for a criterion that is minimised alone. */
@@ -1619,6 +1679,8 @@ export type FoundStage = {
   unit: string;
   /** The sum of weight times criterion, its true value over the continuous cycle. */
   value: number;
+  /** The value of this stage if no earlier one gave up anything, where one does: the difference is what that gains. */
+  without_give_up?: number | null;
 };
 
 /** A free weight of the answer. */
@@ -1671,6 +1733,14 @@ export type FreeShaft = {
 
 /** An unbalance that is to be found: `U = amount e^{i phase}` at `theta = 0`, in the engine's frame. */
 export type FreeWeight = {
+  /** Amounts that can be made, within `least` and `most`; none: every amount. */
+  catalogue: Catalogue | null;
+  /** What it costs if it is used. */
+  cost: Cost;
+  /** Name of the parts that it is one of: used weights with the same name have the same amount of their catalogue. */
+  equal_parts: string | null;
+  /** Whether its largest amount is what fits on its web, by shapes and clearance. */
+  fits?: boolean;
   /** Least amount [kg m], 0 or more. An optional weight is either left out or has at least this. */
   least: number;
   /** Largest amount [kg m]; equal to `least` for a given amount. */
@@ -1783,6 +1853,13 @@ export type GearSeat = "crank" | {
   shaft: number;
 } | "idler";
 
+/** How far later stages may raise a stage above its least value. */
+export type GiveUp = "nothing" | {
+  share: number;
+} | {
+  amount: number;
+};
+
 /** What a similar engine keeps of the original. */
 export type Held = "speed" | "piston-speed";
 
@@ -1870,6 +1947,18 @@ export type InternalMoments = {
 
 /** What is judged. */
 export type Judged = "force" | "couple" | "mount-force";
+
+/** Speeds at which loads were judged that a higher speed need not raise: forces at mounts with springs, loads with gas. */
+export type JudgedSpeeds = {
+  /** By how much a speed between passes the value, at most, as a share of it: what the search over the range left. */
+  excess: number;
+  /** Speeds of crankshaft 1 [rad/s] that hold the proof: over a range the ends, the resonances, some between and the worst of every round. */
+  judged: number[];
+  /** Whether the whole range of the engine counts. */
+  range: boolean;
+  /** Speed [rad/s] at which the first of these criteria is largest with what was found. */
+  worst: number;
+};
 
 /** A key of the engine file. */
 export type KeyInfo = {
@@ -2545,6 +2634,18 @@ export type Problem = {
 /** Whether a finding is about the force, the couple or the roll moment. */
 export type Quantity = "force" | "couple" | "roll-moment";
 
+/** How far a counterweight may reach in each direction, between two planes. */
+export type RadialEnvelope = {
+  /** Directions from that of the counterweight [rad], from 0 to a quarter turn: to either side. */
+  directions: number[];
+  /** The wanted clearance that it keeps [m]. */
+  least: number;
+  /** What is first in the way; none where nothing is within reach. */
+  limit: Obstacle | null;
+  /** Largest radius in each of them [m], on the nearer of both sides. Between two of them it runs along a circle. */
+  radii: number[];
+};
+
 /** Least and most of a dimension; equal where it is fixed. */
 export type Range = {
   /** Least value. */
@@ -2863,6 +2964,16 @@ export type ShapeTask = {
   web_radius: Range;
 };
 
+/** What a shape shares with its plain web beyond the web's disc: it is the web's. */
+export type SharedWithWeb = {
+  /** Polar inertia about the crank axis [kg m^2]. */
+  inertia: number;
+  /** Mass [kg]. */
+  mass: number;
+  /** Unbalance [kg m]. */
+  unbalance: number;
+};
+
 /** How the flank between rectangle and arc is given. */
 export type Shoulder = {
   Angle: Range;
@@ -2952,6 +3063,16 @@ export type Stage = {
   terms: Array<[number, Criterion]>;
 };
 
+/** What a stage gives up for later ones. */
+export type StageGiveUp = {
+  /** The least value that the stage reached by itself, in its unit; its proof is about this one. */
+  least: number;
+  /** The value that later stages had to keep, in its unit. */
+  most: number;
+  /** How far they raised it, in its unit. */
+  used: number;
+};
+
 /** A plane along the shaft. */
 export type Station = {
   /** Largest `|M|` at the plane over the cycle [N m]. */
@@ -2968,6 +3089,9 @@ export type Station = {
   /** Its place [m], from the origin. */
   z: number;
 };
+
+/** What counts of a load over the cycle. */
+export type Statistic = "rms" | "mean" | "peak";
 
 /** Centre of stiffness: where the coupling of translation and rotation is symmetric. */
 export type StiffnessCentre = {
@@ -3250,6 +3374,18 @@ export type Warning = {
   /** What to do. */
   hint: string;
   message: string;
+};
+
+/** What fits on a web. */
+export type WebBound = {
+  /** The largest unbalance that it can have there [kg m]. */
+  bound: number;
+  /** What bounds it: the ranges of its shapes, or what is in the way. */
+  by: string;
+  /** Name of the weight. */
+  name: string;
+  /** The web, counted from 1 through all throws. */
+  web: number;
 };
 
 /** What other weights do to an engine. */
