@@ -1,5 +1,7 @@
 //! All tests of the crate.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod balance;
 mod ideal;
 mod support;

@@ -1,10 +1,13 @@
 //! All tests of the crate.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 mod chamber;
 #[path = "../../../../fuzz/checks.rs"]
 mod checks;
 mod clearance;
 mod corpus;
+mod crosscheck;
 mod main_loads_with_gas;
 mod optima;
 mod pressure;

@@ -1,6 +1,6 @@
 // Criteria, numbers of proofs and verdicts in plain words.
 
-import type { Answer, Effect, FoundLimit, FoundStage, Load, Mains, Method } from "../../api/types";
+import type { Answer, Effect, FoundLimit, FoundStage, Load, Mains, Method, Statistic } from "../../api/types";
 import type { Measure } from "../../state/units.svelte";
 
 /** What balancing judges; another list of criteria has the plain name among the types. */
@@ -18,15 +18,19 @@ export function loadName(load: Load): string {
   return load.replaceAll("-", " ");
 }
 
-function rmsName(mains: Mains): string {
-  if (mains === "all") return `${MAIN_LOAD} rms`;
-  return mains === "largest" ? `largest ${MAIN_LOAD} rms` : `${MAIN_LOAD} ${mains.one + 1} rms`;
+/** The name of what counts of main-bearing loads over the cycle. */
+function statisticName(statistic: Statistic, mains: Mains): string {
+  const word = statistic === "peak" ? "" : ` ${statistic}`;
+  if (mains === "largest" && statistic !== "peak") return `largest ${MAIN_LOAD}${word}`;
+  return typeof mains === "string" ? `${MAIN_LOAD}${word}` : `${MAIN_LOAD} ${mains.one + 1}${word}`;
 }
 
 export function criterionName(criterion: Criterion): string {
   if (typeof criterion === "string") return criterion.replaceAll("-", " ");
   if ("peak" in criterion) return loadName(criterion.peak);
-  if ("main-rms" in criterion) return rmsName(criterion["main-rms"]);
+  if ("main-rms" in criterion) return statisticName("rms", criterion["main-rms"]);
+  if ("main-mean" in criterion) return statisticName("mean", criterion["main-mean"]);
+  if ("mains-with-gas" in criterion) return `${statisticName(...criterion["mains-with-gas"])} with gas`;
   return `${loadName(criterion.order[0])} order ${orderName(criterion.order[1])}`;
 }
 
@@ -39,7 +43,8 @@ export function orderName(order: number): string {
 export function measureOf(criterion: Criterion): Measure {
   if (criterion === "added-mass") return "mass";
   if (criterion === "added-unbalance") return "unbalance";
-  if ("main-rms" in criterion) return "force";
+  if (criterion === "cost") return "none";
+  if ("main-rms" in criterion || "main-mean" in criterion || "mains-with-gas" in criterion) return "force";
   const load = "peak" in criterion ? criterion.peak : criterion.order[0];
   const moments: Load[] = ["couple", "couple-x", "couple-y", "roll-moment", "bending-moment"];
   return moments.includes(load) ? "moment" : "force";
