@@ -4,8 +4,8 @@ use crate::clearance::{clearance_model, largest_swept_radius};
 use crate::counterweights::{CounterweightError, EvolutionRequest, duty_of, tilt, web_of};
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::{
-    Design, DesignOutcome, DesignTask, Evolution, Infeasible, Objective, Optimum, Outline, Part, ShapeTask,
-    counterweight_properties, design_within, evolve, largest_balance,
+    Design, DesignOutcome, DesignTask, Evolution, Limit, NearestLimit, Objective, Optimum, Outline, Part,
+    ShapeTask, counterweight_properties, design_within, evolve, largest_balance,
 };
 use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault, PartWeight};
 use lanchester_report::obstacle_name;
@@ -36,6 +36,13 @@ pub struct SharedWithWeb {
     pub inertia: f64,
 }
 
+/// How often a limit is eased anew until it leaves a shape, and how far beyond its nearest value.
+const MOST_EASED: usize = 8;
+const EASED: f64 = 1e-6;
+
+/// Share of its value by which a limit goes farther that still leaves no shape.
+const FARTHER: f64 = 0.01;
+
 /// The best shape for one weight.
 #[derive(Debug, Clone)]
 pub(crate) struct BestShape {
@@ -51,8 +58,26 @@ pub(crate) struct BestShape {
 }
 
 impl BestShape {
-    /// The best shape that keeps the wanted clearance: the best of all, if that one does; else the best within the envelope.
+    /// The best shape that keeps the wanted clearance: the best of all, if that one does; else the best within the envelope. Where there is
+    /// none, every limit that is told does leave one at the value that is told.
     pub fn find(
+        engine: &Engine,
+        index: usize,
+        duty: f64,
+        task: &ShapeTask,
+    ) -> Result<BestShape, CounterweightError> {
+        let mut best = BestShape::find_as_asked(engine, index, duty, task)?;
+        let DesignOutcome::Infeasible(infeasible) = &mut best.outcome else { return Ok(best) };
+        let mut nearest = Vec::new();
+        for limit in &infeasible.nearest {
+            nearest.extend(attainable(engine, index, duty, task, limit)?);
+        }
+        infeasible.nearest = nearest;
+        Ok(best)
+    }
+
+    /// As [`BestShape::find`]; where there is none, limits are told as far as the last envelope knows them.
+    fn find_as_asked(
         engine: &Engine,
         index: usize,
         duty: f64,
@@ -75,14 +100,15 @@ impl BestShape {
         }
         let (free, without_room) = (found.design, Some(found.value));
         let task = thin_enough(engine, index, task)?;
-        let envelope = envelope(engine, index, &free, &task)?;
-        let best = BestShape {
-            room: room(engine, index, task.thickness.most)?,
-            envelope: Some(envelope.clone()),
-            without_room,
-            free: Some(free),
-            ..best
-        };
+        let room = room(engine, index, task.thickness.most)?;
+        let mut envelope = envelope(engine, index, &free, &task)?;
+        if let Some(room) = &room
+            && envelope.smallest() < task.web_radius.least
+        {
+            envelope = envelope.rounded(room.radius);
+        }
+        let best =
+            BestShape { room, envelope: Some(envelope.clone()), without_room, free: Some(free), ..best };
         let (outcome, shared) = clear_of(engine, index, &task, envelope, |envelope| {
             let (outcome, shared) = designed(engine, index, duty, &task, Some(envelope))?;
             let design = match &outcome {
@@ -90,11 +116,7 @@ impl BestShape {
                 DesignOutcome::Infeasible(_) => None,
             };
             Ok((design, (outcome, shared)))
-        })?
-        .unwrap_or_else(|| {
-            // Not even the web keeps the clearance.
-            (DesignOutcome::Infeasible(Infeasible { proved: false, nearest: Vec::new() }), shared)
-        });
+        })?;
         Ok(BestShape { outcome, shared, ..best })
     }
 
@@ -146,6 +168,56 @@ impl BestShape {
     }
 }
 
+/// A limit at a value that leaves a shape: the envelope and what is shared with the web follow the shape, so that a value which would do within
+/// one of them may not do in the end. `None` where no value of this limit alone was found to.
+fn attainable(
+    engine: &Engine,
+    index: usize,
+    duty: f64,
+    task: &ShapeTask,
+    limit: &NearestLimit,
+) -> Result<Option<NearestLimit>, CounterweightError> {
+    let leaves_one = |value: f64| -> Result<Option<f64>, CounterweightError> {
+        let at = NearestLimit { nearest: value, ..*limit };
+        Ok(match BestShape::find_as_asked(engine, index, duty, &eased(task, &at))?.outcome {
+            DesignOutcome::Found(_) => None,
+            DesignOutcome::Infeasible(still) => {
+                let next = still.nearest.iter().find(|one| one.limit == limit.limit);
+                Some(next.map_or(value, |next| next.nearest))
+            }
+        })
+    };
+    let sign = if limit.limit == Limit::Balance { -1.0 } else { 1.0 };
+    let (mut now, mut farther) = (limit.nearest, 0.0);
+    for _ in 0..MOST_EASED {
+        let Some(next) = leaves_one(now)? else {
+            // Half the last step back, where that is enough.
+            let back = now - 0.5 * sign * farther;
+            let near = if farther > 0.0 && leaves_one(back)?.is_none() { back } else { now };
+            return Ok(Some(NearestLimit { nearest: near, ..*limit }));
+        };
+        // What lies at the edge of the clearance may be missed by rounding, again and again.
+        farther = f64::max(2.0 * farther, FARTHER * limit.nearest.abs());
+        now = next + sign * farther;
+    }
+    Ok(None)
+}
+
+/// The task with a limit at its nearest value, and a millionth beyond.
+fn eased(task: &ShapeTask, limit: &NearestLimit) -> ShapeTask {
+    let mut task = *task;
+    let most = limit.nearest * (1.0 + EASED);
+    match limit.limit {
+        Limit::Mass => task.limits.mass = Some(most),
+        Limit::SweptRadius => task.limits.swept_radius = Some(most),
+        Limit::Inertia => task.limits.inertia = Some(most),
+        Limit::HalfWidth => task.limits.half_width = Some(most),
+        Limit::Thickness => task.thickness.most = most,
+        Limit::Balance => task.least_balance = limit.nearest * (1.0 - EASED),
+    }
+    task
+}
+
 /// The largest unbalances that weights can have on their webs, each searched once.
 #[derive(Default)]
 pub(crate) struct LargestShapes {
@@ -195,7 +267,7 @@ impl LargestShapes {
             let found = largest_shape(engine, index, &task, Some(envelope))?;
             Ok((found.map(|[design, _]| design), found.map(|[_, on_web]| on_web)))
         })?;
-        let bound = found.flatten().as_ref().map_or(0.0, promised);
+        let bound = found.as_ref().map_or(0.0, promised);
         self.within.push((tilt, around, bound));
         Ok((bound, by))
     }
@@ -228,31 +300,41 @@ fn largest_shape(
 }
 
 /// What is found within an envelope and keeps clear between its directions too: until then the envelope is drawn nearer by what is missed, in the
-/// end to the swept radius that keeps clear whatever the shape. None where nothing keeps clear.
+/// end to the swept radius that keeps clear whatever the shape.
 pub(crate) fn clear_of<T>(
     engine: &Engine,
     index: usize,
     task: &ShapeTask,
     envelope: RadialEnvelope,
     find: impl Fn(&RadialEnvelope) -> Result<(Option<Design>, T), CounterweightError>,
-) -> Result<Option<T>, CounterweightError> {
+) -> Result<T, CounterweightError> {
     let round = room(engine, index, task.thickness.most)?.map_or(0.0, |room| room.radius);
     let last = envelope.rounded(round);
-    let mut now = envelope;
+    // What comes nearer than the disc of the web does so without any counterweight: no shape can mend it.
+    let beyond_disc =
+        |envelope: RadialEnvelope| match envelope.radii.iter().all(|r| *r >= task.web_radius.least) {
+            true => envelope,
+            false => last.clone(),
+        };
+    let mut now = beyond_disc(envelope);
     for at in 0..=MOST_ROUNDS {
         let (design, found) = find(&now)?;
-        let Some(design) = design else { return Ok(Some(found)) };
-        let Some(miss) = missed(engine, index, &design, task.density)? else { return Ok(Some(found)) };
+        let Some(design) = design else { return Ok(found) };
+        // What is missed within the last one no shape can mend, as a gap beside the web that is too narrow.
+        if at == MOST_ROUNDS {
+            return Ok(found);
+        }
+        let Some(miss) = missed(engine, index, &design, task.density)? else { return Ok(found) };
         // Another shape may be turned on its web another way.
         now = if at == 0 {
-            self::envelope(engine, index, &design, task)?
+            beyond_disc(self::envelope(engine, index, &design, task)?)
         } else if at + 1 < MOST_ROUNDS {
             now.shrunk(1.05 * miss + 1e-7)
         } else {
             last.clone()
         };
     }
-    Ok(None)
+    unreachable!("invariant: the last round returns")
 }
 
 /// The best shape whose weight on its web is the duty, and what of it the plain web has already.
@@ -272,8 +354,8 @@ pub(crate) fn designed(
             DesignOutcome::Infeasible(mut infeasible) => {
                 for limit in &mut infeasible.nearest {
                     let less = match limit.limit {
-                        lanchester_geometry::Limit::Mass => share.mass,
-                        lanchester_geometry::Limit::Inertia => share.inertia,
+                        Limit::Mass => share.mass,
+                        Limit::Inertia => share.inertia,
                         _ => 0.0,
                     };
                     limit.asked -= less;

@@ -50,11 +50,10 @@ impl RadialEnvelope {
         RadialEnvelope { radii, ..self.clone() }
     }
 
-    /// No farther than a radius [m] in any direction.
+    /// The same radius [m] in all directions.
     #[must_use]
     pub fn rounded(&self, radius: f64) -> RadialEnvelope {
-        let radii = self.radii.iter().map(|own| own.min(radius)).collect();
-        RadialEnvelope { radii, ..self.clone() }
+        RadialEnvelope { radii: vec![radius; self.radii.len()], ..self.clone() }
     }
 
     /// Least radius [m].
