@@ -41,7 +41,7 @@ const MOST_EASED: usize = 8;
 const EASED: f64 = 1e-6;
 
 /// Share of its value by which a limit goes farther that still leaves no shape.
-const FARTHER: f64 = 0.01;
+const FARTHER: f64 = 1e-4;
 
 /// The best shape for one weight.
 #[derive(Debug, Clone)]
@@ -197,7 +197,7 @@ fn attainable(
             return Ok(Some(NearestLimit { nearest: near, ..*limit }));
         };
         // What lies at the edge of the clearance may be missed by rounding, again and again.
-        farther = f64::max(2.0 * farther, FARTHER * limit.nearest.abs());
+        farther = f64::max(4.0 * farther, FARTHER * limit.nearest.abs());
         now = next + sign * farther;
     }
     Ok(None)
