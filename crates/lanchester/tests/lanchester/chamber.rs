@@ -5,7 +5,8 @@ use lanchester::mechanism::{
     BearingPart, BearingRequest, GasTrain, Lever, TorqueRequest, bearing_loads, firing_chart, torque,
 };
 use lanchester::model::Engine;
-use lanchester::{CylinderCycle, TraceFile, cylinder_gas};
+use lanchester::{CylinderCycle, MountSpeeds, TraceFile, cylinder_gas};
+use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
 const SPEED: f64 = 150.0;
@@ -172,4 +173,43 @@ fn a_chamber_that_cannot_be_is_refused() {
         let shown = lanchester::model::render(&reading.diagnostics, "engine.toml", &text, false);
         assert!(reading.engine.is_none() && shown.contains(says), "{shown}");
     }
+}
+
+/// The block on its mounts feels the torque of both pistons of a chamber under its one pressure: p dV of the chamber by plane geometry.
+#[test]
+fn the_mounts_feel_the_torque_of_the_chamber() {
+    let block = "[block]\nmass = \"400 kg\"\ncentre = [\"0 mm\", \"0 mm\", \"0 mm\"]\n\
+        inertia = [\"30 kg m2\", \"30 kg m2\", \"20 kg m2\"]\n";
+    let mount = |name: &str, x: i32, y: i32, z: i32| {
+        format!(
+            "[[mount]]\nname = \"{name}\"\nx = \"{x} mm\"\ny = \"{y} mm\"\nz = \"{z} mm\"\n\
+             stiffness = [\"300 N/mm\", \"300 N/mm\", \"300 N/mm\"]\ndamping = [\"2 N s/mm\", \"2 N s/mm\", \"2 N s/mm\"]\n"
+        )
+    };
+    let mounts =
+        [mount("front", -300, 0, -250), mount("left", 200, 300, 250), mount("right", 200, -300, 250)];
+    let engine = engine("169 deg", &format!("{OTTO}{block}{}", mounts.concat()));
+    let speeds = MountSpeeds::List(vec![SPEED]);
+    let roll = |gas: Option<&[TraceFile]>| {
+        let found = lanchester::mounts(&engine, &speeds, 6, gas, &[]).expect("it is held").response;
+        found.speeds[0].orders.iter().find(|one| one.order == 3.0).expect("order 3").load[5]
+    };
+    let of_gas = roll(Some(&[])) - roll(None);
+    let report = cylinder_gas(&engine, &[], SPEED).expect("pressures");
+    let volumes = CylinderVolume::of_engine(&engine, Some(12.0)).expect("volumes");
+    let count = 14_400;
+    let step = TAU / f64::from(count);
+    // Three chambers a third of a revolution apart: order 3 of one, three times. The pressure jumps at ends of steps.
+    let third: Complex64 = (0..count)
+        .map(|k| {
+            let theta = (f64::from(k) + 0.5) * step;
+            let slope = (volume(&engine, theta + 1e-5) - volume(&engine, theta - 1e-5)) / 2e-5;
+            let gas = &report.cylinders[0];
+            let own = volumes[0].own_angle(theta);
+            (gas.cylinder.at(own) - gas.crankcase.at(own)) * slope * Complex64::cis(-3.0 * theta)
+        })
+        .sum();
+    let wanted = -3.0 * 2.0 / f64::from(count) * third;
+    assert!(wanted.norm() > 100.0, "{wanted}");
+    assert!((of_gas - wanted).norm() < 1e-3 * wanted.norm(), "{of_gas} {wanted}");
 }
