@@ -3,7 +3,7 @@
 //!
 //! Any set of places (bearing, speed, angle) gives a lower bound of what the range allows. After each optimum the largest
 //! loads over the whole range are looked for, and their places join the set until nothing passes the value by
-//! more than [`EXCESS`]. Pressures are computed at [`STEPS`] speeds and lie between them for what is between.
+//! more than [`EXCESS`].
 
 use crate::answer::{Answer, JudgedSpeeds};
 use crate::error::BalanceError;

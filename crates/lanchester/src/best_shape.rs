@@ -102,10 +102,8 @@ impl BestShape {
         let task = thin_enough(engine, index, task)?;
         let room = room(engine, index, task.thickness.most)?;
         let mut envelope = envelope(engine, index, &free, &task)?;
-        if let Some(room) = &room
-            && envelope.smallest() < task.web_radius.least
-        {
-            envelope = envelope.rounded(room.radius);
+        if let Some(room) = &room {
+            envelope = beyond_disc(envelope, &task, room.radius);
         }
         let best =
             BestShape { room, envelope: Some(envelope.clone()), without_room, free: Some(free), ..best };
@@ -299,6 +297,12 @@ fn largest_shape(
     Ok(found)
 }
 
+/// The envelope, or the radius that keeps clear whatever the shape where something comes nearer than the disc of the web: it does so without
+/// any counterweight, and no shape can mend it.
+fn beyond_disc(envelope: RadialEnvelope, task: &ShapeTask, round: f64) -> RadialEnvelope {
+    if envelope.smallest() < task.web_radius.least { envelope.rounded(round) } else { envelope }
+}
+
 /// What is found within an envelope and keeps clear between its directions too: until then the envelope is drawn nearer by what is missed, in the
 /// end to the swept radius that keeps clear whatever the shape.
 pub(crate) fn clear_of<T>(
@@ -310,13 +314,7 @@ pub(crate) fn clear_of<T>(
 ) -> Result<T, CounterweightError> {
     let round = room(engine, index, task.thickness.most)?.map_or(0.0, |room| room.radius);
     let last = envelope.rounded(round);
-    // What comes nearer than the disc of the web does so without any counterweight: no shape can mend it.
-    let beyond_disc =
-        |envelope: RadialEnvelope| match envelope.radii.iter().all(|r| *r >= task.web_radius.least) {
-            true => envelope,
-            false => last.clone(),
-        };
-    let mut now = beyond_disc(envelope);
+    let mut now = beyond_disc(envelope, task, round);
     for at in 0..=MOST_ROUNDS {
         let (design, found) = find(&now)?;
         let Some(design) = design else { return Ok(found) };
@@ -327,7 +325,7 @@ pub(crate) fn clear_of<T>(
         let Some(miss) = missed(engine, index, &design, task.density)? else { return Ok(found) };
         // Another shape may be turned on its web another way.
         now = if at == 0 {
-            beyond_disc(self::envelope(engine, index, &design, task)?)
+            beyond_disc(self::envelope(engine, index, &design, task)?, task, round)
         } else if at + 1 < MOST_ROUNDS {
             now.shrunk(1.05 * miss + 1e-7)
         } else {

@@ -78,6 +78,14 @@ impl BalanceTask {
         self.shaft_cost(shaft) > 0.0 && self.asks_for_cost()
     }
 
+    /// Whether anything that is minimised or limited is a force at mounts.
+    pub fn counts_mounts(&self) -> bool {
+        let stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
+        let mut asked = stages.chain(self.limits.iter().map(|limit| limit.criterion));
+        let at_mounts = |load: Load| matches!(load, Load::MountForce(_) | Load::LargestMountForce);
+        asked.any(|one| matches!(one, Criterion::Peak(load) | Criterion::Order(load, _) if at_mounts(load)))
+    }
+
     /// Takes all other weights out, with the ties that they are in.
     pub fn keep_weights(&mut self, keep: impl Fn(&FreeWeight) -> bool) {
         let kept: Vec<bool> = self.weights.iter().map(keep).collect();

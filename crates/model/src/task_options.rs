@@ -178,6 +178,15 @@ impl TaskOptions {
                     "leave it out: all other loads are largest at the highest speed",
                 ));
             }
+            if !task.counts_mounts() && !task.counts_gas() {
+                return Err(refused(
+                    format!(
+                        "{} has no effect: neither a mount force nor a load with gas is minimised or limited",
+                        self.name("speed")
+                    ),
+                    "name one, such as \"mount force\", or leave it out: all other loads are largest at the highest speed",
+                ));
+            }
             let speed = |text: &String| option::speed(text, &self.name("speed"));
             task.speeds = self.speeds.iter().map(speed).collect::<Result<_, _>>()?;
             if let Some(place) = task.speeds.iter().position(|speed| !engine.speed.holds(*speed)) {

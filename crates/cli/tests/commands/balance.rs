@@ -1,6 +1,6 @@
 //! Optima found, shown and written back.
 
-use crate::program::{folder, lanchester, message, output, output_json, piped, twin};
+use crate::program::{example, folder, lanchester, message, output, output_json, piped, twin};
 use std::fs;
 use std::path::Path;
 
@@ -161,6 +161,19 @@ fn weights_in_steps_and_equal_parts() {
         let refused = message(&folder, 2, &[&bounded[..], &options].concat());
         assert!(refused.contains(says) && refused.contains("hint:"), "{options:?}: {refused}");
     }
+}
+
+#[test]
+fn a_speed_that_nothing_asks_for_is_refused() {
+    let folder = folder("balance-speed");
+    let file = example("in-line-4-mounts");
+    let asked = |criterion| ["balance", file.as_str(), "--minimise", criterion, "--speed", "2000 rpm"];
+    for criterion in ["mount force", "main-bearing load with gas"] {
+        let text = output(&folder, 0, &asked(criterion)).replace('\n', " ");
+        assert!(text.contains("at 2000 rpm"), "{text}");
+    }
+    let refused = message(&folder, 2, &asked("force"));
+    assert!(refused.contains("--speed has no effect") && refused.contains("hint:"), "{refused}");
 }
 
 #[test]
