@@ -2,7 +2,7 @@
 
 use crate::cancellation::answer::Cancellation;
 use crate::settings::{BalanceSettings, StopCause};
-use lanchester_model::{BalanceTask, Criterion};
+use lanchester_task::{BalanceTask, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -38,8 +38,8 @@ pub struct BalanceRate {
 /// ```
 /// use lanchester_balance::balance_rates;
 ///
-/// let template = lanchester_model::template("in-line-4").expect("it is in the gallery");
-/// let engine = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("in-line-4").expect("it is in the gallery");
+/// let engine = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// // Its webs take 80 % of the rotating masses.
 /// assert!(balance_rates(&engine).iter().all(|bay| (bay.rate - 0.8).abs() < 1e-12));
 /// ```
@@ -103,11 +103,12 @@ impl Held {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{Counterweight, read, template};
+    use lanchester_file::{read, template};
+    use lanchester_model::Counterweight;
     use std::f64::consts::PI;
 
     fn gallery(name: &str) -> Engine {
-        read(template(name).unwrap().text).engine.unwrap()
+        read(template(name).unwrap().text).engine().unwrap()
     }
 
     fn rates(engine: &Engine) -> Vec<f64> {

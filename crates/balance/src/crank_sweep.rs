@@ -17,7 +17,8 @@
 
 use crate::error::BalanceError;
 use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism};
-use lanchester_model::{Engine, Load};
+use lanchester_model::Engine;
+use lanchester_task::Load;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -273,10 +274,10 @@ impl Turning {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
 
     fn engine(name: &str) -> Engine {
-        read(template(name).unwrap().text).engine.unwrap()
+        read(template(name).unwrap().text).engine().unwrap()
     }
 
     /// The thesis's motion and the exact one, over strokes and rods of many sizes.

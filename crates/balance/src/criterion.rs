@@ -15,7 +15,8 @@ use crate::gas_range::indices;
 use crate::mounts;
 use crate::operator::{Channel, Operator};
 use crate::wave::{Wave, curve};
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains, Statistic};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, Mains, Statistic};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 

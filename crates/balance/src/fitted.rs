@@ -1,7 +1,8 @@
 //! An engine without what a task takes over, and with what was found.
 
 use crate::answer::Answer;
-use lanchester_model::{BalanceShaft, BalanceTask, Counterweight, Criterion, Engine, Seat, ShaftWeight};
+use lanchester_model::{BalanceShaft, Counterweight, Engine, ShaftWeight};
+use lanchester_task::{BalanceTask, Criterion, Seat};
 
 /// The engine without the counterweights and shafts that have the names of free weights and shafts.
 pub(crate) fn bare(engine: &Engine, task: &BalanceTask) -> Engine {

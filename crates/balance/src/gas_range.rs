@@ -12,7 +12,8 @@ use crate::gas_places::{GasCycle, GasPeak, GasPlaces};
 use crate::problem::stages;
 use crate::speed_range::{raise, steps};
 use lanchester_mechanism::{CylinderGas, MainForces};
-use lanchester_model::{BalanceTask, Criterion, Engine, Mains, Stage, Statistic};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Mains, Stage, Statistic};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 use std::rc::Rc;
@@ -60,7 +61,7 @@ pub(crate) fn with_gas(
 
 fn no_gas(engine: &Engine, criterion: &Criterion) -> BalanceError {
     BalanceError::Missing {
-        criterion: lanchester_model::criterion_name(criterion, engine),
+        criterion: lanchester_task::criterion_name(criterion, engine),
         needed: "the pressures of the cylinders",
         hint: "add [gas] to the engine file, or leave \"with gas\" out",
     }
@@ -116,7 +117,7 @@ impl GasRange<'_> {
             let mean = criteria.iter().find(|one| matches!(one, Criterion::MainsWithGas(Statistic::Mean, _)));
             if let Some(mean) = mean {
                 return Err(BalanceError::Missing {
-                    criterion: lanchester_model::criterion_name(mean, engine),
+                    criterion: lanchester_task::criterion_name(mean, engine),
                     needed: "one speed",
                     hint: "give it by `speeds` or --speed; over a range of speeds ask for the root mean square or the peak",
                 });

@@ -17,7 +17,8 @@ use crate::wave::Wave;
 use lanchester_mechanism::{
     Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, OrderLoads, main_orders,
 };
-use lanchester_model::{BalanceTask, Engine, FreeInertia, Phase, Place, Ratio, Seat};
+use lanchester_model::{Engine, Ratio};
+use lanchester_task::{BalanceTask, FreeInertia, Phase, Place, Seat};
 use num_complex::Complex64;
 use std::rc::Rc;
 

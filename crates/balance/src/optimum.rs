@@ -20,7 +20,8 @@ use crate::settings::{BalanceSettings, Next, SearchState, StopCause, Watch};
 use crate::speed_range::over_the_range;
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Place, Seat, criterion_name, criterion_unit};
 use std::rc::Rc;
 
 /// Share of what a stage is without the devices below which it vanishes.

@@ -27,7 +27,8 @@ use crate::problem::Problem;
 use crate::stages::{Walk, run};
 use crate::wave::curve;
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, criterion_unit};
 use serde::Serialize;
 
 /// Version of [`RobustAnswer`]; raised when a field changes its meaning or goes.

@@ -17,7 +17,8 @@ use crate::operator::Operator;
 use crate::problem::stages;
 use crate::wave::{Wave, curve};
 use lanchester_mechanism::{Kinematics, MountSystem};
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Stage};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, Stage};
 use std::collections::BTreeSet;
 
 /// A speed may pass the value by this share of it.

@@ -56,8 +56,8 @@ impl Swept {
 /// ```
 /// use lanchester_balance::{SweepOptions, swept};
 /// use lanchester_mechanism::Kinematics;
-/// let template = lanchester_model::template("single").expect("it is in the gallery");
-/// let single = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("single").expect("it is in the gallery");
+/// let single = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let found = swept(&single, None, Kinematics::Exact, &SweepOptions::default())?;
 /// let optimum = found.optimal().expect("it is proved");
 /// assert!(optimum.criterion <= found.best.criterion && found.best.criterion < 0.6 * found.basic.criterion);
@@ -106,10 +106,10 @@ pub fn swept(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
 
     fn engine(name: &str) -> Engine {
-        read(template(name).unwrap().text).engine.unwrap()
+        read(template(name).unwrap().text).engine().unwrap()
     }
 
     #[test]

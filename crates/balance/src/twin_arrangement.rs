@@ -214,8 +214,8 @@ impl ArrangementOptions {
 /// # Example
 /// ```
 /// use lanchester_balance::{ArrangementOptions, TwinArrangement, arranged};
-/// let template = lanchester_model::template("twin-360").expect("it is in the gallery");
-/// let twin = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("twin-360").expect("it is in the gallery");
+/// let twin = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let balanced = arranged(&twin, TwinArrangement::TwoFirst, &ArrangementOptions::default())?;
 /// assert_eq!(balanced.shafts.len(), 2);
 /// # Ok::<(), lanchester_balance::BalanceError>(())

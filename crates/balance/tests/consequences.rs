@@ -3,11 +3,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use lanchester_balance::{Affected, AffectedPart, Change, Consequences, balance_rates, consequences};
+use lanchester_file::{read, template, templates};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads, main_inertia_loads};
-use lanchester_model::{Engine, read, template, templates};
+use lanchester_model::Engine;
 
 fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 /// Only its crank turns: one unbalance in the plane of every throw, nothing else has mass.
@@ -141,7 +142,7 @@ fn the_mass_is_a_row_where_that_of_every_weight_is_known() {
 #[test]
 fn main_loads_are_those_of_the_bearings() {
     for template in templates() {
-        let engine = read(template.text).engine.unwrap();
+        let engine = read(template.text).engine().unwrap();
         let request = BearingRequest { part: BearingPart::Inertia, ..BearingRequest::default() };
         let traces = bearing_loads(&engine, None, &request).unwrap();
         let loads = main_inertia_loads(&engine, None).unwrap();
@@ -159,7 +160,7 @@ fn main_loads_are_those_of_the_bearings() {
 #[test]
 fn every_engine_of_the_gallery_has_consequences() {
     for template in templates() {
-        let engine = read(template.text).engine.unwrap();
+        let engine = read(template.text).engine().unwrap();
         let found = of(&engine, &bare(&engine));
         assert!(
             found.rows.iter().all(|row| row.before.is_finite() && row.after.is_finite()),

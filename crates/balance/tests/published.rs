@@ -5,8 +5,9 @@ use lanchester_balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, Basis, EngineResidual, FourCylinderRule, MatrixBalance,
     MatrixMethod, Remark, ShaftPair, ThreeCylinderRule,
 };
+use lanchester_file::{read, template, templates};
 use lanchester_mechanism::{LoadRequest, loads, series_coefficients};
-use lanchester_model::{Engine, read, template, templates};
+use lanchester_model::Engine;
 use num_complex::Complex64;
 
 const TOOL_PAPER_THREE: &str = include_str!("../../../validation/balancing-tool-paper/in-line-three.toml");
@@ -16,7 +17,7 @@ const THESIS_FOUR: &str = include_str!("../../../validation/three-four-cylinder-
 
 fn engine(text: &str) -> Engine {
     let reading = read(text);
-    reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
 }
 
 fn gallery(name: &str) -> Engine {

@@ -5,8 +5,10 @@ use lanchester_balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodFound,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
+use lanchester_file::{read, templates};
 use lanchester_mechanism::{Kinematics, LoadRequest, Loads, Part, loads};
-use lanchester_model::{Criterion, Engine, Load, read, templates};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, Load};
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -15,7 +17,7 @@ const THESIS_THREE: &str = include_str!("../../../validation/three-four-cylinder
 
 fn engine(text: &str) -> Engine {
     let reading = read(text);
-    reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
 }
 
 fn two_orders(engine: &Engine, kinematics: Kinematics) -> Loads {

@@ -50,7 +50,7 @@ pub enum MountedError {
 /// use lanchester::{MountSpeeds, mounts};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4-mounts.toml"));
-/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
+/// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");
 /// let study = mounts(&engine, &MountSpeeds::Range(3), 8, Some(&[]), &[])?;
 /// let (idle, top) = (&study.response.speeds[0], &study.response.speeds[2]);
 /// // The torque rod feels the gas at idle far more than the inertia forces at top speed.
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn the_gas_over_speeds_is_that_of_each_speed() {
         let zone = include_str!("../../../examples/single-gas.toml");
-        let single = lanchester_model::read(zone).engine.expect("the example has no mistakes");
+        let single = lanchester_file::read(zone).engine().expect("the example has no mistakes");
         for engine in [example(), single] {
             let speeds = [200.0, 310.0, 450.0];
             let together = gas_at_speeds(&engine, &[], &speeds, 6).expect("it has gas");
@@ -180,7 +180,7 @@ mod tests {
 
     fn example() -> Engine {
         let text = include_str!("../../../examples/in-line-4-mounts.toml");
-        lanchester_model::read(text).engine.expect("the example has no mistakes")
+        lanchester_file::read(text).engine().expect("the example has no mistakes")
     }
 
     #[test]
@@ -254,8 +254,8 @@ mod tests {
     #[test]
     fn a_three_of_four_strokes_shakes_its_mounts_at_half_orders() {
         let mut engine = example();
-        let template = lanchester_model::template("in-line-3").expect("the gallery has it");
-        let three = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+        let template = lanchester_file::template("in-line-3").expect("the gallery has it");
+        let three = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
         engine = Engine { gas: engine.gas, block: engine.block, mounts: engine.mounts, ..three };
         let study = mounts(&engine, &MountSpeeds::List(vec![100.0]), 4, Some(&[]), &[]).expect("it is held");
         let at = &study.response.speeds[0];
@@ -277,7 +277,7 @@ mod tests {
             (include_str!("../../../examples/twin-in-line-in-phase.toml"), 8252.0, 0.5),
             (include_str!("../../../examples/twin-boxer-in-phase.toml"), 4126.0, 0.5),
         ] {
-            let mut engine = lanchester_model::read(text).engine.expect("the example has no mistakes");
+            let mut engine = lanchester_file::read(text).engine().expect("the example has no mistakes");
             let block = lanchester_model::Block {
                 mass: 60.0,
                 centre: [0.0; 3],

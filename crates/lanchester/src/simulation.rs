@@ -77,7 +77,7 @@ impl Default for SimulateRequest {
 /// use lanchester::{RunLength, SimulateRequest, simulate};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4.toml"));
-/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
+/// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");
 /// let request = SimulateRequest { imposed: true, gravity: false, length: RunLength::Revolutions(2.0), ..SimulateRequest::default() };
 /// let result = simulate(&engine, &[], &request)?;
 /// assert!(result.run.audit.energy < 1e-9 && result.run.audit.loops < 1e-12);

@@ -6,7 +6,8 @@ use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,
 };
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
-use lanchester_model::{BalanceTask, Engine, GasSource};
+use lanchester_model::{Engine, GasSource};
+use lanchester_task::BalanceTask;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -27,7 +28,7 @@ const STEPS: usize = 12;
 /// use lanchester::model::{BalanceTask, Criterion, Mains, Stage, Statistic};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4-mounts.toml"));
-/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
+/// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");
 /// let peak = Criterion::MainsWithGas(Statistic::Peak, Mains::Largest);
 /// let task = BalanceTask { stages: vec![Stage::of(vec![(1.0, peak)])], ..BalanceTask::default() };
 /// let settings = BalanceSettings::default();
@@ -123,7 +124,7 @@ mod tests {
     #[test]
     fn a_computed_cycle_is_interpolated_between_its_speeds() {
         let text = include_str!("../../../examples/single-gas.toml");
-        let engine = lanchester_model::read(text).engine.expect("the example has no mistakes");
+        let engine = lanchester_file::read(text).engine().expect("the example has no mistakes");
         let gas = SpeedGas::new(&engine, Ok(&[]));
         let (lowest, highest) = (engine.speed.lowest, engine.speed.highest);
         let step = (highest - lowest) / STEPS as f64;

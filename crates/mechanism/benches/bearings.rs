@@ -1,14 +1,15 @@
 //! How long the bearing loads of a V8 take over 720 angles, with its gas and without, and its torque with all that belongs to it.
 use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_file::{read, template};
 use lanchester_mechanism::*;
-use lanchester_model::{Engine, read, template};
+use lanchester_model::Engine;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
 /// A V8 of the gallery with a bore, and a pressure every degree.
 fn v8() -> (Engine, Vec<CylinderGas>) {
     let text = template("v8-crossplane").expect("it is in the gallery").text;
-    let mut engine = read(text).engine.expect("it is valid");
+    let mut engine = read(text).engine().expect("it is valid");
     for cylinder in &mut engine.cylinders {
         cylinder.bore = Some(0.09);
     }

@@ -60,14 +60,10 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
     }
 }
 

@@ -1,5 +1,6 @@
 //! How long the block on its mounts takes: four mounts, 200 speeds, 12 orders.
 use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_file::{read, template};
 use lanchester_mechanism::{Excitation, MountSystem, OrderLoads};
 use lanchester_model::*;
 use num_complex::Complex64;
@@ -8,7 +9,7 @@ use std::hint::black_box;
 /// A block of 150 kg on four mounts that stand askew, the rear ones with a table.
 fn engine() -> Engine {
     let template = template("in-line-4").expect("the gallery has it");
-    let mut engine = read(template.text).engine.expect("the gallery's files are valid");
+    let mut engine = read(template.text).engine().expect("the gallery's files are valid");
     engine.block = Some(Block {
         mass: 150.0,
         centre: [0.08, 0.01, 0.05],

@@ -15,11 +15,9 @@ use crate::friction::Friction;
 use crate::gas::Gas;
 use crate::mount::Mount;
 use crate::ratio::Ratio;
-use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
-use crate::shape_task::ShapeTask;
-use crate::task::BalanceTask;
-use crate::tolerance::Tolerance;
+use crate::shaft_part::ShaftWeightPart;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 
 /// A piston engine in its general form.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -55,9 +53,6 @@ pub struct Engine {
     /// What the crankshaft must stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub envelope: Option<Envelope>,
-    /// Shapes among which counterweights are to be found.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shape_task: Option<ShapeTask>,
     /// Gas in the cylinders, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas: Option<Gas>,
@@ -67,18 +62,9 @@ pub struct Engine {
     /// Its flywheel, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flywheel: Option<Flywheel>,
-    /// What its parts may be off, from engine to engine of a production; empty if the file does not say.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub tolerances: Vec<Tolerance>,
     /// Sizes of its bearings, if the file gives some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearings: Option<Bearings>,
-    /// Shapes among which the weights of balance shafts are to be found.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shaft_weight_task: Option<ShaftWeightTask>,
-    /// What may be done to balance it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub balance: Option<BalanceTask>,
 }
 
 /// Strokes in a working cycle.
@@ -356,6 +342,11 @@ impl ShaftWeight {
     }
 }
 
+/// Angle of crankshaft 1 [rad] in which a cylinder on a crankshaft of this ratio fires once: a working cycle of its own crankshaft.
+pub fn working_cycle(strokes: Strokes, ratio: Ratio) -> f64 {
+    TAU * f64::from(strokes.revolutions()) / ratio.value().abs()
+}
+
 impl Engine {
     /// Indices of the pistons of the chamber of cylinder `index`, rising: one but where pistons share it.
     pub fn chamber_pistons(&self, index: usize) -> Vec<usize> {
@@ -366,7 +357,7 @@ impl Engine {
     /// Angle of crankshaft 1 [rad] in which cylinder `index` fires once: a working cycle of its own crankshaft.
     pub fn working_cycle(&self, index: usize) -> f64 {
         let crankshaft = self.throws[self.cylinders[index].throw].crankshaft;
-        crate::firing::working_cycle(self.strokes, self.crankshafts[crankshaft].ratio)
+        working_cycle(self.strokes, self.crankshafts[crankshaft].ratio)
     }
 
     /// Angle of the pin of throw `throw` [rad] at crank angle `theta` [rad].

@@ -19,7 +19,6 @@ pub struct PartWeight {
 
 /// Why a part is no single weight.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum PartFault {
     /// Its first moments along z do not point where its unbalance does: it makes a couple of its own.
     #[error("the part has a couple of {couple:.3e} kg m2 across its unbalance, which no single weight has")]
@@ -43,7 +42,7 @@ const ROUNDING: f64 = 1e-12;
 /// Couples below this share of mass times swept radius times thickness are none.
 const NO_COUPLE: f64 = 1e-9;
 /// Unbalance [kg m] and place [m] beyond which no engine goes.
-pub(crate) const LARGEST: f64 = 1e12;
+pub const LARGEST_UNBALANCE: f64 = 1e12;
 
 impl Engine {
     /// What `part` weighs as a counterweight of this engine.
@@ -56,7 +55,7 @@ impl Engine {
 }
 
 /// As [`Engine::part_weight`], while the engine is still being read.
-pub(crate) fn part_weight(
+pub fn part_weight(
     part: &CounterweightPart,
     throws: &[Throw],
     body: Option<&CrankBody>,
@@ -94,7 +93,7 @@ pub(crate) fn part_weight(
     let along = if unbalance > 0.0 { first * (1.0 / unbalance) } else { Point::new(1.0, 0.0) };
     let couple = if unbalance > 0.0 { along.cross(lever).abs() } else { lever.norm() };
     let offset = if unbalance > 0.0 { along.dot(lever) / unbalance } else { 0.0 };
-    let is_finite = [unbalance, couple, offset].iter().all(|value| value.abs() <= LARGEST);
+    let is_finite = [unbalance, couple, offset].iter().all(|value| value.abs() <= LARGEST_UNBALANCE);
     if !is_finite {
         return Err(PartFault::TooLarge);
     }

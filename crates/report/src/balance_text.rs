@@ -13,7 +13,8 @@ use crate::terminal::push_wrapped;
 use lanchester_balance::{
     Answer, BalanceSettings, Consequences, FoundStage, JudgedSpeeds, Method, Outcome, SearchState,
 };
-use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis

@@ -69,14 +69,10 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
     }
 }
 

@@ -247,11 +247,11 @@ fn draw_labels(
 mod tests {
     use super::*;
     use crate::crank_view::crank_view;
+    use lanchester_file::{read, template};
     use lanchester_mechanism::{LoadRequest, loads};
-    use lanchester_model::{read, template};
 
     fn engine(name: &str) -> Engine {
-        read(template(name).expect("it is in the gallery").text).engine.expect("it is valid")
+        read(template(name).expect("it is in the gallery").text).engine().expect("it is valid")
     }
 
     fn plots(engine: &Engine) -> Vec<Figure> {

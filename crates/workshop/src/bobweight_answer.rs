@@ -6,8 +6,9 @@ use crate::error::WorkshopError;
 use crate::plane::end_planes;
 use lanchester_balance::{BalanceError, Outcome, optimise};
 use lanchester_mechanism::{LoadError, LoadRequest, total_loads};
-use lanchester_model::workshop::{BobweightSheet, PinParts, Sheet};
-use lanchester_model::{BalanceTask, Counterweight, Engine, FreeWeight, Place, Seat};
+use lanchester_model::{Counterweight, Engine};
+use lanchester_task::workshop::{BobweightSheet, PinParts, Sheet};
+use lanchester_task::{BalanceTask, FreeWeight, Place, Seat};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -262,7 +263,6 @@ fn compare(
     }
     let mut without = engine.clone();
     without.counterweights.clear();
-    without.balance = None;
     let task = BalanceTask { weights: end_weights(engine), ..BalanceTask::default() };
     let answer = optimise(&without, &task).map_err(|error| match error {
         BalanceError::Loads(error) => WorkshopError::Loads(error),

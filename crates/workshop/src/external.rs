@@ -108,7 +108,8 @@ pub fn external_balance(
 mod tests {
     use super::*;
     use crate::{FactorRequest, balance_factors, crank_unbalance};
-    use lanchester_model::{Counterweight, read, template};
+    use lanchester_file::{read, template};
+    use lanchester_model::Counterweight;
 
     fn planes() -> [Plane; 2] {
         [Plane { name: "damper".into(), z: -0.26 }, Plane { name: "flywheel".into(), z: 0.31 }]
@@ -118,7 +119,7 @@ mod tests {
     #[test]
     fn the_crank_is_in_balance_with_its_weights_outside() {
         for name in ["v8-crossplane", "in-line-3", "single"] {
-            let mut engine = read(template(name).unwrap().text).engine.unwrap();
+            let mut engine = read(template(name).unwrap().text).engine().unwrap();
             let factors = balance_factors(&engine, &FactorRequest::default()).unwrap();
             let bobs: Vec<f64> = factors.iter().map(|f| f.bobweight).collect();
             let all = external_balance(&engine, 0, &bobs, &planes(), [None; 2], 1.0).unwrap();
@@ -152,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_share_beyond_all_is_refused() {
-        let engine = read(template("single").unwrap().text).engine.unwrap();
+        let engine = read(template("single").unwrap().text).engine().unwrap();
         let error = external_balance(&engine, 0, &[0.5], &planes(), [None; 2], 1.4).unwrap_err().to_string();
         assert!(error.contains("from 0 to 1, got 1.4"), "{error}");
         let error =

@@ -13,7 +13,8 @@ use crate::arrangement::spacing::extent;
 use crate::arrangement::wording;
 use crate::consequences::inside_the_crank;
 use crate::{Answer, BalanceError, Outcome, as_it_stands, fitted, optimise};
-use lanchester_model::{BalanceTask, Criterion, Engine, Limit, Load, Mount, Place, Seat, Stage};
+use lanchester_model::{Engine, Mount};
+use lanchester_task::{BalanceTask, Criterion, Limit, Load, Place, Seat, Stage};
 use num_complex::Complex64;
 
 /// A residual this share above the limit still reaches it.

@@ -14,7 +14,8 @@ use crate::criterion::vectors;
 use crate::error::BalanceError;
 use crate::operator::Operator;
 use crate::wave::Wave;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Phase, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, Phase, criterion_unit};
 use num_complex::Complex64;
 
 /// Share of all moving masses' loads below which a load is rounding.

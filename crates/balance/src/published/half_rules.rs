@@ -70,7 +70,7 @@ impl BalanceFactor {
                 }
             })
             .collect();
-        Engine { counterweights, balance: None, ..engine.clone() }
+        Engine { counterweights, ..engine.clone() }
     }
 }
 
@@ -239,7 +239,7 @@ impl FourCylinderRule {
         })?;
         let second = reciprocating(engine, 2, Motion::Published)?;
         let exact = reciprocating(engine, 2, Motion::Exact)?;
-        let mut fitted = Engine { shafts: Vec::new(), balance: None, ..engine.clone() };
+        let mut fitted = Engine { shafts: Vec::new(), ..engine.clone() };
         let senses = [(1, second.forward, self.forward_at), (-1, second.backward, self.backward_at)];
         for (sense, resultant, [x, y]) in senses {
             let unbalance = -resultant.force;

@@ -426,7 +426,7 @@ impl MatrixBalance {
 
 /// The engine without counterweights, shafts and task.
 pub(crate) fn bare(engine: &Engine) -> Engine {
-    Engine { counterweights: Vec::new(), shafts: Vec::new(), balance: None, ..engine.clone() }
+    Engine { counterweights: Vec::new(), shafts: Vec::new(), ..engine.clone() }
 }
 
 /// Throws from the free end to the flywheel, by index.

@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{Answer, BalanceError, Method, Outcome, optimise, optimise_watched};
 use lanchester_balance::{BalanceSettings, Next, StopCause};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
     let answer = optimise(engine, task).expect("a valid task");

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Method, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn somewhere(name: &str, seat: Seat, z: (f64, f64), most: f64) -> FreeWeight {
     FreeWeight { z: Place::Between(z.0, z.1), most: Some(most), ..weight(name, seat, 0.0) }

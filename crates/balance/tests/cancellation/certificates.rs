@@ -2,7 +2,9 @@
 
 use crate::support::*;
 use lanchester_balance::*;
+use lanchester_file::{Template, templates};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 use proptest::prelude::*;
 

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::*;
 use lanchester_model::*;
+use lanchester_task::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const FORCE_1: (Load, f64) = (Load::Force, 1.0);

@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{fitted, optimise};
 use lanchester_mechanism::{InternalRequest, internal_moments};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 
 /// Largest bending moment along crankshaft 1 as a free beam under all that turns, by the mechanism's own walk along it.

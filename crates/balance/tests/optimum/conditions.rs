@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{Answer, fitted, optimise};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 use proptest::prelude::*;
 

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Answer, BalanceError, Outcome, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn value(engine: &Engine, task: &BalanceTask) -> f64 {
     let answer = optimise(engine, task).expect("a valid task");

@@ -3,8 +3,9 @@
 use crate::support::{engine, stage};
 use lanchester_balance::{Answer, Outcome, as_it_stands, fitted, optimise};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
-use lanchester_model::{
-    BalanceTask, CrankWeightPlaces, Criterion, Engine, Limit, Load, Mains, Stage, crank_weights, default_task,
+use lanchester_model::Engine;
+use lanchester_task::{
+    BalanceTask, CrankWeightPlaces, Criterion, Limit, Load, Mains, Stage, crank_weights, default_task,
 };
 
 const RMS: Criterion = Criterion::MainRms(Mains::All);

@@ -3,9 +3,8 @@
 use crate::support::{assert_proved, on_crank, shaft, stage, stripped, weight};
 use lanchester_balance::{Answer, BalanceError, fitted, optimise};
 use lanchester_mechanism::{MountError, MountSystem, inertia_excitations, vector_amplitude};
-use lanchester_model::{
-    BalanceTask, Block, Criterion, Engine, Load, Mount, MountPoint, MountSpring, MovingParts, Seat, Stage,
-};
+use lanchester_model::{Block, Engine, Mount, MountPoint, MountSpring, MovingParts};
+use lanchester_task::{BalanceTask, Criterion, Load, Seat, Stage};
 
 /// An in-line three on three mounts, of which one has a table and one stands askew.
 pub fn engine(stiffness: f64, mass: f64) -> Engine {

@@ -5,6 +5,7 @@ use lanchester_balance::{
     BalanceError, RobustAnswer, RobustMeasure, RobustRequest, as_it_stands, fitted, optimise, optimise_robust,
 };
 use lanchester_model::*;
+use lanchester_task::*;
 
 const FORCE: Criterion = Criterion::Peak(Load::Force);
 

@@ -19,11 +19,11 @@ use lanchester::report::{
 pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     fits_together(arguments)?;
     let opened = open(&arguments.file, colour)?;
-    let request = arrangement_request(&opened.engine, arguments, colour)?;
-    let found = arrangements(&opened.engine, &request).map_err(Failure::refused)?;
+    let request = arrangement_request(&opened.file.engine, arguments, colour)?;
+    let found = arrangements(&opened.file.engine, &request).map_err(Failure::refused)?;
     let choice = arguments.search.choose.as_deref().map(|text| choice(&found, text)).transpose()?;
     if let Some(folder) = &arguments.figures {
-        for figure in figures(&opened.engine, &request, &found, choice) {
+        for figure in figures(&opened.file.engine, &request, &found, choice) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
@@ -142,14 +142,14 @@ fn one(
 ) -> Result<u8, Failure> {
     let spacing = &found.spacings[0];
     let chosen = &spacing.arrangements[choice];
-    let bare = searched_engine(&opened.engine, request, spacing.scale);
+    let bare = searched_engine(&opened.file.engine, request, spacing.scale);
     let adopted = arguments.write || arguments.dry_run;
     if adopted {
         may_be_written(spacing, chosen)?;
     }
     let after = fitted(&bare, &chosen.answer);
     // The file's own devices on the mounts that the search judges.
-    let before = Engine { mounts: bare.mounts.clone(), ..opened.engine.clone() };
+    let before = Engine { mounts: bare.mounts.clone(), ..opened.file.engine.clone() };
     let effect = consequences(&before, &after, Some(&chosen.answer.task))?;
     let good = chosen.possible && chosen.reaches_limit != Some(false);
     if adopted && put_into_file(opened, arguments, &after, Some(&effect), colour)? {

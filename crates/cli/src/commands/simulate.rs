@@ -6,12 +6,12 @@ use crate::files::print;
 use crate::format::Format;
 use crate::simulation_arguments::{BlockOption, SimulateArguments, SimulationTable};
 use crate::trace_files::trace_files;
-use lanchester::model::option;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
     simulation_energy_csv, simulation_events_csv, simulation_reactions_csv, simulation_text,
     simulation_trace_csv,
 };
+use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate};
 
 pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
@@ -24,7 +24,7 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     for &number in &arguments.misfire {
-        let count = opened.engine.cylinders.len();
+        let count = opened.file.engine.cylinders.len();
         if !(1..=count).contains(&number) {
             let needed = format!("--misfire needs a number of a cylinder, from 1 to {count}, got {number}");
             return Err(Failure::input(needed, "cylinders are numbered as in the file"));
@@ -32,10 +32,10 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         request.misfire.push(number - 1);
     }
     let traces = match request.gas {
-        true => trace_files(&opened.engine, &arguments.file)?,
+        true => trace_files(&opened.file.engine, &arguments.file)?,
         false => Vec::new(),
     };
-    let result = simulate(&opened.engine, &traces, &request).map_err(Failure::refused)?;
+    let result = simulate(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => simulation_text(&result),
         (Format::Json, _) => json(&result)?,

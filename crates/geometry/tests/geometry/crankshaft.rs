@@ -6,6 +6,7 @@ use crate::support::random_crank;
 
 use crate::support::random_crank::{any_body, any_wish, engine, engine_balance, plain_wish};
 use crate::support::step_reader::StepFile;
+use lanchester_file::{expanded, read, render};
 use lanchester_geometry::crankshaft::{CrankshaftBody, CrankshaftError, SectionKind, crankshaft};
 use lanchester_geometry::export::{RESOLUTION, StepHeader, glb, solids, step, stl};
 use lanchester_geometry::{Contour, GeometryError, Insert, MassMoments, Outline, Part, Point};
@@ -122,7 +123,7 @@ proptest! {
     ) {
         let text = with_shared_webs(&angles, &radii, &shares, numbers);
         let reading = read(&text);
-        let engine = reading.engine.unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", &text, false)));
+        let engine = reading.engine().unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", &text, false)));
         let shared = shares.iter().take(angles.len() - 1).filter(|(is_shared, _)| *is_shared).count();
         prop_assert_eq!(engine.shared_webs().len(), shared);
         let crank = crankshaft(&engine, 0).unwrap();
@@ -130,7 +131,7 @@ proptest! {
         prop_assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);
         prop_assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
         prop_assert!((crank.unbalance.couple - couple).norm() < 1e-12 * v);
-        let again = read(&expanded(&engine)).engine;
+        let again = read(&expanded(&engine.clone().into())).engine();
         prop_assert_eq!(again.as_ref(), Some(&engine));
         assert_sums(&crank);
         // Of each shared web both halves, a journal beside every other web.
@@ -431,7 +432,7 @@ angle = "20 deg"
 fn the_crankshaft_of_a_file_balances_as_its_loads_do() {
     let reading = read(FILE);
     let engine =
-        reading.engine.unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", FILE, false)));
+        reading.engine().unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", FILE, false)));
     let crank = crankshaft(&engine, 0).unwrap();
     let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
     assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);

@@ -30,7 +30,7 @@ unbalance = "1 kg mm"
 "#;
 
 fn engine() -> Engine {
-    lanchester_model::read(SINGLE).engine.expect("the file has no mistakes")
+    lanchester_file::read(SINGLE).engine().expect("the file has no mistakes")
 }
 
 fn task() -> ShapeTask {

@@ -14,10 +14,10 @@ use lanchester_mechanism::{LoadRequest, Loads, loads};
 use lanchester_model::Engine;
 
 fn engine(template: &str) -> Engine {
-    let text = lanchester_model::template(template).expect("a template of the list").text;
-    let reading = lanchester_model::read(text);
+    let text = lanchester_file::template(template).expect("a template of the list").text;
+    let reading = lanchester_file::read(text);
     assert!(reading.diagnostics.is_empty(), "{template}: {:?}", reading.diagnostics);
-    reading.engine.expect("a file without a mistake has an engine")
+    reading.engine().expect("a file without a mistake has an engine")
 }
 
 fn exact(engine: &Engine) -> Loads {
@@ -26,7 +26,7 @@ fn exact(engine: &Engine) -> Loads {
 
 /// Every template with its evidence and its loads.
 fn gallery() -> Vec<(Evidence, Engine, Loads)> {
-    let all = lanchester_model::templates().iter().map(|template| {
+    let all = lanchester_file::templates().iter().map(|template| {
         let evidence = evidence::read(template.name).unwrap_or_else(|missing| panic!("{missing}"));
         let engine = engine(template.name);
         let loads = exact(&engine);
@@ -38,7 +38,7 @@ fn gallery() -> Vec<(Evidence, Engine, Loads)> {
 #[test]
 fn gallery_has_at_least_24_layouts_each_with_evidence_and_no_evidence_without_a_layout() {
     let templates: std::collections::BTreeSet<String> =
-        lanchester_model::templates().iter().map(|t| t.name.to_string()).collect();
+        lanchester_file::templates().iter().map(|t| t.name.to_string()).collect();
     assert!(templates.len() >= 24, "{} templates", templates.len());
     assert_eq!(templates, evidence::names());
     for (evidence, _, _) in gallery() {
@@ -60,7 +60,7 @@ fn ext_derive_offsets_rod_inertia_articulation_and_half_speed_at_once() {
     let folder = evidence::folder().join("extra");
     let text = std::fs::read_to_string(folder.join("everything-at-once.toml")).expect("the file is there");
     let evidence = evidence::read("extra/everything-at-once").unwrap_or_else(|missing| panic!("{missing}"));
-    let mut engine = lanchester_model::read(&text).engine.expect("the file has no mistake");
+    let mut engine = lanchester_file::read(&text).engine().expect("the file has no mistake");
     assert_eq!(evidence.period_revolutions, 2);
     let found = mismatches(&evidence, &exact(&engine));
     assert!(found.is_empty(), "{}", found.join("\n"));

@@ -13,8 +13,8 @@ use std::f64::consts::{PI, TAU};
 
 /// An engine of the gallery without its counterweights, every cylinder with a bore.
 fn gallery(name: &str) -> Engine {
-    let template = lanchester::model::template(name).unwrap();
-    let mut engine = lanchester::model::read(template.text).engine.unwrap();
+    let template = lanchester::file::template(name).unwrap();
+    let mut engine = lanchester::file::read(template.text).engine().unwrap();
     engine.counterweights.clear();
     for cylinder in &mut engine.cylinders {
         cylinder.bore = Some(0.1);

@@ -2,7 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester::model::{Engine, read, templates};
+use lanchester::file::{read, templates};
+use lanchester::model::Engine;
 use lanchester::report::{Condition, CrossVerdict};
 use lanchester::{CrossCheckRequest, TraceFile, crosscheck, trace_names};
 use std::fs;
@@ -14,7 +15,7 @@ fn examples() -> Vec<(Engine, Vec<TraceFile>)> {
     files.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     files.sort();
     let engine = |path: &Path| {
-        let engine = read(&fs::read_to_string(path).unwrap()).engine.unwrap();
+        let engine = read(&fs::read_to_string(path).unwrap()).engine().unwrap();
         let trace = |name: &str| TraceFile {
             name: name.to_owned(),
             text: fs::read_to_string(folder.join(name)).unwrap(),
@@ -47,7 +48,7 @@ fn check(engine: &Engine, traces: &[TraceFile]) -> usize {
 #[test]
 fn xcheck_gallery() {
     for template in templates() {
-        let engine = read(template.text).engine.expect("the gallery has no mistakes");
+        let engine = read(template.text).engine().expect("the gallery has no mistakes");
         assert!(check(&engine, &[]) >= 1);
     }
 }
@@ -74,7 +75,7 @@ fn xcheck_free_speed() {
 #[test]
 fn a_bar_below_rounding_is_not_kept() {
     // The comparison must be able to fail: a bar below rounding.
-    let engine = read(templates()[0].text).engine.unwrap();
+    let engine = read(templates()[0].text).engine().unwrap();
     let request = CrossCheckRequest {
         bar: Some(1e-19),
         conditions: vec![Condition::LikeForLike],

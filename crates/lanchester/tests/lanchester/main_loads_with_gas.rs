@@ -4,14 +4,13 @@ use lanchester::balance::{
     Answer, BalanceError, BalanceSettings, Next, Outcome, as_it_stands, fitted, optimise,
 };
 use lanchester::mechanism::{BearingRequest, MainBearing, MainForces, bearing_loads};
-use lanchester::model::{
-    BalanceTask, Criterion, Engine, Limit, Mains, SpeedRange, Stage, Statistic, default_task,
-};
+use lanchester::model::{Engine, SpeedRange};
+use lanchester::task::{BalanceTask, Criterion, Limit, Mains, Stage, Statistic, default_task};
 use lanchester::{cylinder_gas, optimised};
 
 fn four() -> Engine {
     let text = include_str!("../../../../examples/in-line-4-mounts.toml");
-    lanchester::model::read(text).engine.expect("the example has no mistakes")
+    lanchester::file::read(text).engine().expect("the example has no mistakes")
 }
 
 const fn gas(statistic: Statistic, mains: Mains) -> Criterion {

@@ -4,6 +4,7 @@ use crate::support;
 use crate::support::pressure::{any_gas, block, cycle, diesel_like, fired};
 use crate::support::random::{ALL_SHAPES, any_engine};
 use crate::support::{assert_close, brute, cylinder, engine, in_line, radial, throw, vee};
+use lanchester_file::{read, template};
 use lanchester_mechanism::*;
 use lanchester_model::*;
 use proptest::prelude::*;
@@ -229,7 +230,7 @@ fn what_is_missing_is_named() {
 #[test]
 fn lit_power_strokes_of_an_in_line_four() {
     let text = template("in-line-4").unwrap().text;
-    let chart = firing_chart(&read(text).engine.unwrap()).unwrap();
+    let chart = firing_chart(&read(text).engine().unwrap()).unwrap();
     assert_eq!(chart.order(), [1, 3, 4, 2]);
     let changes = chart.changes();
     assert_eq!(changes.len(), 4);

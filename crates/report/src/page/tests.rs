@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::sample;
+use lanchester_file::templates;
 use lanchester_mechanism::{LoadRequest, OrderLoads};
-use lanchester_model::{BalanceShaft, Mount, Ratio, ShaftWeight, templates};
+use lanchester_model::{BalanceShaft, Mount, Ratio, ShaftWeight};
 use num_complex::Complex64;
 
 /// Checks that a text is well-formed XML: tags nest, attributes are quoted and unique, entities are known.
@@ -127,8 +128,8 @@ fn check_with_sample_loads(engine: &Engine) -> Vec<Figure> {
 #[test]
 fn every_layout_of_the_gallery_has_a_page() {
     for template in templates() {
-        let reading = lanchester_model::read(template.text);
-        let engine = reading.engine.unwrap();
+        let reading = lanchester_file::read(template.text);
+        let engine = reading.engine().unwrap();
         let loads = lanchester_mechanism::loads(&engine, &LoadRequest::default()).unwrap();
         check(&engine, &loads);
     }

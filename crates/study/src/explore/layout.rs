@@ -264,13 +264,9 @@ pub(crate) fn engine(
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
-        shaft_weight_task: None,
-        balance: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
     }
 }

@@ -1,7 +1,8 @@
 //! Engines with drawn deviations, as engines: for whoever wants more of a sample than its outputs.
 
 use crate::scatter::tolerance::Variable;
-use lanchester_model::{Engine, Tolerance, Varied};
+use lanchester_model::Engine;
+use lanchester_task::{Tolerance, Varied};
 
 /// The engine with these deviations, one for each variable.
 pub(crate) fn deviated(

@@ -24,7 +24,7 @@ const STRETCH: u64 = 1 << 14;
 /// use lanchester_model::{Distribution, Extent, Tolerance, Varied};
 /// use lanchester_study::scatter::{Output, ScatterRequest, Scattering, scatter};
 ///
-/// let template = lanchester_model::template("in-line-4").expect("it is in the gallery");
+/// let template = lanchester_file::template("in-line-4").expect("it is in the gallery");
 /// let tolerance = Tolerance {
 ///     quantity: Varied::PistonMass,
 ///     half_width: 0.002,
@@ -32,7 +32,7 @@ const STRETCH: u64 = 1 << 14;
 ///     extent: Extent::PerPart,
 /// };
 /// let request = ScatterRequest {
-///     engine: lanchester_model::read(template.text).engine.expect("the gallery has no mistakes"),
+///     engine: lanchester_file::read(template.text).engine().expect("the gallery has no mistakes"),
 ///     speed: None,
 ///     tolerances: vec![tolerance],
 ///     outputs: vec![Output::Force { order: 1 }],

@@ -8,7 +8,8 @@
 
 use super::quantity::Quantity;
 use super::train::Train;
-use lanchester_model::{Counterweight, Engine, Varied};
+use lanchester_model::{Counterweight, Engine};
+use lanchester_task::Varied;
 use num_dual::Dual64;
 use serde::Serialize;
 

@@ -4,7 +4,8 @@ use super::follow::{Weights, follow};
 use super::operating_point::OperatingPoint;
 use super::quantity::{Axis, Measure, Quantity};
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
-use lanchester_model::{MountSpring, Varied};
+use lanchester_model::MountSpring;
+use lanchester_task::Varied;
 use serde::Serialize;
 
 /// A quantity of one part, or of all parts together.

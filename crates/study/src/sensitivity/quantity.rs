@@ -2,7 +2,8 @@
 
 use super::operating_point::OperatingPoint;
 use super::output::Needs;
-use lanchester_model::{Engine, RodJoint, Varied};
+use lanchester_model::{Engine, RodJoint};
+use lanchester_task::Varied;
 use serde::Serialize;
 
 /// An axis of the frame.

@@ -1,13 +1,14 @@
 //! Scatter: every sample is an engine, and what is told of them is what they have.
+use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, total_loads};
-use lanchester_model::{Distribution, Extent, Tolerance, Varied};
-use lanchester_model::{Engine, read, template};
+use lanchester_model::Engine;
 use lanchester_study::explore::Sense;
 use lanchester_study::scatter::*;
+use lanchester_task::{Distribution, Extent, Tolerance, Varied};
 use proptest::prelude::*;
 
 fn engine(name: &str) -> Engine {
-    read(template(name).expect("it is in the gallery").text).engine.expect("it is valid")
+    read(template(name).expect("it is in the gallery").text).engine().expect("it is valid")
 }
 
 fn tolerance(quantity: Varied, half_width: f64, extent: Extent) -> Tolerance {

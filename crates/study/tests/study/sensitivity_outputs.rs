@@ -3,13 +3,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use lanchester_file::{read, template};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, InternalRequest,
     KnownInertia, Lever, MountSystem, PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest,
     TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple,
     torque, vector_amplitude,
 };
-use lanchester_model::{Engine, MovingParts, Strokes, read, template};
+use lanchester_model::{Engine, MovingParts, Strokes};
 use lanchester_study::sensitivity::*;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -27,7 +28,7 @@ fn engine(name: &str) -> Engine {
         "v6-60" => include_str!("../../../../examples/v6-60.toml"),
         _ => template(name).unwrap().text,
     };
-    let mut engine = read(text).engine.unwrap_or_else(|| panic!("{name}"));
+    let mut engine = read(text).engine().unwrap_or_else(|| panic!("{name}"));
     let count = engine.cylinders.len();
     let cycle = TAU * f64::from(engine.strokes.revolutions());
     for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
@@ -475,7 +476,7 @@ fn even_four() -> OperatingPoint {
 
 #[test]
 fn where_sides_differ_both_are_told() {
-    use lanchester_model::Varied;
+    use lanchester_task::Varied;
     let even = even_four();
     let part = |varied, index| Input { quantity: Quantity::Part(varied), part: Some(index) };
     // A counterweight in the plane of an inner main bearing leaves for one neighbour or for the other.

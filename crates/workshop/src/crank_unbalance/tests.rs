@@ -1,9 +1,9 @@
 use super::*;
 use crate::{FactorRequest, balance_factors};
-use lanchester_model::{read, template};
+use lanchester_file::{read, template};
 
 fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 fn planes(front: f64, rear: f64) -> [Plane; 2] {

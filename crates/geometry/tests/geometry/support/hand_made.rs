@@ -150,14 +150,10 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         block: None,
         crank_body: None,
         envelope: Some(Envelope::default()),
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
     }
 }
 

@@ -180,13 +180,9 @@ fn empty() -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
     }
 }

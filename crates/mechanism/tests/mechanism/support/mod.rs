@@ -78,14 +78,10 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
     }
 }
 
