@@ -249,8 +249,10 @@ impl Equations {
             }
             match outcome {
                 Outcome::Event { index, rising } => {
-                    compiled.on[index] = rising;
-                    pass.events.push(Event { time: t, condition: index, on: rising });
+                    if compiled.held.is_condition(index) {
+                        pass.events.push(Event { time: t, condition: index, on: rising });
+                    }
+                    compiled.held.happen(index, rising);
                     at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
                     if at_once > CHATTER {
                         pass.ended = format!(
