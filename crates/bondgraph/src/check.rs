@@ -390,7 +390,8 @@ impl Checker<'_> {
                 for element in *pair {
                     let shares =
                         self.elements[element].is_junction() || self.elements[element].ports.len() == 1;
-                    if !shares {
+                    // A field may join domains, unless it names the one of all its ports.
+                    if !shares && given[element].is_none() {
                         continue;
                     }
                     match (given[element], domains[bond]) {

@@ -27,6 +27,7 @@ mod curve;
 mod description;
 mod domain;
 mod draw;
+mod engine;
 mod equations;
 mod export;
 mod expression;
@@ -48,6 +49,9 @@ pub use curve::Curve;
 pub use description::{Description, Entry, Text};
 pub use domain::Domain;
 pub use draw::drawing;
+pub use engine::{
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque, engine_graph,
+};
 pub use equations::{Equations, equations};
 pub use export::{graphml, modelica};
 pub use file::is_graph_file;

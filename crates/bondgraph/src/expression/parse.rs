@@ -230,14 +230,14 @@ impl<S: Scope> Reader<'_, S> {
             return None;
         };
         self.at += end;
-        let (factor, unit) = match leading_unit(self.rest()) {
+        let (factor, unit, named) = match leading_unit(self.rest()) {
             Some((length, factor, unit)) => {
                 self.at += length;
-                (factor, unit)
+                (factor, unit, true)
             }
-            None => (1.0, Unit::NONE),
+            None => (1.0, Unit::NONE, false),
         };
-        let unit = (value != 0.0 || unit != Unit::NONE).then_some(unit);
+        let unit = (value != 0.0 || named).then_some(unit);
         // Division by a whole number rounds once: "144 mm" is the double of 0.144.
         let whole = (1.0 / factor).round();
         let exact = factor < 1.0 && (1.0 / whole - factor).abs() <= f64::EPSILON * factor;
