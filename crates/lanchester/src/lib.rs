@@ -18,6 +18,7 @@
 
 mod arrangements;
 mod best_shape;
+mod bond_graph;
 mod clearance;
 mod comparison;
 mod consequences;
@@ -53,6 +54,7 @@ mod weights_as_parts;
 
 pub use arrangements::arrangements;
 pub use best_shape::SharedWithWeb;
+pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_bond_graph, gauge_pressures};
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
