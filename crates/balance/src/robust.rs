@@ -192,7 +192,7 @@ fn suits(task: &BalanceTask, request: &RobustRequest<'_>) -> Result<Criterion, B
     match task.stages.as_slice() {
         [stage] => match stage.terms.as_slice() {
             [(_, criterion @ (Criterion::Peak(load) | Criterion::Order(load, _)))]
-                if !matches!(load, Load::BendingMoment | Load::MountForce(_) | Load::LargestMountForce) =>
+                if *load != Load::BendingMoment && !load.is_at_mounts() =>
             {
                 Ok(*criterion)
             }

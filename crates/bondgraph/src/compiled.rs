@@ -87,8 +87,7 @@ impl Compiled {
             })
             .collect();
         let mut switches = Switches::default();
-        let following =
-            Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
+        let following = Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
         if let Some(following) = following {
             let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
             let functions = functions(&mut pool, &input, &mut switches);

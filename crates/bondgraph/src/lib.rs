@@ -50,7 +50,8 @@ pub use description::{Description, Entry, Text};
 pub use domain::Domain;
 pub use draw::drawing;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque, engine_graph,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque,
+    engine_graph,
 };
 pub use equations::{Equations, equations};
 pub use export::{graphml, modelica};

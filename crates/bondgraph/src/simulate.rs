@@ -129,8 +129,7 @@ impl Equations {
     /// Simulates. Every way in which a run can end is said in the result.
     pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
         let samples = request.samples;
-        let places: Vec<f64> =
-            (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
+        let places: Vec<f64> = (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
         self.simulate_at(request, &places)
     }
 

@@ -123,6 +123,8 @@ fn amount(load: Load, trace: &Trace) -> Option<Vec<f64>> {
         Load::RollMoment => Some(absolute(&trace.roll_moment)),
         Load::MountForce(_)
         | Load::LargestMountForce
+        | Load::MountForceWithGas(_)
+        | Load::LargestMountForceWithGas
         | Load::MainLoad(_)
         | Load::LargestMainLoad
         | Load::BendingMoment => None,

@@ -37,6 +37,9 @@ pub struct BalanceTask {
     /// Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs and loads with gas are judged, the largest of all counting;
     /// empty: the whole range of the engine. All other loads are largest at the highest speed.
     pub speeds: Vec<f64>,
+    /// What loads at each of these speeds are multiplied by before the largest counts, in their order; a speed without an entry has 1.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub speed_weights: Vec<f64>,
     /// Orders of loads that must vanish exactly, instead of stages and limits. Of all weights that do it those come first that the
     /// default stages and what decides among equals put first.
     pub cancel: Vec<(Load, f64)>,
@@ -53,11 +56,17 @@ impl BalanceTask {
         [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
     }
 
+    /// The speeds [rad/s], each with its weight.
+    pub fn weighted_speeds(&self) -> Vec<(f64, f64)> {
+        let weights = self.speed_weights.iter().copied().chain(std::iter::repeat(1.0));
+        self.speeds.iter().copied().zip(weights).collect()
+    }
+
     /// Whether anything that is minimised or limited counts the gas.
     pub fn counts_gas(&self) -> bool {
         let stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
         let mut asked = stages.chain(self.limits.iter().map(|limit| limit.criterion));
-        asked.any(|criterion| matches!(criterion, Criterion::MainsWithGas(..)))
+        asked.any(|criterion| criterion.counts_gas())
     }
 
     /// What a shaft costs if it is used.
@@ -85,8 +94,9 @@ impl BalanceTask {
     pub fn counts_mounts(&self) -> bool {
         let stages = self.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
         let mut asked = stages.chain(self.limits.iter().map(|limit| limit.criterion));
-        let at_mounts = |load: Load| matches!(load, Load::MountForce(_) | Load::LargestMountForce);
-        asked.any(|one| matches!(one, Criterion::Peak(load) | Criterion::Order(load, _) if at_mounts(load)))
+        asked.any(
+            |one| matches!(one, Criterion::Peak(load) | Criterion::Order(load, _) if load.is_at_mounts()),
+        )
     }
 
     /// Takes all other weights out, with the ties that they are in.
@@ -320,6 +330,11 @@ pub enum Load {
     MountForce(usize),
     /// Largest force at any mount [N].
     LargestMountForce,
+    /// Force at one mount [N], by index, of inertia and of the torque of the gas about its mean: on springs, over the range of
+    /// speeds or at the speeds of the task.
+    MountForceWithGas(usize),
+    /// Largest such force at any mount [N].
+    LargestMountForceWithGas,
     /// Inertia load of one main bearing [N], by index: those of crankshaft 1 first, each from the free end on
     /// ([`lanchester_model::Engine::main_bearings`]). Every throw is held by the two main bearings beside it.
     MainLoad(usize),
@@ -327,6 +342,18 @@ pub enum Load {
     LargestMainLoad,
     /// Largest bending moment along crankshaft 1 [N m].
     BendingMoment,
+}
+
+impl Load {
+    /// Whether it is a force at mounts.
+    pub fn is_at_mounts(self) -> bool {
+        matches!(self, Load::MountForce(_) | Load::LargestMountForce) || self.counts_gas()
+    }
+
+    /// Whether the gas counts.
+    pub fn counts_gas(self) -> bool {
+        matches!(self, Load::MountForceWithGas(_) | Load::LargestMountForceWithGas)
+    }
 }
 
 /// Which main bearings count.
@@ -373,6 +400,16 @@ pub enum Criterion {
     AddedUnbalance,
     /// Cost of all free weights and shafts that are used ([`Cost`], [`BalanceTask::shaft_costs`]), in the unit of the file.
     Cost,
+}
+
+impl Criterion {
+    /// Whether the gas counts.
+    pub fn counts_gas(self) -> bool {
+        match self {
+            Criterion::Peak(load) | Criterion::Order(load, _) => load.counts_gas(),
+            other => matches!(other, Criterion::MainsWithGas(..)),
+        }
+    }
 }
 
 /// Criteria that are minimised together: the sum of weight times criterion.

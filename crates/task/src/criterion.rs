@@ -9,7 +9,7 @@ use lanchester_units::nearest;
 use lanchester_units::{Dimension, Refusal, one_of};
 
 /// Loads that name no mount and no main bearing, as files and reports call them.
-const LOADS: [(&str, Load); 10] = [
+const LOADS: [(&str, Load); 11] = [
     ("force", Load::Force),
     ("force x", Load::ForceX),
     ("force y", Load::ForceY),
@@ -18,6 +18,7 @@ const LOADS: [(&str, Load); 10] = [
     ("couple y", Load::CoupleY),
     ("roll moment", Load::RollMoment),
     ("mount force", Load::LargestMountForce),
+    ("mount force with gas", Load::LargestMountForceWithGas),
     (main_load::NAME, Load::LargestMainLoad),
     ("bending moment", Load::BendingMoment),
 ];
@@ -33,13 +34,15 @@ const OTHERS: [(&str, Criterion); 3] = [
 const ORDER: &str = " order ";
 /// What stands before the name of a mount.
 const MOUNT: &str = "mount force ";
+/// What stands behind the name of a mount where the gas counts too.
+const WITH_GAS: &str = " with gas";
 /// Largest order: loads of higher ones are nothing but rounding.
 const LARGEST_ORDER: f64 = 1000.0;
 /// Largest denominator of an order that is written as a fraction.
 const LARGEST_DENOMINATOR: u32 = 64;
 
 /// The criterion of this name: a load such as `force`, `couple y`, `roll moment`, `mount force` (the largest of all
-/// mounts), `mount force front`, `main-bearing load` (the largest of all main bearings), `main-bearing load 3`,
+/// mounts), `mount force front`, both with ` with gas` behind, `main-bearing load` (the largest of all main bearings), `main-bearing load 3`,
 /// `bending moment`; one order of it, such as `force order 2` or `roll moment order 1/2`; `main-bearing load rms` (of
 /// all main bearings and the cycle), `main-bearing load 3 rms`, `largest main-bearing load rms`, the same with `mean`; any of
 /// these with the gas over the range of speeds, `main-bearing load with gas`; `added mass` or `added unbalance`.
@@ -79,6 +82,8 @@ pub fn dimension(criterion: &Criterion) -> Dimension {
             | Load::ForceY
             | Load::MountForce(_)
             | Load::LargestMountForce
+            | Load::MountForceWithGas(_)
+            | Load::LargestMountForceWithGas
             | Load::MainLoad(_)
             | Load::LargestMainLoad => Dimension::Force,
             Load::Couple | Load::CoupleX | Load::CoupleY | Load::RollMoment | Load::BendingMoment => {
@@ -119,7 +124,7 @@ pub const CANCEL_NEEDS: &str = "needs one order of a load on the engine's block"
 /// The load and the order of a criterion that can be asked to vanish.
 pub fn cancelled(criterion: &Criterion) -> Option<(Load, f64)> {
     match criterion {
-        Criterion::Order(load, order) if !is_of_crank(*load) => Some((*load, *order)),
+        Criterion::Order(load, order) if !is_of_crank(*load) && !load.counts_gas() => Some((*load, *order)),
         _ => None,
     }
 }
@@ -139,10 +144,8 @@ pub fn cancel_hint(name: &str) -> String {
 /// As [`criterion_name`], for the mounts alone.
 pub fn name_among(criterion: &Criterion, mounts: &[Mount]) -> String {
     let load_name = |load: &Load| match load {
-        Load::MountForce(index) => match mounts.get(*index) {
-            Some(mount) => format!("{MOUNT}{}", mount.name),
-            None => format!("{MOUNT}{}", index + 1),
-        },
+        Load::MountForce(index) => mount_name(*index, mounts),
+        Load::MountForceWithGas(index) => mount_name(*index, mounts) + WITH_GAS,
         Load::MainLoad(index) => main_load::load_name(*index),
         _ => LOADS.iter().find(|(_, known)| known == load).map_or("", |(name, _)| name).to_string(),
     };
@@ -153,6 +156,13 @@ pub fn name_among(criterion: &Criterion, mounts: &[Mount]) -> String {
         Criterion::Peak(load) => load_name(load),
         Criterion::Order(load, order) => format!("{}{ORDER}{}", load_name(load), order_text(*order)),
         other => OTHERS.iter().find(|(_, known)| known == other).map_or("", |(name, _)| name).to_string(),
+    }
+}
+
+fn mount_name(index: usize, mounts: &[Mount]) -> String {
+    match mounts.get(index) {
+        Some(mount) => format!("{MOUNT}{}", mount.name),
+        None => format!("{MOUNT}{}", index + 1),
     }
 }
 
@@ -207,14 +217,14 @@ pub fn named(text: &str, mounts: Option<&[Mount]>) -> Result<Criterion, Refusal>
                 Criterion::Peak(load) => load,
                 _ => return Err(unknown(text)),
             },
-            (None, None) => Load::MountForce(mount(before, text, mounts)?),
+            (None, None) => at_mount(before, text, mounts)?,
         };
         Criterion::Order(load, order)
     } else {
-        Criterion::Peak(Load::MountForce(mount(text, text, mounts)?))
+        Criterion::Peak(at_mount(text, text, mounts)?)
     };
     match (load(&found), mounts) {
-        (Some(Load::LargestMountForce), Some([])) => Err(no_mounts(text)),
+        (Some(Load::LargestMountForce | Load::LargestMountForceWithGas), Some([])) => Err(no_mounts(text)),
         _ => Ok(found),
     }
 }
@@ -223,6 +233,17 @@ fn mount_index(name: &str, mounts: &[Mount]) -> Option<usize> {
     let mut of_name = mounts.iter().enumerate().filter(|(_, mount)| mount.name == name.trim());
     let (index, _) = of_name.next()?;
     of_name.next().is_none().then_some(index)
+}
+
+/// The load of `mount force NAME` or `mount force NAME with gas`: a mount of the whole name comes first.
+fn at_mount(load: &str, text: &str, mounts: Option<&[Mount]>) -> Result<Load, Refusal> {
+    let whole = || mount_index(load.strip_prefix(MOUNT)?, mounts?);
+    match load.strip_suffix(WITH_GAS) {
+        Some(of_inertia) if whole().is_none() => {
+            Ok(Load::MountForceWithGas(mount(of_inertia, text, mounts)?))
+        }
+        _ => Ok(Load::MountForce(mount(load, text, mounts)?)),
+    }
 }
 
 /// Index of the mount of `mount force NAME`.
@@ -317,7 +338,8 @@ mod tests {
     #[test]
     fn every_name_reads_back_as_its_criterion() {
         let mounts = mounts(&["front", "rear order 2", "x  y"]);
-        let loads = LOADS.iter().map(|(_, load)| *load).chain((0..3).map(Load::MountForce));
+        let at_mounts = (0..3).flat_map(|index| [Load::MountForce(index), Load::MountForceWithGas(index)]);
+        let loads = LOADS.iter().map(|(_, load)| *load).chain(at_mounts);
         for load in loads {
             let orders = [1.0, 2.0, 0.5, 1.5, 1.0 / 3.0, 3.7123];
             for found in
@@ -343,6 +365,21 @@ mod tests {
             Ok(Criterion::Order(Load::MountForce(0), 1.5))
         );
         assert_eq!(name_among(&Criterion::Order(Load::CoupleY, 0.5), &[]), "couple y order 1/2");
+        let gas = [
+            ("mount force  with gas", Load::LargestMountForceWithGas),
+            ("mount force front with gas", Load::MountForceWithGas(0)),
+        ];
+        for (text, load) in gas {
+            assert_eq!(criterion(text, &front), Ok(Criterion::Peak(load)), "{text}");
+            assert_eq!(
+                criterion(&format!("{text} order 2"), &front),
+                Ok(Criterion::Order(load, 2.0)),
+                "{text}"
+            );
+        }
+        // A mount may have any name.
+        let odd = mounts(&["front", "front with gas"]);
+        assert_eq!(criterion("mount force front with gas", &odd), Ok(Criterion::Peak(Load::MountForce(1))));
     }
 
     #[test]
@@ -354,6 +391,9 @@ mod tests {
         assert!(refused("forse", &[]).contains("did you mean \"force\"?"));
         assert!(refused("copule order 2", &[]).contains("did you mean \"couple order 2\"?"));
         assert!(refused("mount force", &[]).contains("there are none"));
+        assert!(refused("mount force with gas", &[]).contains("there are none"));
+        assert!(refused("mount force back with gas", &mounts(&["front"])).contains("no mount \"back\""));
+        assert!(refused("mount force with gs", &mounts(&["front"])).contains("no mount"));
         assert!(refused("mount force back", &mounts(&["front", "rear"])).contains("\"front\" and \"rear\""));
         assert!(refused("mount force a", &mounts(&["a", "a"])).contains("more than one"));
         for order in ["0", "-1", "1/0", "two", "nan", "1e3", ""] {

@@ -21,11 +21,14 @@ const ARROWS: [(&str, &[&str]); 23] = [
             "lanchester-diagnostic",
         ],
     ),
-    ("lanchester-mechanism", &["lanchester-model"]),
+    ("lanchester-mechanism", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-bondgraph", &["lanchester-diagnostic", "lanchester-model", "lanchester-numerics"]),
     ("lanchester-cycle", &["lanchester-model", "lanchester-units", "lanchester-mechanism"]),
     ("lanchester-geometry", &["lanchester-model", "lanchester-task", "lanchester-shape"]),
-    ("lanchester-balance", &["lanchester-model", "lanchester-task", "lanchester-mechanism"]),
+    (
+        "lanchester-balance",
+        &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-numerics"],
+    ),
     (
         "lanchester-workshop",
         &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],

@@ -204,9 +204,7 @@ impl<'a> Search<'a> {
         match criterion {
             Criterion::Peak(load) | Criterion::Order(load, _) => match load {
                 Load::RollMoment => true,
-                Load::MountForce(_) | Load::LargestMountForce => {
-                    self.engine.mounts.iter().any(|m| m.x.hypot(m.y) > 1e-9)
-                }
+                load if load.is_at_mounts() => self.engine.mounts.iter().any(|m| m.x.hypot(m.y) > 1e-9),
                 _ => false,
             },
             Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,

@@ -9,7 +9,8 @@ use lanchester_model::RodJoint;
 impl Builder<'_> {
     pub(crate) fn cylinders(&mut self) {
         let engine = self.engine;
-        let plain = |index: &usize| !matches!(engine.cylinders[*index].rod.joint, RodJoint::Articulated { .. });
+        let plain =
+            |index: &usize| !matches!(engine.cylinders[*index].rod.joint, RodJoint::Articulated { .. });
         let (masters, others): (Vec<usize>, Vec<usize>) = (0..engine.cylinders.len()).partition(plain);
         for index in masters.into_iter().chain(others) {
             self.loop_of(index);

@@ -237,7 +237,10 @@ fn firing(engine: &Engine, index: usize) -> Option<f64> {
     let filled = |theta: f64| -> f64 {
         pistons
             .iter()
-            .map(|piston| engine.cylinders[*piston].bore.map_or(1.0, |bore| bore * bore) * linkage(engine, *piston, theta).travel)
+            .map(|piston| {
+                engine.cylinders[*piston].bore.map_or(1.0, |bore| bore * bore)
+                    * linkage(engine, *piston, theta).travel
+            })
             .sum()
     };
     // The dead centre is where chords of the filled volume are level: their slope changes sign there.

@@ -111,6 +111,7 @@ impl<'a> Reader<'a> {
             give_up: draft.give_up,
             most_optional: draft.most_optional,
             speeds: draft.speeds.as_ref().map(|(speeds, _)| speeds.clone()).unwrap_or_default(),
+            speed_weights: Vec::new(),
             weights: Vec::new(),
         };
         if is_empty {

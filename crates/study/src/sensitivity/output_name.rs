@@ -106,7 +106,8 @@ fn mount(load: &str, engine: &Engine) -> Result<Target, SensitivityError> {
     use lanchester_task::Load;
     match criterion(load, engine) {
         Ok(Criterion::Peak(Load::MountForce(index))) => Ok(Target::MountForce(Some(index))),
-        Ok(_) => Ok(Target::MountForce(None)),
+        Ok(Criterion::Peak(Load::LargestMountForce)) => Ok(Target::MountForce(None)),
+        Ok(_) => Err(SensitivityError::NoSuchOutput { got: load.to_owned() }),
         Err(bad) => Err(SensitivityError::Wording { message: bad.message, hint: bad.hint }),
     }
 }

@@ -1,4 +1,5 @@
-//! Loads of main bearings with gas, where a programme judges them: of the engine without what the task takes over.
+//! Where a programme judges loads that a higher speed need not raise: forces at mounts on springs at speeds, loads of main bearings
+//! with gas at places, of the engine without what the task takes over.
 //!
 //! ```text
 //! F_j(theta, W; x) = F0_j(theta, W) + (W / W_0)^2 SUM over variables of x_v C_jv(theta)
@@ -9,23 +10,42 @@
 
 use crate::convex::curve::Member;
 use crate::convex::dense::Matrix;
+use crate::gas_over_speed::GasRoll;
 use crate::operator::Operator;
 use crate::wave::Wave;
 use lanchester_mechanism::MainForces;
 use num_complex::Complex64;
 use std::collections::BTreeSet;
 use std::f64::consts::{SQRT_2, TAU};
+use std::rc::Rc;
 
 /// Key of what no device changes: above every order.
 const REST: u32 = u32::MAX;
 
-/// Where loads of main bearings with gas are judged.
+/// Where loads are judged over speed.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct GasPlaces {
-    /// Places of peaks.
+pub(crate) struct SpeedPlaces {
+    /// Speeds of forces at mounts on springs.
+    pub mounts: Vec<MountPlace>,
+    /// Period of the gas that these count [revolutions of crankshaft 1]; 0 without.
+    pub revolutions: u32,
+    /// Highest order of that gas.
+    pub highest_order: u32,
+    /// Places of peaks of main bearings with gas.
     pub peaks: Vec<GasPeak>,
-    /// Speeds of statistics over the cycle.
+    /// Speeds of their statistics over the cycle.
     pub cycles: Vec<GasCycle>,
+}
+
+/// A speed at which forces at mounts on springs are judged.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct MountPlace {
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// What the force is multiplied by.
+    pub weight: f64,
+    /// What the gas does to the block, where that counts.
+    pub gas: Rc<GasRoll>,
 }
 
 /// A load at one place.
@@ -35,6 +55,8 @@ pub(crate) struct GasPeak {
     pub main: usize,
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
+    /// What the load is multiplied by.
+    pub weight: f64,
     /// Angle of crankshaft 1 [rad].
     pub theta: f64,
     /// `F0_x + i F0_y` [N].
@@ -46,6 +68,8 @@ pub(crate) struct GasPeak {
 pub(crate) struct GasCycle {
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
+    /// What the load is multiplied by.
+    pub weight: f64,
     /// Angles of crankshaft 1 over one period [rad] with their weights in a mean.
     nodes: Vec<(f64, f64)>,
     /// `F0` of every main bearing at the angles [N].
@@ -53,16 +77,16 @@ pub(crate) struct GasCycle {
 }
 
 impl GasCycle {
-    pub fn of(forces: &MainForces) -> GasCycle {
+    pub fn of(forces: &MainForces, weight: f64) -> GasCycle {
         let nodes = forces.nodes();
         let mains = (0..forces.count()).map(|main| forces.at_nodes(main, &nodes)).collect();
-        GasCycle { speed: forces.speed(), nodes, mains }
+        GasCycle { speed: forces.speed(), weight, nodes, mains }
     }
 
     /// The load of a main bearing as waves whose root mean square over the cycle is its own.
     pub fn waves(&self, operator: &Operator, main: usize) -> [Wave; 2] {
         let own = &operator.mains[main];
-        let growth = (self.speed / operator.speed).powi(2);
+        let growth = self.weight * (self.speed / operator.speed).powi(2);
         let keys: BTreeSet<u32> = own.iter().flat_map(|wave| wave.parts.iter().map(|part| part.1)).collect();
         let loads = &self.mains[main];
         let mut rest: f64 = self.nodes.iter().zip(loads).map(|(node, load)| node.1 * load.norm_sqr()).sum();
@@ -82,11 +106,11 @@ impl GasCycle {
                 }
             }
             for (wave, [cos, sin]) in waves.iter_mut().zip(sums) {
-                wave.add_base(key, cos, sin);
+                wave.add_base(key, self.weight * cos, self.weight * sin);
                 rest -= if key == 0 { 1.0 } else { 0.5 } * (cos * cos + sin * sin);
             }
         }
-        waves[0].add_base(REST, SQRT_2 * rest.max(0.0).sqrt(), 0.0);
+        waves[0].add_base(REST, SQRT_2 * self.weight * rest.max(0.0).sqrt(), 0.0);
         waves
     }
 
@@ -94,15 +118,33 @@ impl GasCycle {
     pub fn vectors(&self, operator: &Operator, main: usize) -> Vec<(f64, Member)> {
         let nodes = self.nodes.iter().zip(&self.mains[main]);
         nodes
-            .map(|((theta, weight), force)| (*weight, vector(operator, main, self.speed, *theta, *force)))
+            .map(|((theta, weight), force)| {
+                (*weight, vector(operator, main, [self.speed, self.weight], *theta, *force))
+            })
             .collect()
+    }
+}
+
+impl SpeedPlaces {
+    /// Adds a place of a peak that is not yet known; `period` of the engine [rad].
+    pub fn add_peak(&mut self, peak: GasPeak, period: f64) {
+        if self.peaks.iter().all(|known| !known.is(&peak, period)) {
+            self.peaks.push(peak);
+        }
+    }
+
+    /// Adds a speed of statistics that is not yet known.
+    pub fn add_cycle(&mut self, cycle: GasCycle) {
+        if self.cycles.iter().all(|known| known.speed != cycle.speed) {
+            self.cycles.push(cycle);
+        }
     }
 }
 
 impl GasPeak {
     /// The load at this place.
     pub fn vector(&self, operator: &Operator) -> Member {
-        vector(operator, self.main, self.speed, self.theta, self.force)
+        vector(operator, self.main, [self.speed, self.weight], self.theta, self.force)
     }
 
     /// Whether another place is this one.
@@ -112,9 +154,16 @@ impl GasPeak {
     }
 }
 
-/// `F0 + (W / W_0)^2 C x` at one angle, measured against the natural force.
-fn vector(operator: &Operator, main: usize, speed: f64, theta: f64, force: Complex64) -> Member {
-    let growth = (speed / operator.speed).powi(2) / operator.natural_force;
+/// `F0 + (W / W_0)^2 C x` at one angle, times its weight, measured against the natural force.
+fn vector(
+    operator: &Operator,
+    main: usize,
+    [speed, weight]: [f64; 2],
+    theta: f64,
+    force: Complex64,
+) -> Member {
+    let unit = weight / operator.natural_force;
+    let growth = unit * (speed / operator.speed).powi(2);
     let phi = theta / f64::from(operator.grid.revolutions);
     let mut columns = Matrix::zeros(2, operator.variables);
     for (row, wave) in operator.mains[main].iter().enumerate() {
@@ -123,8 +172,5 @@ fn vector(operator: &Operator, main: usize, speed: f64, theta: f64, force: Compl
             columns[(row, variable)] += growth * (cos * c + sin * s);
         }
     }
-    Member::Vector {
-        base: vec![force.re / operator.natural_force, force.im / operator.natural_force],
-        columns,
-    }
+    Member::Vector { base: vec![unit * force.re, unit * force.im], columns }
 }
