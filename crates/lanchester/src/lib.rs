@@ -44,6 +44,7 @@ mod sample_study;
 mod scene;
 mod shaft_weights;
 mod shape_front;
+mod run_plan;
 mod simulated_gas;
 mod simulation;
 mod speed_gas;
@@ -100,7 +101,7 @@ pub use shaft_weights::{
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
 pub use simulated_gas::GivenGas;
-pub use simulation::{RunLength, SimulateRequest, simulate};
+pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
 pub use speed_gas::optimised;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,

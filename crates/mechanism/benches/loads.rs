@@ -68,6 +68,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         bearings: None,
         shaft_weight_task: None,
         balance: None,
+        simulation: None,
     }
 }
 

@@ -17,6 +17,7 @@ use crate::mount::Mount;
 use crate::ratio::Ratio;
 use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
 use crate::shape_task::ShapeTask;
+use crate::simulation::SimulationInput;
 use crate::task::BalanceTask;
 use crate::tolerance::Tolerance;
 use serde::{Deserialize, Serialize};
@@ -67,6 +68,9 @@ pub struct Engine {
     /// Its flywheel, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flywheel: Option<Flywheel>,
+    /// What the file says of a run in time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub simulation: Option<Box<SimulationInput>>,
     /// What its parts may be off, from engine to engine of a production; empty if the file does not say.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerances: Vec<Tolerance>,
@@ -322,6 +326,9 @@ pub struct BalanceShaft {
     pub y: f64,
     /// Its weights.
     pub weights: Vec<ShaftWeight>,
+    /// Its polar moment of inertia about its axis [kg m^2], where the file gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<f64>,
 }
 
 impl BalanceShaft {

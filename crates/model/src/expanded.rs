@@ -6,6 +6,7 @@ mod mount;
 mod part;
 mod running;
 mod shaft_part;
+mod simulation;
 
 pub(crate) use part::shape_entries;
 pub(crate) use shaft_part::shaft_shape;
@@ -60,6 +61,7 @@ pub fn expanded(engine: &Engine) -> String {
     file.friction(engine);
     file.flywheel(engine);
     file.bearings(engine);
+    file.simulation(engine);
     file.tolerances(engine);
     file.balance(engine);
     file.text
@@ -221,6 +223,9 @@ impl File {
             self.entry("ratio", &ratio(shaft.ratio));
             self.entry("x", &quantity(shaft.x, Dimension::Length));
             self.entry("y", &quantity(shaft.y, Dimension::Length));
+            if let Some(inertia) = shaft.inertia {
+                self.entry("inertia", &quantity(inertia, Dimension::Inertia));
+            }
             let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
             self.entry("weights", &format!("[\n{list}]"));
         }

@@ -64,6 +64,7 @@ mod room;
 mod schema;
 mod shaft_part;
 mod shape_task;
+mod simulation;
 mod spacing;
 mod task;
 mod task_options;
@@ -95,6 +96,7 @@ pub use schema::{
 };
 pub use shaft_part::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
 pub use shape_task::*;
+pub use simulation::*;
 pub use task::*;
 pub use task_options::{ChangedTask, TaskOptions};
 pub use template::{Template, nearest_template, template, templates};

@@ -18,9 +18,12 @@ mod mount;
 mod part;
 mod places;
 mod rod;
+mod run_event;
+mod run_parts;
 mod running;
 mod shaft;
 mod shaft_part;
+mod simulation;
 mod sizes;
 mod tolerances;
 mod weights;
@@ -109,6 +112,7 @@ impl<'a> Reader<'a> {
         let friction = self.friction();
         let flywheel = self.flywheel(speed, &body);
         let bearings = self.bearings(&body);
+        let simulation = self.simulation(drafts.as_ref().map(|drafts| drafts.cylinders.len()));
         let tolerances = self.tolerances();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
@@ -169,6 +173,7 @@ impl<'a> Reader<'a> {
             gas: gas?,
             friction: friction?,
             flywheel: flywheel?,
+            simulation: simulation?.map(Box::new),
             tolerances: tolerances?,
             bearings: bearings?,
             shaft_weight_task: shaft_weight_task?,

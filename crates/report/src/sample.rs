@@ -39,6 +39,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         chamber: None,
     };
     Engine {
+        simulation: None,
         name: format!("Sample of {count}"),
         note: None,
         strokes: Strokes::Four,
@@ -90,6 +91,7 @@ pub fn twin() -> Engine {
         x: 0.0,
         y: 0.1,
         weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
+        inertia: None,
     });
     engine.mounts = vec![
         Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0, spring: None },

@@ -63,6 +63,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         bearings: None,
         shaft_weight_task: None,
         balance: None,
+        simulation: None,
     }
 }
 

@@ -272,5 +272,6 @@ pub(crate) fn engine(
         flywheel: None,
         tolerances: Vec::new(),
         bearings: None,
+        simulation: None,
     }
 }

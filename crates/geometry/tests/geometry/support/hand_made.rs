@@ -158,6 +158,7 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         bearings: None,
         shaft_weight_task: None,
         balance: None,
+        simulation: None,
     }
 }
 

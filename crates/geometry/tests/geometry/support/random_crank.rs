@@ -188,5 +188,6 @@ fn empty() -> Engine {
         bearings: None,
         shaft_weight_task: None,
         balance: None,
+        simulation: None,
     }
 }

@@ -86,6 +86,7 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         bearings: None,
         shaft_weight_task: None,
         balance: None,
+        simulation: None,
     }
 }
 
