@@ -56,7 +56,7 @@ pub(crate) fn on_springs(
         for key in channel.base.keys().copied().chain(channel.parts.iter().map(|p| p.1)) {
             if let Entry::Vacant(place) = transfers.entry(key) {
                 let order = f64::from(key) / f64::from(operator.grid.revolutions);
-                place.insert(system.transfer(order * speed)?);
+                place.insert(system.transfer(order * speed, speed)?);
             }
         }
     }
