@@ -61,6 +61,7 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
             x: found.x,
             y: found.y,
             weights: Vec::new(),
+            inertia: None,
         })
         .collect();
     for (free, found) in task.weights.iter().zip(&answer.weights).filter(|(_, found)| found.used) {

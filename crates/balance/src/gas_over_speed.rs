@@ -68,7 +68,7 @@ impl<'a> GasRolls<'a> {
             revolutions = (train.period() / TAU).round() as u32;
             let mut felt = Vec::new();
             for order in train.orders(2 * HIGHEST[HIGHEST.len() - 1]).iter().filter(|one| one.order > 0.0) {
-                let transfer = system.transfer(order.order * speed)?;
+                let transfer = system.transfer(order.order * speed, speed)?;
                 let passed = transfer.iter().flatten().map(|component| component[5].norm_sqr()).sum::<f64>();
                 felt.push((order.order, passed.sqrt() * order.roll_moment.norm()));
             }

@@ -96,7 +96,7 @@ pub(crate) fn on_springs(
         .flat_map(|channel| channel.base.keys().copied().chain(channel.parts.iter().map(|part| part.1)));
     for key in of_channels.chain(gas.iter().map(|one| one.0)) {
         if let Entry::Vacant(free) = transfers.entry(key) {
-            free.insert(system.transfer(f64::from(key) / revolutions * speed)?);
+            free.insert(system.transfer(f64::from(key) / revolutions * speed, speed)?);
         }
     }
     let growth = place.weight * (speed / operator.speed).powi(2);

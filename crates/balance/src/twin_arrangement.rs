@@ -439,7 +439,7 @@ impl Reciprocating {
             .map(|(z, u)| ShaftWeight::new(z, given.unwrap_or(u.norm()), u.arg()))
             .collect();
         let ratio = Ratio::whole(ratio).expect("invariant: orders 1 and 2 in either sense are not 0");
-        Ok(Some(BalanceShaft { name: name.to_string(), ratio, x, y, weights }))
+        Ok(Some(BalanceShaft { name: name.to_string(), ratio, x, y, weights, inertia: None }))
     }
 
     /// Weights with this sum [kg m] and this moment about the origin [kg m^2].

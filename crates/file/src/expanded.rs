@@ -6,6 +6,7 @@ mod mount;
 mod part;
 mod running;
 mod shaft_part;
+mod simulation;
 
 pub(crate) use part::shape_entries;
 pub(crate) use shaft_part::shaft_shape;
@@ -59,9 +60,10 @@ pub fn expanded(file: &EngineFile) -> String {
     text.shaft_weight_task(tasks);
     text.clearance(engine);
     text.gas(engine);
-    text.friction(engine);
+    text.friction(engine, tasks);
     text.flywheel(engine);
     text.bearings(engine);
+    text.simulation(tasks);
     text.tolerances(tasks);
     text.balance(tasks, engine);
     text.text
@@ -223,6 +225,9 @@ impl File {
             self.entry("ratio", &ratio(shaft.ratio));
             self.entry("x", &quantity(shaft.x, Dimension::Length));
             self.entry("y", &quantity(shaft.y, Dimension::Length));
+            if let Some(inertia) = shaft.inertia {
+                self.entry("inertia", &quantity(inertia, Dimension::Inertia));
+            }
             let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
             self.entry("weights", &format!("[\n{list}]"));
         }

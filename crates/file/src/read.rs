@@ -18,9 +18,12 @@ mod mount;
 mod part;
 mod places;
 mod rod;
+mod run_event;
+mod run_parts;
 mod running;
 mod shaft;
 mod shaft_part;
+mod simulation;
 mod sizes;
 mod tolerances;
 mod weights;
@@ -118,6 +121,7 @@ impl<'a> Reader<'a> {
         let friction = self.friction();
         let flywheel = self.flywheel(speed, &body);
         let bearings = self.bearings(&body);
+        let simulation = self.simulation(drafts.as_ref().map(|drafts| drafts.cylinders.len()));
         let tolerances = self.tolerances();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
@@ -202,8 +206,13 @@ impl<'a> Reader<'a> {
         let tolerances = tolerances?;
         self.check_tolerances(&tolerances, &engine);
         let balance = self.balance_task(balance?, &engine, origin)?;
-        let tasks =
-            Tasks { shape_task: shape_task?, tolerances, shaft_weight_task: shaft_weight_task?, balance };
+        let tasks = Tasks {
+            shape_task: shape_task?,
+            simulation: simulation?.map(Box::new),
+            tolerances,
+            shaft_weight_task: shaft_weight_task?,
+            balance,
+        };
         Some((EngineFile { engine, tasks }, origin))
     }
 

@@ -40,6 +40,7 @@ mod own_layout;
 mod pressure;
 mod robust_balance;
 pub mod run;
+mod run_plan;
 mod running;
 mod sample_study;
 mod scene;
@@ -105,7 +106,7 @@ pub use shaft_weights::{
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
 pub use simulated_gas::GivenGas;
-pub use simulation::{RunLength, SimulateRequest, simulate};
+pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
 pub use speed_gas::optimised;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,

@@ -1,9 +1,10 @@
 //! An engine on its mounts under its own loads.
 
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
     GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, OrderLoads, TorqueError,
-    inertia_excitations, merged_orders, mount_study,
+    inertia_excitations, merged_orders, mount_study, rotor_inertia_about_z,
 };
 use lanchester_model::{Engine, Gas, GasProcess, GasSource};
 
@@ -94,7 +95,8 @@ pub fn mounts(
              carry none of it"
         ));
     }
-    let request = MountRequest { points: points.to_vec(), excitation: words, warnings };
+    let rotors = Some(rotor_inertia_about_z(engine, known_inertia(engine).crankshaft));
+    let request = MountRequest { points: points.to_vec(), excitation: words, warnings, rotors };
     Ok(mount_study(engine, &excitations, &request)?)
 }
 

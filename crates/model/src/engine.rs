@@ -308,6 +308,9 @@ pub struct BalanceShaft {
     pub y: f64,
     /// Its weights.
     pub weights: Vec<ShaftWeight>,
+    /// Its polar moment of inertia about its axis [kg m^2], where the file gives it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<f64>,
 }
 
 impl BalanceShaft {

@@ -17,6 +17,7 @@ mod part_weight;
 mod plain_web;
 mod ratio;
 mod shaft_part;
+mod simulation;
 mod spacing;
 
 pub use bearings::{Bearings, PlainBearing};
@@ -31,3 +32,4 @@ pub use part_weight::{LARGEST_UNBALANCE, PartFault, PartWeight, part_weight};
 pub use plain_web::{PlainWeb, SharedWeb, TOUCH, ThrowUnbalance, pin, throw_unbalances};
 pub use ratio::{Ratio, greatest_common_divisor};
 pub use shaft_part::ShaftWeightPart;
+pub use simulation::*;

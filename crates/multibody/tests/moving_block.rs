@@ -161,15 +161,18 @@ fn off(a: &[[Complex64; 6]], b: &[[Complex64; 6]]) -> f64 {
 fn xcheck_mounts_and_the_causes_of_the_difference() {
     let orders = 7;
     let whole = engine(1.0);
-    // The linear model here is that of the closed form.
-    let system = MountSystem::new(&whole).expect("it is held");
+    // The linear model here is that of the closed form, without what the rotors do and with it.
     let excitations = inertia_excitations(&whole, &[120.0], orders as u32 - 1).expect("it turns");
-    let response = system.response(&excitations).expect("it is damped");
-    let plain = linear(&whole, orders, false, false);
-    for order in &response.speeds[0].orders {
-        let ours = plain[order.order.round() as usize];
-        for (ours, theirs) in ours.iter().zip(&order.motion) {
-            assert!((ours - theirs).norm() < 1e-12, "order {}: {ours} {theirs}", order.order);
+    for rotors in [false, true] {
+        let system = MountSystem::new(&whole).expect("it is held");
+        let system = system.with_rotors(if rotors { J } else { 0.0 });
+        let response = system.response(&excitations).expect("it is damped");
+        let own = linear(&whole, orders, rotors, rotors);
+        for order in &response.speeds[0].orders {
+            let ours = own[order.order.round() as usize];
+            for (ours, theirs) in ours.iter().zip(&order.motion) {
+                assert!((ours - theirs).norm() < 1e-12, "order {}: {ours} {theirs}", order.order);
+            }
         }
     }
 

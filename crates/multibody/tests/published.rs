@@ -98,7 +98,7 @@ fn lit_modelica_v6() {
     let gas = ModelicaGas { radius: 0.05, rod: 0.175, length: 0.195, top: 0.32 };
     let mut simulation = Simulation::free(10.0, 1.0);
     simulation.gravity = 9.81;
-    simulation.load.law = LoadLaw::Quadratic(100.0 / (200.0 * 200.0));
+    simulation.load.law = LoadLaw::Quadratic { torque: 100.0, at: 200.0 };
     simulation.tolerance = 1e-10;
     let published = [
         [0.250076, 10.5693582, 74.0558742],

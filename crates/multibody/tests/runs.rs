@@ -139,7 +139,7 @@ fn prop_energy_on_mounts_with_everything() {
     simulation.piston_damping = 15.0;
     simulation.friction_torque = 4.0;
     simulation.step = 0.1;
-    simulation.load.law = LoadLaw::Viscous(mean_torque(&train, &gas) / 150.0);
+    simulation.load.law = LoadLaw::Viscous { torque: mean_torque(&train, &gas), at: 150.0 };
     let link = |inertia, ratio| DrivelineInertia { inertia, stiffness: 4e3, damping: 4.0, ratio };
     simulation.driveline = vec![link(0.1, 1.0), link(0.4, 0.5)];
     let run = train.run(&simulation, Some(&gas)).expect("it runs");
@@ -301,7 +301,7 @@ fn a_governor_settles_within_its_droop_after_a_load_step() {
     let mut simulation = Simulation { tolerance: 1e-8, step: 0.1, ..Simulation::free(157.0, 1.0) };
     simulation.duration = Duration::Time(16.0);
     simulation.load.law = LoadLaw::Constant(0.3 * full);
-    let governor = Governor { speed: 157.0, gain: 0.05, integral: 0.1, droop: 0.04, delay: 0.02, start: 0.3 };
+    let governor = Governor { speed: 157.0, gain: 0.05, integral: 2.0, droop: 0.04, delay: 0.02, start: 0.3 };
     simulation.governor = Some(governor);
     simulation.events =
         vec![Event { when: When::Time(4.0), action: Action::Load(LoadLaw::Constant(0.7 * full)) }];
@@ -335,7 +335,7 @@ fn a_periodic_motion_is_found_and_closes() {
     let with = |reacts_on| {
         let mut simulation = Simulation::free(150.0, 1.0);
         simulation.block = BlockMotion::Mounts;
-        simulation.load = Load { law: LoadLaw::Viscous(torque / 150.0), reacts_on };
+        simulation.load = Load { law: LoadLaw::Viscous { torque, at: 150.0 }, reacts_on };
         train.periodic(&simulation, Some(&gas)).expect("it runs")
     };
     // Mean over one period of the roll moment of the block on its mounts, by the reaction to the load: the damped springs' mean is that of the load.

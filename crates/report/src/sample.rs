@@ -86,6 +86,7 @@ pub fn twin() -> Engine {
         x: 0.0,
         y: 0.1,
         weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
+        inertia: None,
     });
     engine.mounts = vec![
         Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0, spring: None },

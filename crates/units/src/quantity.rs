@@ -149,6 +149,12 @@ pub fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> bool) -
         Dimension::Damping => ("N s/m", "N s/m"),
         Dimension::PressurePerSpeed => ("bar s/m", "Pa s/m"),
         Dimension::PressurePerSpeedSquared => ("bar s2/m2", "Pa s2/m2"),
+        Dimension::Time => ("s", "s"),
+        Dimension::Power => ("kW", "W"),
+        Dimension::AngularStiffness => ("N m/rad", "N m/rad"),
+        Dimension::AngularDamping => ("N m s/rad", "N m s/rad"),
+        Dimension::PerSpeed => ("1/rpm", "s/rad"),
+        Dimension::Rate => ("1/s", "1/s"),
     };
     let guess = guess + 0.0;
     neighbours(guess)

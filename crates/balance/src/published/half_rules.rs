@@ -177,6 +177,7 @@ impl ThreeCylinderRule {
             x: self.shaft_at[0],
             y: self.shaft_at[1],
             weights: vec![weight(-half, front_weight), weight(half, -front_weight)],
+            inertia: None,
         });
 
         let direction = engine.pin_angle(front, 0.0) + PI;
@@ -249,6 +250,7 @@ impl FourCylinderRule {
                 x,
                 y,
                 weights: vec![ShaftWeight::new(0.0, unbalance.norm(), unbalance.arg())],
+                inertia: None,
             });
         }
         // Unbalances at twice crank speed: over w^2 they are four times as large.

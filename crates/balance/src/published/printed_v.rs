@@ -126,6 +126,7 @@ fn add_pair(engine: &mut Engine, order: i32, y: [f64; 2], weights: impl Fn(i32) 
                 .into_iter()
                 .map(|(z, unbalance, phase)| ShaftWeight::new(z, unbalance, phase))
                 .collect(),
+            inertia: None,
         });
     }
 }

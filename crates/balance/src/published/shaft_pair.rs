@@ -74,6 +74,7 @@ impl ShaftPair {
                     .into_iter()
                     .map(|(z, u)| ShaftWeight::new(z, u.norm(), u.arg()))
                     .collect(),
+                inertia: None,
             });
             largest / self.radius
         };

@@ -52,6 +52,7 @@ fn repaired(engine: &Engine, task: &BalanceTask, change: &[Complex64]) -> Option
                 x: at(s.x),
                 y: at(s.y),
                 weights: Vec::new(),
+                inertia: None,
             }
         })
         .collect();

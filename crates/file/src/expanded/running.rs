@@ -7,9 +7,15 @@ use lanchester_task::{Distribution, Extent, Tasks};
 use lanchester_units::Dimension;
 
 impl File {
-    pub(super) fn friction(&mut self, engine: &Engine) {
+    pub(super) fn friction(&mut self, engine: &Engine, tasks: &Tasks) {
+        let damping = tasks.simulation.as_ref().and_then(|input| input.piston_damping);
+        if engine.friction.is_some() || damping.is_some() {
+            self.header("[friction]", "");
+        }
+        if let Some(damping) = damping {
+            self.entry("piston_damping", &quantity(damping, Dimension::Damping));
+        }
         let Some(friction) = engine.friction else { return };
-        self.header("[friction]", "");
         match friction {
             Friction::Given { fmep } => self.entry("fmep", &quantity(fmep, Dimension::Pressure)),
             Friction::ChenFlynn { constant, peak_pressure, speed, speed_squared } => {

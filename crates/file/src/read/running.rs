@@ -27,8 +27,12 @@ impl<'a> Reader<'a> {
     pub(super) fn friction(&mut self) -> Option<Option<Friction>> {
         let (section, broken) = self.section("friction");
         let Some(section) = section else { return (!broken).then_some(None) };
-        self.needs_gas("friction", "it takes from the torque of the gas");
         let form = CHEN_FLYNN.into_iter().find(|key| section.has(key));
+        // Friction of the pistons alone is for runs in time, with gas or without.
+        if section.has("piston_damping") && !section.has("fmep") && form.is_none() {
+            return Some(None);
+        }
+        self.needs_gas("friction", "it takes from the torque of the gas");
         match (section.has("fmep"), form) {
             (true, Some(other)) => {
                 self.two_sources(section, "fmep", other, "the friction");

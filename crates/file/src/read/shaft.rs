@@ -22,6 +22,7 @@ impl<'a> Reader<'a> {
         let name = section.text("name").or(format!("shaft {}", index + 1));
         let ratio = self.required(section, "ratio", section.ratio("ratio"));
         let [x, y] = ["x", "y"].map(|key| section.number(key).or(0.0));
+        let inertia = super::simulation::optional(section.number("inertia"));
         let weights = self.required(section, "weights", section.tables("weights"));
         if weights.is_some_and(<[Section]>::is_empty) {
             self.mistakes.push(
@@ -43,6 +44,7 @@ impl<'a> Reader<'a> {
             x: x?,
             y: y?,
             weights: weights.into_iter().collect::<Option<Vec<ShaftWeight>>>()?,
+            inertia: inertia?,
         })
     }
 

@@ -11,6 +11,7 @@ mod mount;
 mod part;
 mod running;
 mod shaft_part;
+mod simulation;
 mod tolerances;
 mod train;
 
@@ -27,6 +28,7 @@ use layout::LAYOUT;
 use mount::{BLOCK, MOUNT};
 use running::{BEARINGS, FLYWHEEL, FRICTION};
 use shaft_part::SHAFT_WEIGHT_DESIGN;
+use simulation::{DRIVELINE, GOVERNOR, LOAD, MOST_LINKS, SIMULATION, STARTER};
 use tolerances::TOLERANCES;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
@@ -206,6 +208,41 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "The flywheel, and how evenly the engine is to turn.",
             "{ inertia = \"0.15 kg m2\" }",
+        ),
+        key(
+            "simulation",
+            Kind::Table(&SIMULATION),
+            Optional,
+            "A run in time of the crank train as rigid bodies.",
+            "{ duration = \"10 revolutions\" }",
+        ),
+        key(
+            "load",
+            Kind::Table(&LOAD),
+            Optional,
+            "What takes the power in a run.",
+            "{ type = \"constant\", torque = \"95 N m\" }",
+        ),
+        key(
+            "starter",
+            Kind::Table(&STARTER),
+            Optional,
+            "What starts the engine in a run.",
+            "{ stall_torque = \"12 N m\", free_speed = \"3000 rpm\", ratio = 10, until = \"350 rpm\" }",
+        ),
+        key(
+            "governor",
+            Kind::Table(&GOVERNOR),
+            Optional,
+            "What holds the speed of a run.",
+            "{ speed = \"1500 rpm\", gain = \"0.02 1/rpm\", delay = \"20 ms\" }",
+        ),
+        key(
+            "driveline",
+            Kind::Tables(&DRIVELINE, MOST_LINKS),
+            Optional,
+            "Inertias behind the flywheel in a run, in order from the engine.",
+            "[{ inertia = \"0.9 kg m2\", stiffness = \"1200 N m/rad\" }]",
         ),
         key(
             "tolerances",

@@ -16,4 +16,5 @@ mod mounts;
 mod parts;
 mod schema;
 mod shaft_parts;
+mod simulation;
 mod write_back;

@@ -64,7 +64,14 @@ fn every_template_takes_other_weights_and_shafts() {
             let weights =
                 vec![ShaftWeight::new(-0.05, 0.0123456789012, 2.0), ShaftWeight::new(0.05, 0.01, 0.0)];
             let ratio = Ratio::new(-1, 2).expect("no 0");
-            fitted.shafts.push(BalanceShaft { name: "new".into(), ratio, x: 0.1, y: -0.2, weights });
+            fitted.shafts.push(BalanceShaft {
+                name: "new".into(),
+                ratio,
+                x: 0.1,
+                y: -0.2,
+                weights,
+                inertia: None,
+            });
             if let Err(problem) = check(&text, &fitted) {
                 panic!("{name} in dress {dress}: {problem}");
             }
@@ -230,6 +237,7 @@ shaft = [{ ratio = 2, y = \"1 cm\", weights = [{ z = \"0 mm\", mass = \"1 g\", r
             x: 0.0,
             y: -0.01,
             weights: vec![ShaftWeight::new(0.01, 0.02, PI); 2],
+            inertia: None,
         });
     });
     let wanted = "counterweight = [
@@ -601,7 +609,7 @@ proptest! {
                 Some(shaft) => (shaft.weights, shaft.x) = (weights, x),
                 None => {
                     let ratio = Ratio::whole(-2).expect("no 0");
-                    fitted.shafts.push(BalanceShaft { name: format!("new {k}"), ratio, x, y: 0.1, weights });
+                    fitted.shafts.push(BalanceShaft { name: format!("new {k}"), ratio, x, y: 0.1, weights, inertia: None });
                 }
             }
         }

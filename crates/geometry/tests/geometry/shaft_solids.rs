@@ -18,7 +18,7 @@ fn weight(z: f64, phase: f64, [shaft_radius, radius, chord, length]: [f64; 4]) -
 }
 
 fn shaft(name: &str, [x, y]: [f64; 2], weights: Vec<ShaftWeight>) -> BalanceShaft {
-    BalanceShaft { name: name.to_string(), ratio: Ratio::new(-2, 1).unwrap(), x, y, weights }
+    BalanceShaft { name: name.to_string(), ratio: Ratio::new(-2, 1).unwrap(), x, y, weights, inertia: None }
 }
 
 /// Area and first moment of what a disc has beyond a chord, by the textbook's formulas.

@@ -91,7 +91,7 @@ fn mounts() -> String {
 
 fn engine(text: &str) -> Engine {
     let read = read(text);
-    read.engine.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+    read.engine().unwrap_or_else(|| panic!("{:?}", read.diagnostics))
 }
 
 /// What is compared: the engine, its inertias, what acts.

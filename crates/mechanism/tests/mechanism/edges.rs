@@ -11,6 +11,7 @@ fn shaft(numerator: i32, denominator: u32) -> BalanceShaft {
         x: 0.0,
         y: 0.1,
         weights,
+        inertia: None,
     }
 }
 

@@ -237,6 +237,7 @@ fn a_reverse_engine_with_far_shafts_and_mounts_is_drawn_mirrored() {
         x: -0.3,
         y: -0.4,
         weights: vec![ShaftWeight::new(0.4, 0.0, 1.0)],
+        inertia: None,
     });
     engine.mounts.push(Mount { name: "far".to_owned(), x: 1.0, y: 1.0, z: 2.0, spring: None });
     let straight = check_with_sample_loads(&engine);

@@ -53,11 +53,23 @@ pub enum Dimension {
     PressurePerSpeed,
     /// Pressure per velocity squared, in Pa s^2/m^2.
     PressurePerSpeedSquared,
+    /// Time, in s.
+    Time,
+    /// Power, in W.
+    Power,
+    /// Torque per angle, in N m/rad.
+    AngularStiffness,
+    /// Torque per speed of rotation, in N m s/rad.
+    AngularDamping,
+    /// Share per speed of rotation, in s/rad.
+    PerSpeed,
+    /// Per time, in 1/s.
+    Rate,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub const ALL: [Dimension; 23] = [
+    pub const ALL: [Dimension; 29] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -81,6 +93,12 @@ impl Dimension {
         Dimension::Damping,
         Dimension::PressurePerSpeed,
         Dimension::PressurePerSpeedSquared,
+        Dimension::Time,
+        Dimension::Power,
+        Dimension::AngularStiffness,
+        Dimension::AngularDamping,
+        Dimension::PerSpeed,
+        Dimension::Rate,
     ];
 
     /// Name with its article, for messages.
@@ -109,6 +127,12 @@ impl Dimension {
             Dimension::Damping => "a damping coefficient",
             Dimension::PressurePerSpeed => "a pressure per speed",
             Dimension::PressurePerSpeedSquared => "a pressure per speed squared",
+            Dimension::Time => "a time",
+            Dimension::Power => "a power",
+            Dimension::AngularStiffness => "a torsional stiffness",
+            Dimension::AngularDamping => "a torsional damping coefficient",
+            Dimension::PerSpeed => "a share per speed",
+            Dimension::Rate => "a rate",
         }
     }
 
@@ -156,7 +180,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 83] = {
+pub(super) static UNITS: [Unit; 97] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -242,6 +266,20 @@ pub(super) static UNITS: [Unit; 83] = {
         unit(PressurePerSpeedSquared, "bar s2/m2", 5, 1.0),
         unit(PressurePerSpeedSquared, "kPa s2/m2", 3, 1.0),
         unit(PressurePerSpeedSquared, "Pa s2/m2", 0, 1.0),
+        unit(Time, "s", 0, 1.0),
+        unit(Time, "ms", -3, 1.0),
+        unit(Time, "min", 0, 60.0),
+        unit(Time, "h", 0, 3600.0),
+        unit(Power, "kW", 3, 1.0),
+        unit(Power, "W", 0, 1.0),
+        unit(Power, "PS", 0, 75.0 * STANDARD_GRAVITY),
+        unit(Power, "hp", 0, 550.0 * 0.3048 * POUND * STANDARD_GRAVITY),
+        unit(AngularStiffness, "N m/rad", 0, 1.0),
+        unit(AngularStiffness, "kN m/rad", 3, 1.0),
+        unit(AngularDamping, "N m s/rad", 0, 1.0),
+        unit(PerSpeed, "1/rpm", 0, 30.0 / PI),
+        unit(PerSpeed, "s/rad", 0, 1.0),
+        unit(Rate, "1/s", 0, 1.0),
     ]
 };
 

@@ -6,7 +6,7 @@ use super::super::{Key, Kind, Table};
 use super::part::SHAPE;
 use super::shaft_part::SHAFT_WEIGHT_SHAPE;
 use super::{MOST_CRANKSHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
-use lanchester_units::Dimension::{Angle, Length, Mass, Unbalance};
+use lanchester_units::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 
 pub(super) static COUNTERWEIGHTS: Table = Table {
     header: "[counterweights]",
@@ -100,6 +100,13 @@ pub(super) static SHAFT: Table = Table {
         ),
         quantity("x", Length, Any, "Place of its axis; default 0.", "\"0 mm\""),
         quantity("y", Length, Any, "Place of its axis; default 0.", "\"100 mm\""),
+        quantity(
+            "inertia",
+            Inertia,
+            NotNegative,
+            "Its polar moment of inertia about its axis, for runs in time and the motion of the block.",
+            "\"0.0008 kg m2\"",
+        ),
         key(
             "weights",
             Kind::Tables(&SHAFT_WEIGHT, MOST_WEIGHTS),

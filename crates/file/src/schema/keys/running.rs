@@ -5,7 +5,7 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::{key, quantity};
 use lanchester_units::Dimension::{
-    Inertia, Length, Pressure, PressurePerSpeed, PressurePerSpeedSquared, Speed,
+    Damping, Inertia, Length, Pressure, PressurePerSpeed, PressurePerSpeedSquared, Speed,
 };
 
 pub(super) static FRICTION: Table = Table {
@@ -41,6 +41,13 @@ pub(super) static FRICTION: Table = Table {
             NotNegative,
             "What the square of the mean piston speed adds; default 0.",
             "\"0.0009 bar s2/m2\"",
+        ),
+        quantity(
+            "piston_damping",
+            Damping,
+            NotNegative,
+            "Viscous friction of every piston along its cylinder, of a run in time alone; default 0.",
+            "\"20 N s/m\"",
         ),
     ],
 };

@@ -75,7 +75,7 @@ prop_compose! {
         weights in prop::collection::vec((-0.3..0.3f64, 0.0..0.02f64, angle()), 1..3),
     ) -> BalanceShaft {
         let weights = weights.into_iter().map(|(z, unbalance, phase)| ShaftWeight::new(z, unbalance, phase)).collect();
-        BalanceShaft { name: "shaft".into(), ratio: Ratio::new(ratio.0, ratio.1).expect("not 0"), x, y, weights }
+        BalanceShaft { name: "shaft".into(), ratio: Ratio::new(ratio.0, ratio.1).expect("not 0"), x, y, weights, inertia: None }
     }
 }
 
