@@ -9,8 +9,16 @@ use std::hint::black_box;
 fn engine(name: &str) -> Engine {
     let text = template(name).expect("it is in the gallery").text;
     let mut engine = read(text).engine().expect("the template is valid");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 

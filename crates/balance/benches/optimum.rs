@@ -9,8 +9,16 @@ use std::hint::black_box;
 /// The engine without counterweights and shafts.
 fn bare(name: &str) -> Engine {
     let mut engine = read(template(name).expect("it is in the gallery").text).engine().expect("it is valid");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 

@@ -130,14 +130,18 @@ mod tests {
 
     #[test]
     fn an_engine_without_counterweights_has_none() {
-        let engine = Engine { counterweights: Vec::new(), ..gallery("in-line-4") };
+        let engine = gallery("in-line-4").without_counterweights();
         assert_rates(&engine, &[0.0; 4]);
     }
 
     #[test]
     fn a_weight_across_the_throw_answers_nothing() {
         let mut engine = gallery("in-line-4");
-        engine.counterweights.iter_mut().for_each(|weight| weight.angle += PI / 2.0);
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.iter_mut().for_each(|weight| weight.angle += PI / 2.0);
+            })
+            .expect("an engine");
         assert_rates(&engine, &[0.0; 4]);
     }
 
@@ -146,7 +150,11 @@ mod tests {
         // A four on three mains: nothing of a bay's force is left, only its couple, and the webs answer four fifths of that.
         let mut engine = gallery("in-line-4");
         let planes = engine.main_planes(0);
-        engine.crankshafts[0].mains = Some(vec![planes[0], planes[2], planes[4]]);
+        engine = engine
+            .with(|engine| {
+                engine.crankshafts[0].mains = Some(vec![planes[0], planes[2], planes[4]]);
+            })
+            .expect("an engine");
         assert_rates(&engine, &[0.8; 2]);
     }
 
@@ -154,14 +162,18 @@ mod tests {
     fn a_weight_beyond_the_end_mains_is_in_no_bay() {
         let mut engine = gallery("in-line-4");
         let end = engine.main_planes(0)[4];
-        engine.counterweights.push(Counterweight {
-            name: "flywheel".to_string(),
-            crankshaft: 0,
-            z: end + 0.05,
-            unbalance: 0.01,
-            angle: 0.0,
-            part: None,
-        });
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.push(Counterweight {
+                    name: "flywheel".to_string(),
+                    crankshaft: 0,
+                    z: end + 0.05,
+                    unbalance: 0.01,
+                    angle: 0.0,
+                    part: None,
+                });
+            })
+            .expect("an engine");
         assert_rates(&engine, &[0.8; 4]);
     }
 
@@ -169,7 +181,7 @@ mod tests {
     fn split_pins_are_answered_where_their_sum_is() {
         // Whatever the angle between its pins: weights that leave nothing on the two mains answer all.
         let engine = gallery("v6-90");
-        let mut answered = Engine { counterweights: Vec::new(), ..engine.clone() };
+        let mut answered = engine.without_counterweights();
         for (number, throw) in engine.throws.iter().enumerate() {
             for (z, unbalance) in std::iter::once((throw.unbalance_plane(), throw.unbalance)).chain(
                 engine
@@ -178,14 +190,18 @@ mod tests {
                     .filter(|cylinder| cylinder.throw == number)
                     .map(|cylinder| (cylinder.z, cylinder.rod.big_end_mass * throw.radius)),
             ) {
-                answered.counterweights.push(Counterweight {
-                    name: format!("answer {}", answered.counterweights.len()),
-                    crankshaft: 0,
-                    z,
-                    unbalance,
-                    angle: throw.angle + PI,
-                    part: None,
-                });
+                answered = answered
+                    .with(|answered| {
+                        answered.counterweights.push(Counterweight {
+                            name: format!("answer {}", answered.counterweights.len()),
+                            crankshaft: 0,
+                            z,
+                            unbalance,
+                            angle: throw.angle + PI,
+                            part: None,
+                        });
+                    })
+                    .expect("an engine");
             }
         }
         assert_rates(&answered, &vec![1.0; engine.main_planes(0).len() - 1]);

@@ -79,7 +79,7 @@ pub fn swept(
     };
     let load = load.map_or_else(rule, Ok)?;
     let sweep = sweep(engine, load, kinematics, options)?;
-    let bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+    let bare = engine.without_counterweights();
     let task = swept_task(&bare, load);
     let request = LoadRequest { kinematics, ..LoadRequest::default() };
     let true_peak = |unbalance: f64| -> Result<SweptCrank, BalanceError> {
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn shafts_of_the_file_stay() {
         let with = engine("in-line-3-shaft");
-        let without = Engine { shafts: Vec::new(), ..with.clone() };
+        let without = with.without_shafts();
         let best = |engine: &Engine| {
             let load = Some(CrankLoad::Couple);
             swept(engine, load, Kinematics::Exact, &SweepOptions::default()).unwrap().best.criterion

@@ -304,7 +304,7 @@ fn half_is_the_best_balance_factor() {
     let single = gallery("single");
     let bare = EngineResidual::of(&BalanceFactor(0.0).fit(&single)).expect("it turns").first.peak().0;
     for f in [0.0, 0.25, 0.5, 0.8, 1.0] {
-        let fitted = Engine { shafts: Vec::new(), ..BalanceFactor(f).fit(&single) };
+        let fitted = BalanceFactor(f).fit(&single).without_shafts();
         let peak = EngineResidual::of(&fitted).expect("it turns").first.peak().0;
         close("peak of the first order", peak / bare, BalanceFactor(f).peak(), 1e-9);
     }

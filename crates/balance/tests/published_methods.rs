@@ -170,14 +170,19 @@ fn the_balancer_belongs_opposite_the_couples_peak() {
     let published = Kinematics::PowerSeries { max_order: 2, max_power: 1 };
     let left = |turn: f64| {
         let mut turned = fitted.clone();
-        for (weight, opposite) in turned.shafts[0].weights.iter_mut().zip([0.0, std::f64::consts::PI]) {
-            weight.phase = turn + opposite;
-        }
+        turned = turned
+            .with(|turned| {
+                for (weight, opposite) in turned.shafts[0].weights.iter_mut().zip([0.0, std::f64::consts::PI])
+                {
+                    weight.phase = turn + opposite;
+                }
+            })
+            .unwrap();
         let first = |l: &Loads| *l.total.orders.iter().find(|o| o.order == 1.0).expect("listed");
         first(&two_orders(&turned, published)).couple_backward.norm()
     };
     let without = {
-        let bare = Engine { shafts: Vec::new(), ..fitted.clone() };
+        let bare = fitted.without_shafts();
         let orders = two_orders(&bare, published).total.orders;
         orders.iter().find(|o| o.order == 1.0).expect("listed").couple_backward.norm()
     };

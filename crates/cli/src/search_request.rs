@@ -23,7 +23,7 @@ pub fn arrangement_request(
     if let Some(text) = &search.mount_spacing {
         request.mounts = MountPlaces::Spacing(positive(text, "--mount-spacing")?);
     }
-    let engine = &searched_engine(engine, &request, 1.0);
+    let engine = &searched_engine(engine, &request, 1.0).map_err(Failure::refused)?;
     request.criterion = judged(engine, arguments)?;
     for text in &arguments.limit {
         add_limit(engine, &mut request, text)?;

@@ -15,6 +15,7 @@ mod layers;
 mod linkage;
 mod mains;
 mod mount;
+mod names;
 mod part;
 mod places;
 mod rod;
@@ -34,7 +35,7 @@ use crate::schema::FILE;
 use cylinder::DraftCylinder;
 pub(crate) use firing::fired_after;
 use lanchester_diagnostic::{Diagnostic, Mistake, Mistakes};
-use lanchester_model::{Crankshaft, Engine, Rotation, SpeedRange, Strokes};
+use lanchester_model::{Crankshaft, Engine, EngineParts, Fault, Rotation, SpeedRange, Strokes};
 use lanchester_task::Tasks;
 use lanchester_units::Dimension;
 use layers::Layers;
@@ -163,7 +164,7 @@ impl<'a> Reader<'a> {
         if version.is_bad() || note.is_bad() {
             return None;
         }
-        let mut engine = Engine {
+        let mut parts = EngineParts {
             name: name?,
             note: note.given(),
             strokes: strokes?,
@@ -184,25 +185,30 @@ impl<'a> Reader<'a> {
             bearings: bearings?,
         };
         let origin = origin?;
-        for main in engine.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten() {
+        for main in parts.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten() {
             *main -= origin;
         }
-        for cylinder in &mut engine.cylinders {
+        for cylinder in &mut parts.cylinders {
             cylinder.z -= origin;
         }
-        for weight in engine.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights) {
+        for weight in parts.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights) {
             weight.z -= origin;
         }
-        for mount in &mut engine.mounts {
+        for mount in &mut parts.mounts {
             mount.z -= origin;
         }
-        if let Some(block) = &mut engine.block {
+        if let Some(block) = &mut parts.block {
             block.centre[2] -= origin;
         }
-        for (cylinder, angle) in engine.cylinders.iter_mut().zip(firing_angles?) {
+        for (cylinder, angle) in parts.cylinders.iter_mut().zip(firing_angles?) {
             cylinder.firing_angle = angle;
         }
-        self.share_chambers(&mut engine, chambers?)?;
+        let chambers = chambers?;
+        for (cylinder, chamber) in parts.cylinders.iter_mut().zip(&chambers) {
+            cylinder.chamber = chamber.as_ref().map(|chamber| chamber.0);
+        }
+        let engine = self.valid(parts)?;
+        self.check_chambers(&engine, &chambers)?;
         let tolerances = tolerances?;
         self.check_tolerances(&tolerances, &engine);
         let balance = self.balance_task(balance?, &engine, origin)?;
@@ -214,6 +220,20 @@ impl<'a> Reader<'a> {
             balance,
         };
         Some((EngineFile { engine, tasks }, origin))
+    }
+
+    /// The engine; what no other check has told of the parts is told without a place.
+    fn valid(&mut self, parts: EngineParts) -> Option<Engine> {
+        let told = self.mistakes.any_error();
+        let faults = match Engine::new(parts) {
+            Ok(engine) => return Some(engine),
+            Err(faults) => faults,
+        };
+        for Fault { part, quantity, needed, got, remedy } in faults.into_iter().filter(|_| !told) {
+            let message = format!("{part}: {quantity} must be {needed}, got {got}");
+            self.mistakes.push(Mistake::error("E0515", 0..0, message).hint(remedy));
+        }
+        None
     }
 
     fn speed(&mut self) -> Option<SpeedRange> {

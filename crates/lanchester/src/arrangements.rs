@@ -5,7 +5,7 @@ use lanchester_balance::{
     crank_task, optimise_with, swept_crank,
 };
 use lanchester_mechanism::{LoadRequest, PeakMode, loads};
-use lanchester_model::{Engine, SpeedRange};
+use lanchester_model::{Engine, Fault, SpeedRange};
 use lanchester_report::ArrangementResult;
 use lanchester_task::BalanceTask;
 
@@ -29,7 +29,9 @@ use lanchester_task::BalanceTask;
 /// ```
 pub fn arrangements(engine: &Engine, request: &LoadRequest) -> Result<Vec<ArrangementResult>, BalanceError> {
     let speed = request.speed.unwrap_or(engine.speed.highest);
-    let engine = Engine { speed: SpeedRange { lowest: speed, highest: speed }, ..engine.clone() };
+    let engine = engine
+        .with(|parts| parts.speed = SpeedRange { lowest: speed, highest: speed })
+        .map_err(|faults| BalanceError::Engine(Fault::first_of(faults)))?;
     let mut sweep = SweepOptions::fitting(&engine);
     if let PeakMode::Grid(angles) = request.peaks {
         sweep.angles = angles;

@@ -15,7 +15,7 @@ use lanchester_mechanism::{
     Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations, merged_orders,
     motion, torque, total_loads,
 };
-use lanchester_model::{Engine, Mount, SpeedRange};
+use lanchester_model::{Engine, EngineParts, Fault, Mount, SpeedRange};
 use lanchester_study::compare::{
     COMPARISON_VERSION, Compared, ComparedTorque, Comparison, Criterion, Equal, Held, Leading, Ranking,
     Similar, SimilarError,
@@ -89,6 +89,14 @@ impl Default for CompareRequest {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompareError {
+    /// As it is compared it is no engine.
+    #[error("{engine}: {fault}")]
+    Engine {
+        /// Its name.
+        engine: String,
+        /// What is wrong with it.
+        fault: Fault,
+    },
     /// Nothing to compare.
     #[error("a comparison needs two or more engines or arrangements, got {got}")]
     TooFew {
@@ -312,7 +320,7 @@ impl Candidate {
     ) -> Result<Candidate, CompareError> {
         let speed = request.speed.unwrap_or(entry.file.engine.speed.highest);
         let range = SpeedRange { lowest: entry.file.engine.speed.lowest.min(speed), highest: speed };
-        let own = Engine { speed: range, ..entry.file.engine.clone() };
+        let own = changed(&entry.file.engine, |parts| parts.speed = range)?;
         let own_name = own.name.clone();
         let balance = |error| CompareError::Balance { engine: own_name.clone(), error: Box::new(error) };
         let (engine, with) = match entry.with {
@@ -426,7 +434,7 @@ impl Candidate {
         let highest = self.speed * similar.speed_of_original();
         let speed = SpeedRange { lowest: highest.min(self.engine.speed.lowest), highest };
         // The mounts are compared by themselves.
-        let engine = Engine { speed, mounts: Vec::new(), ..self.engine.clone() };
+        let engine = changed(&self.engine, |parts| (parts.speed, parts.mounts) = (speed, Vec::new()))?;
         consequences(&engine, &engine, None)
             .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: Box::new(error) })
     }
@@ -435,7 +443,7 @@ impl Candidate {
     fn stiff_mount_force(&self, similar: Similar, mounts: Vec<Mount>) -> Result<f64, CompareError> {
         let highest = self.speed * similar.speed_of_original();
         let speed = SpeedRange { lowest: highest.min(self.engine.speed.lowest), highest };
-        let engine = Engine { speed, mounts, ..self.engine.clone() };
+        let engine = changed(&self.engine, |parts| (parts.speed, parts.mounts) = (speed, mounts))?;
         let most = Peak(Load::LargestMountForce);
         let value = as_it_stands(&engine, most)
             .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: Box::new(error) })?;
@@ -538,6 +546,14 @@ impl Gas {
         }
         Ok(Some(gas))
     }
+}
+
+/// An engine with a change.
+fn changed(engine: &Engine, change: impl FnOnce(&mut EngineParts)) -> Result<Engine, CompareError> {
+    engine.with(change).map_err(|faults| CompareError::Engine {
+        engine: engine.name.clone(),
+        fault: Fault::first_of(faults),
+    })
 }
 
 /// Two stiff mounts so far apart [m] on the axis of the crank.

@@ -19,7 +19,7 @@ use lanchester_task::{BalanceTask, Seat};
 /// use lanchester::model::{Engine, read, template};
 ///
 /// let four = read(template("in-line-4").expect("it is in the gallery").text).engine().expect("no mistakes");
-/// let bare = Engine { counterweights: Vec::new(), ..four.clone() };
+/// let bare = four.without_counterweights();
 /// let found = lanchester::consequences(&four, &bare, None)?;
 /// // Force and couple do not see the counterweights of a four; its middle main bearing does.
 /// assert!(found.worse().all(|row| row.quantity != Affected::Force && row.quantity != Affected::Couple));

@@ -61,6 +61,6 @@ pub fn robust_balance(
         samples: 2 * engines,
         seed,
     })?;
-    let (samples, second) = (scattering.engines(0..engines), scattering.engines(engines..2 * engines));
+    let (samples, second) = (scattering.engines(0..engines)?, scattering.engines(engines..2 * engines)?);
     Ok(optimise_robust(engine, task, &RobustRequest { samples: &samples, second: &second, measure, seed })?)
 }

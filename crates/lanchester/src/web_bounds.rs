@@ -154,7 +154,9 @@ impl<'a> Webs<'a> {
     fn fits(&mut self, at: usize, angle: Option<f64>) -> Result<(f64, String), WebBoundError> {
         let probe = &mut self.bounds[at].probe;
         if let Some(angle) = angle {
-            probe.counterweights[0].angle = angle;
+            *probe = probe
+                .with(|parts| parts.counterweights[0].angle = angle)
+                .expect("invariant: a direction is finite");
         }
         Ok(self.known.largest(probe, 0, &self.shapes)?)
     }
@@ -216,5 +218,5 @@ fn probe(engine: &Engine, weight: &FreeWeight) -> Option<Engine> {
         Phase::Direction(angle) | Phase::Line(angle) => angle - engine.crankshafts[crankshaft].phase,
         Phase::Free => engine.throws[web / 2].angle + PI,
     };
-    Some(Engine { counterweights: vec![alone], ..engine.clone() })
+    engine.with(|parts| parts.counterweights = vec![alone]).ok()
 }

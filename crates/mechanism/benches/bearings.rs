@@ -10,9 +10,13 @@ use std::hint::black_box;
 fn v8() -> (Engine, Vec<CylinderGas>) {
     let text = template("v8-crossplane").expect("it is in the gallery").text;
     let mut engine = read(text).engine().expect("it is valid");
-    for cylinder in &mut engine.cylinders {
-        cylinder.bore = Some(0.09);
-    }
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.bore = Some(0.09);
+            }
+        })
+        .unwrap();
     let knots: Vec<f64> = (0..720).map(|j| 2.0 * TAU * f64::from(j) / 720.0).collect();
     let values: Vec<f64> = knots.iter().map(|t| 1e5 + 6e6 * (-2.0 * (t - 0.3).powi(2)).exp()).collect();
     let gas = CylinderGas {

@@ -45,7 +45,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         .collect();
     let crankshaft =
         Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None };
-    Engine {
+    Engine::new(EngineParts {
         name: "bench".into(),
         note: None,
         strokes: Strokes::Four,
@@ -64,7 +64,8 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         friction: None,
         flywheel: None,
         bearings: None,
-    }
+    })
+    .unwrap()
 }
 
 fn bench(criterion: &mut Criterion) {

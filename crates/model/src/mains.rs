@@ -1,6 +1,6 @@
 //! Where the main bearings of a crankshaft stand.
 
-use crate::engine::{Engine, Throw};
+use crate::engine::{EngineParts, Throw};
 
 /// Without webs in the file: throws closer than this many crank radii leave no room for two webs and a main bearing
 /// between them.
@@ -10,7 +10,7 @@ const CLOSEST: f64 = 1.25;
 /// leave no room for a main bearing, which is about as long as a pin.
 const NARROWEST: f64 = 0.5;
 
-impl Engine {
+impl EngineParts {
     /// Planes of the main bearings of crankshaft `crankshaft` [m], rising, at least two; empty for a crankshaft without
     /// throws.
     ///

@@ -2,7 +2,7 @@
 
 use crate::angle;
 use crate::crank_body::{CounterweightForm, CounterweightPart, CrankBody};
-use crate::engine::{Engine, Throw};
+use crate::engine::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 
@@ -44,7 +44,7 @@ const NO_COUPLE: f64 = 1e-9;
 /// Unbalance [kg m] and place [m] beyond which no engine goes.
 pub const LARGEST_UNBALANCE: f64 = 1e12;
 
-impl Engine {
+impl EngineParts {
     /// What `part` weighs as a counterweight of this engine.
     ///
     /// # Errors
@@ -54,7 +54,7 @@ impl Engine {
     }
 }
 
-/// As [`Engine::part_weight`], while the engine is still being read.
+/// As [`EngineParts::part_weight`], while the engine is still being read.
 pub fn part_weight(
     part: &CounterweightPart,
     throws: &[Throw],

@@ -1,7 +1,7 @@
 //! The plain webs of a crankshaft that is a body: each beside its own crankpin, or one between the pins of two throws.
 
 use crate::crank_body::CrankBody;
-use crate::engine::{Engine, Throw};
+use crate::engine::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 
@@ -73,7 +73,7 @@ pub fn pin(throw: &Throw) -> Point {
     Point::polar(throw.radius, throw.angle)
 }
 
-impl Engine {
+impl EngineParts {
     /// Webs between the pins of two throws, crankshaft by crankshaft along z.
     pub fn shared_webs(&self) -> Vec<SharedWeb> {
         SharedWeb::all(&self.throws)

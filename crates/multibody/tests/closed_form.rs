@@ -17,10 +17,14 @@ fn gallery() -> Vec<Engine> {
     let engine = |text: &str| {
         let mut engine = read(text).engine().expect("the gallery has no mistakes");
         let moved = motion(&engine, &LoadRequest::default()).expect("the gallery turns");
-        for (cylinder, motion) in engine.cylinders.iter_mut().zip(moved) {
-            cylinder.bore = cylinder.bore.or(Some(0.08));
-            cylinder.firing_angle = cylinder.firing_angle.or(Some(motion.top_dead_centre));
-        }
+        engine = engine
+            .with(|engine| {
+                for (cylinder, motion) in engine.cylinders.iter_mut().zip(moved) {
+                    cylinder.bore = cylinder.bore.or(Some(0.08));
+                    cylinder.firing_angle = cylinder.firing_angle.or(Some(motion.top_dead_centre));
+                }
+            })
+            .unwrap();
         engine
     };
     templates().iter().map(|template| engine(template.text)).collect()

@@ -285,8 +285,9 @@ fn device_task(engine: &Engine, locked: &[String]) -> Result<BalanceTask, Proble
         )));
     }
     // Weights in one plane are one: those that are free, under a name of theirs.
-    let mut free = engine.clone();
-    free.counterweights.retain(|weight| !locked.contains(&weight.name));
+    let free = engine
+        .with(|parts| parts.counterweights.retain(|weight| !locked.contains(&weight.name)))
+        .expect("invariant: an engine with fewer weights is one");
     let weights = crank_weights(&free, CrankWeightPlaces::File);
     let mut task = BalanceTask { weights, ..BalanceTask::default() };
     for shaft in engine.shafts.iter().filter(|shaft| !locked.contains(&shaft.name)) {
@@ -335,7 +336,7 @@ fn adopted(_: &Asker, question: ChosenArrangement) -> Result<NewText, Problem> {
             chosen.label
         )));
     }
-    let bare = searched_engine(&engine, &request, spacing.scale);
+    let bare = searched_engine(&engine, &request, spacing.scale).map_err(Problem::refused)?;
     let text = write_back(text, &fitted(&bare, &chosen.answer)).map_err(Problem::refused)?;
     Ok(NewText { text })
 }

@@ -237,7 +237,10 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
     let entry = |named: &NamedEngine| {
         let mut file = engine_file(&named.text)?;
         let traces = asker.studio.folder.traces(&file.engine)?;
-        file.engine.name = named.name.clone();
+        file.engine = file
+            .engine
+            .with(|parts| parts.name.clone_from(&named.name))
+            .expect("invariant: an engine may have any name");
         Ok(CompareEntry { file, traces, with: ComparedWith::OwnDevices })
     };
     let entries = question.engines.iter().map(entry).collect::<Result<Vec<_>, Problem>>()?;

@@ -7,7 +7,7 @@
 use crate::crank_unbalance::crank_parts;
 use crate::error::WorkshopError;
 use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -75,11 +75,13 @@ pub fn external_balance(
             });
         }
     }
-    let mut engine = engine.clone();
-    for weight in &mut engine.counterweights {
-        weight.unbalance *= kept_share;
-        weight.part = None;
-    }
+    let keep = |parts: &mut EngineParts| {
+        for weight in &mut parts.counterweights {
+            weight.unbalance *= kept_share;
+            weight.part = None;
+        }
+    };
+    let engine = engine.with(keep).expect("invariant: a share of a weight is a weight");
     let parts = crank_parts(&engine, crankshaft, bobweights)?.concat();
     let size: f64 = parts.iter().map(|p| p.unbalance.norm()).sum();
     let mut weights = in_two_planes(&parts, planes)?;
@@ -131,18 +133,26 @@ mod tests {
                 let [Some(damper), None] = external.masses else { panic!("{:?}", external.masses) };
                 assert!((damper.mass - missing * 0.31 / 0.57 / 0.08).abs() < 1e-13);
             }
-            for weight in &mut engine.counterweights {
-                weight.unbalance *= 0.7;
-            }
+            engine = engine
+                .with(|engine| {
+                    for weight in &mut engine.counterweights {
+                        weight.unbalance *= 0.7;
+                    }
+                })
+                .expect("an engine");
             for weight in &external.weights {
-                engine.counterweights.push(Counterweight {
-                    name: weight.name.clone(),
-                    crankshaft: 0,
-                    z: weight.z,
-                    unbalance: weight.unbalance.norm(),
-                    angle: weight.unbalance.arg(),
-                    part: None,
-                });
+                engine = engine
+                    .with(|engine| {
+                        engine.counterweights.push(Counterweight {
+                            name: weight.name.clone(),
+                            crankshaft: 0,
+                            z: weight.z,
+                            unbalance: weight.unbalance.norm(),
+                            angle: weight.unbalance.arg(),
+                            part: None,
+                        });
+                    })
+                    .expect("an engine");
             }
             let inside = [Plane { name: "a".into(), z: -0.1 }, Plane { name: "b".into(), z: 0.1 }];
             let left = crank_unbalance(&engine, 0, &bobs, &inside, None).unwrap();

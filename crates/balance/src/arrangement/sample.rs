@@ -33,7 +33,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         firing_angle: None,
         chamber: None,
     });
-    Engine {
+    Engine::new(EngineParts {
         name: "sample".to_owned(),
         note: None,
         strokes: Strokes::Four,
@@ -59,7 +59,8 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         friction: None,
         flywheel: None,
         bearings: None,
-    }
+    })
+    .expect("the parts of an engine")
 }
 
 /// The in-line twin with pistons in step.

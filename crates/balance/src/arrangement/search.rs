@@ -13,7 +13,7 @@ use crate::arrangement::spacing::extent;
 use crate::arrangement::wording;
 use crate::consequences::inside_the_crank;
 use crate::{Answer, BalanceError, Outcome, as_it_stands, fitted, optimise};
-use lanchester_model::{Engine, Mount};
+use lanchester_model::{Engine, EngineParts, Mount};
 use lanchester_task::{BalanceTask, Criterion, Limit, Load, Place, Seat, Stage};
 use num_complex::Complex64;
 
@@ -48,7 +48,7 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
     let own_spacing = engine.spacing();
     let mut spacings = Vec::new();
     for scale in scales(request, own_spacing)? {
-        let searched = searched_engine(engine, request, scale);
+        let searched = searched_engine(engine, request, scale)?;
         spacings.push(Search::new(&searched, request, limit).run(scale, own_spacing.map(|s| s * scale))?);
     }
     let nearest = limit.and_then(|limit| nearest(&spacings, request, limit));
@@ -67,12 +67,21 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
 
 /// The engine that arrangements are fitted to: no balance shafts, the mounts of the request, and every z of throws,
 /// cylinders and counterweights times `scale` ([`SpacingArrangements::scale`]).
-pub fn searched_engine(engine: &Engine, request: &ArrangementRequest, scale: f64) -> Engine {
-    let mut searched = engine.stretched(scale);
-    searched.shafts.clear();
-    searched.counterweights.retain(|weight| !is_searched(&weight.name));
-    searched.mounts = mounts(engine, request);
-    searched
+///
+/// # Errors
+/// [`BalanceError::Engine`] where there is no such engine: a scale that is not positive, a mount that stands nowhere.
+pub fn searched_engine(
+    engine: &Engine,
+    request: &ArrangementRequest,
+    scale: f64,
+) -> Result<Engine, BalanceError> {
+    let searched = engine.stretched(scale).map_err(BalanceError::engine)?;
+    let change = |parts: &mut EngineParts| {
+        parts.shafts.clear();
+        parts.counterweights.retain(|weight| !is_searched(&weight.name));
+        parts.mounts = mounts(engine, request);
+    };
+    searched.with(change).map_err(BalanceError::engine)
 }
 
 /// Scales of all z for the spacings of the request.
@@ -113,8 +122,8 @@ fn limit(request: &ArrangementRequest) -> Result<(Option<f64>, Option<String>), 
         Target::None => Ok((None, None)),
         Target::Limit { most } => Ok((Some(*most), Some("as asked for".to_owned()))),
         Target::Reference { engine, share } => {
-            let mut reference = engine.as_ref().clone();
-            reference.mounts = mounts(engine, request);
+            let reference =
+                engine.with(|parts| parts.mounts = mounts(engine, request)).map_err(BalanceError::engine)?;
             let value = share * as_it_stands(&reference, request.criterion.criterion())?;
             // Below this share of its moving masses' largest load it does not shake at all.
             let scale = load_scale(&reference);

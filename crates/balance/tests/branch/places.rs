@@ -25,12 +25,20 @@ fn best_plane(engine: &Engine, task: &BalanceTask, weight: usize, count: usize) 
 #[test]
 fn the_cylinders_own_plane_is_found() {
     let mut engine = stripped("single");
-    for throw in &mut engine.throws {
-        throw.z += 0.0371;
-    }
-    for cylinder in &mut engine.cylinders {
-        cylinder.z += 0.0371;
-    }
+    engine = engine
+        .with(|engine| {
+            for throw in &mut engine.throws {
+                throw.z += 0.0371;
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.z += 0.0371;
+            }
+        })
+        .unwrap();
     let task = BalanceTask {
         weights: vec![somewhere("crank", Seat::Crankshaft(0), (-0.1, 0.15), 0.5)],
         ..Default::default()

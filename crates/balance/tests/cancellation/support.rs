@@ -11,8 +11,16 @@ use num_complex::Complex64;
 pub fn stripped(name: &str) -> Engine {
     let text = template(name).expect("a template of the gallery").text;
     let mut engine = read(text).engine().expect("a valid template");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 

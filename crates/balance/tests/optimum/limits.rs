@@ -169,7 +169,7 @@ fn limits_that_contradict_one_another() {
 
 #[test]
 fn largest_mount_force_is_below_each_single_choice() {
-    let engine = Engine { mounts: mounts(), ..stripped("in-line-3") };
+    let engine = stripped("in-line-3").with(|parts| parts.mounts = mounts()).unwrap();
     let task = |load| BalanceTask {
         weights: vec![on_crank("front", -0.1), on_crank("rear", 0.1)],
         stages: vec![stage(load)],

@@ -82,7 +82,11 @@ fn the_least_root_mean_square_is_that_of_least_squares() {
     for name in ["in-line-3", "in-line-4", "v8-crossplane"] {
         let engine = engine(name);
         let mut bare = engine.clone();
-        bare.counterweights.clear();
+        bare = bare
+            .with(|bare| {
+                bare.counterweights.clear();
+            })
+            .unwrap();
         let task = BalanceTask {
             weights: crank_weights(&engine, CrankWeightPlaces::Webs),
             stages: vec![Stage { terms: vec![(1.0, RMS)] }],

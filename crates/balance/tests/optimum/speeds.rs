@@ -8,7 +8,7 @@ use lanchester_task::{BalanceTask, Criterion, Limit, Load, Stage};
 
 /// The three on its mounts, whose resonances lie within its range.
 fn soft() -> Engine {
-    Engine { speed: SpeedRange { lowest: 50.0, highest: 420.0 }, ..engine(1.5e6, 90.0) }
+    engine(1.5e6, 90.0).with(|parts| parts.speed = SpeedRange { lowest: 50.0, highest: 420.0 }).unwrap()
 }
 
 fn largest() -> BalanceTask {

@@ -12,10 +12,7 @@ pub fn engine(name: &str) -> Engine {
 
 /// The engine without counterweights and shafts.
 pub fn stripped(name: &str) -> Engine {
-    let mut engine = engine(name);
-    engine.counterweights.clear();
-    engine.shafts.clear();
-    engine
+    engine(name).without_counterweights().without_shafts()
 }
 
 pub fn on_crank(name: &str, z: f64) -> FreeWeight {

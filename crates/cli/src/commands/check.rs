@@ -60,7 +60,7 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         checked.push(Checked {
             file: source.name,
             valid: reading.file.is_some() && !has_gas_error,
-            engine: reading.file.map(|file| file.engine.name),
+            engine: reading.file.map(|file| file.engine.name.clone()),
             diagnostics: reading.diagnostics,
             gas,
         });

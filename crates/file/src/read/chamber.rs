@@ -82,11 +82,11 @@ impl<'a> Reader<'a> {
     }
 
     /// Gives the cylinders their chambers; whether the pistons of each fire together.
-    pub(super) fn share_chambers(&mut self, engine: &mut Engine, chambers: Vec<GivenChamber>) -> Option<()> {
+    pub(super) fn check_chambers(&mut self, engine: &Engine, chambers: &[GivenChamber]) -> Option<()> {
         let mut is_good = true;
-        for (index, chamber) in chambers.into_iter().enumerate() {
+        for (index, chamber) in chambers.iter().enumerate() {
             let Some((first, span)) = chamber else { continue };
-            engine.cylinders[index].chamber = Some(first);
+            let first = *first;
             let [own, other] = [index, first].map(|index| engine.cylinders[index].firing_angle);
             let Some((own, other)) = own.zip(other) else { continue };
             let cycle = engine.working_cycle(index);
@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
                 );
                 let hint =
                     "give them the same firing angle, and `phase` of the crankshaft the lead of one of them";
-                self.mistakes.push(Mistake::error("E0604", span, message).hint(hint));
+                self.mistakes.push(Mistake::error("E0604", span.clone(), message).hint(hint));
                 is_good = false;
             }
         }

@@ -90,6 +90,7 @@ impl<'a> Reader<'a> {
                 );
             }
         }
+        self.check_unique_parts("crankshaft", sections, &read, |crankshaft| &crankshaft.name);
         read.into_iter().collect()
     }
 

@@ -39,6 +39,7 @@ impl<'a> Reader<'a> {
                 );
             }
         }
+        self.check_unique_parts("mount", sections, &mounts, |mount| &mount.name);
         self.all_or_none(sections);
         let stiff = sections.iter().find(|section| section.has("stiffness"));
         match (stiff, self.section("block")) {

@@ -15,6 +15,7 @@ impl<'a> Reader<'a> {
         let sections = self.root.tables("shaft").or(&[])?;
         let shafts: Vec<Option<BalanceShaft>> =
             sections.iter().enumerate().map(|(index, section)| self.shaft(index, section)).collect();
+        self.check_unique_parts("shaft", sections, &shafts, |shaft| &shaft.name);
         shafts.into_iter().collect()
     }
 

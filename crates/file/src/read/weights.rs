@@ -24,6 +24,8 @@ const LARGEST_MISS: f64 = 0.01;
 #[derive(Debug)]
 pub(super) struct DraftWeight {
     name: Option<String>,
+    /// Where its name stands, or its table.
+    name_span: Span,
     place: WeightPlace,
     amount: DraftAmount,
     angle: Option<f64>,
@@ -88,6 +90,7 @@ impl<'a> Reader<'a> {
         }
         Some(DraftWeight {
             name: name.given(),
+            name_span: super::names::name_span(section),
             place: place?,
             amount: amount?,
             angle: angle.given(),
@@ -172,14 +175,33 @@ impl<'a> Reader<'a> {
     ) -> Option<Vec<Counterweight>> {
         let short = self.short_form(throws, cylinders);
         let count = drafts.len();
-        let single: Vec<Counterweight> = drafts
+        let single: Vec<(Counterweight, bool, Span)> = drafts
             .into_iter()
             .enumerate()
-            .filter_map(|(index, draft)| self.placed_weight(draft, index, throws, body, origin))
+            .filter_map(|(index, draft)| {
+                let (is_named, span) = (draft.name.is_some(), draft.name_span.clone());
+                Some((self.placed_weight(draft, index, throws, body, origin)?, is_named, span))
+            })
             .collect();
         let all_placed = single.len() == count;
         let mut weights = short?;
-        weights.extend(single);
+        let short_span = self.root.key_span("counterweights");
+        let mut names: Vec<(String, Span)> =
+            weights.iter().map(|weight| (weight.name.clone(), short_span.clone())).collect();
+        let given: Vec<String> =
+            single.iter().filter(|one| one.1).map(|(weight, ..)| weight.name.clone()).collect();
+        for (mut weight, is_named, span) in single {
+            // Weights that have their names from one place are numbered.
+            let is_taken =
+                |name: &String| names.iter().any(|(other, _)| other == name) || given.contains(name);
+            if !is_named && is_taken(&weight.name) {
+                let numbered = (2..).map(|number| format!("{} ({number})", weight.name));
+                weight.name = numbered.into_iter().find(|name| !is_taken(name)).unwrap_or_default();
+            }
+            names.push((weight.name.clone(), span));
+            weights.push(weight);
+        }
+        self.check_unique("counterweight", &names);
         if let Some(most) = self.root.limit("counterweight")
             && weights.len() > most
         {

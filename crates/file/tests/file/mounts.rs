@@ -57,7 +57,7 @@ fn a_block_with_all_its_keys() {
         stiffness = "200 N/mm"
         "#,
     );
-    let block = engine.block.expect("it has a block");
+    let block = engine.block.clone().expect("it has a block");
     assert_eq!((block.mass, block.moving_parts), (80.0, MovingParts::Added));
     // z counts from the reference plane, which this file puts at 20 mm.
     assert_eq!(block.centre, [0.05, -0.0015, 0.03 - 0.02]);
@@ -71,7 +71,7 @@ fn a_block_with_all_its_keys() {
 fn a_block_with_the_least() {
     let text = r#"block = { mass = "80 kg", centre = ["0 mm", "0 mm", "0 mm"], inertia = ["3 kg m2", "2 kg m2", "2 kg m2"] }"#;
     let reading = read(&format!("{text}{SINGLE}"));
-    let block = reading.engine().expect("an engine").block.expect("it has a block");
+    let block = reading.engine().expect("an engine").block.clone().expect("it has a block");
     assert_eq!(block.moving_parts, MovingParts::Included);
     assert_eq!((block.products, block.driveline_torque), ([0.0; 3], [0.0; 3]));
     assert_eq!(block.gravity, [-1.0, 0.0, 0.0]);

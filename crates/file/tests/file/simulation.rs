@@ -1,9 +1,7 @@
 //! What the file says of a run in time.
 
 use lanchester_file::{EngineFile, expanded, read};
-use lanchester_model::{
-    Action, BlockKind, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind, When,
-};
+use lanchester_model::{Action, BlockKind, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind, When};
 use std::f64::consts::{PI, TAU};
 
 const SINGLE: &str = r#"

@@ -5,7 +5,9 @@ use crate::support::written::{
     plate, same_weight, template,
 };
 use lanchester_file::{WriteBackError, write_back};
-use lanchester_model::{BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight, ShaftWeightPart};
+use lanchester_model::{
+    BalanceShaft, Counterweight, Engine, EngineParts, Ratio, ShaftWeight, ShaftWeightPart,
+};
 use lanchester_shape::{CounterweightShape, Insert, Point, ShaftWeightShape};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -42,7 +44,7 @@ fn every_template_takes_other_weights_and_shafts() {
     for (name, file) in good_files() {
         for dress in 0..DRESSES {
             let text = dressed(file, dress);
-            let mut fitted = engine(&text);
+            let mut fitted = parts(&text);
             for (k, weight) in fitted.counterweights.iter_mut().enumerate() {
                 weight.unbalance *= 1.1 + 0.01 * k as f64;
                 weight.angle += 0.3;
@@ -72,16 +74,25 @@ fn every_template_takes_other_weights_and_shafts() {
                 weights,
                 inertia: None,
             });
-            if let Err(problem) = check(&text, &fitted) {
+            if let Err(problem) = check(&text, &made(&fitted)) {
                 panic!("{name} in dress {dress}: {problem}");
             }
             // And none at all.
             (fitted.counterweights, fitted.shafts) = (Vec::new(), Vec::new());
-            if let Err(problem) = check(&text, &fitted) {
+            if let Err(problem) = check(&text, &made(&fitted)) {
                 panic!("{name} in dress {dress}, bare: {problem}");
             }
         }
     }
+}
+
+/// The parts of the engine of a text, to be changed.
+fn parts(text: &str) -> EngineParts {
+    engine(text).into_parts()
+}
+
+fn made(parts: &EngineParts) -> Engine {
+    Engine::new(parts.clone()).unwrap()
 }
 
 const HEAD: &str = r#"name = "Twin"
@@ -93,10 +104,9 @@ layout = { type = "in-line", cylinders = 2, spacing = "80 mm", crank_angles = ["
 "#;
 
 /// The file with its weights changed, behind the head.
-fn rewritten(tail: &str, change: impl Fn(&mut Engine)) -> String {
+fn rewritten(tail: &str, change: impl Fn(&mut EngineParts)) -> String {
     let text = format!("{HEAD}{tail}");
-    let mut fitted = engine(&text);
-    change(&mut fitted);
+    let fitted = engine(&text).with(change).unwrap();
     match check(&text, &fitted) {
         Ok(new) => new.strip_prefix(HEAD).unwrap_or_else(|| panic!("{new}")).to_string(),
         Err(problem) => panic!("{problem}"),
@@ -312,7 +322,7 @@ fn a_weight_moves_to_another_plane_or_crankshaft() {
         "[[counterweight]]\nz = \"100 mm\" # on a web\nname = \"web 1\"\nunbalance = \"1 g cm\"\nangle = \"10 deg\"\n"
     );
     let text = template("opposed-piston-3");
-    let mut fitted = engine(text);
+    let mut fitted = parts(text);
     fitted.counterweights.push(Counterweight {
         name: "over there".into(),
         crankshaft: 1,
@@ -321,10 +331,10 @@ fn a_weight_moves_to_another_plane_or_crankshaft() {
         angle: 1.0,
         part: None,
     });
-    let new = check(text, &fitted).unwrap_or_else(|problem| panic!("{problem}"));
-    let mut fitted = engine(&new);
+    let new = check(text, &made(&fitted)).unwrap_or_else(|problem| panic!("{problem}"));
+    let mut fitted = parts(&new);
     fitted.counterweights.last_mut().expect("it is there").crankshaft = 0;
-    let back = check(&new, &fitted).unwrap_or_else(|problem| panic!("{problem}"));
+    let back = check(&new, &made(&fitted)).unwrap_or_else(|problem| panic!("{problem}"));
     assert!(
         new.contains("crankshaft = 2\nz = \"300 mm\"") && back.contains("crankshaft = 1\nz = \"300 mm\"")
     );
@@ -334,15 +344,18 @@ fn a_weight_moves_to_another_plane_or_crankshaft() {
 fn what_cannot_be_written_is_refused() {
     assert!(matches!(write_back("name = 3", &engine(template("twin-360"))), Err(WriteBackError::File(_))));
     let text = template("twin-360");
-    let mut fitted = engine(text);
     let weight =
-        Counterweight { name: "n".into(), crankshaft: 0, z: 0.0, unbalance: -1.0, angle: 0.0, part: None };
-    fitted.counterweights = vec![weight.clone()];
-    assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
-    fitted.counterweights = vec![Counterweight { unbalance: f64::NAN, ..weight.clone() }];
-    assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
-    fitted.counterweights = vec![Counterweight { unbalance: 1.0, ..weight }; 300];
-    assert!(matches!(write_back(text, &fitted), Err(WriteBackError::Weights { .. })));
+        Counterweight { name: "n".into(), crankshaft: 0, z: 0.0, unbalance: 1.0, angle: 0.0, part: None };
+    let numbered = |k: usize| Counterweight { name: format!("n {k}"), ..weight.clone() };
+    let many = engine(text).with(|parts| parts.counterweights = (0..300).map(numbered).collect()).unwrap();
+    assert!(matches!(write_back(text, &many), Err(WriteBackError::Weights { .. })));
+    // Amounts beyond those of a file, and two of one name, are no engine already.
+    for unbalance in [-1.0, f64::NAN] {
+        let weight = Counterweight { unbalance, ..weight.clone() };
+        assert!(engine(text).with(|parts| parts.counterweights = vec![weight]).is_err());
+    }
+    let twins = vec![weight.clone(); 2];
+    assert!(engine(text).with(|parts| parts.counterweights = twins).is_err());
 }
 
 #[test]
@@ -361,7 +374,8 @@ radius = \"40 mm\"
     let new = rewritten(tail, |engine| {
         for (k, thickness) in [(0, 0.0123), (1, 0.01 / 3.0)] {
             let weight = &engine.counterweights[k];
-            let found = as_part(engine, weight, family(SHAPE, thickness, 7850.0), Some(weight.unbalance));
+            let found =
+                as_part(&made(engine), weight, family(SHAPE, thickness, 7850.0), Some(weight.unbalance));
             engine.counterweights[k] = found.expect("a weight");
         }
     });
@@ -514,9 +528,9 @@ unbalance = \"1 kg mm\" # wanted
 
 #[test]
 fn a_part_whose_amount_was_changed_is_a_number() {
-    let mut fitted = engine(PARTS);
+    let mut fitted = parts(PARTS);
     fitted.counterweights[0].unbalance *= 1.05;
-    let new = write_back(PARTS, &fitted).expect("it can be written");
+    let new = write_back(PARTS, &made(&fitted)).expect("it can be written");
     let read = engine(&new);
     assert!(read.counterweights[0].part.is_none() && read.counterweights[1].part.is_some());
     assert!(near(read.counterweights[0].unbalance, fitted.counterweights[0].unbalance, 0.0));
@@ -524,21 +538,21 @@ fn a_part_whose_amount_was_changed_is_a_number() {
 
 #[test]
 fn the_number_that_a_part_has_leaves_it_alone() {
-    let mut fitted = engine(PARTS);
+    let mut fitted = parts(PARTS);
     fitted.counterweights.iter_mut().for_each(|weight| weight.part = None);
-    assert_eq!(write_back(PARTS, &fitted).as_deref(), Ok(PARTS));
+    assert_eq!(write_back(PARTS, &made(&fitted)).as_deref(), Ok(PARTS));
 }
 
 #[test]
 fn a_shape_without_words_is_refused() {
-    let mut fitted = engine(PARTS);
+    let mut fitted = parts(PARTS);
     let (form, part) = family(SHAPE, 0.015, 7850.0);
     let buried =
         Insert { centre: Point::new(0.03, 0.0), radius: 0.004, from: 0.004, to: 0.011, density: 0.0 };
     let part = part.with_insert(buried).expect("an insert");
     let weight = fitted.counterweights[4].clone();
-    fitted.counterweights[4] = as_part(&fitted, &weight, (form, part), None).expect("a weight");
-    assert!(matches!(write_back(PARTS, &fitted), Err(WriteBackError::Shape { .. })));
+    fitted.counterweights[4] = as_part(&made(&fitted), &weight, (form, part), None).expect("a weight");
+    assert!(matches!(write_back(PARTS, &made(&fitted)), Err(WriteBackError::Shape { .. })));
 }
 
 fn weight() -> impl Strategy<Value = (f64, f64, f64)> {
@@ -556,9 +570,9 @@ proptest! {
         sizes in (0.02_f64..0.04, 0.0_f64..0.02, 0.045_f64..0.07, 1.4_f64..3.0, 0.004_f64..0.02),
     ) {
         let text = dressed(file.1, dress);
-        let mut fitted = engine(&text);
+        let mut fitted = parts(&text);
         let mut fates = fate.into_iter();
-        let whole = fitted.clone();
+        let whole = made(&fitted);
         let (web_radius, height, arc_radius, arc_angle, thickness) = sizes;
         fitted.counterweights.retain_mut(|weight| {
             let Some((fate, (z, unbalance, angle))) = fates.next() else { return true };
@@ -586,9 +600,9 @@ proptest! {
             }
             true
         });
-        for ((z, unbalance, angle), on_web) in new {
+        for (k, ((z, unbalance, angle), on_web)) in new.into_iter().enumerate() {
             let web = fitted.throws[0].webs.filter(|_| on_web);
-            let (z, name) = web.map_or((z, format!("at {z}")), |webs| (webs[1], "cheek".to_string()));
+            let (z, name) = web.map_or((z, format!("at {k}")), |webs| (webs[1], format!("cheek {k}")));
             fitted.counterweights.push(Counterweight { name, crankshaft: 0, z, unbalance, angle, part: None });
         }
         for (k, (weights, x)) in shafts.into_iter().enumerate() {
@@ -613,7 +627,7 @@ proptest! {
                 }
             }
         }
-        let done = check(&text, &fitted);
+        let done = check(&text, &made(&fitted));
         prop_assert!(done.is_ok(), "{}", done.unwrap_err());
     }
 }

@@ -52,14 +52,14 @@ proptest! {
         flywheel in (0.0..0.02f64, -PI..PI),
     ) {
         let mut engine = engine(body, &throws, gap, &wishes);
-        engine.counterweights.push(Counterweight {
+        engine = engine.with(|engine| { engine.counterweights.push(Counterweight {
             name: "flywheel".to_owned(),
             crankshaft: 0,
             z: 0.3,
             unbalance: flywheel.0,
             angle: flywheel.1,
             part: None,
-        });
+        }); }).unwrap();
         let crank = crankshaft(&engine, 0).unwrap();
         let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
         prop_assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
@@ -240,14 +240,18 @@ fn with_part(mut engine: Engine, part: Part, web: Option<usize>, form: Counterwe
     let unbalance = part.moments().unbalance();
     let part = Some(Box::new(CounterweightPart { form, part, web, z, angle: 0.0, wanted: None }));
     let (name, angle) = ("hub".to_owned(), unbalance.y.atan2(unbalance.x));
-    engine.counterweights.push(Counterweight {
-        name,
-        crankshaft: 0,
-        z,
-        unbalance: unbalance.norm(),
-        angle,
-        part,
-    });
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.push(Counterweight {
+                name,
+                crankshaft: 0,
+                z,
+                unbalance: unbalance.norm(),
+                angle,
+                part,
+            });
+        })
+        .unwrap();
     engine
 }
 
@@ -329,19 +333,35 @@ fn meshes_of_a_crankshaft_are_written() {
 fn an_engine_without_a_body_is_told_what_the_file_needs() {
     let good = engine(plain_body(), &[(0.0, 0.06)], 0.03, &[]);
     let mut bare = good.clone();
-    bare.crank_body = None;
+    bare = bare
+        .with(|bare| {
+            bare.crank_body = None;
+        })
+        .unwrap();
     let error = crankshaft(&bare, 0).unwrap_err();
     assert_eq!(error, CrankshaftError::NoBody);
     assert!(error.to_string().contains("add [crank.body]"));
     assert_eq!(crankshaft(&good, 1).unwrap_err(), CrankshaftError::NoCrankshaft { index: 1, count: 1 });
     let mut without = good.clone();
-    without.throws[0].webs = None;
+    without = without
+        .with(|without| {
+            without.throws[0].webs = None;
+        })
+        .unwrap();
     assert_eq!(crankshaft(&without, 0).unwrap_err(), CrankshaftError::NoWebs { throw: 0 });
     let mut narrow = good.clone();
-    narrow.throws[0].webs = Some([-0.01, 0.01]);
+    narrow = narrow
+        .with(|narrow| {
+            narrow.throws[0].webs = Some([-0.01, 0.01]);
+        })
+        .unwrap();
     assert!(matches!(crankshaft(&narrow, 0), Err(CrankshaftError::NoPin { throw: 0, .. })));
     let mut bored = good;
-    bored.crank_body = Some(CrankBody { journal_bore: 0.06, ..plain_body() });
+    bored = bored
+        .with(|bored| {
+            bored.crank_body = Some(CrankBody { journal_bore: 0.06, ..plain_body() });
+        })
+        .unwrap();
     assert!(crankshaft(&bored, 0).unwrap_err().to_string().starts_with("journal 1: "));
 }
 
@@ -349,8 +369,20 @@ fn an_engine_without_a_body_is_told_what_the_file_needs() {
 fn every_crankshaft_has_its_own_throws_and_weights() {
     let both = engine(plain_body(), &[(0.0, 0.06), (2.0, 0.05)], 0.03, &[]);
     let mut apart = both.clone();
-    apart.crankshafts.push(Crankshaft { name: "second".to_owned(), x: 0.2, ..apart.crankshafts[0].clone() });
-    apart.throws[1].crankshaft = 1;
+    apart = apart
+        .with(|apart| {
+            apart.crankshafts.push(Crankshaft {
+                name: "second".to_owned(),
+                x: 0.2,
+                ..apart.crankshafts[0].clone()
+            });
+        })
+        .unwrap();
+    apart = apart
+        .with(|apart| {
+            apart.throws[1].crankshaft = 1;
+        })
+        .unwrap();
     let weight = |crankshaft| Counterweight {
         name: "pulley".to_owned(),
         crankshaft,
@@ -359,7 +391,11 @@ fn every_crankshaft_has_its_own_throws_and_weights() {
         angle: 1.0,
         part: None,
     };
-    apart.counterweights.push(weight(1));
+    apart = apart
+        .with(|apart| {
+            apart.counterweights.push(weight(1));
+        })
+        .unwrap();
     let [first, second] = [0, 1].map(|index| crankshaft(&apart, index).unwrap());
     assert_eq!((first.sections.len(), second.name.as_str()), (5, "second"));
     assert_eq!(second.sections[1].name, "web 3");
@@ -370,7 +406,11 @@ fn every_crankshaft_has_its_own_throws_and_weights() {
     let journal = 7850.0 * PI * 0.025f64.powi(2) * 0.08;
     let together = crankshaft(&both, 0).unwrap().mass.mass - 7850.0 * PI * 0.025f64.powi(2) * 0.03;
     assert!((first.mass.mass + second.mass.mass - journal - together).abs() < 1e-13 * together);
-    apart.throws[1].crankshaft = 0;
+    apart = apart
+        .with(|apart| {
+            apart.throws[1].crankshaft = 0;
+        })
+        .unwrap();
     assert_eq!(crankshaft(&apart, 1).unwrap_err(), CrankshaftError::NoThrow { index: 1 });
 }
 

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use lanchester::file::{read, templates};
-use lanchester::model::Engine;
+use lanchester::model::{Engine, EngineParts};
 use lanchester::report::{Condition, CrossVerdict};
 use lanchester::{CrossCheckRequest, TraceFile, crosscheck, trace_names};
 use std::fs;
@@ -60,14 +60,22 @@ fn xcheck_examples() {
     }
 }
 
+/// The engine with a flywheel of this inertia [kg m^2].
+fn turning(engine: &Engine, inertia: f64) -> Engine {
+    let add = |parts: &mut EngineParts| {
+        let wheel = parts.flywheel.get_or_insert_default();
+        (wheel.inertia, wheel.crankshaft_inertia) = (Some(inertia), Some(0.05));
+    };
+    engine.with(add).unwrap()
+}
+
 /// With the inertia of everything that turns, the free speed is that of the energy integral.
 #[test]
 fn xcheck_free_speed() {
     let fired: Vec<_> = examples().into_iter().filter(|(engine, _)| engine.gas.is_some()).collect();
     assert!(fired.len() >= 2);
-    for (mut engine, traces) in fired {
-        let wheel = engine.flywheel.get_or_insert_default();
-        (wheel.inertia, wheel.crankshaft_inertia) = (Some(0.4), Some(0.05));
+    for (engine, traces) in fired {
+        let engine = turning(&engine, 0.4);
         assert!(check(&engine, &traces) >= 2, "{}", engine.name);
     }
 }
@@ -89,14 +97,16 @@ fn a_bar_below_rounding_is_not_kept() {
 fn xcheck_moving_block() {
     let (mut engine, traces) =
         examples().into_iter().find(|(engine, _)| engine.block.is_some() && engine.gas.is_some()).unwrap();
-    for spring in engine.mounts.iter_mut().filter_map(|mount| mount.spring.as_mut()) {
-        spring.table.clear();
-        spring.loss_factor = [0.0; 3];
-        spring.damping = [400.0; 3];
-    }
-    let inertia = engine.flywheel.get_or_insert_default();
-    inertia.inertia = Some(0.3);
-    inertia.crankshaft_inertia = Some(0.05);
+    engine = engine
+        .with(|engine| {
+            for spring in engine.mounts.iter_mut().filter_map(|mount| mount.spring.as_mut()) {
+                spring.table.clear();
+                spring.loss_factor = [0.0; 3];
+                spring.damping = [400.0; 3];
+            }
+        })
+        .unwrap();
+    let engine = turning(&engine, 0.3);
     let request = CrossCheckRequest {
         speed: Some(150.0),
         conditions: vec![Condition::MovingBlock],

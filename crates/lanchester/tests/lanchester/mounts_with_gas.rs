@@ -1,7 +1,7 @@
 //! Forces at mounts on springs with the torque of the gas, over the range of speeds, as criteria and limits.
 
 use lanchester::balance::{Answer, BalanceSettings, Next, Outcome, fitted};
-use lanchester::model::{Engine, SpeedRange};
+use lanchester::model::{Engine, EngineParts, SpeedRange};
 use lanchester::task::{BalanceTask, Criterion, Limit, Load, Stage, criterion, criterion_name, default_task};
 use lanchester::{MountSpeeds, mounts, optimised};
 
@@ -75,14 +75,24 @@ fn the_least_force_of_inertia_and_gas_over_the_range() {
         for trial in 0..16 {
             let mut other = best.clone();
             let turn = |k: usize| f64::from(trial) * 1.7 + k as f64 * 2.3;
-            for (k, weight) in other.counterweights.iter_mut().enumerate() {
-                weight.unbalance *= 1.0 + 0.1 * turn(k).sin();
-                weight.angle += 0.1 * turn(k).cos();
-            }
-            for (k, weight) in other.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights).enumerate() {
-                weight.unbalance *= 1.0 + 0.1 * turn(k + 3).sin();
-                weight.phase += 0.1 * turn(k + 5).cos();
-            }
+            other = other
+                .with(|other| {
+                    for (k, weight) in other.counterweights.iter_mut().enumerate() {
+                        weight.unbalance *= 1.0 + 0.1 * turn(k).sin();
+                        weight.angle += 0.1 * turn(k).cos();
+                    }
+                })
+                .unwrap();
+            other = other
+                .with(|other| {
+                    for (k, weight) in
+                        other.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights).enumerate()
+                    {
+                        weight.unbalance *= 1.0 + 0.1 * turn(k + 3).sin();
+                        weight.phase += 0.1 * turn(k + 5).cos();
+                    }
+                })
+                .unwrap();
             let theirs = highest(response(&other, &grid(&four, 150), mount));
             assert!(theirs >= stage.lower_bound * (1.0 - 1e-6), "{trial}: {theirs} N beside {stage:?}");
         }
@@ -135,8 +145,13 @@ fn an_order_and_a_limit_with_gas() {
 #[test]
 fn a_computed_cycle_is_interpolated_between_its_speeds() {
     let single = read(include_str!("../../../../examples/single-gas.toml"));
-    let Engine { block, mounts: places, .. } = four();
-    let engine = Engine { block, mounts: places, ..single };
+    let EngineParts { block, mounts: places, .. } = four().into_parts();
+    let engine = single
+        .with(|parts| {
+            parts.block = block;
+            parts.mounts = places;
+        })
+        .unwrap();
     let task = BalanceTask {
         stages: vec![Stage { terms: vec![(1.0, LARGEST)] }],
         limits: Vec::new(),
@@ -162,15 +177,19 @@ fn what_is_missing_is_told() {
         let found = optimised(engine, Ok(&[]), &task, &BalanceSettings::default(), &|_| Next::Continue);
         found.expect_err("it is refused").to_string()
     };
-    let without_gas = refused(&Engine { gas: None, ..four.clone() });
+    let without_gas = refused(&four.with(|parts| parts.gas = None).unwrap());
     assert!(
         without_gas.contains("mount force with gas") && without_gas.contains("add [gas]"),
         "{without_gas}"
     );
     let mut stiff = four.clone();
-    stiff.mounts.iter_mut().for_each(|mount| mount.spring = None);
+    stiff = stiff
+        .with(|stiff| {
+            stiff.mounts.iter_mut().for_each(|mount| mount.spring = None);
+        })
+        .unwrap();
     let stiff = refused(&stiff);
     assert!(stiff.contains("stiffness to every [[mount]]"), "{stiff}");
-    let none = refused(&Engine { mounts: Vec::new(), ..four });
+    let none = refused(&four.with(|parts| parts.mounts = Vec::new()).unwrap());
     assert!(none.contains("[[mount]]"), "{none}");
 }

@@ -224,6 +224,10 @@ fn symbolic_weights_grow_with_their_unbalance() {
         volume(&scene.meshes[part.mesh])
     };
     let before = size(&engine);
-    engine.counterweights[0].unbalance *= 0.5;
+    engine = engine
+        .with(|engine| {
+            engine.counterweights[0].unbalance *= 0.5;
+        })
+        .unwrap();
     assert!(size(&engine) < 0.9 * before, "half of the unbalance is smaller");
 }

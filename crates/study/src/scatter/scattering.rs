@@ -10,7 +10,7 @@ use crate::scatter::sampler::Sampler;
 use crate::scatter::share::{SHARED, shares};
 use crate::scatter::statistics::{MOST_KEPT, Statistics, at_share};
 use crate::scatter::study::Deviation;
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Fault};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -105,13 +105,17 @@ impl Scattering {
     }
 
     /// The samples of a stretch as engines, each with its deviations.
-    pub fn engines(&self, samples: Range<u64>) -> Vec<Engine> {
+    ///
+    /// # Errors
+    /// [`ScatterError::Sample`] where a tolerance is so wide that no engine has what is drawn.
+    pub fn engines(&self, samples: Range<u64>) -> Result<Vec<Engine>, ScatterError> {
         let mut drawn = Drawn::default();
         let count = (samples.end.max(samples.start) - samples.start) as usize;
         self.draw(samples, Some(&mut drawn));
         let one = |sample: usize| {
             let deviations: Vec<f64> = drawn.deviations.iter().map(|of_all| of_all[sample]).collect();
             deviated(&self.request.engine, &self.request.tolerances, &self.sampler.variables, &deviations)
+                .map_err(|faults| ScatterError::Sample(Fault::first_of(faults)))
         };
         (0..count).map(one).collect()
     }

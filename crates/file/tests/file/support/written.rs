@@ -125,7 +125,7 @@ pub fn check(text: &str, fitted: &Engine) -> Result<String, String> {
     if !same_parts(&read.shafts, &fitted.shafts, same_shaft) {
         return Err(format!("{}\n{:#?}\n{:#?}", shown(), read.shafts, fitted.shafts));
     }
-    let rest = |engine: Engine| Engine { counterweights: Vec::new(), shafts: Vec::new(), ..engine };
+    let rest = |engine: Engine| engine.without_counterweights().without_shafts();
     if rest(read) != rest(engine(text)) {
         return Err(format!("the rest of the engine changed: {}", shown()));
     }

@@ -63,7 +63,7 @@ pub fn crankshaft() -> Crankshaft {
 
 /// An engine of these throws and cylinders at 300 rad/s.
 pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engine {
-    Engine {
+    Engine::new(EngineParts {
         name: name.into(),
         note: None,
         strokes: Strokes::Four,
@@ -82,7 +82,8 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         friction: None,
         flywheel: None,
         bearings: None,
-    }
+    })
+    .unwrap()
 }
 
 /// An in-line engine: throws at these angles [deg], 90 mm apart, symmetric about the origin.
