@@ -65,6 +65,7 @@ mod schema;
 mod shaft_part;
 mod shape_task;
 mod spacing;
+mod speed_weight;
 mod task;
 mod task_options;
 mod template;

@@ -115,6 +115,11 @@ fn speeds_words(engine: &Engine, answer: &Answer) -> String {
         };
         let where_to = match (judged.range, judged.judged.len()) {
             (true, _) => "over the whole range of speeds".into(),
+            _ if !judged.weights.is_empty() => {
+                let times = |(speed, weight): (&f64, &f64)| format!("{} rpm times {weight}", rpm(*speed));
+                let all: Vec<String> = judged.judged.iter().zip(&judged.weights).map(times).collect();
+                format!("at weighted speeds: {}", all.join(", "))
+            }
             (false, 1) => format!("at {} rpm", rpm(first)),
             (false, count) => format!("at {count} speeds from {} to {} rpm", rpm(first), rpm(last)),
         };
@@ -137,6 +142,11 @@ fn speeds_words(engine: &Engine, answer: &Answer) -> String {
         ("Forces at the mounts with gas", &answer.mount_gas_speeds),
         ("Main-bearing loads with gas", &answer.gas_speeds),
     ];
+    if !answer.task.speeds.is_empty() && all.iter().all(|(_, judged)| judged.is_none()) {
+        return " The given speeds decide nothing here: neither a mount force on springs nor a load with gas is minimised or \
+                limited, and all other loads are largest at the highest speed."
+            .into();
+    }
     all.into_iter().filter_map(|(name, judged)| Some(words((name, judged.as_ref()?)))).collect()
 }
 
