@@ -175,6 +175,20 @@ impl Problem {
 
     fn add_rows(&mut self, task: &BalanceTask) {
         let nothing = vec![0.0; self.operator.variables];
+        let mut known: Vec<usize> = Vec::new();
+        let named: Vec<&Judged> = self.effects.iter().filter(|judged| judged.largest.is_some()).collect();
+        for largest in named.into_iter().filter_map(|judged| judged.largest.as_ref()) {
+            if known.contains(&largest.variable) {
+                continue;
+            }
+            known.push(largest.variable);
+            for sum in &largest.sums {
+                let mut directions = nothing.clone();
+                directions[largest.variable] = -1.0;
+                self.programme.rows.push(Row { shares: sum.clone(), directions, most: 0.0 });
+                self.rules.push((Rule::Plain, 1.0));
+            }
+        }
         for (index, (limit, judged)) in task.limits.iter().zip(&self.limits).enumerate() {
             let row = Row {
                 shares: judged.groups.clone(),

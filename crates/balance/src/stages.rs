@@ -299,8 +299,8 @@ impl<'a> Walk<'a> {
         let start = if amounts { self.open.clone() } else { Walk::new(self.problem).open };
         let whole = self.problem.programme.restricted(&self.x, &start);
         let mut seen = Matrix::zeros(0, start.columns);
-        for (group, _) in judged.iter().flat_map(|j| &j.groups).filter(|g| self.problem.is_load(g.0)) {
-            whole.groups[*group].add_directions(&mut seen);
+        for group in judged.iter().flat_map(|j| j.seen()).filter(|group| self.problem.is_load(*group)) {
+            whole.groups[group].add_directions(&mut seen);
         }
         let (_, free) = RowFactors::of(&seen, UNSEEN).bases();
         if free.columns == 0 {
@@ -446,7 +446,10 @@ fn idle_rows(programme: &Programme, floor: f64, solves: &mut usize) -> Option<So
 fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
     let mut columns = Matrix::zeros(0, programme.variables);
     let mut right = Vec::new();
-    if programme.linear.iter().any(|p| *p != 0.0) {
+    // What nothing may pass does not vanish while the loads below it stay.
+    let passed =
+        |row: &Row| row.most == 0.0 && !row.shares.is_empty() && row.directions.iter().any(|h| *h < 0.0);
+    if programme.linear.iter().any(|p| *p != 0.0) || programme.rows.iter().any(passed) {
         return None;
     }
     for (group, _) in programme.cost.iter().enumerate().filter(|c| *c.1 > 0.0) {

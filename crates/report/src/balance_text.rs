@@ -1,11 +1,11 @@
 //! The answer of a balancing question as plain text.
 
 use crate::balance_tables::{
-    closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stage_name, stages_table, web_bounds_table,
+    closest_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stage_name,
+    stages_table, web_bounds_table,
 };
+use crate::before_after::before_and_after_table;
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
-use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
 use crate::give_up_text::give_up_words;
 use crate::number;
@@ -53,10 +53,7 @@ pub fn balance_text(
     if let Some(cancellation) = &answer.cancellation {
         tables.push(cancelled_orders_table(engine, cancellation));
     }
-    if !answer.effects.is_empty() {
-        tables.push(effects_table(engine, answer));
-    }
-    tables.extend(consequences.map(consequences_table));
+    tables.extend(before_and_after_table(engine, answer, consequences));
     match &answer.cancellation {
         Some(cancellation) => tables.extend(cancellation_proof_table(engine, cancellation)),
         None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),

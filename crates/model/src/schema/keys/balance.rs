@@ -24,10 +24,10 @@ pub(super) static BALANCE: Table = Table {
           one order of it with ` order 2` or ` order 1/2` behind; the root mean square over the cycle \
           `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
           `largest main-bearing load rms`, the mean `main-bearing load mean` or `main-bearing load 3 mean`; any of these with \
-          the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas` (a mean at one of `speeds`); or \
+          the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas`; or \
           `added mass`, `added unbalance` or `cost` of the free weights (and shafts). Main bearings are numbered from the free end on, those of \
           crankshaft 1 first. A higher speed raises all loads of inertia, but neither the forces at mounts with stiffness nor \
-          loads with gas: these count over the whole range of speeds, or at `speeds`.",
+          loads with gas: these count over the whole range of speeds, or at `speeds`, the largest of all.",
     keys: &[
         key(
             "minimise",
