@@ -110,7 +110,10 @@ pub enum Outcome {
 pub struct JudgedSpeeds {
     /// Speeds of crankshaft 1 [rad/s] that hold the proof: over a range the ends, the resonances, some between and the worst of every round.
     pub judged: Vec<f64>,
-    /// Speed [rad/s] at which the first of these criteria is largest with what was found.
+    /// What loads at each of them are multiplied by before the largest counts; empty where nothing is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub weights: Vec<f64>,
+    /// Speed [rad/s] at which the first of these criteria, times the weight of its speed, is largest with what was found.
     pub worst: f64,
     /// By how much a speed between passes the value, at most, as a share of it: what the search over the range left.
     pub excess: f64,

@@ -91,7 +91,7 @@ pub(crate) fn judge(
     }
     let unbalanced = if present { unbalanced } else { 0.0 };
     groups.push(Group::new(members));
-    Ok(Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced })
+    Ok(Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest: None, scale, unbalanced })
 }
 
 fn bends(member: &Member) -> bool {

@@ -24,6 +24,21 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
     for one in &task.weights {
         weight(engine, task, one)?;
     }
+    for speed in &task.speeds {
+        positive("speed", "the speeds that are judged", *speed)?;
+    }
+    for weight in &task.speed_weights {
+        positive("weight", "a speed that is judged", *weight)?;
+    }
+    if task.speed_weights.len() > task.speeds.len() {
+        let got = task.speed_weights.len() as f64;
+        return Err(number(
+            "number of weights",
+            "the speeds that are judged",
+            "at most that of the speeds",
+            got,
+        ));
+    }
     for inertia in &task.inertias {
         positive("ratio", &inertia.name, inertia.ratio)?;
         positive("inertia of the crank train", &inertia.name, inertia.crank_inertia)?;

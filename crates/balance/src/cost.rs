@@ -65,7 +65,7 @@ pub(crate) fn judge(
     let scale = shares.iter().map(|share| share.1).fold(0.0, f64::max);
     let scale = if scale > 0.0 { scale } else { 1.0 };
     shares.iter_mut().for_each(|share| share.1 /= scale);
-    Judged { criterion: Criterion::Cost, groups: shares, scale, unbalanced: 0.0 }
+    Judged { criterion: Criterion::Cost, groups: shares, largest: None, scale, unbalanced: 0.0 }
 }
 
 /// A weight as a share of its largest amount.

@@ -32,17 +32,42 @@ pub(crate) struct Judged {
     pub criterion: Criterion,
     /// Groups with their shares.
     pub groups: Vec<(usize, f64)>,
+    /// Where the largest of several such sums counts: these, and the variable that none of them passes, which `groups` has.
+    pub largest: Option<LargestSum>,
     /// What a level of 1 is in the criterion's unit.
     pub scale: f64,
     /// The criterion where all variables are 0.
     pub unbalanced: f64,
 }
 
+/// Sums of groups none of which passes a variable:
+///
+/// ```text
+/// minimise u   with   SUM over j of w_j |F_s(theta_j)| <= u   for every speed s
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LargestSum {
+    pub variable: usize,
+    pub sums: Vec<Vec<(usize, f64)>>,
+}
+
 impl Judged {
     /// The criterion at the levels of the groups, in its own unit.
     pub fn value(&self, level: impl Fn(usize) -> f64) -> f64 {
         // An empty sum is a negative zero.
-        0.0 + self.scale * self.groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
+        let sum = |groups: &[(usize, f64)]| {
+            0.0 + self.scale * groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
+        };
+        match &self.largest {
+            Some(largest) => largest.sums.iter().map(|groups| sum(groups)).fold(0.0, f64::max),
+            None => sum(&self.groups),
+        }
+    }
+
+    /// All groups that it depends on.
+    pub fn seen(&self) -> impl Iterator<Item = usize> {
+        let sums = self.largest.iter().flat_map(|largest| largest.sums.iter().flatten());
+        self.groups.iter().chain(sums).map(|one| one.0)
     }
 }
 
@@ -191,10 +216,11 @@ pub(crate) fn judge(
                     Ok(rms(operator, criterion, &sets, groups))
                 }
                 Statistic::Mean => {
-                    let one = cycles.first().map(|cycle| {
+                    let of = |cycle: &GasCycle| -> Vec<(f64, Member)> {
                         indices.iter().flat_map(|main| cycle.vectors(operator, *main)).collect()
-                    });
-                    Ok(mean(operator, criterion, one.unwrap_or_default(), groups))
+                    };
+                    let all: Vec<Vec<(f64, Member)>> = cycles.iter().map(of).collect();
+                    Ok(largest_mean(operator, criterion, all, groups))
                 }
             }
         }
@@ -234,7 +260,7 @@ fn peak(
     let (unbalanced, scale) = (unbalanced * natural, unit * natural);
     let members = curves.iter().map(|curve| Member::Curve(curve.in_unit(unit))).collect();
     groups.push(Group::new(members));
-    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest: None, scale, unbalanced }
 }
 
 /// A group of one vector for each set of loads, whose length is the root mean square over the set and the cycle (Parseval):
@@ -286,6 +312,7 @@ fn rms(operator: &Operator, criterion: Criterion, sets: &[&[[Wave; 2]]], groups:
     Judged {
         criterion,
         groups: vec![(groups.len() - 1, 1.0)],
+        largest: None,
         scale: unit * natural,
         unbalanced: unbalanced * natural,
     }
@@ -322,7 +349,7 @@ fn largest_of(
     groups.push(Group::new(members.into_iter().map(|member| member.in_unit(unit)).collect()));
     let natural = operator.natural_force;
     let (scale, unbalanced) = (unit * natural, unbalanced * natural);
-    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest: None, scale, unbalanced }
 }
 
 /// A group for each of `members`, whose amounts have this mean:
@@ -349,9 +376,35 @@ fn mean(
     Judged {
         criterion,
         groups: (first..).zip(weights).collect(),
+        largest: None,
         scale: unit * natural,
         unbalanced: unbalanced * natural,
     }
+}
+
+/// The largest of several means: a variable of its own that none of them passes, unless there is only one.
+fn largest_mean(
+    operator: &Operator,
+    criterion: Criterion,
+    mut all: Vec<Vec<(f64, Member)>>,
+    groups: &mut Vec<Group>,
+) -> Judged {
+    let own = operator.largest.iter().find(|one| one.0 == criterion).map(|one| one.1);
+    let Some(variable) = own else {
+        return mean(operator, criterion, all.pop().unwrap_or_default(), groups);
+    };
+    let means: Vec<Judged> = all.into_iter().map(|one| mean(operator, criterion, one, groups)).collect();
+    let (scale, unbalanced) =
+        means.iter().fold((0.0f64, 0.0f64), |most, one| (most.0.max(one.scale), most.1.max(one.unbalanced)));
+    let in_scale = |one: Judged| -> Vec<(usize, f64)> {
+        one.groups.into_iter().map(|(group, share)| (group, share * one.scale / scale)).collect()
+    };
+    let sums = means.into_iter().map(in_scale).collect();
+    let mut columns = Matrix::zeros(1, operator.variables);
+    columns[(0, variable)] = 1.0;
+    groups.push(Group::new(vec![Member::vector(columns)]));
+    let largest = Some(LargestSum { variable, sums });
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest, scale, unbalanced }
 }
 
 /// A sum over the amounts of all weights, each times its factor.
@@ -369,7 +422,7 @@ fn sum(
     let scale = shares.iter().map(|s| s.1).fold(0.0, f64::max);
     let scale = if scale > 0.0 { scale } else { 1.0 };
     shares.iter_mut().for_each(|s| s.1 /= scale);
-    Ok(Judged { criterion, groups: shares, scale, unbalanced: 0.0 })
+    Ok(Judged { criterion, groups: shares, largest: None, scale, unbalanced: 0.0 })
 }
 
 /// One group for the amount of each corner of each weight, in units of the weight.

@@ -81,16 +81,6 @@ impl<'a> GasRange<'a> {
             (true, true) => steps(lowest, highest, STEPS).into_iter().map(|speed| (speed, 1.0)).collect(),
             (true, false) => vec![(highest, 1.0)],
         };
-        if speeds.len() > 1 {
-            let mean = criteria.iter().find(|one| matches!(one, Criterion::MainsWithGas(Statistic::Mean, _)));
-            if let Some(mean) = mean {
-                return Err(BalanceError::Missing {
-                    criterion: lanchester_task::criterion_name(mean, engine),
-                    needed: "one speed",
-                    hint: "give it by `speeds` or --speed; over a range of speeds ask for the root mean square or the peak",
-                });
-            }
-        }
         let known = |(speed, weight): (f64, f64)| Ok(KnownGas { speed, weight, gas: pressures(gas, speed)? });
         let speeds = speeds.into_iter().map(known).collect::<Result<_, BalanceError>>()?;
         let bare = bare(engine, task);
@@ -184,6 +174,11 @@ impl<'a> GasRange<'a> {
     }
 }
 
+/// Which share of the largest is judged from the beginning: a mean is a sum of many amounts at every speed.
+fn first(criterion: &Criterion) -> f64 {
+    if matches!(criterion, Criterion::MainsWithGas(Statistic::Mean, _)) { 1.0 } else { FIRST }
+}
+
 impl OverSpeeds for GasRange<'_> {
     fn criteria(&self) -> &[Criterion] {
         &self.criteria
@@ -192,7 +187,7 @@ impl OverSpeeds for GasRange<'_> {
     fn begin(&self, places: &mut SpeedPlaces) -> Result<(), BalanceError> {
         for forces in [self.forces(&self.engine)?, self.forces(&self.bare)?] {
             for criterion in &self.criteria {
-                self.add(places, criterion, &forces, FIRST)?;
+                self.add(places, criterion, &forces, first(criterion))?;
             }
         }
         Ok(())

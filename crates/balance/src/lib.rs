@@ -55,7 +55,9 @@ pub use error::BalanceError;
 pub use fitted::fitted;
 pub use gas_over_speed::GasOverSpeed;
 pub use optimum::{optimise, optimise_watched, optimise_with};
-pub use robust::{ROBUST_VERSION, RobustAnswer, RobustMeasure, RobustRequest, optimise_robust};
+pub use robust::{
+    ROBUST_VERSION, RobustAnswer, RobustLimit, RobustMeasure, RobustRequest, RobustStage, optimise_robust,
+};
 pub use settings::{BalanceSettings, Next, SearchState, StopCause};
 pub use swept::{SWEPT_VERSION, Swept, swept};
 pub use twin_arrangement::{

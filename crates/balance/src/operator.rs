@@ -13,12 +13,13 @@ use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
 use crate::rounding::clear_rounding;
 use crate::speed_places::SpeedPlaces;
+use crate::speed_range::criteria;
 use crate::wave::Wave;
 use lanchester_mechanism::{
     Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, OrderLoads, main_orders,
 };
 use lanchester_model::{Engine, Ratio};
-use lanchester_task::{BalanceTask, FreeInertia, Phase, Place, Seat};
+use lanchester_task::{BalanceTask, Criterion, FreeInertia, Phase, Place, Seat, Statistic};
 use num_complex::Complex64;
 use std::rc::Rc;
 
@@ -129,6 +130,8 @@ pub(crate) struct Operator {
     pub natural_force: f64,
     /// What moments are measured against [N m].
     pub natural_moment: f64,
+    /// Variables that the largest of several means does not pass.
+    pub largest: Vec<(Criterion, usize)>,
     /// Where loads over speed are judged; no place of mounts: at the highest speed.
     pub places: Rc<SpeedPlaces>,
 }
@@ -180,6 +183,7 @@ impl Operator {
             equal_to: Vec::new(),
             natural_force: engine_loads.natural_force,
             natural_moment: engine_loads.natural_moment,
+            largest: Vec::new(),
             places: Rc::clone(&engine_loads.places),
         };
         for order in orders {
@@ -198,6 +202,7 @@ impl Operator {
             let torque = torque(orders, revolutions);
             operator.add_inertia(inertia, &torque);
         }
+        operator.add_largest(task);
         operator.equalities = operator.ties(task);
         operator.equal_to = vec![0.0; operator.equalities.rows];
         let waves = operator.channels.iter().chain(operator.mains.iter().flatten());
@@ -336,6 +341,17 @@ impl Operator {
             self.channel_mut(Channel::RollMoment).add_part(variable, key, *cos, *sin);
         }
         self.inertia = Some((variable, most_share(inertia)));
+    }
+
+    /// A variable for each mean with gas that is judged at several speeds.
+    fn add_largest(&mut self, task: &BalanceTask) {
+        let is_mean = |one: &Criterion| matches!(one, Criterion::MainsWithGas(Statistic::Mean, _));
+        if self.places.cycles.len() > 1 {
+            for criterion in criteria(task, is_mean) {
+                self.largest.push((criterion, self.variables));
+                self.variables += 1;
+            }
+        }
     }
 
     /// Rows of `U_second - factor U_first = 0` (or its mirror image).

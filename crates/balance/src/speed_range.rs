@@ -239,8 +239,12 @@ pub(crate) fn judged(
     judged.sort_by(f64::total_cmp);
     judged.dedup();
     let excess = (0..excess.len()).filter(|place| own(*place)).map(|place| excess[place]).fold(0.0, f64::max);
-    let range = task.speeds.is_empty();
-    Some(JudgedSpeeds { judged, worst: worst[first].speed, excess, range })
+    let given = task.weighted_speeds();
+    let weight =
+        |speed: &f64| given.iter().filter(|one| one.0 == *speed).map(|one| one.1).fold(0.0, f64::max);
+    let weighted = given.iter().any(|one| one.1 != 1.0);
+    let weights = if weighted { judged.iter().map(weight).collect() } else { Vec::new() };
+    Some(JudgedSpeeds { judged, weights, worst: worst[first].speed, excess, range: given.is_empty() })
 }
 
 /// Why a criterion with gas has none.

@@ -141,6 +141,12 @@ pub(crate) fn parse(text: &str, file: &'static Table, mistakes: &mut Mistakes) -
 }
 
 impl Section {
+    /// A table with nothing but this value.
+    fn of_one(table: &'static Table, key: &'static Key, span: Span, value: Value) -> Section {
+        let entry = Entry { key, key_span: span.clone(), span: span.clone(), value, used: Cell::new(false) };
+        Section { table, span, entries: vec![entry] }
+    }
+
     /// `[rod]`, for messages.
     pub(crate) fn title(&self) -> &'static str {
         self.table.title()
@@ -169,7 +175,7 @@ impl Section {
     /// How many tables the key may hold.
     pub(crate) fn limit(&self, name: &str) -> Option<usize> {
         match self.table.key(name)?.kind {
-            Kind::Tables(_, most) => Some(most),
+            Kind::Tables(_, most) | Kind::ValuesOrTables(_, most) => Some(most),
             _ => None,
         }
     }

@@ -38,7 +38,7 @@ impl Table {
     pub(crate) fn all(&'static self) -> Vec<&'static Table> {
         let mut tables: Vec<&'static Table> = vec![self];
         for key in self.keys {
-            if let Kind::Table(table) | Kind::Tables(table, _) = key.kind {
+            if let Kind::Table(table) | Kind::Tables(table, _) | Kind::ValuesOrTables(table, _) = key.kind {
                 for table in table.all() {
                     if !tables.iter().any(|known| std::ptr::eq(*known, table)) {
                         tables.push(table);
@@ -124,6 +124,8 @@ pub(crate) enum Kind {
     Table(&'static Table),
     /// Tables, at most so many.
     Tables(&'static Table, usize),
+    /// A list of tables, at most so many, each of which may be the value of its first key alone.
+    ValuesOrTables(&'static Table, usize),
 }
 
 impl Kind {
@@ -168,6 +170,10 @@ impl Kind {
             Kind::Ratio => "a speed ratio such as -1, 2 or \"1/2\"".into(),
             Kind::Table(_) => "a table".into(),
             Kind::Tables(..) => "a list of tables".into(),
+            Kind::ValuesOrTables(table, _) => {
+                let value = table.keys.first().map_or_else(String::new, |key| key.kind.wanted());
+                format!("a list, each entry {value} or a table")
+            }
         }
     }
 }

@@ -350,14 +350,14 @@ pub(crate) fn stage_name(engine: &Engine, stage: &FoundStage) -> String {
 }
 
 /// Small SI units are shown in those of the trade.
-fn factor(criterion: &Criterion) -> f64 {
+pub(crate) fn factor(criterion: &Criterion) -> f64 {
     match criterion {
         Criterion::AddedUnbalance => 1e6,
         _ => 1.0,
     }
 }
 
-fn shown_unit(criterion: &Criterion) -> &'static str {
+pub(crate) fn shown_unit(criterion: &Criterion) -> &'static str {
     match criterion {
         Criterion::AddedUnbalance => "g mm",
         _ => criterion_unit(criterion),

@@ -1,11 +1,11 @@
 //! The answer of a balancing question as plain text.
 
 use crate::balance_tables::{
-    closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stage_name, stages_table, web_bounds_table,
+    closest_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stage_name,
+    stages_table, web_bounds_table,
 };
+use crate::before_after::before_and_after_table;
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
-use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
 use crate::give_up_text::give_up_words;
 use crate::number;
@@ -54,10 +54,7 @@ pub fn balance_text(
     if let Some(cancellation) = &answer.cancellation {
         tables.push(cancelled_orders_table(engine, cancellation));
     }
-    if !answer.effects.is_empty() {
-        tables.push(effects_table(engine, answer));
-    }
-    tables.extend(consequences.map(consequences_table));
+    tables.extend(before_and_after_table(engine, answer, consequences));
     match &answer.cancellation {
         Some(cancellation) => tables.extend(cancellation_proof_table(engine, cancellation)),
         None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),
@@ -116,6 +113,11 @@ fn speeds_words(engine: &Engine, answer: &Answer) -> String {
         };
         let where_to = match (judged.range, judged.judged.len()) {
             (true, _) => "over the whole range of speeds".into(),
+            _ if !judged.weights.is_empty() => {
+                let times = |(speed, weight): (&f64, &f64)| format!("{} rpm times {weight}", rpm(*speed));
+                let all: Vec<String> = judged.judged.iter().zip(&judged.weights).map(times).collect();
+                format!("at weighted speeds: {}", all.join(", "))
+            }
             (false, 1) => format!("at {} rpm", rpm(first)),
             (false, count) => format!("at {count} speeds from {} to {} rpm", rpm(first), rpm(last)),
         };
@@ -138,6 +140,11 @@ fn speeds_words(engine: &Engine, answer: &Answer) -> String {
         ("Forces at the mounts with gas", &answer.mount_gas_speeds),
         ("Main-bearing loads with gas", &answer.gas_speeds),
     ];
+    if !answer.task.speeds.is_empty() && all.iter().all(|(_, judged)| judged.is_none()) {
+        return " The given speeds decide nothing here: neither a mount force on springs nor a load with gas is minimised or \
+                limited, and all other loads are largest at the highest speed."
+            .into();
+    }
     all.into_iter().filter_map(|(name, judged)| Some(words((name, judged.as_ref()?)))).collect()
 }
 

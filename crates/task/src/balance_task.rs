@@ -56,6 +56,13 @@ impl BalanceTask {
         [Load::Force, Load::Couple].map(|load| Stage { terms: vec![(1.0, Criterion::Peak(load))] }).to_vec()
     }
 
+    /// Judges loads over speed at these speeds [rad/s], each with its weight, and at no others.
+    pub fn judge_at(&mut self, speeds: &[(f64, f64)]) {
+        self.speeds = speeds.iter().map(|one| one.0).collect();
+        let weighted = speeds.iter().any(|one| one.1 != 1.0);
+        self.speed_weights = if weighted { speeds.iter().map(|one| one.1).collect() } else { Vec::new() };
+    }
+
     /// The speeds [rad/s], each with its weight.
     pub fn weighted_speeds(&self) -> Vec<(f64, f64)> {
         let weights = self.speed_weights.iter().copied().chain(std::iter::repeat(1.0));

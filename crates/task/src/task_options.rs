@@ -6,7 +6,9 @@ use crate::default_task::{CrankWeightPlaces, crank_weights};
 use crate::give_up;
 use crate::option::{self, BadQuantity};
 use crate::room::{RoomFault, RoomFaultKind, TaskDevice, room_faults};
+use crate::speed_weight::weighted_speed;
 use lanchester_model::Engine;
+use lanchester_units::nearest;
 
 /// Options as text, each as `lanchester balance` takes it.
 #[derive(Debug, Clone, Default)]
@@ -39,7 +41,7 @@ pub struct TaskOptions {
     pub optional: bool,
     /// Most optional devices that may be used at once.
     pub most_optional: Option<usize>,
-    /// Speeds at which forces at mounts with springs are judged ([`option::speed`]), in place of the task's.
+    /// Speeds at which forces at mounts with springs and loads with gas are judged ([`weighted_speed`]), in place of the task's.
     pub speeds: Vec<String>,
 }
 
@@ -187,8 +189,8 @@ impl TaskOptions {
                     "name one, such as \"mount force\", or leave it out: all other loads are largest at the highest speed",
                 ));
             }
-            let speed = |text: &String| option::speed(text, &self.name("speed"));
-            task.speeds = self.speeds.iter().map(speed).collect::<Result<_, _>>()?;
+            let speed = |text: &String| weighted_speed(text, &self.name("speed"));
+            task.judge_at(&self.speeds.iter().map(speed).collect::<Result<Vec<_>, _>>()?);
             if let Some(place) = task.speeds.iter().position(|speed| !engine.speed.holds(*speed)) {
                 return Err(refused(
                     format!(
@@ -203,13 +205,22 @@ impl TaskOptions {
         Ok(())
     }
 
+    /// A largest amount that cannot be read, with the word that it may be meant to be.
+    fn or_what_fits(&self, bad: BadQuantity) -> BadQuantity {
+        let is_near = self.most.as_ref().is_some_and(|most| nearest(most, [WHAT_FITS].into_iter()).is_some());
+        let hint =
+            if is_near { format!("did you mean {} '{WHAT_FITS}'?", self.name("most")) } else { bad.hint };
+        BadQuantity { hint, ..bad }
+    }
+
     /// Bounds the weights on crankshafts, and says how many optional devices may be used.
     fn bound_crank_weights(&self, task: &mut BalanceTask) -> Result<(), BadQuantity> {
         let amount = |text: &Option<String>, option: &str| {
             text.as_ref().map(|text| option::unbalance(text, &self.name(option))).transpose()
         };
         let fits = self.most.as_ref().is_some_and(|text| text.trim() == WHAT_FITS);
-        let most = if fits { None } else { amount(&self.most, "most")? };
+        let most =
+            if fits { None } else { amount(&self.most, "most").map_err(|bad| self.or_what_fits(bad))? };
         let least = amount(&self.least, "least")?;
         let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
         for (index, weight) in task.weights.iter_mut().enumerate() {

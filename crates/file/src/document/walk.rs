@@ -146,6 +146,15 @@ impl Walk<'_> {
                 | Kind::QuantityOrThree(dimension, bound),
                 Toml::String(_) | Toml::Integer(_) | Toml::Float(_),
             ) => {
+                if let (Kind::QuantityOrWord(.., word), Some(text)) = (key.kind, item.as_str())
+                    && let Err(refusal) = lanchester_units::parse(text, dimension, key.name)
+                    && nearest(text, [word].into_iter()).is_some()
+                {
+                    let mistake = Mistake::error(refusal.code, item.span().range(), refusal.message);
+                    let hint = format!("did you mean \"{word}\"?");
+                    self.mistakes.push(mistake.label(refusal.label).hint(hint));
+                    return None;
+                }
                 let spot = self.quantity(key, item, dimension, bound)?;
                 Some(if matches!(key.kind, Kind::Quantity(..) | Kind::QuantityOrWord(..)) {
                     Value::Number(spot.value)
@@ -193,11 +202,44 @@ impl Walk<'_> {
                 Some(Value::Table(self.section(table, toml, span)))
             }
             (Kind::Tables(table, most), Toml::Array(array)) => self.tables(key, table, most, array, item),
+            (Kind::ValuesOrTables(table, most), Toml::Array(array)) => {
+                self.values_or_tables(key, table, most, array, item)
+            }
             _ => {
                 self.wrong_kind(key, item, key_span);
                 None
             }
         }
+    }
+
+    /// Tables, and values that stand for tables with nothing but their first key.
+    fn values_or_tables(
+        &mut self,
+        key: &Key,
+        table: &'static Table,
+        most: usize,
+        array: &toml_spanner::Array<'_>,
+        item: &Item<'_>,
+    ) -> Option<Value> {
+        if array.len() > most {
+            self.too_many(key, array.len(), most, item.span().range());
+            return None;
+        }
+        let first = table.keys.first()?;
+        let mut sections = Vec::new();
+        let mut all_good = true;
+        for element in array {
+            let span = element.span().range();
+            if let Some(toml) = element.as_table() {
+                sections.push(self.section(table, toml, span));
+                continue;
+            }
+            match self.value(first, element, &span) {
+                Some(value) => sections.push(Section::of_one(table, first, span, value)),
+                None => all_good = false,
+            }
+        }
+        all_good.then_some(Value::Tables(sections))
     }
 
     pub(super) fn wrong_kind(&mut self, key: &Key, item: &Item<'_>, key_span: &Span) {

@@ -37,8 +37,11 @@ impl File {
             self.entry("minimise", &format!("[{}]", stages.join(", ")));
         }
         if !task.speeds.is_empty() {
-            let speeds: Vec<String> =
-                task.speeds.iter().map(|speed| quantity(*speed, Dimension::Speed)).collect();
+            let text = |(speed, weight): &(f64, f64)| {
+                let speed = quantity(*speed, Dimension::Speed);
+                if *weight == 1.0 { speed } else { format!("{{ speed = {speed}, weight = {weight} }}") }
+            };
+            let speeds: Vec<String> = task.weighted_speeds().iter().map(text).collect();
             self.entry("speeds", &format!("[{}]", speeds.join(", ")));
         }
         let give_ups: Vec<String> = task

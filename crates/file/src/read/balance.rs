@@ -28,8 +28,8 @@ pub(super) struct DraftBalance {
     give_up: Vec<GiveUp>,
     cancel: Vec<(Load, f64)>,
     most_optional: Option<usize>,
-    /// Speeds at which forces at mounts are judged, and where `speeds` stands.
-    speeds: Option<(Vec<f64>, Span)>,
+    /// Speeds at which forces at mounts are judged with their weights, and where `speeds` stands.
+    speeds: Option<(Vec<(f64, f64)>, Span)>,
     /// Where `added mass` is asked for.
     mass_span: Option<Span>,
     /// Criteria that are about main bearings, and where they stand.
@@ -53,13 +53,7 @@ impl<'a> Reader<'a> {
         let give_up = stages.as_ref().and_then(|stages| self.given_up(section, stages, mounts));
         let mass_span = self.mass_span(section, mounts);
         let most_optional = section.whole("most_optional");
-        let speeds = match section.numbers("speeds") {
-            Field::Given(speeds) => {
-                Some(Some(speeds.value.iter().map(|speed| speed.value).collect::<Vec<f64>>()))
-            }
-            Field::Absent => Some(None),
-            Field::Bad => None,
-        };
+        let speeds = self.judged_speeds(section);
         let counterweights = self.free_counterweights(section, throws, crankshafts);
         let shafts = self.free_shafts(section);
         let inertias = self.free_inertias(section);
@@ -110,7 +104,7 @@ impl<'a> Reader<'a> {
             cancel: draft.cancel,
             give_up: draft.give_up,
             most_optional: draft.most_optional,
-            speeds: draft.speeds.as_ref().map(|(speeds, _)| speeds.clone()).unwrap_or_default(),
+            speeds: Vec::new(),
             speed_weights: Vec::new(),
             weights: Vec::new(),
         };
@@ -128,8 +122,9 @@ impl<'a> Reader<'a> {
             self.check_device_names(&task, &spans, &shaft_spans);
             self.check_room(&task, engine, &spans, &shaft_spans);
         }
-        if let Some((speeds, span)) = &draft.speeds
-            && let Some(speed) = speeds.iter().find(|speed| !engine.speed.holds(**speed))
+        task.judge_at(draft.speeds.as_ref().map_or(&[], |(speeds, _)| speeds));
+        if let Some((_, span)) = &draft.speeds
+            && let Some(speed) = task.speeds.iter().find(|speed| !engine.speed.holds(**speed))
         {
             let message = format!(
                 "the engine does not run at {}",
@@ -141,7 +136,7 @@ impl<'a> Reader<'a> {
                     .hint("give speeds between the lowest and the highest of `speed`"),
             );
         }
-        if let Some((_, span)) = draft.speeds
+        if let Some((_, span)) = draft.speeds.clone()
             && !engine.is_on_springs()
             && !task.counts_gas()
         {
@@ -150,6 +145,15 @@ impl<'a> Reader<'a> {
             self.mistakes.push(
                 Mistake::error("E0204", span, message)
                     .hint("give [block] and stiffness to every [[mount]], name a criterion \"with gas\", or leave it out"),
+            );
+        }
+        let has_speeds = draft.speeds.as_ref().filter(|_| !task.counts_gas() && !task.counts_mounts());
+        if let Some((_, span)) = has_speeds.filter(|_| engine.is_on_springs()) {
+            let message = "`speeds` has no effect on what [balance] asks for: neither a mount force nor a load with gas is minimised or \
+                           limited, and all other loads are largest at the highest speed";
+            self.mistakes.push(
+                Mistake::warning("W0204", span.clone(), message)
+                    .hint("name one, such as \"mount force\", or leave it out"),
             );
         }
         if let Some(span) = draft.mass_span {
@@ -192,6 +196,22 @@ impl<'a> Reader<'a> {
             most: most.given(),
             optional: optional?,
         })
+    }
+
+    /// Speeds at which loads are judged, with their weights.
+    fn judged_speeds(&mut self, section: &'a Section) -> Option<Option<Vec<(f64, f64)>>> {
+        let sections = match section.tables("speeds") {
+            Field::Given(sections) => sections.value,
+            Field::Absent => return Some(None),
+            Field::Bad => return None,
+        };
+        let mut speeds = Vec::new();
+        for one in sections {
+            let speed = self.required(one, "speed", one.number("speed"));
+            let weight = one.number("weight").or(1.0);
+            speeds.push(speed.zip(weight));
+        }
+        Some(Some(speeds.into_iter().collect::<Option<_>>()?))
     }
 
     /// One place, or two to find one between.

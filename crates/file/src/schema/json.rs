@@ -101,13 +101,18 @@ fn key_schema(key: &Key) -> Value {
             { "type": "string", "pattern": "^\\s*[+-]?0*[1-9][0-9]*\\s*(/\\s*0*[1-9][0-9]*\\s*)?$" },
         ] }),
         Kind::Table(table) => table_schema(table),
+        Kind::ValuesOrTables(table, most) => {
+            let value = table.keys.first().map_or_else(|| json!({}), key_schema);
+            let items = json!({ "anyOf": [value, table_schema(table)] });
+            json!({ "type": "array", "items": items, "maxItems": most })
+        }
         Kind::Tables(table, most) => {
             json!({ "type": "array", "items": table_schema(table), "maxItems": most })
         }
     };
     if let Value::Object(object) = &mut schema {
         object.insert("description".into(), json!(key.doc));
-        if !matches!(key.kind, Kind::Table(_) | Kind::Tables(..))
+        if !matches!(key.kind, Kind::Table(_) | Kind::Tables(..) | Kind::ValuesOrTables(..))
             && let Ok(example) = serde_json::from_str::<Value>(key.example)
         {
             object.insert("examples".into(), json!([example]));

@@ -49,7 +49,9 @@ fn collect(table: &'static Table, path: String, found: &mut Vec<KeyTable>) {
         let below = if path.is_empty() { key.name.to_string() } else { format!("{path}.{}", key.name) };
         match key.kind {
             Kind::Table(table) => collect(table, below, found),
-            Kind::Tables(table, _) => collect(table, format!("{below}[]"), found),
+            Kind::Tables(table, _) | Kind::ValuesOrTables(table, _) => {
+                collect(table, format!("{below}[]"), found)
+            }
             _ => {}
         }
     }
@@ -75,6 +77,7 @@ fn info(key: &Key) -> KeyInfo {
         }
         Kind::Limits | Kind::GiveUps | Kind::Table(_) => ("table", Vec::new()),
         Kind::Tables(..) => ("tables", Vec::new()),
+        Kind::ValuesOrTables(..) => ("list", Vec::new()),
     };
     KeyInfo {
         name: key.name,

@@ -92,6 +92,10 @@ fn holds(kind: Kind) -> String {
         Kind::Limits | Kind::GiveUps => "table of criteria".into(),
         Kind::Ratio => "whole number, or a fraction as text".into(),
         Kind::Table(table) => format!("table `{}`", table.header),
+        Kind::ValuesOrTables(table, most) => {
+            let value = table.keys.first().map_or_else(String::new, |key| holds(key.kind));
+            format!("list: {value}; or tables `{}`; at most {most}", table.header)
+        }
         Kind::Tables(table, most) => format!("tables `{}`, at most {most}", table.header),
     }
 }

@@ -114,5 +114,16 @@ fn the_file_says_it_and_what_is_missing_is_told() {
     let error = on_webs(&bare, bare.tasks.balance.as_ref().unwrap()).unwrap_err().to_string();
     assert!(error.contains("[counterweight_design]") && error.contains("hint:"), "{error}");
     let wrong = format!("{EXAMPLE}{}", asks.replace("what fits", "what fit"));
-    assert!(read(&wrong).engine().is_none());
+    let told = read(&wrong);
+    assert!(told.file.is_none());
+    assert!(
+        told.diagnostics
+            .iter()
+            .any(|one| one.hint.as_ref().is_some_and(|hint| hint.contains("did you mean \"what fits\"?"))),
+        "{:?}",
+        told.diagnostics
+    );
+    let options = TaskOptions { prefix: "--", most: Some("what fit".into()), ..TaskOptions::default() };
+    let refused = options.change(&before.engine, task).unwrap_err();
+    assert!(refused.hint.contains("did you mean --most 'what fits'?"), "{refused:?}");
 }

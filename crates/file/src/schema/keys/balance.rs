@@ -10,6 +10,8 @@ use lanchester_units::Dimension::{Angle, Inertia, Length, Speed, Unbalance};
 /// Optional devices of a file: weights, shafts and their weights, inertias.
 const MOST_OPTIONAL: i64 = 1000;
 const MOST_INERTIAS: usize = 16;
+/// Speeds at which loads are judged.
+const MOST_SPEEDS: usize = 100;
 
 pub(super) static BALANCE: Table = Table {
     header: "[balance]",
@@ -17,15 +19,16 @@ pub(super) static BALANCE: Table = Table {
           weight or shaft of the engine stands in its place. Without any device, every counterweight of the engine is \
           free; if it has none, there is one on every web, or on every throw where a web distance is missing.\n\n\
           A criterion is the peak over the cycle, at the highest speed, of `force`, `force x`, `force y`, `couple`, \
-          `couple x`, `couple y`, `roll moment`, `mount force` (the largest of all mounts), `mount force NAME`, \
+          `couple x`, `couple y`, `roll moment`, `mount force` (the largest of all mounts), `mount force NAME`, both of inertia alone or with the \
+          torque of the gas about its mean on mounts with stiffness (`mount force with gas`, `mount force NAME with gas`), \
           `main-bearing load` (the largest of all main bearings, inertia alone), `main-bearing load 3` or `bending moment`; \
           one order of it with ` order 2` or ` order 1/2` behind; the root mean square over the cycle \
           `main-bearing load rms` (all main bearings together), `main-bearing load 3 rms` or \
           `largest main-bearing load rms`, the mean `main-bearing load mean` or `main-bearing load 3 mean`; any of these with \
-          the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas` (a mean at one of `speeds`); or \
+          the gas of the file, `main-bearing load with gas`, `main-bearing load 3 rms with gas`; or \
           `added mass`, `added unbalance` or `cost` of the free weights (and shafts). Main bearings are numbered from the free end on, those of \
           crankshaft 1 first. A higher speed raises all loads of inertia, but neither the forces at mounts with stiffness nor \
-          loads with gas: these count over the whole range of speeds, or at `speeds`.",
+          loads with gas: these count over the whole range of speeds, or at `speeds`, the largest of all.",
     keys: &[
         key(
             "minimise",
@@ -77,11 +80,12 @@ pub(super) static BALANCE: Table = Table {
         ),
         key(
             "speeds",
-            Kind::Quantities(Speed, Positive),
+            Kind::ValuesOrTables(&JUDGED_SPEED, MOST_SPEEDS),
             Optional,
-            "Speeds at which forces at mounts with springs and loads with gas are judged, the largest of all counting; default the \
-             whole range of `speed`, resonances included. All other loads are largest at the highest speed.",
-            "[\"1500 rpm\", \"3000 rpm\"]",
+            "Speeds at which forces at mounts with springs and loads with gas are judged, the largest of all counting, each times the \
+             weight of its speed; default the whole range of `speed`, resonances included, with weight 1. All other loads are largest \
+             at the highest speed.",
+            "[\"1500 rpm\", { speed = \"3000 rpm\", weight = 2 }]",
         ),
         key(
             "counterweight",
@@ -103,6 +107,24 @@ pub(super) static BALANCE: Table = Table {
             Optional,
             "Inertias geared to turn against crankshaft 1: they take part of the roll moment.",
             "[{ ratio = 2, crank_inertia = \"0.2 kg m2\" }]",
+        ),
+    ],
+};
+
+static JUDGED_SPEED: Table = Table {
+    header: "[[balance.speeds]]",
+    doc: "A speed at which forces at mounts with springs and loads with gas are judged; without a weight its value may stand alone.",
+    keys: &[
+        Key {
+            need: Required,
+            ..quantity("speed", Speed, Positive, "Speed of crankshaft 1.", "\"3000 rpm\"")
+        },
+        key(
+            "weight",
+            Kind::Number(Positive),
+            Optional,
+            "What loads at this speed are multiplied by before the largest counts, in objectives and limits; default 1.",
+            "2",
         ),
     ],
 };
