@@ -7,12 +7,11 @@ use super::{
 use crate::angle;
 use crate::diagnostic::Mistake;
 use crate::document::{Field, Section, Spot};
+use crate::drilling::DRILL_POINT;
 use crate::quantity::{self, Dimension};
 use crate::read::Reader;
 use std::f64::consts::{PI, TAU};
 
-/// Angle of the point of a common twist drill [deg] (ISO 235 leaves it to the maker; 118 deg is what shops stock).
-const DRILL_POINT: f64 = 118.0;
 const MOST_HOLES: i64 = 3;
 /// Step of tried angles where a whole range may be drilled [deg].
 const ANGLE_STEP: f64 = 5.0;
