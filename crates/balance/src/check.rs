@@ -3,8 +3,9 @@
 use crate::error::BalanceError;
 use crate::operator::ratio_of;
 use crate::problem::implied;
-use lanchester_model::{
-    BalanceTask, Catalogue, Criterion, DrillCatalogue, Engine, FreeWeight, GiveUp, Phase, Place, Seat,
+use lanchester_model::Engine;
+use lanchester_task::{
+    BalanceTask, Catalogue, Criterion, DrillCatalogue, FreeWeight, GiveUp, Phase, Place, Seat,
 };
 
 /// Places closer than this are the same [m].

@@ -1,9 +1,9 @@
 //! What a drilled hole takes away.
 //!
-//! Its first moment about the axis is that of [`lanchester_model::DrillBit`].
+//! Its first moment about the axis is that of [`lanchester_task::DrillBit`].
 
-use lanchester_model::DrillBit;
-use lanchester_model::workshop::{Drill, DrillDirection, Surface};
+use lanchester_task::DrillBit;
+use lanchester_task::workshop::{Drill, DrillDirection, Surface};
 use serde::Serialize;
 use std::f64::consts::PI;
 
