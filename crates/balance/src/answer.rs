@@ -2,7 +2,7 @@
 
 use crate::cancellation::answer::Cancellation;
 use crate::settings::{BalanceSettings, StopCause};
-use lanchester_task::{BalanceTask, Criterion};
+use lanchester_task::{BalanceTask, CatalogueHole, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -151,6 +151,9 @@ pub struct FoundWeight {
     pub z: f64,
     /// Its mass [kg], where the task gives its radius.
     pub mass: Option<f64>,
+    /// The hole that it is, where the task gives drills: opposite to its direction if it stays empty.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hole: Option<CatalogueHole>,
     /// Whether it is used.
     pub used: bool,
 }

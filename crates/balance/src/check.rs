@@ -4,7 +4,9 @@ use crate::error::BalanceError;
 use crate::operator::ratio_of;
 use crate::problem::implied;
 use lanchester_model::Engine;
-use lanchester_task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
+use lanchester_task::{
+    BalanceTask, Catalogue, Criterion, DrillCatalogue, FreeWeight, GiveUp, Phase, Place, Seat,
+};
 
 /// Places closer than this are the same [m].
 const SAME_PLACE: f64 = 1e-9;
@@ -207,6 +209,18 @@ fn catalogue(task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError
                 );
             }
         }
+    }
+    let is_of = |drill: &DrillCatalogue| {
+        let holes = drill.holes();
+        (1..=holes.len()).all(|k| catalogue.amount(k) == holes[k - 1].unbalance)
+            && catalogue.last() == holes.len()
+    };
+    if weight.drill.as_ref().is_some_and(|drill| !is_of(drill)) {
+        return unsuited(
+            "the unbalances of the holes as the catalogue of a drilled weight",
+            format!("others for `{name}`"),
+            "set both with `FreeWeight::drilled`",
+        );
     }
     let last = weight.most.map_or(catalogue.last(), |most| catalogue.below(most));
     if weight.least > 0.0 && catalogue.amount(last) < weight.least * (1.0 - 1e-9) {

@@ -480,6 +480,7 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64
             unbalance,
             z: planes[index],
             mass: weight.radius.map(|radius| unbalance.norm() / radius),
+            hole: weight.drill.as_ref().and_then(|drill| drill.hole(unbalance.norm())),
             used: unbalance.norm() > 0.0,
         });
     }

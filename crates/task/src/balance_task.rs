@@ -4,6 +4,7 @@
 //! weight or shaft that has the name of a weight or shaft of the engine stands in its place: the engine is judged
 //! without the old one.
 
+use crate::drilling::DrillCatalogue;
 use lanchester_model::Ratio;
 use serde::Serialize;
 
@@ -181,6 +182,9 @@ pub struct FreeWeight {
     pub radius: Option<f64>,
     /// Amounts that can be made, within `least` and `most`; none: every amount.
     pub catalogue: Option<Catalogue>,
+    /// The holes whose unbalances are its catalogue, if it is one of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub drill: Option<DrillCatalogue>,
     /// What it costs if it is used.
     pub cost: Cost,
     /// Name of the parts that it is one of: used weights with the same name have the same amount of their catalogue.
@@ -202,9 +206,21 @@ impl FreeWeight {
             optional: false,
             radius: None,
             catalogue: None,
+            drill: None,
             cost: Cost::default(),
             equal_parts: None,
         }
+    }
+
+    /// With these holes as its catalogue, up to the largest of them where it has no largest amount. Its direction is that of the weight:
+    /// opposite to an empty hole.
+    pub fn drilled(mut self, drill: DrillCatalogue) -> FreeWeight {
+        let amounts = drill.holes().iter().map(|hole| hole.unbalance).collect();
+        let catalogue = Catalogue::Amounts(amounts);
+        self.most = self.most.or(catalogue.largest());
+        self.catalogue = Some(catalogue);
+        self.drill = Some(drill);
+        self
     }
 }
 

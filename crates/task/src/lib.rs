@@ -7,6 +7,7 @@
 mod balance_task;
 pub mod criterion;
 mod default_task;
+mod drilling;
 mod free_shaft;
 pub mod give_up;
 pub mod main_load;
@@ -23,6 +24,7 @@ pub mod workshop;
 pub use balance_task::*;
 pub use criterion::{criterion, criterion_name, criterion_unit};
 pub use default_task::{CrankWeightPlaces, crank_weights, default_task};
+pub use drilling::{CatalogueHole, DRILL_POINT, DrillBit, DrillCatalogue};
 pub use room::{RoomFault, RoomFaultKind, SAME_PLACE, TaskDevice, room_faults};
 pub use shaft_weight_task::{ShaftWeightAim, ShaftWeightTask, fault_of};
 pub use shape_task::*;

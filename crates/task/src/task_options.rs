@@ -249,7 +249,7 @@ impl TaskOptions {
                             "give a smaller step, or a larger largest amount",
                         ));
                     }
-                    weight.catalogue = Some(Catalogue::Steps(step));
+                    (weight.catalogue, weight.drill) = (Some(Catalogue::Steps(step)), None);
                 }
                 if self.equal_parts && weight.catalogue.is_none() {
                     return Err(refused(

@@ -2,12 +2,15 @@
 
 use super::{File, quantity, quoted, ratio, turn_between};
 use lanchester_model::Engine;
+use lanchester_model::angle;
 use lanchester_task::WHAT_FITS;
 use lanchester_task::criterion::{dimension, name_among};
+use lanchester_task::workshop::{DrillDirection, Surface};
 use lanchester_task::{
-    BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Limit, Phase, Place, Seat, Tasks,
+    BalanceTask, Catalogue, Criterion, DrillCatalogue, FreeWeight, GiveUp, Limit, Phase, Place, Seat, Tasks,
 };
 use lanchester_units::{Dimension, text_that};
+use std::f64::consts::PI;
 
 impl File {
     pub(super) fn balance(&mut self, tasks: &Tasks, engine: &Engine) {
@@ -155,12 +158,19 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
         let along = if matches!(weight.seat, Seat::Shaft(_)) { "phase" } else { "angle" };
         match weight.phase {
             Phase::Free => {}
-            Phase::Direction(phase) => entries.push((along, direction(phase, weight, engine))),
+            Phase::Direction(phase) => {
+                // That of the hole.
+                let is_hole = weight.drill.as_ref().is_some_and(|drill| drill.slug_density.is_none());
+                let phase = if is_hole { angle::direction(phase + PI) } else { phase };
+                entries.push((along, direction(phase, weight, engine)));
+            }
             Phase::Line(phase) => entries.push(("line", direction(phase, weight, engine))),
         }
         let amount = |amount: f64| quantity(amount, Dimension::Unbalance);
         match weight.most {
-            Some(most) if most == weight.least => entries.push(("unbalance", amount(most))),
+            Some(most) if most == weight.least && weight.drill.is_none() => {
+                entries.push(("unbalance", amount(most)))
+            }
             most => {
                 if weight.least > 0.0 {
                     entries.push(("least", amount(weight.least)));
@@ -172,6 +182,7 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
             }
         }
         match &weight.catalogue {
+            _ if weight.drill.is_some() => entries.extend(weight.drill.as_ref().map(|d| ("drill", drill(d)))),
             Some(Catalogue::Steps(step)) => entries.push(("step", amount(*step))),
             Some(Catalogue::Amounts(list)) => {
                 let list: Vec<String> = list.iter().map(|one| amount(*one)).collect();
@@ -191,6 +202,30 @@ fn weight_entries(task: &BalanceTask, index: usize, engine: &Engine) -> Vec<(&'s
     }
     entries.extend(weight.radius.map(|radius| ("radius", quantity(radius, Dimension::Length))));
     entries
+}
+
+/// Holes as an inline table.
+fn drill(drill: &DrillCatalogue) -> String {
+    let length = |length: f64| quantity(length, Dimension::Length);
+    let mut entries = match (drill.direction, drill.surface) {
+        (DrillDirection::Axial, _) => "direction = \"axial\"".to_string(),
+        (DrillDirection::Radial, Surface::Round) => "direction = \"radial\"".to_string(),
+        (DrillDirection::Radial, Surface::Flat) => "direction = \"radial\", surface = \"flat\"".to_string(),
+    };
+    let diameters: Vec<String> = drill.diameters.iter().map(|one| length(*one)).collect();
+    let more = [
+        ("radius", length(drill.radius)),
+        ("diameters", format!("[{}]", diameters.join(", "))),
+        ("max_depth", length(drill.max_depth)),
+        ("depth_step", length(drill.depth_step)),
+        ("point", quantity(drill.point, Dimension::Angle)),
+        ("density", quantity(drill.density, Dimension::Density)),
+    ];
+    let slug = drill.slug_density.map(|density| ("slug_density", quantity(density, Dimension::Density)));
+    for (key, value) in more.into_iter().chain(slug) {
+        entries.push_str(&format!(", {key} = {value}"));
+    }
+    format!("{{ {entries} }}")
 }
 
 /// On a crankshaft angles count from its own zero.

@@ -3,6 +3,7 @@
 mod catalogue;
 mod criteria;
 mod devices;
+mod drill;
 mod free_shaft;
 mod free_weight;
 mod ties;

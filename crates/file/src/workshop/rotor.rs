@@ -4,6 +4,7 @@ use crate::document::{Field, Section, Spot};
 use crate::read::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::angle;
+use lanchester_task::DRILL_POINT;
 use lanchester_task::workshop::{
     Action, Allowed, Detector, Drill, DrillDirection, PhaseConvention, Plane, Rotor, Sense, Sensor, Surface,
     Vibration, VibrationQuantity,
@@ -11,8 +12,6 @@ use lanchester_task::workshop::{
 use lanchester_units::Dimension;
 use std::f64::consts::{PI, TAU};
 
-/// Angle of the point of a common twist drill [deg] (ISO 235 leaves it to the maker; 118 deg is what shops stock).
-const DRILL_POINT: f64 = 118.0;
 const MOST_HOLES: i64 = 3;
 /// Step of tried angles where a whole range may be drilled [deg].
 const ANGLE_STEP: f64 = 5.0;

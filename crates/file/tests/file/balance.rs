@@ -456,3 +456,66 @@ proptest! {
         }
     }
 }
+
+const DRILLED: &str = "[balance]\n\
+     [[balance.counterweight]]\nthrow = 1\nangle = \"0 deg\"\n\
+     drill = { direction = \"radial\", radius = \"70 mm\", diameters = [\"12 mm\", \"10 mm\"], max_depth = \"30 mm\", density = \"7.85 g/cm3\" }\n\
+     [[balance.counterweight]]\nthrow = 2\nangle = \"180 deg\"\nradius = \"60 mm\"\n\
+     drill = { direction = \"axial\", radius = \"60 mm\", max_depth = \"20 mm\", depth_step = \"5 mm\", density = \"7.85 g/cm3\", slug_density = \"18 g/cm3\" }\n";
+
+#[test]
+fn holes_and_slugs_are_catalogues() {
+    let task = task("in-line-3", DRILLED);
+    let [hole, slug] = &task.weights[..] else { panic!("{task:?}") };
+    let drill = hole.drill.as_ref().expect("drills");
+    assert_eq!(drill.diameters, [0.01, 0.012]);
+    // By hand: 12 mm drill of 118 deg, 20 mm deep at 70 mm; point a/tan(59 deg).
+    let (a, h, r) = (0.006f64, 0.02, 0.07);
+    let c = a / 59f64.to_radians().tan();
+    let lever = r * h - h * h / 2.0 - a * a / 8.0 + c / 3.0 * (r - h - c / 4.0);
+    let want = 7850.0 * PI * a * a * lever;
+    let found = drill.hole(want).expect("it is among them");
+    assert!((found.diameter - 0.012).abs() < 1e-15 && (found.depth - h).abs() < 1e-12, "{found:?}");
+    assert!((found.unbalance / want - 1.0).abs() < 1e-12 && (found.tip - h - c).abs() < 1e-12);
+    // What an empty hole on the throw's side takes away is a weight opposite to the throw; a slug is one where it sits.
+    assert!(matches!(hole.phase, Phase::Direction(angle) if (angle - PI).abs() < 1e-12));
+    let (Phase::Direction(slugs), Some(slug_drill)) = (slug.phase, &slug.drill) else { panic!("{slug:?}") };
+    let throw = engine(template("in-line-3")).throws[1].angle;
+    assert!((slugs - throw - PI).sin().abs() < 1e-12 && (slugs - throw).cos() < 0.0, "{slugs}");
+    assert_eq!((slug_drill.diameters.len(), slug_drill.slug_density), (39, Some(18_000.0)));
+    let (a, h) = (0.01f64, 0.015);
+    let c = a / 59f64.to_radians().tan();
+    assert!(h + c > 0.02, "the tip of the largest drill would pass the depth");
+    for drill in [drill, slug_drill] {
+        assert!(drill.holes().iter().all(|hole| hole.tip <= drill.max_depth + 1e-12));
+    }
+    for weight in [hole, slug] {
+        let holes = weight.drill.as_ref().expect("drills").holes();
+        let amounts = holes.iter().map(|hole| hole.unbalance).collect();
+        assert_eq!(weight.catalogue, Some(Catalogue::Amounts(amounts)));
+        assert_eq!(weight.most, holes.last().map(|hole| hole.unbalance));
+    }
+}
+
+#[test]
+fn holes_that_cannot_be_are_refused() {
+    let all = "direction = \"radial\", radius = \"70 mm\", max_depth = \"30 mm\", density = \"7.85 g/cm3\"";
+    for (more, drill, code) in [
+        ("step = \"5 g\"", all.to_owned(), "E0203"),
+        ("radius = \"60 mm\"", all.to_owned(), "E0204"),
+        ("", all.replace("30 mm", "0.1 mm"), "E0305"),
+        ("", format!("{all}, slug_density = \"2.7 g/cm3\""), "E0305"),
+        ("", format!("{all}, point = \"200 deg\""), "E0108"),
+        ("", format!("{all}, diameters = []"), "E0206"),
+        ("", format!("{all}, depth_step = \"1 um\""), "E0004"),
+        ("", all.replace("direction = \"radial\", ", ""), "E0202"),
+        ("least = \"1 kg m\"", all.to_owned(), "E0305"),
+    ] {
+        let section =
+            format!("[balance]\n[[balance.counterweight]]\nthrow = 1\n{more}\ndrill = {{ {drill} }}\n");
+        let told = read(&format!("{}\n{section}", template("in-line-3"))).diagnostics;
+        let own = told.iter().find(|one| one.code == code);
+        let own = own.unwrap_or_else(|| panic!("{more} {drill}: {told:?}"));
+        assert!(own.hint.as_ref().is_some_and(|hint| !hint.is_empty()), "{own:?}");
+    }
+}

@@ -153,7 +153,7 @@ pub struct Drill {
 }
 
 /// Along which line a hole is drilled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DrillDirection {
     /// From the outside towards the axis.
@@ -163,7 +163,8 @@ pub enum DrillDirection {
 }
 
 /// Surface where a radial hole begins.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "DrilledSurface")]
 #[serde(rename_all = "kebab-case")]
 pub enum Surface {
     /// A cylinder about the axis; depth counts from its crown.

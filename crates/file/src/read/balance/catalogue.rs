@@ -24,7 +24,7 @@ impl<'a> Reader<'a> {
             (Field::Given(texts), _) | (_, Field::Given(texts)) => texts.value,
             (Field::Bad, _) | (_, Field::Bad) => return None,
             (Field::Absent, Field::Absent) => {
-                if section.has("equal_parts") {
+                if section.has("equal_parts") && !section.has("drill") {
                     let why = "equal parts have the same amount of their steps or of their list";
                     self.without_effect(
                         section,

@@ -1,13 +1,14 @@
 //! Weights to be found.
 
 use super::Reader;
+use super::drill;
 use super::ties::Follows;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Engine;
 use lanchester_model::angle;
 use lanchester_task::WHAT_FITS;
-use lanchester_task::{Catalogue, Cost, FreeWeight, Phase, Place, Seat};
+use lanchester_task::{Catalogue, Cost, DrillCatalogue, FreeWeight, Phase, Place, Seat};
 use lanchester_units::Dimension;
 
 /// Why a weight needs its largest amount.
@@ -49,6 +50,7 @@ pub(super) struct Properties {
     pub(super) optional: bool,
     radius: Option<f64>,
     catalogue: Option<Catalogue>,
+    drill: Option<DrillCatalogue>,
     pub(super) cost: Cost,
     equal_parts: Option<String>,
     pub(super) follows: Option<Follows>,
@@ -183,6 +185,7 @@ impl<'a> Reader<'a> {
             true => None,
             false => self.catalogue(section, radius.clone().given(), bounded),
         };
+        let drilled = self.drilled(section, bounded);
         let cost = self.cost(section, radius.clone().given());
         let equal_parts = match section.text("equal_parts") {
             Field::Given(name) => Some(name.value),
@@ -198,6 +201,10 @@ impl<'a> Reader<'a> {
         }
         let (follows, (least, most), optional) = (follows?, bounds?, optional?);
         let (catalogue, cost) = (catalogue?, cost?);
+        let (drill, catalogue) = match drilled? {
+            Some((drill, amounts)) => (Some(drill), Some(amounts)),
+            None => (None, catalogue),
+        };
         // A list is an end to what may be chosen.
         let most = most.or_else(|| catalogue.as_ref().and_then(Catalogue::largest));
         if let Some(follows) = &follows {
@@ -210,6 +217,7 @@ impl<'a> Reader<'a> {
                 "optional",
                 "step",
                 "catalogue",
+                "drill",
                 "equal_parts",
             ];
             for key in keys.into_iter().filter(|key| section.has(key)) {
@@ -236,6 +244,7 @@ impl<'a> Reader<'a> {
             optional,
             radius: radius.given(),
             catalogue,
+            drill,
             cost,
             equal_parts,
             follows,
@@ -319,7 +328,7 @@ impl<'a> Reader<'a> {
             least: draft.own.least,
             most: draft.own.most,
             fits: draft.own.fits,
-            phase: match draft.own.direction {
+            phase: match drill::of_weight(draft.own.direction, draft.own.drill.as_ref()) {
                 Phase::Free => Phase::Free,
                 Phase::Line(angle) => Phase::Line(turned(angle)),
                 Phase::Direction(angle) => Phase::Direction(turned(angle)),
@@ -328,6 +337,7 @@ impl<'a> Reader<'a> {
             radius: draft.own.radius,
             cost: draft.own.cost,
             catalogue: draft.own.catalogue.clone(),
+            drill: draft.own.drill.clone(),
             equal_parts: draft.own.equal_parts.clone(),
             ..FreeWeight::new(&draft.name, seat, z)
         })

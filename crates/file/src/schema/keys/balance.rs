@@ -5,7 +5,7 @@ use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use lanchester_task::WHAT_FITS;
-use lanchester_units::Dimension::{Angle, Inertia, Length, Speed, Unbalance};
+use lanchester_units::Dimension::{Angle, Density, Inertia, Length, Speed, Unbalance};
 
 /// Optional devices of a file: weights, shafts and their weights, inertias.
 const MOST_OPTIONAL: i64 = 1000;
@@ -182,6 +182,79 @@ const CATALOGUE: Key = key(
     "It is one of these, or left away: masses at `radius`, or unbalances.",
     "[\"120 g\", \"150 g\", \"180 g\"]",
 );
+const DRILL: Key = key(
+    "drill",
+    Kind::Table(&DRILLED),
+    Optional,
+    "Instead of `step` or `catalogue`: it is one drilled hole, or a slug of heavy metal in one, or left away. Its direction, where it is \
+     given, is that of the hole; the answer tells drill and depth.",
+    "{ direction = \"radial\", radius = \"60 mm\", max_depth = \"25 mm\", density = \"7.85 g/cm3\" }",
+);
+static DRILLED: Table = Table {
+    header: "drill",
+    doc: "Holes of which a weight is one. An empty hole is as a weight on the opposite side; a slug adds what it weighs beyond the metal that \
+          was drilled away.",
+    keys: &[
+        key(
+            "direction",
+            Kind::Choice(&["radial", "axial"]),
+            Required,
+            "Towards the axis, or parallel to it.",
+            "\"radial\"",
+        ),
+        key(
+            "surface",
+            Kind::Choice(&["round", "flat"]),
+            Optional,
+            "Where a radial hole begins: on a cylinder about the axis, depth counted from its crown, or on a flat; \
+             default \"round\".",
+            "\"flat\"",
+        ),
+        key(
+            "radius",
+            Kind::Quantity(Length, Positive),
+            Required,
+            "Radius of the surface that is drilled radially, or of the circle of axial holes.",
+            "\"60 mm\"",
+        ),
+        key(
+            "diameters",
+            Kind::Quantities(Length, Positive),
+            Optional,
+            "Diameters of the drills; default whole and half millimetres from 1 mm to 20 mm.",
+            "[\"8 mm\", \"10 mm\", \"12 mm\"]",
+        ),
+        key(
+            "max_depth",
+            Kind::Quantity(Length, Positive),
+            Required,
+            "Depth that the tip of the drill may reach.",
+            "\"25 mm\"",
+        ),
+        quantity(
+            "depth_step",
+            Length,
+            Positive,
+            "Depths to the end of the full diameter are multiples of this; default 1 mm.",
+            "\"0.5 mm\"",
+        ),
+        quantity("point", Angle, Positive, "Angle of the drill point; default 118 deg.", "\"118 deg\""),
+        key(
+            "density",
+            Kind::Quantity(Density, Positive),
+            Required,
+            "Density of what is drilled.",
+            "\"7.85 g/cm3\"",
+        ),
+        quantity(
+            "slug_density",
+            Density,
+            Positive,
+            "Density of the slug that fills the hole but for its point, flush with the surface; default none, an empty hole.",
+            "\"18 g/cm3\"",
+        ),
+    ],
+};
 const EQUAL_PARTS: Key = key(
     "equal_parts",
     Kind::Text(100),
@@ -284,6 +357,7 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
         RADIUS,
         STEP,
         CATALOGUE,
+        DRILL,
         EQUAL_PARTS,
         FIXED_COST,
         COST_PER_KG,
@@ -366,6 +440,7 @@ static FREE_SHAFT_WEIGHT: Table = Table {
         RADIUS,
         STEP,
         CATALOGUE,
+        DRILL,
         EQUAL_PARTS,
         FIXED_COST,
         COST_PER_KG,
