@@ -121,4 +121,6 @@ pub enum ConditionOption {
     B,
     /// Imposed speed, block on its mounts.
     C,
+    /// Free speed, block on its mounts, gas.
+    D,
 }

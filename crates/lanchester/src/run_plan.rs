@@ -81,7 +81,9 @@ pub(crate) fn plan(
         let (count, mains) = (input.main_stiffness.len(), train.rotors.first().map_or(0, |r| r.mains.len()));
         if count != mains {
             return Err(MultibodyError::Number {
-                quantity: format!("number of entries of `main_stiffness` in [simulation] for {mains} main bearings"),
+                quantity: format!(
+                    "number of entries of `main_stiffness` in [simulation] for {mains} main bearings"
+                ),
                 needed: "that of the main bearings of crankshaft 1",
                 got: count as f64,
             });

@@ -78,7 +78,8 @@ pub fn simulate_watched(
 ) -> Result<SimulationResult, CrossCheckError> {
     let input = engine.simulation.as_deref();
     let train = Train::new(engine, &rotor_inertia(engine))?;
-    let RunPlan { mut simulation, length, reference_speed: speed, mut notes } = plan(engine, &train, request)?;
+    let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
+        plan(engine, &train, request)?;
     let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
     let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
     let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);

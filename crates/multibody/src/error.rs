@@ -73,7 +73,9 @@ pub enum MultibodyError {
         missing: &'static str,
     },
     /// The run would take too long.
-    #[error("the run would take about {evaluations:.1e} evaluations and {samples:.1e} samples, more than {most_evaluations:.0e} or {most_samples:.0e}: make it shorter, take a larger sample step, or ask for a long run")]
+    #[error(
+        "the run would take about {evaluations:.1e} evaluations and {samples:.1e} samples, more than {most_evaluations:.0e} or {most_samples:.0e}: make it shorter, take a larger sample step, or ask for a long run"
+    )]
     TooLong {
         /// Estimate of the evaluations of the equations of motion.
         evaluations: f64,

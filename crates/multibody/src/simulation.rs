@@ -2,7 +2,8 @@
 
 use crate::reactions::Guidance;
 pub use lanchester_model::{
-    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter, TorqueOrder, When,
+    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter,
+    TorqueOrder, When,
 };
 use serde::Serialize;
 

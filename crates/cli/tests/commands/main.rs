@@ -22,6 +22,7 @@ mod search;
 mod search_limits;
 mod sensitivity;
 mod shaft_weights;
+mod simulate;
 mod studio;
 mod sweep;
 mod torque;

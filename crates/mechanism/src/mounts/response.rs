@@ -115,8 +115,9 @@ impl MountSystem {
                 self.rigid_share(load.into()).iter().map(|f| f.map(Complex64::from)).collect()
             } else {
                 let resonance = || MountError::Resonance { order: 1.0, speed: frequency };
-                let motion =
-                    self.solve(frequency, speed, &stiffness, &load.map(Complex64::from)).ok_or_else(resonance)?;
+                let motion = self
+                    .solve(frequency, speed, &stiffness, &load.map(Complex64::from))
+                    .ok_or_else(resonance)?;
                 let pairs = self.mounts.iter().zip(&stiffness);
                 pairs.map(|(m, stiffness)| m.force(frequency, stiffness, &motion).into()).collect()
             };

@@ -4,8 +4,8 @@ use super::{File, quantity};
 use crate::engine::Engine;
 use crate::quantity::{Dimension, exact_text};
 use crate::simulation::{
-    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength,
-    RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
+    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength, RunLoad,
+    SimulationInput, SpeedKind, StartOfBlock, Starter, When,
 };
 
 fn side(reacts_on: ReactsOn) -> &'static str {
@@ -77,7 +77,9 @@ impl File {
             self.entry("start", &format!("{{ {} }}", start.join(", ")));
         }
         match input.duration {
-            Some(RunLength::Revolutions(turns)) => self.entry("duration", &format!("\"{turns:?} revolutions\"")),
+            Some(RunLength::Revolutions(turns)) => {
+                self.entry("duration", &format!("\"{turns:?} revolutions\""))
+            }
             Some(RunLength::Time(time)) => self.entry("duration", &quantity(time, Dimension::Time)),
             Some(RunLength::Periodic) => self.entry("duration", "\"periodic\""),
             None => {}

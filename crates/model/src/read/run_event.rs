@@ -63,7 +63,8 @@ fn when_of(text: &str) -> Result<When, Refused> {
         return (turns >= 0.0).then_some(When::Angle(TAU * turns)).ok_or_else(refused);
     }
     let time = amount(text, Dimension::Time, Bound::NotNegative).map(When::Time);
-    time.or_else(|_| amount(text, Dimension::Angle, Bound::NotNegative).map(When::Angle)).map_err(|_| refused())
+    time.or_else(|_| amount(text, Dimension::Angle, Bound::NotNegative).map(When::Angle))
+        .map_err(|_| refused())
 }
 
 /// `misfire 3`, `fuel 0 %`, `load 120 N m`, `clutch open`, `stop`.
@@ -71,7 +72,8 @@ fn action_of(text: &str, cylinders: Option<usize>) -> Result<Action, Refused> {
     let refused = || {
         (
             format!("\"{text}\" is nothing that can happen in a run"),
-            "write \"misfire 3\", \"fuel 0 %\", \"load 120 N m\", \"load none\", \"clutch open\" or \"stop\"".to_string(),
+            "write \"misfire 3\", \"fuel 0 %\", \"load 120 N m\", \"load none\", \"clutch open\" or \"stop\""
+                .to_string(),
         )
     };
     match text {

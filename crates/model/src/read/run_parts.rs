@@ -161,7 +161,8 @@ impl<'a> Reader<'a> {
             let share = section.number(key).or(0.0)?;
             let fits = if key == "droop" { share < 1.0 } else { share <= 1.0 };
             if !fits {
-                let message = format!("`{key}` of a governor must lie between 0 and 100 %, got {} %", 100.0 * share);
+                let message =
+                    format!("`{key}` of a governor must lie between 0 and 100 %, got {} %", 100.0 * share);
                 self.mistakes.push(
                     Mistake::error("E0108", section.value_span(key), message)
                         .label("out of range")

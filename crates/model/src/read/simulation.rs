@@ -72,9 +72,11 @@ impl<'a> Reader<'a> {
         let of_start = |key: &str| start.map_or(Some(None), |start| optional(start.number(key)));
         let (start_speed, start_angle) = (of_start("speed"), of_start("angle"));
         let start_block = start.map_or(Some(None), |start| optional(start.word("block"))).map(|word| {
-            word.map(|word| {
-                if word == "as drawn" { StartOfBlock::AsDrawn } else { StartOfBlock::Equilibrium }
-            })
+            word.map(
+                |word| {
+                    if word == "as drawn" { StartOfBlock::AsDrawn } else { StartOfBlock::Equilibrium }
+                },
+            )
         });
         if let (Some(start), true) = (start.filter(|start| start.has("speed")), section.has("imposed")) {
             self.without_effect(start, "speed", "`imposed` gives the speed at every time", "leave it out");
@@ -234,7 +236,9 @@ impl<'a> Reader<'a> {
 fn duration(text: &str) -> Result<RunLength, (String, String)> {
     let refused = || {
         (
-            format!("`duration` needs a number of revolutions or a time above 0, or \"periodic\", got \"{text}\""),
+            format!(
+                "`duration` needs a number of revolutions or a time above 0, or \"periodic\", got \"{text}\""
+            ),
             "write it like \"10 revolutions\" or \"2 s\"".to_string(),
         )
     };
@@ -264,7 +268,9 @@ fn gravity(text: &str) -> Result<f64, (String, String)> {
             })
             .map_err(|_| {
                 (
-                    format!("`gravity` needs \"on\", \"off\" or an acceleration of 0 or more, got \"{text}\""),
+                    format!(
+                        "`gravity` needs \"on\", \"off\" or an acceleration of 0 or more, got \"{text}\""
+                    ),
                     "its direction is `gravity` of [block]".to_string(),
                 )
             }),

@@ -115,16 +115,16 @@ fn every_key_of_a_run_arrives() {
         input.events.iter().map(|event| (event.when, event.action.clone())).collect();
     assert_eq!(events[0], (When::Angle(3.0 * TAU), Action::Misfire(0)));
     assert_eq!(events[1], (When::Time(1.25), Action::Fuel(0.3)));
-    assert_eq!(
-        events[2],
-        (When::SpeedFalls(900.0 * (PI / 30.0)), Action::Load(LoadLaw::Constant(120.0)))
-    );
+    assert_eq!(events[2], (When::SpeedFalls(900.0 * (PI / 30.0)), Action::Load(LoadLaw::Constant(120.0))));
     assert_eq!(events[3], (When::SpeedRises(1200.0 * (PI / 30.0)), Action::ClutchOpen));
     assert_eq!(events[4], (When::Angle(7200.0 * (PI / 180.0)), Action::Stop));
     let load = input.load.as_ref().expect("a load");
     assert_eq!(load.law, LoadLaw::Quadratic { torque: 95.0, at: 2000.0 * (PI / 30.0) });
     assert_eq!(load.reacts_on, ReactsOn::Block);
-    assert_eq!(input.starter.map(|s| (s.stall_torque, s.ratio, s.reacts_on)), Some((12.0, 10.0, ReactsOn::Block)));
+    assert_eq!(
+        input.starter.map(|s| (s.stall_torque, s.ratio, s.reacts_on)),
+        Some((12.0, 10.0, ReactsOn::Block))
+    );
     assert_eq!(input.driveline.iter().map(|link| link.ratio).collect::<Vec<_>>(), [1.0, -0.5]);
     assert_eq!((input.driveline[1].stiffness, input.piston_damping), (800.0, Some(20.0)));
     assert_eq!(engine.shafts[0].inertia, Some(0.0008));
@@ -169,9 +169,18 @@ fn mistakes_of_a_run_are_told() {
         ("[simulation]\ntorque = [{ order = 1 }]\n", "E0202"),
         ("[load]\ntype = \"power\"\npower = \"3 kW\"\n", "E0202"),
         ("[load]\ntype = \"constant\"\ntorque = \"3 N m\"\nat = \"100 rpm\"\n", "E0204"),
-        ("[load]\ntype = \"table\"\ntable = [{ speed = \"1 rpm\", torque = \"1 N m\" }, { angle = \"1 deg\", torque = \"1 N m\" }]\n", "E1703"),
-        ("[load]\ntype = \"table\"\ntable = [{ speed = \"2 rpm\", torque = \"1 N m\" }, { speed = \"1 rpm\", torque = \"1 N m\" }]\n", "E1703"),
-        ("[starter]\nstall_torque = \"1 N m\"\nfree_speed = \"1000 rpm\"\nratio = 10\nuntil = \"200 rpm\"\n", "E1703"),
+        (
+            "[load]\ntype = \"table\"\ntable = [{ speed = \"1 rpm\", torque = \"1 N m\" }, { angle = \"1 deg\", torque = \"1 N m\" }]\n",
+            "E1703",
+        ),
+        (
+            "[load]\ntype = \"table\"\ntable = [{ speed = \"2 rpm\", torque = \"1 N m\" }, { speed = \"1 rpm\", torque = \"1 N m\" }]\n",
+            "E1703",
+        ),
+        (
+            "[starter]\nstall_torque = \"1 N m\"\nfree_speed = \"1000 rpm\"\nratio = 10\nuntil = \"200 rpm\"\n",
+            "E1703",
+        ),
         ("[governor]\nspeed = \"900 rpm\"\ngain = \"0.1 1/rpm\"\ndelay = \"20 ms\"\n", "E0204"),
         ("[[driveline]]\ninertia = \"1 kg m2\"\nstiffness = \"1 N m/rad\"\nratio = 0\n", "E0110"),
         ("[[driveline]]\ninertia = \"1 kg m2\"\nstiffness = \"1 N/m\"\n", "E0103"),

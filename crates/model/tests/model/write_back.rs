@@ -65,7 +65,14 @@ fn every_template_takes_other_weights_and_shafts() {
             let weights =
                 vec![ShaftWeight::new(-0.05, 0.0123456789012, 2.0), ShaftWeight::new(0.05, 0.01, 0.0)];
             let ratio = Ratio::new(-1, 2).expect("no 0");
-            fitted.shafts.push(BalanceShaft { name: "new".into(), ratio, x: 0.1, y: -0.2, weights, inertia: None });
+            fitted.shafts.push(BalanceShaft {
+                name: "new".into(),
+                ratio,
+                x: 0.1,
+                y: -0.2,
+                weights,
+                inertia: None,
+            });
             if let Err(problem) = check(&text, &fitted) {
                 panic!("{name} in dress {dress}: {problem}");
             }
