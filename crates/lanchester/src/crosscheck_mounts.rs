@@ -244,7 +244,12 @@ fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders
         if mean <= 0.0 && run == Run::Free {
             return Ok(None);
         }
-        simulation.load = Load { law: LoadLaw::Constant(mean), reacts_on: ReactsOn::Block };
+        // Dampers of the mounts take power from a free engine: a load that falls with the speed leaves it a speed near the one wanted.
+        let law = match run {
+            Run::Free => LoadLaw::Viscous { torque: mean, at: pair.speed },
+            _ => LoadLaw::Constant(mean),
+        };
+        simulation.load = Load { law, reacts_on: ReactsOn::Block };
     }
     let found = train.periodic(&simulation, given.as_ref().map(|given| given as &dyn GasPressure))?;
     let Some(block) = engine.block.as_ref().filter(|_| found.residual < 1e-8) else { return Ok(None) };

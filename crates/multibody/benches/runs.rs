@@ -1,9 +1,7 @@
 //! How long a run takes: ten revolutions at free speed, tolerance 1e-9, of a single and a V6 with a sealed gas; with every reaction, on mounts, and the periodic motion.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_model::*;
-use lanchester_multibody::{
-    BlockMotion, GasPressure, LoadLaw, RotorInertia, Simulation, Train,
-};
+use lanchester_multibody::{BlockMotion, GasPressure, LoadLaw, RotorInertia, Simulation, Train};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -74,7 +72,9 @@ fn runs(c: &mut Criterion) {
         let run = |simulation: &Simulation| train.run(black_box(simulation), Some(&Sealed));
         group.bench_function(format!("{name}, trajectory"), |b| b.iter(|| run(&plain)));
         group.bench_function(format!("{name}, reactions at every degree"), |b| b.iter(|| run(&sampled)));
-        group.bench_function(format!("{name}, on mounts, reactions at every degree"), |b| b.iter(|| run(&on_mounts)));
+        group.bench_function(format!("{name}, on mounts, reactions at every degree"), |b| {
+            b.iter(|| run(&on_mounts))
+        });
         if name == "V6" {
             let quiet = Simulation { reactions: false, ..on_mounts.clone() };
             group.sample_size(10);

@@ -58,7 +58,9 @@ impl Condition {
             Condition::LikeForLike => "imposed speed, fixed block, no gravity",
             Condition::FreeSpeed => "free speed, fixed block, constant load torque",
             Condition::MovingBlock => "imposed speed, block on its mounts",
-            Condition::AllFree => "free speed, block on its mounts, constant load on the block",
+            Condition::AllFree => {
+                "free speed, block on its mounts, load on the block in proportion to the speed"
+            }
         }
     }
 }
