@@ -29,12 +29,16 @@ fn cell(csv: &str, column: &str, row: usize) -> f64 {
 #[test]
 fn a_start_of_the_generator_set_is_told() {
     let folder = example("simulate-start", SET, same);
-    let text = output(&folder, 0, &["simulate", "engine.toml", "--for", "1.2 s"]);
+    let text = output(&folder, 0, &["simulate", "engine.toml", "--for", "1.2 s", "--figures", "figures"]);
+    for figure in ["speed", "torque", "orbit", "mount-forces", "energy"] {
+        let svg = fs::read_to_string(folder.join(format!("figures/simulated-{figure}.svg"))).unwrap();
+        assert!(svg.starts_with("<svg") && !svg.contains("NaN"), "{figure}");
+    }
     for words in [
         "Generator set of three cylinders, simulated as rigid bodies",
         "Run: complete. It ends after 1.2000 s",
         "the starter lets go",
-        "Event 1 (load 40 N m) never came.",
+        "Event 3 (load 40 N m) never came.",
         "Speed in the last period",
         "Block in the last period",
         "Mounts in the last period",
@@ -43,6 +47,19 @@ fn a_start_of_the_generator_set_is_told() {
         "Audit: energy",
     ] {
         assert!(text.contains(words), "{words}: {text}");
+    }
+}
+
+/// A file that describes a run has it in its report, with its own start and events.
+#[test]
+fn the_report_has_the_run_of_the_file() {
+    let folder =
+        example("simulate-report", SET, |text| text.replace("duration = \"24 s\"", "duration = \"1 s\""));
+    let page = output(&folder, 0, &["report", "engine.toml", "--output", "-"]);
+    for words in
+        ["<h2>Simulated</h2>", "It ends after 1.0000 s", "the starter lets go", "Where the energy goes"]
+    {
+        assert!(page.contains(words), "{words}");
     }
 }
 
