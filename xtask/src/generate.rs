@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 18] = [
+const WRITTEN: [Written; 20] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -94,6 +94,8 @@ const WRITTEN: [Written; 18] = [
         arguments: &V6_SEARCH,
         figure: Some("layout-front.svg"),
     },
+    simulated("docs/src/images/simulated-speed.svg", "simulated-speed.svg"),
+    simulated("docs/src/images/simulated-energy.svg", "simulated-energy.svg"),
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
     story("docs/src/images/balanced-three.svg", "three.toml"),
     story("docs/src/images/balanced-v6.svg", "v6.toml"),
@@ -114,6 +116,12 @@ const BLIND_V8: [&str; 5] = blind_to("crates/file/templates/v8-crossplane.toml")
 /// Force, couple and then the least weights: the main bearings are not asked.
 const fn blind_to(engine: &'static str) -> [&'static str; 5] {
     ["balance", engine, "--minimise=force", "--minimise=couple", "--minimise=added unbalance"]
+}
+
+/// The story of the guide's page on simulation.
+const fn simulated(file: &'static str, figure: &'static str) -> Written {
+    const STORY: [&str; 2] = ["simulate", "examples/generator-set-3.toml"];
+    Written { file, head: "", input: None, arguments: &STORY, figure: Some(figure) }
 }
 
 /// The optimum of an engine of the guide's page on balancing.

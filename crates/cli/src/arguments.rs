@@ -108,7 +108,7 @@ pub enum Command {
     #[command(
         after_help = "Examples:\n  lanchester simulate four.toml\n  lanchester simulate four.toml --for '2 s' --speed '800 rpm' --load '20 N m'\n  \
                             lanchester simulate four.toml --until periodic --speed '1500 rpm' --block mounts\n  \
-                            lanchester simulate four.toml --speed '1200 rpm' --misfire 2\n  \
+                            lanchester simulate four.toml --speed '1200 rpm' --misfire 2 --figures figures\n  \
                             lanchester simulate four.toml --imposed --format csv --table reactions > reactions.csv\n\n\
                             Exit status 1: the run was not completed; what it came to is printed."
     )]

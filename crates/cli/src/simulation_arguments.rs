@@ -52,6 +52,9 @@ pub struct SimulateArguments {
     /// Let it take as long as it takes: no bound on evaluations and samples.
     #[arg(long)]
     pub long: bool,
+    /// Write every figure as an SVG file into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
     /// Table written with `--format csv`; default: trace.
     #[arg(long, value_enum, requires = "format")]
     pub table: Option<SimulationTable>,
@@ -121,4 +124,6 @@ pub enum ConditionOption {
     B,
     /// Imposed speed, block on its mounts.
     C,
+    /// Free speed, block on its mounts, gas.
+    D,
 }

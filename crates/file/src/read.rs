@@ -181,6 +181,7 @@ impl<'a> Reader<'a> {
             envelope: envelope?,
             gas: gas?,
             friction: friction?,
+            simulation: simulation?.map(Box::new),
             flywheel: flywheel?,
             bearings: bearings?,
         };
@@ -214,7 +215,6 @@ impl<'a> Reader<'a> {
         let balance = self.balance_task(balance?, &engine, origin)?;
         let tasks = Tasks {
             shape_task: shape_task?,
-            simulation: simulation?.map(Box::new),
             tolerances,
             shaft_weight_task: shaft_weight_task?,
             balance,

@@ -132,6 +132,7 @@ impl Pair<'_> {
             Condition::LikeForLike => Ok(self.like_for_like()?),
             Condition::FreeSpeed => self.free_speed()?,
             Condition::MovingBlock => crate::crosscheck_mounts::moving_block(self)?,
+            Condition::AllFree => crate::crosscheck_mounts::all_free(self)?,
         };
         let (rows, not_applicable) = match found {
             Ok(rows) => (rows, None),
@@ -141,7 +142,11 @@ impl Pair<'_> {
     }
 
     /// Reactions of the simulation at `theta`, speed imposed, block fixed.
-    fn reactions(&self, theta: f64, shares: &[[Option<lanchester_multibody::MainShares>; 3]]) -> Reactions {
+    pub(crate) fn reactions(
+        &self,
+        theta: f64,
+        shares: &[[Option<lanchester_multibody::MainShares>; 3]],
+    ) -> Reactions {
         let forces: Vec<f64> = (0..self.train.cylinders.len())
             .map(|index| {
                 let own = self.train.own_angle(index, theta);
@@ -252,22 +257,41 @@ impl Pair<'_> {
 
     /// Condition B: the speed over the cycle against the energy integral; or why it does not apply.
     fn free_speed(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
-        let Some(gas) = self.gas else {
+        let input = self.engine.simulation.as_deref();
+        let torque = input.map(|input| input.torque.clone()).unwrap_or_default();
+        if self.gas.is_none() && torque.is_empty() {
             return Ok(Err("the file has no [gas] that could drive the engine".into()));
-        };
-        let ripple = match speed_ripple(self.engine, Some(gas), self.speed, known_inertia(self.engine))? {
+        }
+        let ripple = match speed_ripple(self.engine, self.gas, self.speed, known_inertia(self.engine))? {
             RippleOutcome::Periodic(ripple) => ripple,
             RippleOutcome::IncompleteInertia(missing) => return Ok(Err(missing.reason)),
             RippleOutcome::Stops(stopped) => return Ok(Err(stopped.reason)),
         };
         let count = ripple.theta.len();
         let mut simulation = Simulation::free(ripple.speed[0], ripple.period / TAU);
-        simulation.load.law = LoadLaw::Constant(ripple.load);
+        simulation.torque = torque;
+        simulation.load.law = match input.and_then(|input| input.load.as_ref()).map(|load| &load.law) {
+            // What the table varies, about the mean of the torques.
+            Some(LoadLaw::Angle { period, points })
+                if input.is_some_and(|input| input.driveline.is_empty()) =>
+            {
+                let next = points.iter().cycle().skip(1);
+                let areas = points.iter().zip(next).map(|(a, b)| {
+                    let width = if points.len() == 1 { *period } else { (b[0] - a[0]).rem_euclid(*period) };
+                    0.5 * (a[1] + b[1]) * width
+                });
+                let mean = areas.sum::<f64>() / period;
+                let points = points.iter().map(|[at, torque]| [*at, torque - mean + ripple.load]).collect();
+                LoadLaw::Angle { period: *period, points }
+            }
+            _ => LoadLaw::Constant(ripple.load),
+        };
         simulation.step = ripple.period / count as f64;
         simulation.tolerance = STEPS;
         simulation.reactions = true;
-        let given = GivenGas::new(gas);
-        let run = self.train.run(&simulation, Some(&given))?;
+        let given = self.gas.map(GivenGas::new);
+        let gas = given.as_ref().map(|given| given as &dyn lanchester_multibody::GasPressure);
+        let run = self.train.run(&simulation, gas)?;
         if run.outcome != RunOutcome::Complete {
             return Ok(Err("the simulated engine does not come through its cycle".into()));
         }
@@ -276,50 +300,7 @@ impl Pair<'_> {
         let largest = |speeds: &[f64]| speeds.iter().copied().fold(0.0, f64::max);
         let values = [largest(&ripple.speed), largest(&run.samples.speed[..count]), off, self.speed];
         let mut rows = vec![CrossRow::held("speed", "rad/s", None, values, FREE_SPEED)];
-        // Loads at the block then differ from those at constant speed.
-        let shares = Vec::new();
-        let mut differs = [[0.0f64; 3]; 2];
-        for (theta, free) in run.samples.theta.iter().zip(&run.samples.reactions) {
-            let constant = self.reactions(*theta, &shares);
-            let pairs = [
-                [
-                    Complex64::new(free.on_block.force[0], free.on_block.force[1]),
-                    Complex64::new(constant.on_block.force[0], constant.on_block.force[1]),
-                ],
-                [
-                    Complex64::new(free.on_block.moment[2], 0.0),
-                    Complex64::new(constant.on_block.moment[2], 0.0),
-                ],
-            ];
-            for (kind, [free, constant]) in pairs.into_iter().enumerate() {
-                let [closed, multibody, off] = &mut differs[kind];
-                *closed = closed.max(constant.norm());
-                *multibody = multibody.max(free.norm());
-                *off = off.max((free - constant).norm());
-            }
-        }
-        for ((name, unit), [closed_form, multibody, difference]) in
-            [("force", "N"), ("roll moment", "N m")].into_iter().zip(differs)
-        {
-            let share = number(ripple.fluctuation);
-            rows.push(CrossRow {
-                quantity: name.into(),
-                unit: unit.into(),
-                order: None,
-                closed_form,
-                multibody,
-                difference,
-                scale: closed_form.max(f64::MIN_POSITIVE),
-                bar: None,
-                verdict: lanchester_report::CrossVerdict::DiffersAsItMust,
-                reason: Some(format!("the speed fluctuates by {share} of its mean: loads of inertia go with its square, and the flywheel takes torque")),
-            });
-        }
+        rows.extend(crate::crosscheck_ripple::load_rows(self, &ripple, &run)?);
         Ok(Ok(rows))
     }
-}
-
-/// A share for a reason.
-fn number(share: f64) -> String {
-    format!("{:.2} %", 100.0 * share)
 }

@@ -1,22 +1,25 @@
-//! Condition C: the block on its mounts at imposed speed, linear response against the simulated motion.
+//! Conditions C and D: the block on its mounts, the linear response of the closed form against the simulated motion.
 //!
-//! The linear model of `mounts` lets a block of constant inertia swing under the loads that it would feel at rest. The simulated motion differs by three causes:
+//! The linear model of `mounts` lets a block of constant inertia swing under the loads that it would feel at rest. It counts
 //!
 //! ```text
 //! (1) SUM rho J w Omega x z       gyroscopic couple of the rotors
 //! (2) I_zz - SUM rho J            the drive turns the rotors on while the block rolls: their polar inertia does not follow it
-//! (3)                             pistons, rods and unbalances move within the block
 //! ```
-//! With (1) and (2) in the linear model too, what is left goes with the moving mass: halved, it halves. Inertia loads alone are compared: the mean torque of
-//! gas would lean the block, which a linear model about the place of the file leaves out.
+//! and leaves out that pistons, rods and unbalances move within the block: what that changes goes with the moving mass, and halves with it. With gas the mean
+//! torque is taken by a load on the block, so that it does not lean; the loads of the gas do not halve with the masses, so that no ratio is held.
 
 use crate::crosscheck::{CrossCheckError, Pair, rotor_inertia};
 use crate::crosscheck_orders::order_of;
-use lanchester_mechanism::{MountSystem, OrderLoads, inertia_excitations};
-use lanchester_model::{Block, Engine, EngineParts, MountSpring, MovingParts};
-use lanchester_multibody::{BlockMotion, Motion, Simulation, Train};
+use crate::simulated_gas::GivenGas;
+use crate::torque_report::known_inertia;
+use lanchester_mechanism::{
+    GasTrain, Lever, MountSystem, inertia_excitations, merged_orders, rotor_inertia_about_z,
+};
+use lanchester_model::{Block, Engine, EngineParts, MovingParts};
+use lanchester_multibody::{BlockMotion, GasPressure, Load, LoadLaw, Motion, ReactsOn, Simulation, Train};
 use lanchester_report::{CrossRow, CrossVerdict};
-use nalgebra::{Matrix6, Rotation3, Vector3, Vector6};
+use nalgebra::{Rotation3, Vector3};
 use num_complex::Complex64;
 
 /// Orders of the comparison: beyond, a block on its mounts hardly moves.
@@ -28,81 +31,147 @@ const RATIO: f64 = 0.02;
 /// Below this share nothing is left that could be halved.
 const NOTHING: f64 = 1e-8;
 
+/// Orders below this share of the largest are not listed.
+const LISTED: f64 = 1e-3;
+
 /// Motion of the block's centre [m] and rotation [rad], one amplitude an order.
 type Orders = Vec<(f64, [Complex64; 6])>;
 
+/// Kinds of motion: name, unit, first component.
+const KINDS: [(&str, &str, usize); 2] =
+    [("translation of the block's centre", "m", 0), ("rotation of the block", "rad", 3)];
+
+/// Why neither C nor D applies, if they do not.
+fn cannot_move(pair: &Pair<'_>) -> Option<String> {
+    if let Some(reason) = &pair.train.fixed_because {
+        return Some(reason.clone());
+    }
+    let mount = pair.train.mounts.iter().find(|mount| mount.frequency_dependent)?;
+    let reason = "has a loss factor or a table over frequency, which has no exact form in time";
+    Some(format!("mount `{}` {reason}", mount.name))
+}
+
 /// Rows of condition C, or why it does not apply.
 pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
-    if let Some(reason) = &pair.train.fixed_because {
-        return Ok(Err(reason.clone()));
-    }
-    if let Some(mount) = pair.train.mounts.iter().find(|mount| mount.frequency_dependent) {
-        let reason = "has a loss factor or a table over frequency, which has no exact form in time";
-        return Ok(Err(format!("mount `{}` {reason}", mount.name)));
+    if let Some(reason) = cannot_move(pair) {
+        return Ok(Err(reason));
     }
     let Some(whole) = with_whole_block(pair.engine) else {
         return Ok(Err("its mounts leave a motion free".into()));
     };
-    let (Some(found), Some(plain), Some(both)) =
-        (simulated(pair, &whole)?, linear(pair, &whole, false)?, linear(pair, &whole, true)?)
-    else {
+    let (Some(found), Some(plain), Some(both)) = (
+        simulated(pair, &whole, Run::Imposed)?,
+        linear(pair, &whole, false, false)?,
+        linear(pair, &whole, true, false)?,
+    ) else {
         return Ok(Err("no periodic motion was found".into()));
     };
     let half = halved(&whole);
-    let (Some(half_found), Some(half_both)) = (simulated(pair, &half)?, linear(pair, &half, true)?) else {
+    let (Some(half_found), Some(half_both)) =
+        (simulated(pair, &half, Run::Imposed)?, linear(pair, &half, true, false)?)
+    else {
         return Ok(Err("no periodic motion was found with half the moving mass".into()));
     };
-    let mut rows = Vec::new();
-    for (place, (name, unit)) in [("translation", "m"), ("rotation", "rad")].into_iter().enumerate() {
-        let size = |motion: &[Complex64; 6]| {
-            motion[3 * place..3 * place + 3].iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt()
-        };
-        let scale = found.iter().map(|(_, motion)| size(motion)).fold(f64::MIN_POSITIVE, f64::max);
-        for ((order, ours), (_, theirs)) in found.iter().zip(&plain) {
-            let difference = size(&std::array::from_fn(|k| ours[k] - theirs[k]));
-            if size(ours).max(size(theirs)) < 1e-3 * scale {
-                continue;
-            }
-            rows.push(CrossRow {
-                quantity: format!("{name} of the block's centre"),
-                unit: unit.into(),
-                order: Some(*order),
-                closed_form: size(theirs),
-                multibody: size(ours),
-                difference,
-                scale,
-                bar: None,
-                verdict: CrossVerdict::DiffersAsItMust,
-                reason: Some("gyroscopic couple of the rotors, roll of their inertia, moving masses".into()),
-            });
-        }
-    }
+    let mut rows = motion_rows("", &both, &found, |_, _| "moving masses".into());
     let (left, half_left) = (off(&both, &found), off(&half_both, &half_found));
-    let without = off(&plain, &found);
     rows.push(CrossRow {
-        quantity: "motion, with the rotors' gyroscopic couple and inertia in the linear model".into(),
+        quantity: "motion, largest difference; without what the rotors do in the closed form".into(),
         unit: "share".into(),
         order: None,
-        closed_form: without,
+        closed_form: off(&plain, &found),
         multibody: left,
         difference: left,
         scale: 1.0,
         bar: None,
         verdict: CrossVerdict::DiffersAsItMust,
-        reason: Some("moving masses: the first number is the difference without these two causes".into()),
+        reason: Some("the first number is without the gyroscopic couple and the roll of the rotors, the second with them".into()),
     });
     if left > NOTHING {
         let ratio = left / half_left;
         let values = [2.0, ratio, (ratio - 2.0).abs(), 2.0];
-        rows.push(CrossRow::held(
-            "what is left, over that of half the moving mass",
-            "1",
-            None,
-            values,
-            RATIO,
-        ));
+        let name = "what is left, over that of half the moving mass";
+        rows.push(CrossRow::held(name, "1", None, values, RATIO));
+    }
+    if pair.gas.is_some()
+        && let (Some(found), Some(both)) =
+            (simulated(pair, &whole, Run::ImposedWithGas)?, linear(pair, &whole, true, true)?)
+    {
+        rows.extend(motion_rows(", with gas", &both, &found, |_, _| "moving masses".into()));
     }
     Ok(Ok(rows))
+}
+
+/// Rows of condition D, or why it does not apply.
+pub(crate) fn all_free(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
+    if let Some(reason) = cannot_move(pair) {
+        return Ok(Err(reason));
+    }
+    if pair.gas.is_none() {
+        return Ok(Err("the file has no [gas] that could drive the engine".into()));
+    }
+    if let Some(rotor) = pair.train.rotors.first().filter(|rotor| !rotor.known) {
+        return Ok(Err(format!("the moment of inertia of {} is not known", rotor.name)));
+    }
+    let Some(whole) = with_whole_block(pair.engine) else {
+        return Ok(Err("its mounts leave a motion free".into()));
+    };
+    let (Some(free), Some(imposed), Some(both)) = (
+        simulated(pair, &whole, Run::Free)?,
+        simulated(pair, &whole, Run::ImposedWithGas)?,
+        linear(pair, &whole, true, true)?,
+    ) else {
+        return Ok(Err("no periodic motion was found".into()));
+    };
+    // The part of C, and what is left: the free speed.
+    Ok(Ok(motion_rows("", &both, &free, |index, from| {
+        let size = |a: &[Complex64; 6], b: &[Complex64; 6]| {
+            (from..from + 3).map(|k| (a[k] - b[k]).norm_sqr()).sum::<f64>().sqrt()
+        };
+        let scale = largest(&free, from);
+        let masses = size(&imposed[index].1, &both[index].1) / scale;
+        let speed = size(&free[index].1, &imposed[index].1) / scale;
+        format!("moving masses {masses:.1e} (C), free speed {speed:.1e} (B)")
+    })))
+}
+
+/// Largest amplitude of three components over all orders.
+fn largest(orders: &Orders, from: usize) -> f64 {
+    let size =
+        |motion: &[Complex64; 6]| motion[from..from + 3].iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt();
+    orders.iter().map(|(_, motion)| size(motion)).fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// Rows of every order of two motions that is not small; `reason` of an order by its place and first component.
+fn motion_rows(
+    what: &str,
+    closed: &Orders,
+    found: &Orders,
+    reason: impl Fn(usize, usize) -> String,
+) -> Vec<CrossRow> {
+    let mut rows = Vec::new();
+    for (name, unit, from) in KINDS {
+        let size =
+            |motion: &[Complex64; 6]| motion[from..from + 3].iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt();
+        let scale = largest(found, from);
+        for (index, ((order, ours), (_, theirs))) in found.iter().zip(closed).enumerate() {
+            if size(ours).max(size(theirs)) < LISTED * scale {
+                continue;
+            }
+            rows.push(CrossRow {
+                quantity: format!("{name}{what}"),
+                unit: unit.into(),
+                order: Some(*order),
+                closed_form: size(theirs),
+                multibody: size(ours),
+                difference: size(&std::array::from_fn(|k| ours[k] - theirs[k])),
+                scale,
+                bar: None,
+                verdict: CrossVerdict::DiffersAsItMust,
+                reason: Some(reason(index, from)),
+            });
+        }
+    }
+    rows
 }
 
 /// Largest difference of two motions, translations over the largest translation and rotations over the largest rotation.
@@ -153,11 +222,39 @@ fn halved(engine: &Engine) -> Engine {
     engine.with(halve).expect("invariant: half of a mass is a mass")
 }
 
+/// What is simulated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Run {
+    /// Imposed speed, inertia alone.
+    Imposed,
+    /// Imposed speed, gas.
+    ImposedWithGas,
+    /// Free speed, gas.
+    Free,
+}
+
 /// The periodic motion of the simulation by order; `None` where there is none.
-fn simulated(pair: &Pair<'_>, engine: &Engine) -> Result<Option<Orders>, CrossCheckError> {
+fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders>, CrossCheckError> {
     let train = Train::new(engine, &rotor_inertia(engine))?;
-    let simulation = Simulation { block: BlockMotion::Mounts, ..Simulation::imposed(pair.speed, 1.0) };
-    let found = train.periodic(&simulation, None)?;
+    let mut simulation = match run {
+        Run::Free => Simulation::free(pair.speed, 1.0),
+        _ => Simulation::imposed(pair.speed, 1.0),
+    };
+    simulation.block = BlockMotion::Mounts;
+    let given = pair.gas.filter(|_| run != Run::Imposed).map(GivenGas::new);
+    if let (Some(gas), Some(_)) = (pair.gas, &given) {
+        let mean = GasTrain::new(engine, gas, Lever::Exact)?.mean_torques().iter().sum::<f64>();
+        if mean <= 0.0 && run == Run::Free {
+            return Ok(None);
+        }
+        // Dampers of the mounts take power from a free engine: a load that falls with the speed leaves it a speed near the one wanted.
+        let law = match run {
+            Run::Free => LoadLaw::Viscous { torque: mean, at: pair.speed },
+            _ => LoadLaw::Constant(mean),
+        };
+        simulation.load = Load { law, reacts_on: ReactsOn::Block };
+    }
+    let found = train.periodic(&simulation, given.as_ref().map(|given| given as &dyn GasPressure))?;
     let Some(block) = engine.block.as_ref().filter(|_| found.residual < 1e-8) else { return Ok(None) };
     let centre = Vector3::from(block.centre);
     let samples = &found.run.samples;
@@ -178,63 +275,29 @@ fn simulated(pair: &Pair<'_>, engine: &Engine) -> Result<Option<Orders>, CrossCh
     Ok(Some(orders.collect()))
 }
 
-/// The linear response by order, with the rotors' two causes where asked for; `None` where a mount has no spring.
-fn linear(pair: &Pair<'_>, engine: &Engine, rotors: bool) -> Result<Option<Orders>, CrossCheckError> {
-    let Some(block) = &engine.block else { return Ok(None) };
-    let train = Train::new(engine, &rotor_inertia(engine))?;
-    let Ok(excitations) = inertia_excitations(engine, &[pair.speed], ORDERS) else { return Ok(None) };
-    let loads: Vec<OrderLoads> = excitations.into_iter().flat_map(|excitation| excitation.orders).collect();
-    let mut mass = Matrix6::zeros();
-    let tensor = block.tensor();
-    for i in 0..3 {
-        mass[(i, i)] = block.mass;
-        for j in 0..3 {
-            mass[(3 + i, 3 + j)] = tensor[i][j];
-        }
-    }
-    let (mut stiffness, mut damping) = (Matrix6::zeros(), Matrix6::zeros());
-    if rotors {
-        let turning: f64 = train.rotors.iter().map(|rotor| rotor.ratio * rotor.inertia).sum();
-        mass[(5, 5)] -= turning;
-        damping[(3, 4)] += turning * pair.speed;
-        damping[(4, 3)] -= turning * pair.speed;
-    }
-    let springs: Vec<(&lanchester_model::Mount, &MountSpring)> =
-        engine.mounts.iter().filter_map(|mount| Some((mount, mount.spring.as_ref()?))).collect();
-    let centre = Vector3::from(block.centre);
-    for (mount, spring) in springs {
-        let from_centre = Vector3::new(mount.x, mount.y, mount.z) - centre;
-        for (k, axis) in spring.axes.iter().enumerate() {
-            let axis = Vector3::from(*axis);
-            let turn = from_centre.cross(&axis);
-            let along = Vector6::new(axis.x, axis.y, axis.z, turn.x, turn.y, turn.z);
-            stiffness += spring.stiffness[k] * along * along.transpose();
-            damping += spring.damping[k] * along * along.transpose();
-        }
-    }
-    let response = |k: u32| {
-        let order = f64::from(k) / f64::from(train.revolutions);
-        let own = loads.iter().find(|loads| (loads.order - order).abs() < 1e-9);
-        let w = order * pair.speed;
-        let matrix = Matrix6::from_fn(|a, b| {
-            Complex64::new(stiffness[(a, b)] - w * w * mass[(a, b)], w * damping[(a, b)])
-        });
-        let load = own.map_or(Vector6::zeros(), |loads| about(loads, centre));
-        let motion =
-            matrix.lu().solve(&load).unwrap_or_else(|| Vector6::from_element(Complex64::new(f64::NAN, 0.0)));
-        (order, std::array::from_fn(|c| motion[c]))
+/// The response of `mounts` by order, with what the rotors do and with gas where asked for; `None` where there is none.
+fn linear(
+    pair: &Pair<'_>,
+    engine: &Engine,
+    rotors: bool,
+    with_gas: bool,
+) -> Result<Option<Orders>, CrossCheckError> {
+    let (Ok(system), Ok(mut excitations)) =
+        (MountSystem::new(engine), inertia_excitations(engine, &[pair.speed], ORDERS))
+    else {
+        return Ok(None);
     };
-    Ok(Some((1..=ORDERS * train.revolutions).map(response).collect()))
-}
-
-/// Force and moment about `centre` as complex amplitudes.
-fn about(loads: &OrderLoads, centre: Vector3<f64>) -> Vector6<Complex64> {
-    let parts = |forward: Complex64, backward: Complex64| {
-        let back = backward.conj();
-        [forward + back, -Complex64::I * (forward - back)]
+    if let (Some(gas), true, Some(excitation)) = (pair.gas, with_gas, excitations.first_mut()) {
+        let gas = GasTrain::new(engine, gas, Lever::Exact)?.orders(ORDERS);
+        excitation.orders = merged_orders(&excitation.orders, &gas);
+    }
+    let about_z = rotor_inertia_about_z(engine, known_inertia(engine).crankshaft);
+    let system = system.with_rotors(if rotors { about_z } else { 0.0 });
+    let Ok(response) = system.response(&excitations) else { return Ok(None) };
+    let all = |k: u32| {
+        let order = f64::from(k) / f64::from(pair.train.revolutions);
+        let own = response.speeds[0].orders.iter().find(|own| (own.order - order).abs() < 1e-9);
+        (order, own.map_or([Complex64::ZERO; 6], |own| own.motion))
     };
-    let [x, y] = parts(loads.force_forward, loads.force_backward);
-    let [mx, my] = parts(loads.couple_forward, loads.couple_backward);
-    let roll = loads.roll_moment - centre.x * y + centre.y * x;
-    Vector6::new(x, y, Complex64::ZERO, mx + centre.z * y, my - centre.z * x, roll)
+    Ok(Some((1..=ORDERS * pair.train.revolutions).map(all).collect()))
 }

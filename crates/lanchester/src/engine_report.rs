@@ -14,7 +14,7 @@ use lanchester_model::Engine;
 use lanchester_report::{
     CrankshaftInput, Figure, OptimumInput, Provenance, ReportInput, bearings_section_figures,
     consequence_figures, figures, internal_figures, mount_figures, optimum_figures, report,
-    torque_section_figures,
+    simulation_figures, torque_section_figures,
 };
 use lanchester_task::Tasks;
 
@@ -89,6 +89,7 @@ impl<'a> EngineReport<'a> {
             torque: self.running.torque_input(),
             bearings: self.running.bearings_input(self.engine),
             mounts: self.running.mounts.as_ref(),
+            simulation: self.running.simulation.as_ref(),
             provenance,
             warnings: &self.warnings,
         }
@@ -115,6 +116,7 @@ impl<'a> EngineReport<'a> {
         all.extend(
             self.running.mounts.as_ref().map_or_else(Vec::new, |study| mount_figures(self.engine, study)),
         );
+        all.extend(self.running.simulation.as_ref().map_or_else(Vec::new, simulation_figures));
         all
     }
 }

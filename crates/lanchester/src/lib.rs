@@ -28,6 +28,7 @@ mod crankshaft_parts;
 mod crosscheck;
 mod crosscheck_mounts;
 mod crosscheck_orders;
+mod crosscheck_ripple;
 mod cycle_results;
 mod engine_report;
 mod layout_search;

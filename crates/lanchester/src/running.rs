@@ -2,13 +2,14 @@
 
 use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::TraceFile;
+use crate::simulation::{SimulateRequest, simulate};
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_sizes, bearing_study, power_speeds,
     torque_report,
 };
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
-use lanchester_report::{BearingsInput, TorqueInput};
+use lanchester_report::{BearingsInput, SimulationResult, TorqueInput};
 
 /// Speeds and highest order of the section on mounts.
 const MOUNT_SPEEDS: usize = 31;
@@ -26,13 +27,15 @@ pub struct Running {
     pub bearings: Option<BearingStudy>,
     /// The block on its mounts.
     pub mounts: Option<MountStudy>,
+    /// The run in time that the file describes.
+    pub simulation: Option<SimulationResult>,
     /// What was left out and why, and what the results warn of.
     pub warnings: Vec<String>,
 }
 
 /// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
 pub fn is_running(engine: &Engine) -> bool {
-    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs()
+    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs() || engine.simulation.is_some()
 }
 
 /// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; `traces`: the pressures, or why they cannot be
@@ -56,7 +59,11 @@ pub fn running(engine: &Engine, traces: Result<&[TraceFile], String>, speed: f64
             mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(traces), &[])
                 .map_err(|error| error.to_string())
         });
-    Running { torque, bearings, mounts, warnings }
+    let simulation =
+        section(engine.simulation.is_some(), "the simulated run is", &traces, &mut warnings, |traces| {
+            simulate(engine, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
+        });
+    Running { torque, bearings, mounts, simulation, warnings }
 }
 
 impl Running {

@@ -47,23 +47,13 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None };
     Engine::new(EngineParts {
         name: "bench".into(),
-        note: None,
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: 400.0, highest: 400.0 },
         crankshafts: vec![crankshaft],
         throws,
         cylinders,
-        counterweights: Vec::new(),
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
-        envelope: None,
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
+        ..EngineParts::default()
     })
     .unwrap()
 }

@@ -16,12 +16,13 @@ use crate::energy::{Breaks, STRETCHES};
 use crate::extremes::grid_extremes;
 use crate::gas::CylinderGas;
 use crate::gas_train::GasTrain;
-use crate::request::LoadError;
+use crate::outer_torque::OuterTorque;
+use crate::request::{LoadError, MAX_REVOLUTIONS};
 use crate::result::{Extreme, Extremes};
 use crate::ripple_outcome::{KnownInertia, RippleOutcome, STOPPED};
 use crate::torque_request::{Lever, TorqueError, TorqueRequest};
 use crate::train::{Mechanism, period};
-use lanchester_model::{Engine, RodJoint};
+use lanchester_model::{Engine, RodJoint, greatest_common_divisor};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -66,7 +67,7 @@ pub struct SpeedRipple {
     pub version: u32,
     /// Mean speed [rad/s]: angle over time.
     pub mean_speed: f64,
-    /// Torque of the load [N m], the mean of the gas.
+    /// Mean torque of the load [N m]: that of the gas and of the torque over the angle that the file gives.
     pub load: f64,
     /// Period [rad] of crankshaft 1.
     pub period: f64,
@@ -232,22 +233,35 @@ struct RippleGrid {
 }
 
 impl RippleGrid {
-    fn new(train: &KineticTrain, gas: Option<&GasTrain>, speed: f64) -> RippleGrid {
-        let revolutions = gas.map_or(train.revolutions, |gas| gas.revolutions);
+    fn new(
+        train: &KineticTrain,
+        gas: Option<&GasTrain>,
+        outer: &OuterTorque,
+        speed: f64,
+    ) -> Result<RippleGrid, LoadError> {
+        let own = gas.map_or(train.revolutions, |gas| gas.revolutions);
+        let revolutions = own / greatest_common_divisor(own, outer.revolutions) * outer.revolutions;
+        if revolutions > MAX_REVOLUTIONS {
+            let quantity = "revolutions after which all torques repeat";
+            return Err(LoadError::Request { quantity, needed: "at most 120", got: f64::from(revolutions) });
+        }
         let period = TAU * f64::from(revolutions);
         let count = SAMPLES * revolutions as usize;
         let theta: Vec<f64> = (0..count).map(|j| period * j as f64 / count as f64).collect();
-        let load = gas.map_or(0.0, |gas| gas.mean_torques().iter().sum::<f64>());
+        let load = gas.map_or(0.0, |gas| gas.mean_torques().iter().sum::<f64>()) + outer.mean();
         let parts = STRETCHES * revolutions as usize;
-        let breaks = gas.map_or_else(|| Breaks::new(period, std::iter::empty(), parts), GasTrain::breaks);
-        let of_gas = |theta: f64| gas.map_or(0.0, |gas| gas.torque(theta)) - load;
+        let of_gas = gas.map(|gas| gas.breaks().angles().to_vec()).unwrap_or_default();
+        let turns = (0..revolutions / own).map(|turn| TAU * f64::from(turn * own));
+        let jumps = turns.flat_map(|turn| of_gas.iter().map(move |angle| angle + turn));
+        let breaks = Breaks::new(period, jumps.chain(outer.kinks(revolutions)), parts);
+        let of_gas = |theta: f64| gas.map_or(0.0, |gas| gas.torque(theta)) + outer.torque(theta) - load;
         let work = breaks.accumulated_at(&theta, of_gas);
         let square = speed * speed;
         let total = |theta: f64| of_gas(theta) + load + square * train.mechanism.shaft_torque(theta);
         let excess = breaks.sample(total).energy(load).excess;
         let drive = theta.iter().map(|theta| of_gas(*theta)).collect();
         let braked = theta.iter().map(|theta| train.mechanism.shaft_torque(*theta)).collect();
-        RippleGrid {
+        Ok(RippleGrid {
             period,
             theta,
             drive,
@@ -255,7 +269,7 @@ impl RippleGrid {
             work: work.into_iter().map(|w| 2.0 * w).collect(),
             load,
             excess,
-        }
+        })
     }
 
     /// Inertia at the grid with a flywheel [kg m^2] beside `without`; `None` where nothing turns.
@@ -342,7 +356,7 @@ pub fn speed_ripple(
     if !missing.is_empty() {
         return Ok(RippleOutcome::incomplete(speed, missing));
     }
-    let grid = RippleGrid::new(&train, gas.as_ref(), speed);
+    let grid = RippleGrid::new(&train, gas.as_ref(), &OuterTorque::of(engine)?, speed)?;
     let inertia = inertia_over(&train, &grid.theta);
     if inertia.extremes.min.value <= 0.0 {
         let got = inertia.extremes.min.value;
@@ -417,7 +431,7 @@ pub fn flywheel_need(
     check_speed(speed)?;
     let train = KineticTrain::new(engine, TurningInertia { flywheel: 0.0, ..known.known() })?;
     let gas = gas.map(|gas| GasTrain::new(engine, gas, Lever::Exact)).transpose()?;
-    let grid = RippleGrid::new(&train, gas.as_ref(), speed);
+    let grid = RippleGrid::new(&train, gas.as_ref(), &OuterTorque::of(engine)?, speed)?;
     let own = inertia_over(&train, &grid.theta);
     let by_formula = grid.excess / (fluctuation * speed * speed);
     let keeps = |flywheel: f64| {

@@ -32,6 +32,7 @@ mod main_orders;
 mod motion;
 mod mounts;
 mod orders;
+mod outer_torque;
 mod peaks;
 mod point;
 mod power_curve;

@@ -8,6 +8,7 @@ mod equilibrium;
 mod error;
 mod firing;
 mod gas_pressure;
+mod kinks;
 mod loads;
 mod main_rules;
 mod motion;

@@ -66,6 +66,8 @@ impl Layout {
 pub(crate) struct Conditions {
     /// Share of the fired part of the gas, by cylinder.
     pub fired: Vec<f64>,
+    /// Cylinders that fire no more, whatever the fuel.
+    pub misfires: Vec<bool>,
     pub load: LoadLaw,
     pub starter: bool,
     pub clutch_open: bool,

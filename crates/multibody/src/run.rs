@@ -5,13 +5,12 @@
 use crate::audit::Auditor;
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
+use crate::kinks::kinks;
 use crate::powered::{Conditions, Layout, Powered, Torques, WORKS};
 use crate::reactions::Instant;
 use crate::run_check::check;
 use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
-use crate::simulation::{
-    Action, BlockMotion, BlockStart, Drive, Duration, LoadLaw, Simulation, When, load_torque,
-};
+use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque};
 use crate::train::Train;
 use lanchester_numerics::{Dop853, Outcome, Settings, Step, System};
 use std::f64::consts::TAU;
@@ -22,6 +21,9 @@ const FAST: [f64; 2] = [5.0, 6.0];
 
 /// Revolutions of one piece over the angle, which bounds the list of kinks.
 const PIECE: f64 = 32.0 * TAU;
+
+/// Times [s] and angles [rad] closer than this are one moment.
+const SAME_MOMENT: f64 = 1e-11;
 
 /// Most pieces of a run: events, halts and kinks at low speed.
 const MOST_PIECES: usize = 1_000_000;
@@ -197,6 +199,7 @@ impl<'a> Runner<'a> {
                 layout,
                 conditions: Conditions {
                     fired: vec![1.0; train.cylinders.len()],
+                    misfires: vec![false; train.cylinders.len()],
                     load: simulation.load.law.clone(),
                     starter: simulation.starter.is_some(),
                     clutch_open: false,
@@ -288,6 +291,9 @@ impl<'a> Runner<'a> {
     /// Runs to the end, showing what is kept after each piece.
     pub fn go(&mut self, mut show: impl FnMut(&mut Runner<'a>, &mut Vec<Kept>)) -> RunOutcome {
         let mut kept: Vec<Kept> = Vec::new();
+        if let Some(end) = self.happen(None) {
+            return end;
+        }
         for _ in 0..MOST_PIECES {
             if self.rests_for_good() {
                 return self.at_rest();
@@ -524,23 +530,42 @@ impl<'a> Runner<'a> {
                 self.halt(true);
                 None
             }
-            Mark::Event(index) => {
-                self.pending[index] = false;
-                self.note(Occasion::Event { index });
-                self.act(index)
+            Mark::Event(index) => self.happen(Some(self.powered.simulation.events[index].when)),
+        }
+    }
+
+    /// All that happens at `when`, or whose time or angle has come, in the order of the list.
+    fn happen(&mut self, when: Option<When>) -> Option<RunOutcome> {
+        let simulation = self.powered.simulation;
+        for (index, event) in simulation.events.iter().enumerate() {
+            let has_come = match event.when {
+                When::Time(time) => self.time >= time - SAME_MOMENT,
+                When::Angle(angle) => self.state[0] >= simulation.start_angle + angle - SAME_MOMENT,
+                When::SpeedRises(_) | When::SpeedFalls(_) => false,
+            };
+            if !self.pending[index] || !(has_come || when == Some(event.when)) {
+                continue;
+            }
+            self.pending[index] = false;
+            self.note(Occasion::Event { index });
+            if let Some(end) = self.act(index) {
+                return Some(end);
             }
         }
+        None
     }
 
     fn act(&mut self, index: usize) -> Option<RunOutcome> {
         let conditions = &mut self.powered.conditions;
         match self.powered.simulation.events[index].action.clone() {
-            Action::Misfire(cylinder) => conditions.fired[cylinder] = 0.0,
+            Action::Misfire(cylinder) => conditions.misfires[cylinder] = true,
             Action::Fuel(share) => conditions.fired.fill(share),
             Action::Load(law) => conditions.load = law,
             Action::ClutchOpen => conditions.clutch_open = true,
             Action::Stop => return Some(RunOutcome::Stopped),
         }
+        let failed = conditions.fired.iter_mut().zip(&conditions.misfires).filter(|(_, misfires)| **misfires);
+        failed.for_each(|(fired, _)| *fired = 0.0);
         None
     }
 
@@ -630,41 +655,6 @@ impl Watch {
             other => other,
         }
     }
-}
-
-/// Crank angles within one period at which pressures and load have kinks, rising.
-fn kinks(train: &Train, gas: Option<&dyn GasPressure>, simulation: &Simulation, period: f64) -> Vec<f64> {
-    let mut all = Vec::new();
-    // Behind a driveline the load's angle is not the crank's: its kinks are left to the control of the steps.
-    if let (LoadLaw::Angle { period: own, points }, true) =
-        (&simulation.load.law, simulation.driveline.is_empty())
-    {
-        let whole = (period / own).round();
-        if (period / own - whole).abs() < 1e-9 {
-            for point in points {
-                all.extend((0..whole as u32).map(|turn| point[0] + own * f64::from(turn)));
-            }
-        }
-    }
-    for (gas, (index, cylinder)) in
-        gas.iter().flat_map(|gas| train.cylinders.iter().enumerate().map(move |cylinder| (gas, cylinder)))
-    {
-        let ratio = train.ratio(index).abs();
-        let cycles = (period * ratio / gas.cycle()).round().max(1.0) as usize;
-        for kink in gas.kinks(index) {
-            for cycle in 0..cycles {
-                let theta =
-                    cylinder.firing_angle.unwrap_or(0.0) + (kink + gas.cycle() * cycle as f64) / ratio;
-                all.push(theta.rem_euclid(period));
-            }
-        }
-    }
-    all.sort_by(f64::total_cmp);
-    all.dedup_by(|later, kept| *later - *kept < 1e-9);
-    if all.len() > 1 && all[0] + period - all[all.len() - 1] < 1e-9 {
-        all.pop();
-    }
-    all
 }
 
 impl Runner<'_> {

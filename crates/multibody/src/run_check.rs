@@ -3,6 +3,7 @@
 use crate::error::MultibodyError;
 use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation};
 use crate::train::Train;
+use nalgebra::{Matrix3, Matrix3x6, Matrix6, Vector3};
 use std::f64::consts::TAU;
 
 /// Most inertias of a driveline and events of a list.
@@ -110,6 +111,9 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
                         mount.name
                     ),
                 }),
+                None if leaves_free(train) => {
+                    Err(MultibodyError::NoMounts { missing: "its mounts leave a motion of it free".into() })
+                }
                 None => Ok(()),
             },
         },
@@ -134,6 +138,27 @@ fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyE
         return Ok(());
     }
     Err(MultibodyError::TooLong { evaluations, samples, most_evaluations, most_samples })
+}
+
+/// Stiffness below this share of the largest counts as none, with turns measured at the mounts.
+const NOT_HELD: f64 = 1e-9;
+
+/// Whether a small motion of the block moves no mount where it is stiff.
+fn leaves_free(train: &Train) -> bool {
+    let count = train.mounts.len() as f64;
+    let middle = train.mounts.iter().map(|mount| mount.at).sum::<Vector3<f64>>() / count;
+    let reach = train.mounts.iter().map(|mount| (mount.at - middle).norm()).fold(0.0, f64::max);
+    let unit = if reach > 0.0 { reach } else { 1.0 };
+    let mut stiffness = Matrix6::<f64>::zeros();
+    for mount in &train.mounts {
+        // Displacement of the mount's point for a shift of the middle and a turn about it.
+        let mut moved = Matrix3x6::zeros();
+        moved.fixed_view_mut::<3, 3>(0, 0).copy_from(&Matrix3::identity());
+        moved.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-(mount.at - middle).cross_matrix() / unit));
+        stiffness += moved.transpose() * mount.stiffness * moved;
+    }
+    let values = stiffness.symmetric_eigenvalues();
+    values.min() <= NOT_HELD * values.max()
 }
 
 fn number(quantity: &str, needed: &'static str, got: f64, fits: bool) -> Result<(), MultibodyError> {

@@ -43,6 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         torque: None,
         bearings: None,
         mounts: None,
+        simulation: None,
         provenance: &provenance,
         warnings: &warnings,
     });

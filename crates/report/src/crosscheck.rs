@@ -33,11 +33,14 @@ pub enum Condition {
     FreeSpeed,
     /// Imposed speed, block on its mounts.
     MovingBlock,
+    /// Free speed, block on its mounts, gas.
+    AllFree,
 }
 
 impl Condition {
     /// All of them.
-    pub const ALL: [Condition; 3] = [Condition::LikeForLike, Condition::FreeSpeed, Condition::MovingBlock];
+    pub const ALL: [Condition; 4] =
+        [Condition::LikeForLike, Condition::FreeSpeed, Condition::MovingBlock, Condition::AllFree];
 
     /// Its letter.
     pub fn letter(self) -> &'static str {
@@ -45,6 +48,7 @@ impl Condition {
             Condition::LikeForLike => "A",
             Condition::FreeSpeed => "B",
             Condition::MovingBlock => "C",
+            Condition::AllFree => "D",
         }
     }
 
@@ -53,7 +57,10 @@ impl Condition {
         match self {
             Condition::LikeForLike => "imposed speed, fixed block, no gravity",
             Condition::FreeSpeed => "free speed, fixed block, constant load torque",
-            Condition::MovingBlock => "imposed speed, block on its mounts, inertia alone",
+            Condition::MovingBlock => "imposed speed, block on its mounts",
+            Condition::AllFree => {
+                "free speed, block on its mounts, load on the block in proportion to the speed"
+            }
         }
     }
 }

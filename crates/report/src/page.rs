@@ -15,6 +15,8 @@ use crate::mount_text::mount_remarks;
 use crate::number;
 use crate::optimum_section::{OptimumInput, OptimumSection};
 use crate::over_angle;
+use crate::simulation::SimulationResult;
+use crate::simulation_section::SimulationSection;
 use crate::speed_table::speed_table;
 use crate::svg::escape;
 use crate::table::{Table, push_rich};
@@ -55,6 +57,8 @@ pub struct ReportInput<'a> {
     pub bearings: Option<BearingsInput<'a>>,
     /// The block on its mounts; `None` where the file does not give it.
     pub mounts: Option<&'a MountStudy>,
+    /// The run in time that the file describes; `None` where it describes none.
+    pub simulation: Option<&'a SimulationResult>,
     /// What made the report.
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
@@ -91,6 +95,7 @@ struct Page<'a> {
     torque: Option<SectionHtml>,
     bearings: Option<SectionHtml>,
     mounts: Option<MountsHtml>,
+    simulation: Option<SectionHtml>,
     bending_curves: String,
     bending_tables: String,
     motion_curves: String,
@@ -212,6 +217,10 @@ pub fn report(input: &ReportInput<'_>) -> String {
         torque: torque.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 2)),
         bearings: bearings.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 0)),
         mounts: mounts.map(|study| MountsHtml::of(engine, study)),
+        simulation: input
+            .simulation
+            .map(SimulationSection::of)
+            .map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 1)),
         bending_curves: figures_html(&internal_figures(engine, internal)),
         bending_tables: bending_tables(engine, internal),
         motion_curves: figures_html(gallery.motion.as_slice()),

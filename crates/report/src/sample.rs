@@ -40,7 +40,6 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
     };
     Engine::new(EngineParts {
         name: format!("Sample of {count}"),
-        note: None,
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: 418.879, highest: 418.879 },
@@ -64,15 +63,6 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
                 part: None,
             })
             .collect(),
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
-        envelope: None,
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
     })
     .expect("the parts of an engine")
 }

@@ -50,7 +50,7 @@ pub struct PeriodicResult {
 
 impl SimulationResult {
     /// Samples of the last whole period, or all where there is none.
-    fn last_period(&self) -> std::ops::Range<usize> {
+    pub(crate) fn last_period(&self) -> std::ops::Range<usize> {
         let theta = &self.run.samples.theta;
         let Some(end) = theta.last() else { return 0..0 };
         let from = end - TAU * f64::from(self.revolutions) - 1e-9;
@@ -130,23 +130,17 @@ fn table(id: &'static str, title: &str, note: &str, columns: Vec<Column>, rows: 
     Table { id, title: title.into(), note: note.into(), remark: String::new(), columns, rows }
 }
 
-/// Everything as plain text.
-pub fn simulation_text(result: &SimulationResult) -> String {
+/// How the run ended, what was chosen for it, and what its audits say: a paragraph each.
+pub(crate) fn simulation_words(result: &SimulationResult) -> Vec<String> {
     let run = &result.run;
-    let gas = result.gas.as_ref().map_or("no gas".to_owned(), |gas| format!("gas: {gas}"));
-    let mut out = format!("{}, simulated as rigid bodies, {gas}\n\n", result.engine);
     let [time, theta, speed] = run.end;
-    push_wrapped(
-        &mut out,
-        "",
-        &format!(
-            "Run: {}. It ends after {} s at {} revolutions and {} rpm.",
-            outcome_words(&run.outcome),
-            number::short(time, 5),
-            number::short(theta / TAU, 6),
-            number::short(number::rpm(speed), 6)
-        ),
-    );
+    let mut all = vec![format!(
+        "Run: {}. It ends after {} s at {} revolutions and {} rpm.",
+        outcome_words(&run.outcome),
+        number::short(time, 5),
+        number::short(theta / TAU, 6),
+        number::short(number::rpm(speed), 6)
+    )];
     if let Some(periodic) = &result.periodic {
         let largest = periodic.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
         let found = match periodic.outcome {
@@ -155,22 +149,57 @@ pub fn simulation_text(result: &SimulationResult) -> String {
             PeriodicOutcome::Unstable => "unstable",
             PeriodicOutcome::NotFound => "not found: the last trial is shown, which does not close",
         };
-        push_wrapped(
-            &mut out,
-            "",
-            &format!(
-                "Periodic motion: {found}; largest multiplier {largest:.6}, residual {:.1e} after {} iterations.",
-                periodic.residual, periodic.iterations
-            ),
-        );
+        all.push(format!(
+            "Periodic motion: {found}; largest multiplier {largest:.6}, residual {:.1e} after {} iterations.",
+            periodic.residual, periodic.iterations
+        ));
     }
-    for note in &result.notes {
-        push_wrapped(&mut out, "", note);
+    all.extend(result.notes.iter().cloned());
+    all
+}
+
+/// What the run must keep, and what it cost.
+pub(crate) fn audit_words(run: &Run) -> String {
+    let audit = &run.audit;
+    format!(
+        "Audit: energy {:.1e} of its throughput, loops {:.1e} m, quaternion {:.1e}. Cost: {} steps, {} rejected, {} evaluations.",
+        audit.energy, audit.loops, audit.quaternion, run.cost.steps, run.cost.rejected, run.cost.evaluations
+    )
+}
+
+/// Everything as plain text.
+pub fn simulation_text(result: &SimulationResult) -> String {
+    let gas = result.gas.as_ref().map_or("no gas".to_owned(), |gas| format!("gas: {gas}"));
+    let mut out = format!("{}, simulated as rigid bodies, {gas}\n\n", result.engine);
+    for words in simulation_words(result) {
+        push_wrapped(&mut out, "", &words);
     }
+    for table in simulation_tables(result) {
+        out.push('\n');
+        out.push_str(&table.text());
+    }
+    out.push('\n');
+    push_wrapped(&mut out, "", &audit_words(&result.run));
+    out
+}
+
+/// Speed, block, mounts, mains, energy, events.
+pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
+    let mut tables = vec![speed_table(result)];
+    tables.extend(block_tables(result));
+    tables.extend(mains_table(result));
+    tables.push(energy_table(&result.run));
+    if !result.run.events.is_empty() {
+        tables.push(events_table(result));
+    }
+    tables
+}
+
+fn speed_table(result: &SimulationResult) -> Table {
     let [most, least, mean] = result.speeds();
     let rpm = |speed: f64| Cell::number(number::rpm(speed), 7);
     let fluctuation = Cell::number(100.0 * (most - least) / mean, 4);
-    let speeds = table(
+    table(
         "simulated-speed",
         "Speed in the last period",
         "",
@@ -181,112 +210,75 @@ pub fn simulation_text(result: &SimulationResult) -> String {
             words("fluctuation", "%"),
         ],
         vec![vec![rpm(mean), rpm(most), rpm(least), fluctuation]],
-    );
-    out.push('\n');
-    out.push_str(&speeds.text());
-    if !run.samples.position.is_empty() {
-        let range = result.last_period();
-        let mut rows = Vec::new();
-        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            let extremes = |values: Vec<f64>| {
-                let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-                let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-                [most, least]
-            };
-            let [most, least] =
-                extremes(run.samples.position[range.clone()].iter().map(|p| 1e3 * p[k]).collect());
-            let turn = run.samples.orientation[range.clone()].iter().map(|q| 2e3 * q[k + 1] * q[0].signum());
-            let [turned, back] = extremes(turn.collect());
-            rows.push(vec![
-                Cell::text(axis),
-                Cell::number(least, 5),
-                Cell::number(most, 5),
-                Cell::number(most - least, 4),
-                Cell::number(turned - back, 4),
-            ]);
-        }
-        let columns = vec![
-            words("axis", ""),
-            words("least", "mm"),
-            words("most", "mm"),
-            words("orbit", "mm"),
-            words("turn", "mrad"),
-        ];
-        out.push('\n');
-        out.push_str(
-            &table(
-                "simulated-block",
-                "Block in the last period: its origin, and its turn about each axis",
-                "",
-                columns,
-                rows,
-            )
-            .text(),
-        );
-        let largest = |mount: usize| {
-            let forces = run.samples.mounts[range.clone()].iter().filter_map(|at| at.get(mount));
-            forces.map(|f| f.iter().map(|c| c * c).sum::<f64>().sqrt()).fold(0.0, f64::max)
-        };
-        let rows = result
-            .mounts
-            .iter()
-            .enumerate()
-            .map(|(k, name)| vec![Cell::text(name), Cell::number(largest(k), 5)]);
-        if !result.mounts.is_empty() {
-            let columns = vec![words("mount", ""), words("largest force", "N")];
-            out.push('\n');
-            out.push_str(
-                &table("simulated-mounts", "Mounts in the last period", "", columns, rows.collect()).text(),
-            );
-        }
+    )
+}
+
+/// The block and its mounts, where it moves.
+fn block_tables(result: &SimulationResult) -> Vec<Table> {
+    let run = &result.run;
+    if run.samples.position.is_empty() {
+        return Vec::new();
     }
+    let range = result.last_period();
+    let extremes = |values: Vec<f64>| {
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        [most, least]
+    };
+    let row = |(k, axis): (usize, &str)| {
+        let [most, least] =
+            extremes(run.samples.position[range.clone()].iter().map(|p| 1e3 * p[k]).collect());
+        let turn = run.samples.orientation[range.clone()].iter().map(|q| 2e3 * q[k + 1] * q[0].signum());
+        let [turned, back] = extremes(turn.collect());
+        vec![
+            Cell::text(axis),
+            Cell::number(least, 5),
+            Cell::number(most, 5),
+            Cell::number(most - least, 4),
+            Cell::number(turned - back, 4),
+        ]
+    };
+    let columns = vec![
+        words("axis", ""),
+        words("least", "mm"),
+        words("most", "mm"),
+        words("orbit", "mm"),
+        words("turn", "mrad"),
+    ];
+    let title = "Block in the last period: its origin, and its turn about each axis";
+    let rows = ["x", "y", "z"].into_iter().enumerate().map(row).collect();
+    let mut tables = vec![table("simulated-block", title, "", columns, rows)];
+    let largest = |mount: usize| {
+        let forces = run.samples.mounts[range.clone()].iter().filter_map(|at| at.get(mount));
+        forces.map(|f| f.iter().map(|c| c * c).sum::<f64>().sqrt()).fold(0.0, f64::max)
+    };
+    if !result.mounts.is_empty() {
+        let rows = result.mounts.iter().enumerate();
+        let rows = rows.map(|(k, name)| vec![Cell::text(name), Cell::number(largest(k), 5)]);
+        let columns = vec![words("mount", ""), words("largest force", "N")];
+        tables.push(table("simulated-mounts", "Mounts in the last period", "", columns, rows.collect()));
+    }
+    tables
+}
+
+fn mains_table(result: &SimulationResult) -> Option<Table> {
     let mains = result.mains();
-    if !run.samples.reactions.is_empty() && !mains.is_empty() {
-        let rows = mains.into_iter().map(|(shaft, main, z, loads)| {
-            let [low, high] = [f64::min, f64::max].map(|pick| loads.into_iter().reduce(pick).unwrap_or(0.0));
-            let mut row = vec![Cell::text(format!("{shaft}.{main}")), Cell::number(1e3 * z, 4)];
-            row.extend(loads.map(|load| Cell::number(load, 5)));
-            row.push(Cell::number(high - low, 3));
-            row
-        });
-        let mut columns = vec![words("main", ""), words("z", "mm")];
-        columns.extend(MainRule::ALL.map(|rule| words(rule.name(), "N")));
-        columns.push(words("spread", "N"));
-        let note = "Rigid bodies leave the loads of more than two bearings open: each rule is one answer, their spread is what is not known.";
-        out.push('\n');
-        out.push_str(
-            &table(
-                "simulated-mains",
-                "Main bearings: largest load over the run by three rules",
-                note,
-                columns,
-                rows.collect(),
-            )
-            .text(),
-        );
+    if result.run.samples.reactions.is_empty() || mains.is_empty() {
+        return None;
     }
-    out.push('\n');
-    out.push_str(&energy_table(run).text());
-    if !run.events.is_empty() {
-        out.push('\n');
-        out.push_str(&events_table(result).text());
-    }
-    out.push('\n');
-    let audit = &run.audit;
-    push_wrapped(
-        &mut out,
-        "",
-        &format!(
-            "Audit: energy {:.1e} of its throughput, loops {:.1e} m, quaternion {:.1e}. Cost: {} steps, {} rejected, {} evaluations.",
-            audit.energy,
-            audit.loops,
-            audit.quaternion,
-            run.cost.steps,
-            run.cost.rejected,
-            run.cost.evaluations
-        ),
-    );
-    out
+    let rows = mains.into_iter().map(|(shaft, main, z, loads)| {
+        let [low, high] = [f64::min, f64::max].map(|pick| loads.into_iter().reduce(pick).unwrap_or(0.0));
+        let mut row = vec![Cell::text(format!("{shaft}.{main}")), Cell::number(1e3 * z, 4)];
+        row.extend(loads.map(|load| Cell::number(load, 5)));
+        row.push(Cell::number(high - low, 3));
+        row
+    });
+    let mut columns = vec![words("main", ""), words("z", "mm")];
+    columns.extend(MainRule::ALL.map(|rule| words(rule.name(), "N")));
+    columns.push(words("spread", "N"));
+    let note = "Rigid bodies leave the loads of more than two bearings open: each rule is one answer, their spread is what is not known.";
+    let title = "Main bearings: largest load over the run by three rules";
+    Some(table("simulated-mains", title, note, columns, rows.collect()))
 }
 
 /// The energy ledger.

@@ -35,7 +35,6 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
     });
     Engine::new(EngineParts {
         name: "sample".to_owned(),
-        note: None,
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: 418.879, highest: 418.879 },
@@ -49,16 +48,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         }],
         throws: throws.collect(),
         cylinders: cylinders.collect(),
-        counterweights: Vec::new(),
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
-        envelope: None,
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
+        ..EngineParts::default()
     })
     .expect("the parts of an engine")
 }

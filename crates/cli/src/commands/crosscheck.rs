@@ -22,6 +22,7 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
         ConditionOption::A => Condition::LikeForLike,
         ConditionOption::B => Condition::FreeSpeed,
         ConditionOption::C => Condition::MovingBlock,
+        ConditionOption::D => Condition::AllFree,
     });
     let request = CrossCheckRequest {
         speed,

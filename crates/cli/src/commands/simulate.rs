@@ -1,6 +1,6 @@
 //! `lanchester simulate`: the rigid crank train in time.
 
-use crate::commands::{json, open};
+use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
@@ -9,8 +9,8 @@ use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
-    simulation_energy_csv, simulation_events_csv, simulation_reactions_csv, simulation_text,
-    simulation_trace_csv,
+    simulation_energy_csv, simulation_events_csv, simulation_figures, simulation_reactions_csv,
+    simulation_text, simulation_trace_csv,
 };
 use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate_watched};
@@ -32,14 +32,17 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         }
         request.misfire.push(number - 1);
     }
-    let in_file = opened.file.tasks.simulation.as_ref().and_then(|input| input.gas);
+    let in_file = opened.file.engine.simulation.as_ref().and_then(|input| input.gas);
     let traces = match request.gas.or(in_file) {
         Some(false) => Vec::new(),
         _ => trace_files(&opened.file.engine, &arguments.file)?,
     };
     let goes_on = GoesOn::until_interrupted();
-    let result = simulate_watched(&opened.file, &traces, &request, &|_| goes_on.now());
+    let result = simulate_watched(&opened.file.engine, &traces, &request, &|_| goes_on.now());
     let result = result.map_err(Failure::refused)?;
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.file, &simulation_figures(&result))?;
+    }
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => simulation_text(&result),
         (Format::Json, _) => json(&result)?,

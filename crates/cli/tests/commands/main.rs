@@ -23,6 +23,7 @@ mod search;
 mod search_limits;
 mod sensitivity;
 mod shaft_weights;
+mod simulate;
 mod studio;
 mod sweep;
 mod torque;

@@ -1,11 +1,10 @@
 //! What the file says of a run in time.
 
 use super::{File, quantity};
-use lanchester_model::{
+use lanchester_model::{Engine, 
     Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength, RunLoad,
     SimulationInput, SpeedKind, StartOfBlock, Starter, When,
 };
-use lanchester_task::Tasks;
 use lanchester_units::{Dimension, exact_text};
 
 fn side(reacts_on: ReactsOn) -> &'static str {
@@ -13,8 +12,8 @@ fn side(reacts_on: ReactsOn) -> &'static str {
 }
 
 impl File {
-    pub(super) fn simulation(&mut self, tasks: &Tasks) {
-        let Some(input) = &tasks.simulation else { return };
+    pub(super) fn simulation(&mut self, engine: &Engine) {
+        let Some(input) = &engine.simulation else { return };
         let own = SimulationInput {
             load: None,
             starter: None,

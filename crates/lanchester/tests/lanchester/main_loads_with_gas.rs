@@ -222,11 +222,15 @@ fn the_largest_mean_over_speeds() {
         }
         for trial in 0..12 {
             let mut other = best.clone();
-            other = other.with(|other| { for (k, weight) in other.counterweights.iter_mut().enumerate() {
-                let turn = f64::from(trial) * 1.7 + k as f64 * 2.3;
-                weight.unbalance *= 1.0 + 0.2 * turn.sin();
-                weight.angle += 0.2 * turn.cos();
-            } }).unwrap();
+            other = other
+                .with(|other| {
+                    for (k, weight) in other.counterweights.iter_mut().enumerate() {
+                        let turn = f64::from(trial) * 1.7 + k as f64 * 2.3;
+                        weight.unbalance *= 1.0 + 0.2 * turn.sin();
+                        weight.angle += 0.2 * turn.cos();
+                    }
+                })
+                .unwrap();
             assert!(largest(&other) >= bound * 0.999, "{trial}: {} N beside {bound} N", largest(&other));
         }
     }

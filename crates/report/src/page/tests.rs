@@ -93,6 +93,7 @@ fn page(engine: &Engine, loads: &Loads, warnings: &[String]) -> String {
         torque: None,
         bearings: None,
         mounts: None,
+        simulation: None,
         provenance: &provenance,
         warnings,
     })

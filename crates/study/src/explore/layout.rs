@@ -244,7 +244,6 @@ pub(crate) fn engine(
 ) -> Engine {
     let parts = EngineParts {
         name: "layout".to_string(),
-        note: None,
         strokes: parts.strokes,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: parts.speed, highest: parts.speed },
@@ -259,15 +258,7 @@ pub(crate) fn engine(
         throws,
         cylinders,
         counterweights,
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
-        envelope: None,
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
+        ..EngineParts::default()
     };
     Engine::new(parts).expect("invariant: the space of layouts holds engines that turn")
 }

@@ -137,7 +137,6 @@ pub fn counterweight(outline: Outline, faces: [f64; 2], web: Option<usize>) -> C
 pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> Engine {
     Engine::new(EngineParts {
         name: "made by hand".to_string(),
-        note: None,
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: 100.0, highest: 100.0 },
@@ -145,15 +144,8 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         throws: vec![throw(0, 0.0, 0.0)],
         cylinders,
         counterweights,
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
         envelope: Some(Envelope::default()),
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
+        ..EngineParts::default()
     })
     .unwrap()
 }

@@ -172,7 +172,6 @@ pub fn engine_balance(engine: &Engine) -> [Point; 2] {
 fn empty() -> Engine {
     Engine::new(EngineParts {
         name: "sample".to_owned(),
-        note: None,
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: 400.0, highest: 400.0 },
@@ -186,16 +185,7 @@ fn empty() -> Engine {
         }],
         throws: Vec::new(),
         cylinders: Vec::new(),
-        counterweights: Vec::new(),
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
-        envelope: None,
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
+        ..EngineParts::default()
     })
     .unwrap()
 }

@@ -65,23 +65,13 @@ pub fn crankshaft() -> Crankshaft {
 pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engine {
     Engine::new(EngineParts {
         name: name.into(),
-        note: None,
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
         speed: SpeedRange { lowest: 300.0, highest: 300.0 },
         crankshafts: vec![crankshaft()],
         throws,
         cylinders,
-        counterweights: Vec::new(),
-        shafts: Vec::new(),
-        mounts: Vec::new(),
-        block: None,
-        crank_body: None,
-        envelope: None,
-        gas: None,
-        friction: None,
-        flywheel: None,
-        bearings: None,
+        ..EngineParts::default()
     })
     .unwrap()
 }

@@ -1,8 +1,6 @@
 //! Published trajectories of mechanisms and engines.
 
-#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
-mod support;
-
+use crate::support;
 use lanchester_model::{Engine, Rod, RodJoint, RodMassRule, Strokes};
 use lanchester_multibody::{
     Duration, GasPressure, LoadLaw, RotorInertia, Run, RunOutcome, Simulation, TorqueOrder, Train,

@@ -1,8 +1,6 @@
 //! The equations of the crank train and its reactions against the referee's bodies and joints, for random engines in random motion.
 
-#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
-mod support;
-
+use crate::support;
 use lanchester_model::{Block, Engine, MovingParts};
 use lanchester_multibody::referee::{BodyLoad, GROUND, Joint};
 use lanchester_multibody::{Guidance, Instant, Loads, Motion, RotorInertia, Train, Wrench};

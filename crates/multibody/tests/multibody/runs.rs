@@ -1,8 +1,6 @@
 //! Runs: conservation, start, run-down, load step, misfire, governor, driveline, imposed speed, accuracy.
 
-#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
-mod support;
-
+use crate::support;
 use lanchester_model::{Block, Engine, Mount, MountSpring, MovingParts, Strokes};
 use lanchester_multibody::*;
 use std::f64::consts::{PI, TAU};
@@ -465,6 +463,9 @@ fn what_is_missing_is_named() {
     let refused = Train::new(&engine, &RotorInertia::of(&engine)).expect_err("too small");
     assert!(refused.to_string().contains("cylinder 1"), "{refused}");
     let few = Simulation { most_evaluations: 500, ..Simulation::imposed(100.0, 1000.0) };
+    let refused = train.run(&few, None).expect_err("it would take too long");
+    assert!(matches!(refused, MultibodyError::TooLong { .. }), "{refused}");
+    let few = Simulation { most_evaluations: 500, tolerance: 1e-12, ..Simulation::imposed(100.0, 3.0) };
     let cut = train.run(&few, None).expect("it starts");
     assert_eq!(cut.outcome, RunOutcome::TooManyEvaluations);
     assert!(cut.samples.time.len() > 10);

@@ -1,8 +1,6 @@
 //! The block on its mounts at imposed speed: the linear response of the closed form, and the three causes by which it differs.
 
-#[path = "../../mechanism/tests/mechanism/support/mod.rs"]
-mod support;
-
+use crate::support;
 use lanchester_mechanism::{MountSystem, inertia_excitations};
 use lanchester_model::{Block, Engine, Mount, MountSpring, MovingParts};
 use lanchester_multibody::*;

@@ -1,0 +1,242 @@
+//! `simulate` and `crosscheck`: text, JSON, CSV, refusals, Ctrl-C.
+
+use crate::program::{examples, folder, message, number, output, output_json};
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+const SET: &str = "generator-set-3.toml";
+
+/// A folder with one example, changed.
+fn example(test: &str, name: &str, change: impl Fn(String) -> String) -> PathBuf {
+    let folder = folder(test);
+    let text = fs::read_to_string(examples().join(name)).unwrap();
+    fs::write(folder.join("engine.toml"), change(text)).unwrap();
+    folder
+}
+
+fn same(text: String) -> String {
+    text
+}
+
+/// One value of a CSV file: column by the start of its name, row from 0.
+fn cell(csv: &str, column: &str, row: usize) -> f64 {
+    let place = csv.lines().next().unwrap().split(',').position(|name| name.starts_with(column)).unwrap();
+    csv.lines().nth(row + 1).unwrap().split(',').nth(place).unwrap().parse().unwrap()
+}
+
+#[test]
+fn a_start_of_the_generator_set_is_told() {
+    let folder = example("simulate-start", SET, same);
+    let text = output(&folder, 0, &["simulate", "engine.toml", "--for", "1.2 s", "--figures", "figures"]);
+    for figure in ["speed", "torque", "orbit", "mount-forces", "energy"] {
+        let svg = fs::read_to_string(folder.join(format!("figures/simulated-{figure}.svg"))).unwrap();
+        assert!(svg.starts_with("<svg") && !svg.contains("NaN"), "{figure}");
+    }
+    for words in [
+        "Generator set of three cylinders, simulated as rigid bodies",
+        "Run: complete. It ends after 1.2000 s",
+        "the starter lets go",
+        "Event 3 (load 40 N m) never came.",
+        "Speed in the last period",
+        "Block in the last period",
+        "Mounts in the last period",
+        "Main bearings",
+        "Energy over the run",
+        "Audit: energy",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+}
+
+/// A file that describes a run has it in its report, with its own start and events.
+#[test]
+fn the_report_has_the_run_of_the_file() {
+    let folder =
+        example("simulate-report", SET, |text| text.replace("duration = \"24 s\"", "duration = \"1 s\""));
+    let page = output(&folder, 0, &["report", "engine.toml", "--output", "-"]);
+    for words in
+        ["<h2>Simulated</h2>", "It ends after 1.0000 s", "the starter lets go", "Where the energy goes"]
+    {
+        assert!(page.contains(words), "{words}");
+    }
+}
+
+#[test]
+fn csv_and_json_hold_the_same_run() {
+    let folder = example("simulate-csv", "in-line-4.toml", same);
+    let rest = ["--imposed", "--speed", "2000 rpm", "--for", "1 revolution", "--step", "10 deg"];
+    let of = |format: &[&'static str]| [&["simulate", "engine.toml"], &rest[..], format].concat();
+    let json = output_json(&folder, 0, &of(&["--format", "json"]));
+    let csv = output(&folder, 0, &of(&["--format", "csv"]));
+    assert_eq!(csv.lines().count(), 1 + 37, "{csv}");
+    let at = |pointer: &str| number(&json, pointer);
+    let turn = std::f64::consts::PI;
+    assert!((at("/run/samples/theta/18") - turn).abs() < 1e-9);
+    assert!((at("/run/samples/speed/18") - 2000.0 * turn / 30.0).abs() < 1e-9);
+    assert!((cell(&csv, "outside_torque", 18) - at("/run/samples/outside_torque/18")).abs() < 1e-9, "{csv}");
+    for table in ["reactions", "energy", "events", "trace"] {
+        let csv = output(&folder, 0, &of(&["--format", "csv", "--table", table]));
+        assert!(!csv.is_empty(), "{table}");
+    }
+    message(&folder, 2, &of(&["--table", "energy"]));
+}
+
+#[test]
+fn every_misfire_and_cut_of_the_file_comes() {
+    let folder = example("simulate-events", SET, |text| {
+        let text = text.replace("speed = \"0 rpm\"", "speed = \"1500 rpm\"");
+        text.replace("\"4 s\"", "\"0.1 s\"").replace("\"6 s\"", "\"0.2 s\"").replace("\"8 s\"", "\"0.3 s\"")
+    });
+    let csv = output(
+        &folder,
+        0,
+        &[
+            "simulate",
+            "engine.toml",
+            "--for",
+            "0.4 s",
+            "--block",
+            "fixed",
+            "--format",
+            "csv",
+            "--table",
+            "events",
+        ],
+    );
+    for words in ["load 40 N m", "cylinder 2 fires no more", "no load", "fuel 0 %"] {
+        assert!(csv.contains(words), "{words}: {csv}");
+    }
+}
+
+/// What cannot be run is refused before it starts, with what fixes it; what stalls runs, and says so.
+#[test]
+fn bad_input_is_told() {
+    let refused =
+        |name: &str, file: &str, change: fn(String) -> String, arguments: &[&str], words: &[&str]| {
+            let folder = example(name, file, change);
+            let told = message(&folder, 2, &[&["simulate", "engine.toml"], arguments].concat());
+            for words in words {
+                assert!(told.contains(words), "{name}, {words}: {told}");
+            }
+        };
+    refused(
+        "simulate-power",
+        SET,
+        |text| text.replace("type = \"none\"", "type = \"power\"\npower = \"5 kW\""),
+        &[],
+        &["least_speed"],
+    );
+    refused(
+        "simulate-inertia",
+        "in-line-4.toml",
+        same,
+        &[],
+        &["moment of inertia", "[flywheel]", "[crank.body]"],
+    );
+    refused(
+        "simulate-block",
+        SET,
+        |text| text.replace("mass = \"190 kg\"", "mass = \"2 kg\""),
+        &["--for", "0.1 s"],
+        &["the block less"],
+    );
+    refused(
+        "simulate-loss",
+        "in-line-4-mounts.toml",
+        same,
+        &["--imposed", "--block", "mounts"],
+        &["loss factor", "block fixed"],
+    );
+    refused(
+        "simulate-free",
+        SET,
+        |text| {
+            text.replace("[\"140 N/mm\", \"60 N/mm\", \"60 N/mm\"]", "[\"140 N/mm\", \"0 N/mm\", \"0 N/mm\"]")
+        },
+        &["--for", "0.1 s"],
+        &["leave a motion of it free"],
+    );
+    refused("simulate-long", SET, same, &["--for", "1000000 revolutions"], &["evaluations", "long run"]);
+    refused("simulate-many", SET, same, &["--for", "100 revolutions", "--step", "0.001 deg"], &["samples"]);
+    refused("simulate-cylinder", SET, same, &["--misfire", "4"], &["from 1 to 3"]);
+    refused("simulate-tolerance", SET, same, &["--tolerance", "1"], &["tolerance"]);
+    refused("simulate-duration", SET, same, &["--for", "soon"], &["--for"]);
+}
+
+#[test]
+fn a_weak_starter_and_a_load_too_large_are_outcomes() {
+    let weak = example("simulate-weak", SET, |text| text.replace("\"6 N m\"", "\"0.5 N m\""));
+    let text = output(&weak, 0, &["simulate", "engine.toml", "--for", "2 s", "--block", "fixed"]);
+    assert!(text.contains("the crank comes to rest at"), "{text}");
+    let heavy = example("simulate-heavy", SET, same);
+    let text = output(
+        &heavy,
+        0,
+        &[
+            "simulate",
+            "engine.toml",
+            "--for",
+            "20 s",
+            "--block",
+            "fixed",
+            "--speed",
+            "900 rpm",
+            "--load",
+            "300 N m",
+        ],
+    );
+    assert!(text.contains("the crank comes to rest at") && text.contains("It ends after"), "{text}");
+}
+
+/// The first Ctrl-C gives the samples so far, marked incomplete.
+#[test]
+fn an_interrupted_run_keeps_its_samples() {
+    let folder = example("simulate-interrupted", "in-line-4.toml", same);
+    let arguments = [
+        "simulate",
+        "engine.toml",
+        "--imposed",
+        "--long",
+        "--for",
+        "10000000 revolutions",
+        "--step",
+        "720 deg",
+    ];
+    let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
+        .current_dir(&folder)
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_secs(3));
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(sent.success() && child.try_wait().unwrap().is_none());
+    let ended = child.wait_with_output().unwrap();
+    let text = String::from_utf8(ended.stdout).unwrap();
+    assert_eq!(ended.status.code(), Some(1), "{text}");
+    assert!(text.contains("incomplete: cancelled, the samples so far are shown"), "{text}");
+}
+
+#[test]
+fn crosscheck_lists_every_condition_and_what_is_missing() {
+    let folder = example("crosscheck", "in-line-4.toml", same);
+    let text = output(&folder, 0, &["crosscheck", "engine.toml", "--order", "2"]);
+    for words in ["Condition A", "Condition B", "Condition C", "Condition D", "agrees"] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    assert!(!text.contains("disagrees"), "{text}");
+    let json =
+        output_json(&folder, 0, &["crosscheck", "engine.toml", "--condition", "a", "--format", "json"]);
+    assert_eq!(json["conditions"].as_array().unwrap().len(), 1);
+    let rows = json["conditions"][0]["rows"].as_array().unwrap();
+    assert!(rows.iter().all(|row| row["verdict"] == "agrees") && rows.len() > 8);
+    let csv = output(&folder, 0, &["crosscheck", "engine.toml", "--format", "csv"]);
+    assert!(csv.lines().count() > rows.len(), "{csv}");
+    // A bar below rounding is not kept, and the exit status says so.
+    let text = output(&folder, 1, &["crosscheck", "engine.toml", "--bar", "1e-19"]);
+    assert!(text.contains("disagrees"), "{text}");
+    message(&folder, 2, &["crosscheck", "engine.toml", "--bar", "0"]);
+}

@@ -1,0 +1,45 @@
+//! Crank angles at which what acts on the crank train has kinks.
+
+use crate::gas_pressure::GasPressure;
+use crate::simulation::{LoadLaw, Simulation};
+use crate::train::Train;
+
+/// Crank angles within one period at which pressures and load have kinks, rising.
+pub(crate) fn kinks(
+    train: &Train,
+    gas: Option<&dyn GasPressure>,
+    simulation: &Simulation,
+    period: f64,
+) -> Vec<f64> {
+    let mut all = Vec::new();
+    // Behind a driveline the load's angle is not the crank's: its kinks are left to the control of the steps.
+    if let (LoadLaw::Angle { period: own, points }, true) =
+        (&simulation.load.law, simulation.driveline.is_empty())
+    {
+        let whole = (period / own).round();
+        if (period / own - whole).abs() < 1e-9 {
+            for point in points {
+                all.extend((0..whole as u32).map(|turn| point[0] + own * f64::from(turn)));
+            }
+        }
+    }
+    for (gas, (index, cylinder)) in
+        gas.iter().flat_map(|gas| train.cylinders.iter().enumerate().map(move |cylinder| (gas, cylinder)))
+    {
+        let ratio = train.ratio(index).abs();
+        let cycles = (period * ratio / gas.cycle()).round().max(1.0) as usize;
+        for kink in gas.kinks(index) {
+            for cycle in 0..cycles {
+                let theta =
+                    cylinder.firing_angle.unwrap_or(0.0) + (kink + gas.cycle() * cycle as f64) / ratio;
+                all.push(theta.rem_euclid(period));
+            }
+        }
+    }
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|later, kept| *later - *kept < 1e-9);
+    if all.len() > 1 && all[0] + period - all[all.len() - 1] < 1e-9 {
+        all.pop();
+    }
+    all
+}

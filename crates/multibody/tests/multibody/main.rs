@@ -1,0 +1,12 @@
+//! All tests of the crate.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod closed_form;
+mod moving_block;
+mod published;
+mod referee;
+mod runs;
+mod squeezer;
+#[path = "../../../mechanism/tests/mechanism/support/mod.rs"]
+mod support;
