@@ -1,5 +1,6 @@
 //! Equations compiled for the integrators.
 
+use crate::domain::Domain;
 use crate::equations::{Equations, What};
 use crate::expression::{Id, Pool, Var};
 use crate::following::Following;
@@ -18,8 +19,8 @@ pub(crate) struct Compiled {
     unknowns: usize,
     bonds: usize,
     audited: bool,
-    /// Whether effort times flow is the power of each bond; of a heat bond the flow itself is.
-    true_bonds: Vec<bool>,
+    /// Of each bond: what its power is made of.
+    domains: Vec<Domain>,
     rates: Tape,
     /// Residuals of the unknowns, then their slopes by the unknowns.
     residuals: Tape,
@@ -87,8 +88,7 @@ impl Compiled {
             })
             .collect();
         let mut switches = Switches::default();
-        let following =
-            Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
+        let following = Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
         if let Some(following) = following {
             let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
             let functions = functions(&mut pool, &input, &mut switches);
@@ -97,7 +97,7 @@ impl Compiled {
                 unknowns: left.len(),
                 bonds: equations.graph.bonds.len(),
                 audited,
-                true_bonds: true_bonds(equations),
+                domains: domains(equations),
                 rates: Tape::default(),
                 residuals: Tape::default(),
                 variables,
@@ -139,7 +139,7 @@ impl Compiled {
             unknowns,
             bonds: equations.graph.bonds.len(),
             audited,
-            true_bonds: true_bonds(equations),
+            domains: domains(equations),
             rates,
             residuals,
             variables,
@@ -239,9 +239,8 @@ impl Compiled {
     }
 }
 
-/// Whether effort times flow is the power of each bond.
-fn true_bonds(equations: &Equations) -> Vec<bool> {
-    equations.graph.bonds.iter().map(|bond| bond.domain.is_true_bond()).collect()
+fn domains(equations: &Equations) -> Vec<Domain> {
+    equations.graph.bonds.iter().map(|bond| bond.domain).collect()
 }
 
 /// Functions of switches and arguments of curves, which may hold such themselves.
@@ -274,8 +273,8 @@ impl System for Compiled {
             self.scratch.resize(2 * self.bonds, 0.0);
             self.variables.run(&self.inputs, &self.held, &mut self.work, &mut self.scratch);
             for bond in 0..self.bonds {
-                let effort = if self.true_bonds[bond] { self.scratch[bond] } else { 1.0 };
-                derivative[self.states + bond] = effort * self.scratch[self.bonds + bond];
+                let (effort, flow) = (self.scratch[bond], self.scratch[self.bonds + bond]);
+                derivative[self.states + bond] = self.domains[bond].power(effort, flow);
             }
         }
     }

@@ -57,6 +57,17 @@ impl Curve {
         self.units
     }
 
+    /// Start of every piece with its coefficients, and the end of the last.
+    pub fn pieces(&self) -> (Vec<(f64, [f64; 4])>, f64) {
+        let starts = self.places.iter().copied().zip(self.pieces.iter().copied());
+        (starts.collect(), self.places[self.pieces.len()])
+    }
+
+    /// Whether it repeats.
+    pub fn is_periodic(&self) -> bool {
+        self.periodic
+    }
+
     fn period(&self) -> f64 {
         self.places[self.pieces.len()] - self.places[0]
     }
@@ -96,15 +107,21 @@ impl Curve {
     /// The same by the piece that holds within a window, continued beyond it.
     pub(crate) fn within(&self, x: f64, window: [f64; 2], derivative: u8) -> f64 {
         let margin = 1e-9 * (window[1] - window[0]);
-        let inside =
-            if margin.is_finite() { x.clamp(window[0] + margin, window[1] - margin) } else { x };
-        let shift =
-            if self.periodic { self.period() * ((inside - self.places[0]) / self.period()).floor() } else { 0.0 };
+        let inside = if margin.is_finite() { x.clamp(window[0] + margin, window[1] - margin) } else { x };
+        let shift = if self.periodic {
+            self.period() * ((inside - self.places[0]) / self.period()).floor()
+        } else {
+            0.0
+        };
         let (inside, x) = (inside - shift, x - shift);
         let count = self.pieces.len();
         if !self.periodic && (inside < self.places[0] || inside > self.places[count]) {
             let edge = if inside < self.places[0] { 0 } else { count - 1 };
-            let h = if edge == 0 && inside < self.places[0] { 0.0 } else { self.places[count] - self.places[edge] };
+            let h = if edge == 0 && inside < self.places[0] {
+                0.0
+            } else {
+                self.places[count] - self.places[edge]
+            };
             let [a, b, c, d] = self.pieces[edge];
             return if derivative == 0 { a + h * (b + h * (c + h * d)) } else { 0.0 };
         }
@@ -143,7 +160,8 @@ impl Curve {
 
     /// The window behind the upper end of a window, or before the lower.
     pub(crate) fn neighbour(&self, window: [f64; 2], upwards: bool) -> [f64; 2] {
-        let least = 1e-9 * if self.periodic { self.period() } else { self.places[self.pieces.len()] - self.places[0] };
+        let least = 1e-9
+            * if self.periodic { self.period() } else { self.places[self.pieces.len()] - self.places[0] };
         if upwards { self.window(window[1] + least) } else { self.window(window[0] - least) }
     }
 }

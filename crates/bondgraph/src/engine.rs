@@ -23,12 +23,17 @@
 
 mod body;
 mod cylinder;
+mod gas;
+mod gas_file;
 mod numbers;
 mod request;
 mod rotor;
 mod words;
 
-pub use request::{EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque};
+pub use request::{
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
+    GasWalls, LoadTorque,
+};
 
 use crate::description::Description;
 use body::Frame;
@@ -53,6 +58,7 @@ pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Descript
     builder.parameters();
     builder.block();
     builder.rotors();
+    builder.surroundings();
     builder.cylinders();
     builder.mounts();
     builder.torques();
@@ -221,9 +227,8 @@ impl Builder<'_> {
                     }
                 }
             }
-            let momentum: Vec<String> = (0..3)
-                .map(|i| quantity((0..3).map(|j| tensor[i][j] * spin[j]).sum(), "N m s"))
-                .collect();
+            let momentum: Vec<String> =
+                (0..3).map(|i| quantity((0..3).map(|j| tensor[i][j] * spin[j]).sum(), "N m s")).collect();
             let keys = [("energy", terms.join(" + ")), ("momentum", momentum.join(" ; "))];
             self.element("block_turn", "I", &[(keys[0].0, &keys[0].1), (keys[1].0, &keys[1].1)]);
             for (port, axis) in ["wx", "wy", "wz"].into_iter().enumerate() {
@@ -231,8 +236,7 @@ impl Builder<'_> {
             }
             [1, 2, 3].map(|port| format!("block_turn.{port}.momentum"))
         };
-        let rotors: String =
-            self.rotor_names().iter().map(|name| format!(" + {name}.momentum")).collect();
+        let rotors: String = self.rotor_names().iter().map(|name| format!(" + {name}.momentum")).collect();
         for (name, value) in [
             ("h_x", momenta[0].clone()),
             ("h_y", momenta[1].clone()),
@@ -240,9 +244,11 @@ impl Builder<'_> {
         ] {
             self.signal(name, &value);
         }
-        for (name, modulus, from, to) in
-            [("euler_xy", "h_z", "wx", "wy"), ("euler_yz", "h_x", "wy", "wz"), ("euler_zx", "h_y", "wz", "wx")]
-        {
+        for (name, modulus, from, to) in [
+            ("euler_xy", "h_z", "wx", "wy"),
+            ("euler_yz", "h_x", "wy", "wz"),
+            ("euler_zx", "h_y", "wz", "wx"),
+        ] {
             self.element(name, "MGY", &[("ratio", modulus)]);
             self.bond(from, &format!("{name}.1"));
             self.bond(&format!("{name}.2"), to);

@@ -57,6 +57,8 @@ pub enum Kind {
     I,
     /// Field of stores by an energy function.
     IC,
+    /// Perfect gas: volume, mass and internal energy.
+    Gas,
     /// Transformer.
     TF,
     /// Gyrator.
@@ -89,6 +91,11 @@ pub(crate) enum Law {
         effort: Option<Id>,
         flow: Option<Id>,
     },
+    /// A resistor of several ports: flows by all efforts, or efforts by all flows.
+    Resistors {
+        gives_flows: bool,
+        laws: Vec<Id>,
+    },
     /// Each port of a store or field.
     Store(Vec<StorePort>),
     /// Ratio of TF or GY.
@@ -107,6 +114,8 @@ pub(crate) struct StorePort {
     /// The stored quantity by the port's own effort (C) or flow (I), where the law can be turned round; of a field by its co-energy by the
     /// flows of all its ports.
     pub(crate) inverse: Option<Id>,
+    /// What the displacement gains beside its own flow: the work that goes into the energy of a gas.
+    pub(crate) gain: Option<Id>,
     /// Start of displacement and momentum.
     pub(crate) start: [f64; 2],
 }

@@ -65,10 +65,7 @@ impl Held {
             window: everywhere,
             signs: [1.0; 2],
         };
-        Held {
-            on: vec![false; switches.functions.len()],
-            slots: switches.slots.iter().map(slot).collect(),
-        }
+        Held { on: vec![false; switches.functions.len()], slots: switches.slots.iter().map(slot).collect() }
     }
 
     /// Value of a curve or its derivative.

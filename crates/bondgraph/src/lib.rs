@@ -42,6 +42,7 @@ mod simulate;
 mod tape;
 mod text;
 mod unit;
+mod write;
 
 pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use causality::{Causality, Follower, Preference, Step, causality};
@@ -50,7 +51,8 @@ pub use description::{Description, Entry, Text};
 pub use domain::Domain;
 pub use draw::drawing;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque, engine_graph,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
+    GasWalls, LoadTorque, engine_graph,
 };
 pub use equations::{Equations, equations};
 pub use export::{graphml, modelica};
@@ -64,3 +66,4 @@ pub use text::{
     audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,
 };
 pub use unit::{Unit, duration};
+pub use write::graph_file;

@@ -129,8 +129,7 @@ impl Equations {
     /// Simulates. Every way in which a run can end is said in the result.
     pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
         let samples = request.samples;
-        let places: Vec<f64> =
-            (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
+        let places: Vec<f64> = (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
         self.simulate_at(request, &places)
     }
 
@@ -188,11 +187,11 @@ impl Equations {
                 unit: units[1].into(),
                 values: of(&|v| v[bonds + bond]),
             });
-            let is_true = self.graph.bonds[bond].domain.is_true_bond();
+            let domain = self.graph.bonds[bond].domain;
             series.push(Series {
                 name: format!("{name}.power"),
                 unit: "W".into(),
-                values: of(&|v| if is_true { v[bond] * v[bonds + bond] } else { v[bonds + bond] }),
+                values: of(&|v| domain.power(v[bond], v[bonds + bond])),
             });
         }
         for element in self.graph.elements.iter().filter(|element| element.is_junction()) {

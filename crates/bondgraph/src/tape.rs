@@ -22,7 +22,11 @@ enum Operation {
     /// 1 or -1 by a switch.
     Sign(u32),
     /// A curve or its derivative, within the window of a slot.
-    Curve { slot: u32, at: u32, derivative: u8 },
+    Curve {
+        slot: u32,
+        at: u32,
+        derivative: u8,
+    },
 }
 
 /// A compiled list of expressions.

@@ -3,8 +3,8 @@
 use crate::crosscheck::rotor_inertia;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_bondgraph::{
-    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, LoadTorque, Unit,
-    engine_graph,
+    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, LoadTorque,
+    Unit, engine_graph,
 };
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, PeriodicCurve, TorqueError, TorqueRequest, torque};
 use lanchester_model::Engine;
@@ -104,7 +104,8 @@ pub fn engine_bond_graph(
                 .to_owned(),
         );
     }
-    let block = request.block.unwrap_or(if can_move(engine) { EngineBlock::Space } else { EngineBlock::Fixed });
+    let block =
+        request.block.unwrap_or(if can_move(engine) { EngineBlock::Space } else { EngineBlock::Fixed });
     if request.block.is_none() && block == EngineBlock::Fixed {
         notes.push(
             "The block is fixed: the file gives no [block] on mounts with stiffness and viscous damping."
@@ -121,7 +122,8 @@ pub fn engine_bond_graph(
         found.pressures = gauge_pressures(&report.cylinders);
         mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
         if let Some(friction) = engine.friction {
-            let asked = TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() };
+            let asked =
+                TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() };
             let given = torque(engine, &report.cylinders, &asked)?;
             let brake = given.indicated.brake(&friction, speed);
             found.friction_torque = (given.indicated.torque - brake.torque).max(0.0);
@@ -132,7 +134,9 @@ pub fn engine_bond_graph(
         None if imposed || report.is_none() => LoadTorque::None,
         None => {
             let load = mean - found.friction_torque;
-            notes.push(format!("Load: {load:.4} N m, constant, the mean that the engine gives at the start speed."));
+            notes.push(format!(
+                "Load: {load:.4} N m, constant, the mean that the engine gives at the start speed."
+            ));
             LoadTorque::Constant(load)
         }
     };

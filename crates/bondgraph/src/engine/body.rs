@@ -48,8 +48,9 @@ impl Frame {
                 combination(&[(1.0, &a), (sign, &b)])
             }
             EngineBlock::Space => {
-                let parts: Vec<String> =
-                    (0..3).map(|column| product(&format!("r{}{}", row + 1, column + 1), vector[column])).collect();
+                let parts: Vec<String> = (0..3)
+                    .map(|column| product(&format!("r{}{}", row + 1, column + 1), vector[column]))
+                    .collect();
                 combination(&[(1.0, &parts[0]), (1.0, &parts[1]), (1.0, &parts[2])])
             }
         }

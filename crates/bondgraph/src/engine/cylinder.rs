@@ -9,7 +9,8 @@ use lanchester_model::RodJoint;
 impl Builder<'_> {
     pub(crate) fn cylinders(&mut self) {
         let engine = self.engine;
-        let plain = |index: &usize| !matches!(engine.cylinders[*index].rod.joint, RodJoint::Articulated { .. });
+        let plain =
+            |index: &usize| !matches!(engine.cylinders[*index].rod.joint, RodJoint::Articulated { .. });
         let (masters, others): (Vec<usize>, Vec<usize>) = (0..engine.cylinders.len()).partition(plain);
         for index in masters.into_iter().chain(others) {
             self.loop_of(index);
@@ -164,9 +165,10 @@ impl Builder<'_> {
     /// What acts between piston and block along the cylinder: gas and viscous friction.
     fn stroke(&mut self, index: usize) {
         let k = index + 1;
-        let gas = self.request.pressures.get(index).cloned();
+        let states = self.request.gas_states.clone();
+        let gas = self.request.pressures.get(index).filter(|_| states.is_none()).cloned();
         let damping = self.request.piston_damping;
-        if gas.is_none() && damping == 0.0 {
+        if gas.is_none() && states.is_none() && damping == 0.0 {
             return;
         }
         let (slide, stroke) = (format!("slide{k}"), format!("stroke{k}"));
@@ -174,13 +176,18 @@ impl Builder<'_> {
         self.element(&stroke, "1", &[("domain", "translation")]);
         self.bond("crank", &format!("{slide}.1"));
         self.bond(&format!("{slide}.2"), &stroke);
-        if let Some(curve) = gas {
+        if gas.is_some() || states.is_some() {
             let cylinder = &self.engine.cylinders[index];
             let shaft = &self.engine.crankshafts[self.engine.throws[cylinder.throw].crankshaft];
             let ratio = shaft.ratio.value().abs();
             let firing = self.numbers.cylinders[index].firing.unwrap_or(0.0);
             let angle = combination(&[(ratio, "theta"), (1.0, &angle_text(-ratio * firing))]);
             self.signal(&format!("psi{k}"), &angle);
+        }
+        if let Some(states) = states {
+            self.gas_states(index, &states);
+        }
+        if let Some(curve) = gas {
             let table = format!("gauge_pressure{k}");
             self.graph.tables.push((table.as_str().into(), curve));
             self.signal(&format!("p{k}"), &format!("table({table}, psi{k})"));

@@ -66,14 +66,18 @@ impl Builder<'_> {
             let (axis, unbalances) = match rotor.checked_sub(crankshafts) {
                 None => {
                     let shaft = &engine.crankshafts[rotor];
-                    let throws = engine.throws.iter().filter(|throw| throw.crankshaft == rotor).map(|throw| {
-                        (
-                            throw.unbalance_plane(),
-                            Complex64::from_polar(1.0, shaft.phase + throw.angle) * throw.unbalance,
-                        )
-                    });
-                    let weights =
-                        engine.counterweights.iter().filter(|weight| weight.crankshaft == rotor).map(|weight| {
+                    let throws =
+                        engine.throws.iter().filter(|throw| throw.crankshaft == rotor).map(|throw| {
+                            (
+                                throw.unbalance_plane(),
+                                Complex64::from_polar(1.0, shaft.phase + throw.angle) * throw.unbalance,
+                            )
+                        });
+                    let weights = engine
+                        .counterweights
+                        .iter()
+                        .filter(|weight| weight.crankshaft == rotor)
+                        .map(|weight| {
                             (weight.z, Complex64::from_polar(weight.unbalance, shaft.phase + weight.angle))
                         });
                     ([shaft.x, shaft.y], throws.chain(weights).collect::<Vec<Unbalance>>())
@@ -81,8 +85,8 @@ impl Builder<'_> {
                 Some(index) => {
                     let shaft = &engine.shafts[index];
                     let weights = shaft.weights.iter();
-                    let unbalances =
-                        weights.map(|weight| (weight.z, Complex64::from_polar(weight.unbalance, weight.phase)));
+                    let unbalances = weights
+                        .map(|weight| (weight.z, Complex64::from_polar(weight.unbalance, weight.phase)));
                     ([shaft.x, shaft.y], unbalances.collect())
                 }
             };
@@ -163,8 +167,7 @@ impl Builder<'_> {
             return;
         }
         let count = axes.len();
-        let terms: Vec<String> =
-            (1..=count).map(|port| format!("f{port}*f{}", port + count)).collect();
+        let terms: Vec<String> = (1..=count).map(|port| format!("f{port}*f{}", port + count)).collect();
         let coenergy = format!("{mass}*({})", terms.join(" + "));
         self.element(name, "I", &[("coenergy", &coenergy), ("domain", "translation")]);
         for (k, axis) in axes.into_iter().enumerate() {
@@ -208,7 +211,8 @@ impl Builder<'_> {
                 if stiffness != 0.0 {
                     let start = axis[0] * moved[0] + axis[1] * moved[1] + axis[2] * moved[2];
                     let store = format!("{name}_spring");
-                    let keys = [("stiffness", quantity(stiffness, "N/m")), ("displacement", quantity(start, "m"))];
+                    let keys =
+                        [("stiffness", quantity(stiffness, "N/m")), ("displacement", quantity(start, "m"))];
                     self.element(&store, "C", &[(keys[0].0, &keys[0].1), (keys[1].0, &keys[1].1)]);
                     self.bond(&junction, &store);
                 }
@@ -233,7 +237,11 @@ impl Builder<'_> {
             // a . R (z x m) with R about z alone.
             let lever = |factor: f64, name: &str| {
                 let size = quantity(factor.abs(), "m");
-                if factor == 0.0 { (0.0, "0".to_owned()) } else { (factor.signum(), format!("{size}*{name}")) }
+                if factor == 0.0 {
+                    (0.0, "0".to_owned())
+                } else {
+                    (factor.signum(), format!("{size}*{name}"))
+                }
             };
             let cos = lever(axis[1] * arm[0] - axis[0] * arm[1], "cos_roll");
             let sin = lever(-(axis[0] * arm[0] + axis[1] * arm[1]), "sin_roll");
@@ -289,5 +297,8 @@ fn two_planes(unbalances: &[Unbalance]) -> Vec<Unbalance> {
     }
     let upper = (moment - low * sum) / (high - low);
     let size: f64 = unbalances.iter().map(|(_, vector)| vector.norm()).sum();
-    [(low, sum - upper), (high, upper)].into_iter().filter(|(_, vector)| vector.norm() > 1e-15 * size).collect()
+    [(low, sum - upper), (high, upper)]
+        .into_iter()
+        .filter(|(_, vector)| vector.norm() > 1e-15 * size)
+        .collect()
 }

@@ -2,8 +2,8 @@
 //! revolutions, every quantity of the motion.
 
 use lanchester::bondgraph::{
-    Curve, EngineBlock, EngineLoad, EngineRequest, EngineStart, Equations, Graph, LoadTorque, SimulationRequest,
-    Unit, engine_graph, equations,
+    Curve, EngineBlock, EngineLoad, EngineRequest, EngineStart, Equations, Graph, LoadTorque,
+    SimulationRequest, Unit, engine_graph, equations,
 };
 use lanchester::model::{Engine, read, template};
 use lanchester::multibody::{
@@ -181,9 +181,7 @@ impl Case {
             let all = [0, 1, 2].map(|k| samples.spin.iter().map(|spin| spin[k]).collect::<Vec<f64>>());
             let names = ["wx", "wy", "wz"];
             let first = if self.block == EngineBlock::Plane { 2 } else { 0 };
-            let spins = (first..3).map(|k| {
-                pair(&format!("{}.flow", names[k]), all[k].clone())
-            });
+            let spins = (first..3).map(|k| pair(&format!("{}.flow", names[k]), all[k].clone()));
             kinds.push(("spin", spins.collect()));
             let mut springs = Vec::new();
             for (index, mount) in self.engine.mounts.iter().enumerate() {
@@ -202,7 +200,10 @@ impl Case {
                         let moved = motion.position + motion.rotation() * at - at;
                         moved.dot(&nalgebra::Vector3::from(*axis))
                     });
-                    springs.push(pair(&format!("mount{}_{}_spring.displacement", index + 1, way + 1), moved.collect()));
+                    springs.push(pair(
+                        &format!("mount{}_{}_spring.displacement", index + 1, way + 1),
+                        moved.collect(),
+                    ));
                 }
             }
             kinds.push(("mounts", springs));
@@ -254,7 +255,8 @@ fn xcheck_single_with_its_block_in_the_plane() {
     let mut text = String::from(
         "[block]\nmass = \"60 kg\"\ncentre = [\"50 mm\", \"8 mm\", \"0 mm\"]\ninertia = [\"2 kg m2\", \"2 kg m2\", \"1.4 kg m2\"]\n",
     );
-    for (y, z) in [("200 mm", "150 mm"), ("-200 mm", "150 mm"), ("200 mm", "-150 mm"), ("-200 mm", "-150 mm")] {
+    for (y, z) in [("200 mm", "150 mm"), ("-200 mm", "150 mm"), ("200 mm", "-150 mm"), ("-200 mm", "-150 mm")]
+    {
         text += &format!(
             "[[mount]]\nx = \"-90 mm\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\nstiffness = [\"60 N/mm\", \"40 N/mm\", \
              \"40 N/mm\"]\ndamping = [\"200 N s/m\", \"150 N s/m\", \"150 N s/m\"]\n"

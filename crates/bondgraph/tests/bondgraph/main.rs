@@ -1,0 +1,10 @@
+//! All tests of the crate.
+
+mod bad_input;
+mod causality;
+mod engine_gas;
+mod external;
+mod gas;
+mod graph_file;
+mod output;
+mod shipped;
