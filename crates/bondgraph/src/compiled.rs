@@ -31,6 +31,8 @@ pub(crate) struct Compiled {
     /// Conditions and arguments of curves.
     switch_functions: Tape,
     pub(crate) held: Held,
+    /// Whether events are passed over.
+    pub(crate) without_events: bool,
     /// Solves for all unknowns at once, where they are rates of followers.
     following: Option<Following>,
     /// Rates that it found with them.
@@ -104,6 +106,7 @@ impl Compiled {
                 slopes: None,
                 switch_functions: functions,
                 held: Held::new(&switches, &pool),
+                without_events: false,
                 following: Some(following),
                 found: vec![0.0; states],
                 inputs: vec![0.0; 1 + states + left.len()],
@@ -146,6 +149,7 @@ impl Compiled {
             slopes: Some(slopes),
             switch_functions,
             held: Held::new(&switches, &pool),
+            without_events: false,
             following: None,
             found: Vec::new(),
             inputs: vec![0.0; 1 + states + unknowns],
@@ -280,7 +284,7 @@ impl System for Compiled {
     }
 
     fn events(&self) -> usize {
-        self.held.events()
+        if self.without_events { 0 } else { self.held.events() }
     }
 
     fn event_functions(&mut self, t: f64, y: &[f64], values: &mut [f64]) {

@@ -57,6 +57,9 @@ pub struct EngineOptions {
     /// Of an engine file: the load is bolted to the block.
     #[arg(long)]
     pub load_on_block: bool,
+    /// Of an engine file: gas as states with valves and heat release, instead of the pressures of its cycle.
+    #[arg(long, conflicts_with = "inertia_only")]
+    pub gas_states: bool,
     /// Of an engine file: leave out its gas.
     #[arg(long)]
     pub inertia_only: bool,

@@ -1,9 +1,10 @@
-//! The closed form held against the multibody simulation of the same engine.
+//! Closed form and bond graph held against the multibody simulation of the same engine.
 
 use crate::crosscheck_orders::order_rows;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::simulated_gas::GivenGas;
 use crate::torque_report::known_inertia;
+use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{
     BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, RippleOutcome,
     TorqueError, bearing_loads, speed_ripple,
@@ -66,9 +67,12 @@ pub enum CrossCheckError {
     /// The simulation.
     #[error(transparent)]
     Multibody(#[from] MultibodyError),
+    /// The bond graph.
+    #[error(transparent)]
+    BondGraph(#[from] EngineGraphError),
 }
 
-/// Compares closed form and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
+/// Compares closed form, bond graph and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
 /// [`crate::trace_names`] names.
 ///
 /// ```
@@ -132,6 +136,7 @@ impl Pair<'_> {
             Condition::LikeForLike => Ok(self.like_for_like()?),
             Condition::FreeSpeed => self.free_speed()?,
             Condition::MovingBlock => crate::crosscheck_mounts::moving_block(self)?,
+            Condition::AllFree => crate::crosscheck_graph::all_free(self)?,
         };
         let (rows, not_applicable) = match found {
             Ok(rows) => (rows, None),
@@ -306,7 +311,8 @@ impl Pair<'_> {
                 quantity: name.into(),
                 unit: unit.into(),
                 order: None,
-                closed_form,
+                closed_form: Some(closed_form),
+                bond_graph: None,
                 multibody,
                 difference,
                 scale: closed_form.max(f64::MIN_POSITIVE),

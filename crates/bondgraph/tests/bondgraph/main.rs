@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod causality;
+mod codes;
 mod engine_gas;
 mod external;
 mod gas;

@@ -51,7 +51,7 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
         if arguments.engine != EngineOptions::default() {
             return Err(Failure::input(
                 "a graph file says itself how it starts, what drives it and what moves",
-                "leave out --speed, --block, --imposed, --load, --load-on-block, --inertia-only and --no-gravity",
+                "leave out --speed, --block, --imposed, --load, --load-on-block, --gas-states, --inertia-only and --no-gravity",
             ));
         }
         (None, Graph::read(&source.text).map_err(refuse)?)
@@ -103,6 +103,7 @@ fn of_engine(
         imposed: options.imposed.then_some(true),
         gravity: !options.no_gravity,
         gas: !options.inertia_only,
+        gas_as_states: options.gas_states,
         load,
         load_on_block: options.load_on_block,
         ..BondGraphRequest::default()

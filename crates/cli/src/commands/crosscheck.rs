@@ -1,4 +1,4 @@
-//! `lanchester crosscheck`: the closed form against the multibody simulation.
+//! `lanchester crosscheck`: closed form and bond graph against the multibody simulation.
 
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
@@ -22,6 +22,7 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
         ConditionOption::A => Condition::LikeForLike,
         ConditionOption::B => Condition::FreeSpeed,
         ConditionOption::C => Condition::MovingBlock,
+        ConditionOption::D => Condition::AllFree,
     });
     let request = CrossCheckRequest {
         speed,

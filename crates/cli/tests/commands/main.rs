@@ -4,6 +4,7 @@
 
 mod bad_runs;
 mod balance;
+mod bond_graph;
 mod compare;
 mod consequences;
 mod counterweight;

@@ -107,5 +107,21 @@ fn xcheck_moving_block() {
     let ratio = condition.rows.last().unwrap();
     assert!(ratio.bar.is_some() && ratio.verdict == CrossVerdict::Agrees, "{ratio:?}");
     let left = &condition.rows[condition.rows.len() - 2];
-    assert!(left.multibody < 0.5 * left.closed_form, "both causes matter: {left:?}");
+    assert!(left.multibody < 0.5 * left.closed_form.unwrap(), "both causes matter: {left:?}");
+}
+
+/// The bond graph follows the multibody simulation of an engine with gas, balance shaft and mounts.
+#[test]
+fn xcheck_bond_graph() {
+    let text = include_str!("../../../../examples/three-cylinder.toml");
+    let engine = read(text).engine.expect("the example has no mistakes");
+    let request = CrossCheckRequest { conditions: vec![Condition::AllFree], ..CrossCheckRequest::default() };
+    let found = crosscheck(&engine, &[], &request).unwrap();
+    let condition = &found.conditions[0];
+    assert_eq!(condition.not_applicable, None);
+    assert_eq!(condition.rows.len(), 4);
+    for row in &condition.rows {
+        assert!(row.bond_graph.unwrap() > 0.0 && row.closed_form.is_none(), "{row:?}");
+        assert_eq!(row.verdict, CrossVerdict::Agrees, "{row:?}");
+    }
 }
