@@ -120,11 +120,12 @@ pub fn engine_bond_graph(
         _ => None,
     };
     let mut found = EngineRequest::free(speed, request.revolutions);
+    if request.gas_as_states {
+        found.gas_states = Some(GasStates::of(engine)?);
+    }
     let mut mean = 0.0;
     if let Some(report) = &report {
-        if request.gas_as_states {
-            found.gas_states = Some(GasStates::of(engine)?);
-        } else {
+        if !request.gas_as_states {
             found.pressures = gauge_pressures(&report.cylinders);
         }
         mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();

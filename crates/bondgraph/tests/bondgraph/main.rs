@@ -3,6 +3,7 @@
 mod bad_input;
 mod causality;
 mod codes;
+mod course;
 mod engine_gas;
 mod external;
 mod gas;
