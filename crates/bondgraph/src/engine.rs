@@ -1,7 +1,7 @@
 //! The bond graph of an engine: from a validated engine to the description of a graph.
 //!
-//! Flows of the block are those of its centre of mass in the axes of the ground and its angular velocity in its own axes; the crank has its speed
-//! relative to the block. Every other body is a store that follows them through a transformer whose matrix is its Jacobian:
+//! Flows of the block are those of its centre of mass in the axes of the ground and its angular velocity in its own axes; the crank has
+//! its speed relative to the block. Every other body is a store that follows them through a transformer whose matrix is its Jacobian:
 //!
 //! ```text
 //! body at c (block axes, from the block's centre)     V = v + R (Omega x c) + R c' w

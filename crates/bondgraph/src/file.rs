@@ -1,7 +1,7 @@
 //! The graph file: TOML text to a description.
 
 use crate::curve::Curve;
-use crate::description::{Description, Entry, Text};
+use crate::description::{Description, Entry, Text, Use};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use std::ops::Range;
@@ -42,6 +42,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
             ("signals", Value::Table(table)) => description.signals = entries(table, mistakes),
             ("simulation", Value::Table(table)) => description.simulation = texts(table, mistakes),
             ("tables", Value::Table(table)) => description.tables = curves(table, mistakes),
+            ("use", Value::Array(list)) => description.uses = list.iter().filter_map(|item| used(item, mistakes)).collect(),
             ("bonds", Value::Table(table)) => {
                 for (key, item) in table {
                     match (key.name, item.value()) {
@@ -69,7 +70,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                     }
                 }
             }
-            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "bonds", _) => {
+            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "use" | "bonds", _) => {
                 mistakes.push(
                     "E1701",
                     &place,
@@ -81,7 +82,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                 "E1702",
                 &place,
                 format!("a graph file has no `{other}`"),
-                "it has name, note, [parameters], [tables], [elements], [signals], [bonds] and [simulation]",
+                "it has name, note, [parameters], [tables], [[use]], [elements], [signals], [bonds] and [simulation]",
             ),
         }
     }
@@ -90,6 +91,42 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
 
 fn span(item: &Item<'_>) -> Range<usize> {
     item.span().range()
+}
+
+/// Names of the graphs that a file uses.
+pub fn used_graphs(text: &str) -> Vec<String> {
+    let description = read(text, &mut Mistakes::default());
+    description.uses.into_iter().map(|used| used.graph.text).collect()
+}
+
+/// One `[[use]]`: `graph`, `as` and `parameters`.
+fn used(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Use> {
+    let hint = "write graph = \"spring.toml\" and as = \"left\", and parameters = { k = \"2 N/m\" } where they differ";
+    let place = span(item);
+    let Some(table) = item.as_table() else {
+        mistakes.push("E1701", &place, "[[use]] needs a table", hint);
+        return None;
+    };
+    let mut found = Use::default();
+    for (key, item) in table {
+        let text = item.as_str().map(|text| Text { text: text.to_owned(), span: span(item) });
+        match (key.name, text, item.as_table()) {
+            ("graph", Some(text), _) => found.graph = text,
+            ("as", Some(text), _) => found.prefix = text,
+            ("parameters", _, Some(table)) => found.parameters = texts(table, mistakes),
+            _ => mistakes.push(
+                "E1702",
+                &span(item),
+                format!("[[use]] has no `{}` of this form", key.name),
+                hint,
+            ),
+        }
+    }
+    if found.graph.text.is_empty() || found.prefix.text.is_empty() {
+        mistakes.push("E1709", &place, "[[use]] needs a graph and the prefix of its names", hint);
+        return None;
+    }
+    Some(found)
 }
 
 /// Tables: straight lines through `points`, or `pieces` of cubics up to `end`.

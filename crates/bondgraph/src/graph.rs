@@ -160,8 +160,17 @@ impl Graph {
     /// # Errors
     /// Every mistake at once, with place and hint. No text makes this panic.
     pub fn read(text: &str) -> Result<Graph, Vec<Diagnostic>> {
+        Graph::read_with(text, &|_| None)
+    }
+
+    /// The same for a file that uses others; `look_up` gives their texts by the names that [`crate::used_graphs`] finds.
+    ///
+    /// # Errors
+    /// As [`Graph::read`]; a mistake in a used graph is shown where it is used.
+    pub fn read_with(text: &str, look_up: &dyn Fn(&str) -> Option<String>) -> Result<Graph, Vec<Diagnostic>> {
         let mut mistakes = Mistakes::default();
-        let description = file::read(text, &mut mistakes);
+        let mut description = file::read(text, &mut mistakes);
+        crate::subgraph::assemble(&mut description, look_up, 0, &mut mistakes);
         let graph = check::check(&description, &mut mistakes);
         let graph = graph.map(|graph| Graph { source: text.to_owned(), ..graph });
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(text))

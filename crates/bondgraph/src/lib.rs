@@ -39,6 +39,7 @@ mod linear;
 mod mistake;
 mod shown;
 mod simulate;
+mod subgraph;
 mod tape;
 mod text;
 mod unit;
@@ -47,7 +48,7 @@ mod write;
 pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use causality::{Causality, Follower, Preference, Step, causality};
 pub use curve::Curve;
-pub use description::{Description, Entry, Text};
+pub use description::{Description, Entry, Text, Use};
 pub use domain::Domain;
 pub use draw::drawing;
 pub use engine::{
@@ -56,7 +57,7 @@ pub use engine::{
 };
 pub use equations::{Equations, equations};
 pub use export::{graphml, modelica};
-pub use file::is_graph_file;
+pub use file::{is_graph_file, used_graphs};
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;

@@ -355,8 +355,8 @@ impl Equations {
     }
 }
 
-/// The state at a kink of a curve by steps of their own from the start of the step that met it: the interpolant is less accurate. The curve goes
-/// on smoothly within its window, so that the place of the kink does not matter to the last digit.
+/// The state at a kink of a curve by steps of their own from the start of the step that met it: the interpolant is less accurate. The
+/// curve goes on smoothly within its window, so that the place of the kink does not matter to the last digit.
 fn step_again(
     compiled: &mut Compiled,
     request: &SimulationRequest,

@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 /// `bondgraph`
 #[derive(Debug, Args)]
 pub struct BondgraphArguments {
-    /// What to show, and the graph file or engine file (`-`: standard input): causality, equations, linear, simulate, audit, draw or export;
-    /// without it causality and equations.
+    /// What to show, and the graph file or engine file (`-`: standard input): causality, equations, linear, simulate, audit, draw or
+    /// export; without it causality and equations.
     #[arg(value_names = ["ACTION", "FILE"], required = true, num_args = 1..=2)]
     pub words: Vec<String>,
     /// How equations are written.
@@ -51,7 +51,8 @@ pub struct EngineOptions {
     /// Of an engine file: keep the speed by a source of flow.
     #[arg(long)]
     pub imposed: bool,
-    /// Of an engine file: torque of a constant load, with its unit, or `none`; default: with gas the mean that the engine gives at the start speed.
+    /// Of an engine file: torque of a constant load, with its unit, or `none`; default: with gas the mean that the engine gives at the
+    /// start speed.
     #[arg(long, value_name = "TORQUE")]
     pub load: Option<String>,
     /// Of an engine file: the load is bolted to the block.

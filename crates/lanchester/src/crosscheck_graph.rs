@@ -1,7 +1,7 @@
 //! The bond graph held against the multibody simulation: everything free, the same pressures.
 //!
-//! Both integrate what they derive from the engine file themselves. Quantities: crank angle and speed, rotation of the block, deflection of the
-//! mounts along their directions.
+//! Both integrate what they derive from the engine file themselves. Quantities: crank angle and speed, rotation of the block, deflection
+//! of the mounts along their directions.
 
 use crate::bond_graph::gauge_pressures;
 use crate::crosscheck::{CrossCheckError, Pair};

@@ -5,8 +5,8 @@
 //! r = max(p_d/p_u, (2/(gamma + 1))^(gamma/(gamma - 1)))              enthalpy flow: c_p T_u dm/dt
 //! ```
 //! Upstream (u) is the side of the higher pressure. Near rest the root goes over into a straight line: `y/(y^2 + y_0^2)^(1/4)` with
-//! `y_0 = 1e-4 (gamma - 1)/gamma`. Source: Heywood, *Internal Combustion Engine Fundamentals*, appendix C, eqs. C.8 and C.9; the field with its
-//! three ports: Karnopp, Margolis, Rosenberg, *System Dynamics*, 5th edition, section 12.4.
+//! `y_0 = 1e-4 (gamma - 1)/gamma`. Source: Heywood, *Internal Combustion Engine Fundamentals*, appendix C, eqs. C.8 and C.9; the field
+//! with its three ports: Karnopp, Margolis, Rosenberg, *System Dynamics*, 5th edition, section 12.4.
 
 use super::Builder;
 use super::numbers::{dead_centres, travel};

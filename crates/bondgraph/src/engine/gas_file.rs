@@ -13,11 +13,12 @@ use std::f64::consts::{PI, TAU};
 const PIECE: f64 = PI / 360.0;
 
 impl GasStates {
-    /// What `[gas]` with a single-zone cycle says: reservoirs, valves, heat release of a given energy. Walls are left to the caller: those of
-    /// the file hang on more than the temperature.
+    /// What `[gas]` with a single-zone cycle says: reservoirs, valves, heat release of a given energy. Walls are left to the caller:
+    /// those of the file hang on more than the temperature.
     ///
     /// # Errors
-    /// [`EngineGraphError::Gas`] where the file has no such cycle, ports instead of valves, fuel by the mixture, or a crankcase that is measured.
+    /// [`EngineGraphError::Gas`] where the file has no such cycle, ports instead of valves, fuel by the mixture, or a crankcase that is
+    /// measured.
     pub fn of(engine: &Engine) -> Result<GasStates, EngineGraphError> {
         let refuse = |needed: &'static str| EngineGraphError::Gas { needed };
         let gas = engine.gas.as_ref().ok_or(refuse("a [gas] in the file"))?;

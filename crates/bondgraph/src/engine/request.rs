@@ -24,7 +24,8 @@ pub struct EngineRequest {
     pub crankshaft_inertia: Vec<f64>,
     /// Polar inertia of every balance shaft [kg m^2].
     pub shaft_inertia: Vec<f64>,
-    /// Pressure in every cylinder less that under its piston [Pa] over the angle that its crankshaft turned since it fired [rad]; empty: no gas.
+    /// Pressure in every cylinder less that under its piston [Pa] over the angle that its crankshaft turned since it fired [rad]; empty:
+    /// no gas.
     #[serde(skip)]
     pub pressures: Vec<Curve>,
     /// The gas as states instead of pressures.

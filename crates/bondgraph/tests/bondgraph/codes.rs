@@ -21,6 +21,9 @@ fn every_code_can_be_met() {
     let motor = |law: &str| format!("[elements]\n{shaft}m = {law}\n{bonds}");
     let se = |law: &str| motor(&format!("{{ kind = \"Se\", effort = \"{law}\" }}"));
     let long = "1 N m + ".repeat(600) + "1 N m";
+    let second = "v = { kind = \"Sf\", flow = \"2 rad/s\" }\nw = {";
+    let conflict = motor("{ kind = \"Sf\", flow = \"1 rad/s\" }").replace("w = {", second);
+    let conflict = conflict.replace("\"m > s\"", "\"m > s\", \"v > s\"");
     let cases = [
         ("E1701", "[elements\n".to_owned()),
         ("E1702", motor("{ kind = \"Sx\" }")),
@@ -34,7 +37,7 @@ fn every_code_can_be_met() {
         ("E1710", se("1 N m").replace(", domain = \"rotation\"", "")),
         ("E1711", format!("[parameters]\na = \"b\"\nb = \"a\"\n{}", se("1 N m"))),
         ("E1712", se("1 N m").replace("1 kg m2", "-1 kg m2")),
-        ("E1713", motor("{ kind = \"Sf\", flow = \"1 rad/s\" }").replace("w = {", "v = { kind = \"Sf\", flow = \"2 rad/s\" }\nw = {").replace("\"m > s\"", "\"m > s\", \"v > s\"")),
+        ("E1713", conflict),
         (
             "E1714",
             "[elements]\na = { kind = \"1\", domain = \"rotation\" }\nb = { kind = \"1\", domain = \"rotation\" }\n\

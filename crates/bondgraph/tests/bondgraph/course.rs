@@ -196,7 +196,8 @@ fn prismatic_pair_conserves_energy_and_momenta() {
     }
 }
 
-/// Eqs. (3.28) to (3.31) as printed take each body's own normal: equal to ours without tilt, and with it energy is conserved but momentum is not.
+/// Eqs. (3.28) to (3.31) as printed take each body's own normal: equal to ours without tilt, and with it energy is conserved but
+/// momentum is not.
 #[test]
 fn lit_singh_prismatic_pair_as_printed() {
     let printed = text!("prismatic-pair").replace(

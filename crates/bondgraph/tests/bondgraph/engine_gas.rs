@@ -29,7 +29,8 @@ fn values<'a>(run: &'a Simulation, name: &str) -> &'a [f64] {
     run.values(name).unwrap_or_else(|| panic!("no {name}"))
 }
 
-/// Figures 3.23 to 3.25: pressures in the firing order, loops whose area is the work, a speed that settles where the load takes the mean torque.
+/// Figures 3.23 to 3.25: pressures in the firing order, loops whose area is the work, a speed that settles where the load takes the mean
+/// torque.
 #[test]
 fn lit_singh_pressures_speed_and_torque() {
     let engine = engine();

@@ -1,6 +1,6 @@
 //! A description written as a graph file and read again is the same graph.
 
-use lanchester_bondgraph::{Curve, Description, Graph, Notation, Unit, equations, graph_file};
+use lanchester_bondgraph::{Curve, Description, Graph, Notation, Unit, equations, graph_file, used_graphs};
 
 fn shown(graph: &Graph) -> String {
     let found = equations(graph).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
@@ -42,9 +42,11 @@ fn a_written_graph_is_read_again() {
 #[test]
 fn a_table_is_integrated_from_kink_to_kink() {
     let text = "[tables.torque]\npoints = [[0, 0], [1, 2], [3, 0]]\nperiodic = true\nx_unit = \"rad\"\ny_unit = \"N m\"\n\
-                [elements]\nmotor = { kind = \"MSe\", effort = \"table(torque, theta)\" }\nshaft = { kind = \"1\", domain = \"rotation\" }\n\
+                [elements]\nmotor = { kind = \"MSe\", effort = \"table(torque, theta)\" }\n\
+                     shaft = { kind = \"1\", domain = \"rotation\" }\n\
                 wheel = { kind = \"I\", inertia = \"0.5 kg m2\", flow = \"1 rad/s\" }\n\
-                [signals]\ntheta = { integral_of = \"shaft.flow\", start = \"0 rad\" }\n[bonds]\nlist = [\"motor > shaft\", \"shaft > wheel\"]\n";
+                [signals]\ntheta = { integral_of = \"shaft.flow\", start = \"0 rad\" }\n[bonds]\n\
+                     list = [\"motor > shaft\", \"shaft > wheel\"]\n";
     let graph = Graph::read(text).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
     let found = equations(&graph).expect("no conflict");
     let mut request = found.request();
@@ -77,4 +79,47 @@ fn bad_tables_are_refused() {
         let mistakes = Graph::read(&text).expect_err(part);
         assert!(mistakes.iter().any(|m| m.code == code && m.hint.is_some()), "{part}: {mistakes:?}");
     }
+}
+
+const SPRING: &str = "[parameters]\nk = \"100 N/m\"\nm = \"2 kg\"\n[elements]\nmove = { kind = \"1\", domain = \"translation\" }\n\
+                      mass = { kind = \"I\", inertia = \"m\" }\n\
+                           spring = { kind = \"C\", stiffness = \"k*(1 + 0*spring_at/(1 m))\", displacement = \"0.1 m\" }\n\
+                      [signals]\nspring_at = { integral_of = \"move.flow\", start = \"0 m\" }\n[bonds]\n\
+                           list = [\"move > mass\", \"move > spring\"]\n";
+
+/// Two of the same graph, one with another stiffness, joined by a damper: the names of each have its prefix.
+#[test]
+fn a_graph_is_used_twice() {
+    let text = "[[use]]\ngraph = \"spring.toml\"\nas = \"a\"\n[[use]]\ngraph = \"spring.toml\"\nas = \"b\"\nparameters = { k = \"k_b\" }\n\
+                [parameters]\nk_b = \"400 N/m\"\n[elements]\nbetween = { kind = \"0\", domain = \"translation\" }\n\
+                damper = { kind = \"R\", resistance = \"3 N s/m\" }\n[bonds]\n\
+                     list = [\"a_move > between\", \"between > b_move\", \"between > damper\"]\n";
+    assert_eq!(used_graphs(text), ["spring.toml", "spring.toml"]);
+    let graph = Graph::read_with(text, &|name| (name == "spring.toml").then(|| SPRING.to_owned()))
+        .unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    let found = equations(&graph).expect("no conflict");
+    let rates: Vec<String> =
+        found.shown(Notation::Text).rates.iter().map(|r| format!("{} = {}", r.left, r.right)).collect();
+    assert!(
+        rates[0].contains("a_k*a_spring.displacement") && rates[1].contains("a_mass.momentum/a_m"),
+        "{rates:?}"
+    );
+    assert!(rates[2].contains("b_k*b_spring.displacement"), "{rates:?}");
+    let mistakes = Graph::read(text).expect_err("nothing is at hand");
+    assert!(
+        mistakes.iter().any(|m| m.code == "E1702" && m.message.contains("no graph `spring.toml`")),
+        "{mistakes:?}"
+    );
+    let endless = "[[use]]\ngraph = \"x\"\nas = \"a\"\n[elements]\n";
+    let mistakes = Graph::read_with(endless, &|_| Some(endless.to_owned())).expect_err("it uses itself");
+    assert!(mistakes.iter().any(|m| m.code == "E1715"), "{mistakes:?}");
+    let wrong = text.replace("k = \"k_b\"", "c = \"k_b\"");
+    let mistakes = Graph::read_with(&wrong, &|_| Some(SPRING.to_owned())).expect_err("no such parameter");
+    assert!(
+        mistakes.iter().any(|m| m.code == "E1706" && m.message.contains("no parameter `c`")),
+        "{mistakes:?}"
+    );
+    let broken = SPRING.replace("\"100 N/m\"", "\"100 N/m");
+    let mistakes = Graph::read_with(text, &|_| Some(broken.clone())).expect_err("it cannot be read");
+    assert!(mistakes.iter().any(|m| m.message.starts_with("in `spring.toml`: ")), "{mistakes:?}");
 }

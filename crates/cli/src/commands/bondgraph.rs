@@ -6,16 +6,17 @@ use crate::bondgraph_arguments::{
 };
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
-use crate::files::{Source, print, read_source, tell};
+use crate::files::{Source, print, read_bytes, read_source, tell};
 use crate::format::Format;
 use crate::trace_files::trace_files;
 use lanchester::bondgraph::{
     Description, EngineBlock, Equations, Graph, LoadTorque, Method, Notation, Preference, SimulationRequest,
     audit_text, causality, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
-    graphml, is_graph_file, linear_text, modelica, simulation_csv, simulation_text,
+    graphml, is_graph_file, linear_text, modelica, simulation_csv, simulation_text, used_graphs,
 };
 use lanchester::model::{Diagnostic, option, read, render};
 use lanchester::{BondGraphRequest, engine_bond_graph};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// What the command shows.
@@ -54,7 +55,7 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
                 "leave out --speed, --block, --imposed, --load, --load-on-block, --gas-states, --inertia-only and --no-gravity",
             ));
         }
-        (None, Graph::read(&source.text).map_err(refuse)?)
+        (None, Graph::read_with(&source.text, &parts(Path::new(file), &source.text)?).map_err(refuse)?)
     } else {
         let description = of_engine(arguments, Path::new(file), &source, colour)?;
         let graph = Graph::new(&description).map_err(refuse)?;
@@ -73,6 +74,28 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
     let found = equations(&graph).map_err(refuse)?;
     let as_file = || description.as_ref().map_or_else(|| source.text.clone(), graph_file);
     show(arguments, action, &graph, &found, as_file)
+}
+
+/// Texts of the graphs that a graph file uses, and of those that they use, by name from the folder of the file.
+fn parts(file: &Path, text: &str) -> Result<impl Fn(&str) -> Option<String> + use<>, Failure> {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let mut found: BTreeMap<String, String> = BTreeMap::new();
+    let mut waiting = used_graphs(text);
+    while let Some(name) = waiting.pop() {
+        if found.contains_key(&name) {
+            continue;
+        }
+        let bytes = read_bytes(
+            &folder.join(&name),
+            "[[use]] names it: give its place from the folder of the graph file",
+        )?;
+        let Ok(text) = String::from_utf8(bytes) else {
+            return Err(Failure::input(format!("{name} is not UTF-8 text"), "save the graph file in UTF-8"));
+        };
+        waiting.extend(used_graphs(&text));
+        found.insert(name, text);
+    }
+    Ok(move |name: &str| found.get(name).cloned())
 }
 
 /// The graph of an engine file.

@@ -89,4 +89,12 @@ fn what_is_wrong_is_said() {
     std::fs::write(folder.join("conflict.toml"), conflict).unwrap();
     has(&["bondgraph", "conflict.toml"], "E1713");
     has(&["bondgraph", "missing.toml"], "missing.toml");
+    let used = "[[use]]\ngraph = \"part.toml\"\nas = \"a\"\n[elements]\ns = { kind = \"Se\", effort = \"1 N m\" }\n[bonds]\n\
+         list = [\"s > a_shaft\"]\n";
+    std::fs::write(folder.join("uses.toml"), used).unwrap();
+    has(&["bondgraph", "uses.toml"], "[[use]] names it");
+    let part = "[elements]\nshaft = { kind = \"1\", domain = \"rotation\" }\n\
+         wheel = { kind = \"I\", inertia = \"1 kg m2\" }\n[bonds]\nlist = [\"shaft > wheel\"]\n";
+    std::fs::write(folder.join("part.toml"), part).unwrap();
+    assert!(output(&folder, 0, &["bondgraph", "uses.toml"]).contains("States: a_wheel"));
 }

@@ -85,7 +85,8 @@ const MOUNTS: [[&str; 3]; 4] = [
 fn mounts() -> String {
     let mount = |[x, y, z]: [&str; 3]| {
         format!(
-            "[[mount]]\nx = \"{x}\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\nstiffness = [\"90 N/mm\", \"60 N/mm\", \
+            "[[mount]]\nx = \"{x}\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\n\
+                 stiffness = [\"90 N/mm\", \"60 N/mm\", \
              \"50 N/mm\"]\ndamping = [\"300 N s/m\", \"250 N s/m\", \"200 N s/m\"]\n"
         )
     };
@@ -300,7 +301,8 @@ fn xcheck_single_with_its_block_in_the_plane() {
     for (y, z) in [("200 mm", "150 mm"), ("-200 mm", "150 mm"), ("200 mm", "-150 mm"), ("-200 mm", "-150 mm")]
     {
         text += &format!(
-            "[[mount]]\nx = \"-90 mm\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\nstiffness = [\"60 N/mm\", \"40 N/mm\", \
+            "[[mount]]\nx = \"-90 mm\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\n\
+                 stiffness = [\"60 N/mm\", \"40 N/mm\", \
              \"40 N/mm\"]\ndamping = [\"200 N s/m\", \"150 N s/m\", \"150 N s/m\"]\n"
         );
     }
