@@ -92,12 +92,12 @@ impl Builder<'_> {
         let k = index + 1;
         let [cos, sin] = direction(cylinder.angle);
         let s = format!("s{k}");
-        let z = self.from_centre(2, cylinder.z);
+        let z = self.seen_from_centre(2, cylinder.z);
         let place = |value: f64| if value == 0.0 { "0".to_owned() } else { quantity(value, "m") };
         if cylinder.piston_mass > 0.0 {
             let fixed = [
-                self.from_centre(0, shaft.x - cylinder.offset * sin),
-                self.from_centre(1, shaft.y + cylinder.offset * cos),
+                self.seen_from_centre(0, shaft.x - cylinder.offset * sin),
+                self.seen_from_centre(1, shaft.y + cylinder.offset * cos),
             ];
             let at = [
                 combination(&[(cos, &s), (1.0, &place(fixed[0]))]),
@@ -110,7 +110,7 @@ impl Builder<'_> {
         }
         if cylinder.rod.mass() > 0.0 {
             let share = numbers.rod_centre;
-            let fixed = [self.from_centre(0, shaft.x), self.from_centre(1, shaft.y)];
+            let fixed = [self.seen_from_centre(0, shaft.x), self.seen_from_centre(1, shaft.y)];
             for (axis, own) in [("x", fixed[0]), ("y", fixed[1])] {
                 let at = combination(&[
                     (1.0, &format!("p{axis}{k}")),

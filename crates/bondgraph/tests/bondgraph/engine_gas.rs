@@ -124,7 +124,7 @@ fn lit_singh_rocking_without_and_with_the_balancer() {
             None => engine.shafts.clear(),
             Some(degrees) => {
                 for (weight, more) in engine.shafts[0].weights.iter_mut().zip([0.0, 180.0]) {
-                    weight.phase = (degrees + more as f64).to_radians();
+                    weight.phase = (degrees + more).to_radians();
                 }
             }
         }
