@@ -2,7 +2,7 @@
 
 use crate::cancellation::answer::Cancellation;
 use crate::settings::{BalanceSettings, StopCause};
-use lanchester_model::{BalanceTask, Criterion};
+use lanchester_task::{BalanceTask, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -18,9 +18,12 @@ pub struct Answer {
     pub engine: String,
     /// Speed of crankshaft 1 at which loads are judged [rad/s]: the highest of the engine, where all of them are largest.
     pub speed: f64,
-    /// Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
+    /// Where forces of inertia at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mount_speeds: Option<JudgedSpeeds>,
+    /// The same of forces at mounts with gas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mount_gas_speeds: Option<JudgedSpeeds>,
     /// Where main-bearing loads with gas are judged: the speeds that decide [rad/s], and where the largest of them stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas_speeds: Option<JudgedSpeeds>,

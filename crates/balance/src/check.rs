@@ -3,7 +3,8 @@
 use crate::error::BalanceError;
 use crate::operator::ratio_of;
 use crate::problem::implied;
-use lanchester_model::{BalanceTask, Catalogue, Criterion, Engine, FreeWeight, GiveUp, Phase, Place, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Catalogue, Criterion, FreeWeight, GiveUp, Phase, Place, Seat};
 
 /// Places closer than this are the same [m].
 const SAME_PLACE: f64 = 1e-9;

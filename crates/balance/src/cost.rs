@@ -11,7 +11,8 @@ use crate::convex::programme::Group;
 use crate::criterion::Judged;
 use crate::fitted::replaces;
 use crate::operator::{Operator, WeightColumns};
-use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Seat};
 
 /// The cost of a task in which `optional` says of a weight or shaft that its use is not decided; a weight without corners is not
 /// used.

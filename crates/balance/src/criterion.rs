@@ -10,12 +10,13 @@ use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
 use crate::cost;
 use crate::error::BalanceError;
-use crate::gas_places::GasCycle;
 use crate::gas_range::indices;
 use crate::mounts;
 use crate::operator::{Channel, Operator};
+use crate::speed_places::GasCycle;
 use crate::wave::{Wave, curve};
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains, Statistic};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, Mains, Statistic};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -60,13 +61,15 @@ pub(crate) fn vectors(
         Load::CoupleX => (channels(&[Channel::CoupleX]), false),
         Load::CoupleY => (channels(&[Channel::CoupleY]), false),
         Load::RollMoment => (channels(&[Channel::RollMoment]), false),
-        Load::MountForce(index) => {
-            let at_speeds = mount_forces(engine, operator)?.into_iter();
+        Load::MountForce(index) | Load::MountForceWithGas(index) => {
+            let at_speeds = mount_forces(engine, operator, load)?.into_iter();
             let own = at_speeds.map(|all| all.into_iter().nth(index)).collect::<Option<Vec<_>>>();
             let needed = "a mount of that number";
             (own.ok_or_else(|| missing("force at a mount", needed, "count the [[mount]] entries"))?, true)
         }
-        Load::LargestMountForce => (mount_forces(engine, operator)?.concat(), true),
+        Load::LargestMountForce | Load::LargestMountForceWithGas => {
+            (mount_forces(engine, operator, load)?.concat(), true)
+        }
         Load::MainLoad(index) => {
             let of_main = main_loads(operator)?.get(index).cloned();
             let needed = "a main bearing of that number";
@@ -90,7 +93,11 @@ fn main_loads(operator: &Operator) -> Result<&[[Wave; 2]], BalanceError> {
     Ok(&operator.mains)
 }
 
-fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
+fn mount_forces(
+    engine: &Engine,
+    operator: &Operator,
+    load: Load,
+) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
     if engine.mounts.is_empty() {
         return Err(missing(
             "mount force",
@@ -98,7 +105,7 @@ fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave
             "add [[mount]] entries to the engine file",
         ));
     }
-    mounts::forces(engine, operator)
+    mounts::forces(engine, operator, load.counts_gas())
 }
 
 /// Adds the groups of `criterion` to `groups` and says how to read them.
@@ -121,7 +128,6 @@ pub(crate) fn judge(
             Ok(peak(operator, criterion, &vectors, force, groups))
         }
         Criterion::Order(load, order) => {
-            let key = order * f64::from(operator.grid.revolutions);
             if !(order.is_finite() && order >= 0.0) {
                 return Err(BalanceError::Number {
                     quantity: "order",
@@ -133,9 +139,7 @@ pub(crate) fn judge(
             if load == Load::BendingMoment {
                 return bending::judge(engine, task, operator, criterion, order == 1.0, groups);
             }
-            // An order between those that the engine has is not there.
-            let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;
-            let key = if whole { key.round() as u32 } else { u32::MAX };
+            let key = order_key(order, operator.grid.revolutions);
             let (vectors, force) = vectors(engine, operator, load)?;
             let only: Vec<Vec<Wave>> =
                 vectors.iter().map(|v| v.iter().map(|w| w.only(key)).collect()).collect();
@@ -170,10 +174,10 @@ pub(crate) fn judge(
                 vectors(engine, operator, Load::MainLoad(index))?;
             }
             let indices = indices(mains, count);
-            let cycles = &operator.gas.cycles;
+            let cycles = &operator.places.cycles;
             match statistic {
                 Statistic::Peak => {
-                    let peaks = operator.gas.peaks.iter().filter(|peak| indices.contains(&peak.main));
+                    let peaks = operator.places.peaks.iter().filter(|peak| indices.contains(&peak.main));
                     let members = peaks.map(|peak| peak.vector(operator)).collect();
                     Ok(largest_of(operator, criterion, members, groups))
                 }
@@ -203,6 +207,13 @@ pub(crate) fn judge(
             Ok(1.0 / radius)
         })?),
     }
+}
+
+/// The key of an order; of one between those that the engine has, which is not there, the key of none.
+pub(crate) fn order_key(order: f64, revolutions: u32) -> u32 {
+    let key = order * f64::from(revolutions);
+    let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;
+    if whole { key.round() as u32 } else { u32::MAX }
 }
 
 /// A group of curves, scaled by its largest amount without the devices.

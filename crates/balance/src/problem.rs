@@ -5,7 +5,8 @@ use crate::convex::programme::{Group, Programme, Row};
 use crate::criterion::{Judged, amounts, judge, level};
 use crate::error::BalanceError;
 use crate::operator::Operator;
-use lanchester_model::{BalanceTask, Criterion, Engine, GiveUp, Load, Mains, Place, Seat, Stage};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, GiveUp, Load, Mains, Place, Seat, Stage};
 use std::rc::Rc;
 
 /// What a row of the programme stands for.

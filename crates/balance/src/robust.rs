@@ -27,7 +27,8 @@ use crate::problem::Problem;
 use crate::stages::{Walk, run};
 use crate::wave::curve;
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, criterion_unit};
 use serde::Serialize;
 
 /// Version of [`RobustAnswer`]; raised when a field changes its meaning or goes.
@@ -191,7 +192,7 @@ fn suits(task: &BalanceTask, request: &RobustRequest<'_>) -> Result<Criterion, B
     match task.stages.as_slice() {
         [stage] => match stage.terms.as_slice() {
             [(_, criterion @ (Criterion::Peak(load) | Criterion::Order(load, _)))]
-                if !matches!(load, Load::BendingMoment | Load::MountForce(_) | Load::LargestMountForce) =>
+                if *load != Load::BendingMoment && !load.is_at_mounts() =>
             {
                 Ok(*criterion)
             }

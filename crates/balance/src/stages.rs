@@ -16,7 +16,7 @@ use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
 use crate::convex::{Failure, better, proved, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
-use lanchester_model::criterion_unit;
+use lanchester_task::criterion_unit;
 
 /// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
 pub(crate) const GAP: f64 = 1e-9;

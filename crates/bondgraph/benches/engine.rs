@@ -1,25 +1,27 @@
 //! How long the bond graph of an engine takes: causality and equations of a V8, and a run of the three-cylinder with its gas.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_bondgraph::*;
-use lanchester_model::{Engine, read, template};
+use lanchester_file::{read, template};
+use lanchester_model::Engine;
 use std::hint::black_box;
 
 /// A V8 of the gallery, its block in space with the numbers and mounts of the three-cylinder, scaled by its size.
 fn v8(donor: &Engine) -> Engine {
-    let mut engine =
-        read(template("v8-crossplane").expect("it is in the gallery").text).engine.expect("it is valid");
-    engine.block.clone_from(&donor.block);
-    if let Some(block) = &mut engine.block {
-        block.mass *= 3.0;
-        block.inertia = block.inertia.map(|inertia| 3.0 * inertia);
-    }
-    engine.mounts.clone_from(&donor.mounts);
-    engine
+    let text = template("v8-crossplane").expect("it is in the gallery").text;
+    let engine = read(text).engine().expect("it is valid").with(|engine| {
+        engine.block.clone_from(&donor.block);
+        if let Some(block) = &mut engine.block {
+            block.mass *= 3.0;
+            block.inertia = block.inertia.map(|inertia| 3.0 * inertia);
+        }
+        engine.mounts.clone_from(&donor.mounts);
+    });
+    engine.unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
 fn bench(criterion: &mut Criterion) {
     let text = include_str!("../../../examples/three-cylinder.toml");
-    let engine = read(text).engine.expect("it is valid");
+    let engine = read(text).engine().expect("it is valid");
     let mut group = criterion.benchmark_group("bond graph");
     let large = v8(&engine);
     let request = EngineRequest {

@@ -8,7 +8,7 @@
 use crate::description::Text;
 use crate::graph::{Graph, Kind, Law};
 use crate::mistake::Mistakes;
-use lanchester_model::Diagnostic;
+use lanchester_diagnostic::Diagnostic;
 use serde::Serialize;
 
 /// Which stores are assigned first.

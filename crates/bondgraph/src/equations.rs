@@ -5,7 +5,7 @@ use crate::expression::{Id, Node, Pool, Var};
 use crate::graph::{Graph, Kind, Law};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
-use lanchester_model::Diagnostic;
+use lanchester_diagnostic::Diagnostic;
 use std::collections::HashMap;
 
 /// Unknowns beyond this number are not eliminated by symbols but solved at every evaluation.

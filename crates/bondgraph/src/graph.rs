@@ -6,7 +6,7 @@ use crate::expression::{Id, Pool};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use crate::{check, file};
-use lanchester_model::Diagnostic;
+use lanchester_diagnostic::Diagnostic;
 
 /// A bond graph, checked. Expressions are kept in a pool of its own.
 #[derive(Debug, Clone)]

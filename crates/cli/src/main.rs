@@ -29,6 +29,7 @@ mod sensitivity_arguments;
 mod shape_request;
 mod share_option;
 mod simulation_arguments;
+mod simulation_watch;
 mod still_computing;
 mod studio_arguments;
 mod torque_arguments;

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use clap::Args;
 use lanchester::RobustOptions;
 use lanchester::balance::RobustMeasure;
-use lanchester::model::option;
+use lanchester::task::option;
 
 /// Engines drawn within the tolerances of the file.
 #[derive(Debug, Clone, Args)]

@@ -10,22 +10,25 @@ pub struct SimulateArguments {
     /// Engine file; `-` reads standard input.
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// How long: `10 revolutions` or `2 s`.
-    #[arg(long = "for", value_name = "DURATION", default_value = "10 revolutions", conflicts_with = "until")]
-    pub duration: String,
+    /// How long: `10 revolutions` or `2 s`; default: as the file says, else 10 revolutions.
+    #[arg(long = "for", value_name = "DURATION", conflicts_with = "until")]
+    pub duration: Option<String>,
     /// Search the periodic motion and show one period of it.
     #[arg(long, value_enum)]
     pub until: Option<Until>,
-    /// Speed of crankshaft 1 at the start, with its unit; default: the highest speed of the file.
+    /// Speed of crankshaft 1 at the start, with its unit; default: as the file says, else its highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Option<String>,
     /// Keep this speed by a drive that takes whatever torque it needs.
     #[arg(long)]
     pub imposed: bool,
+    /// Let the torques set the speed, where the file says otherwise.
+    #[arg(long, conflicts_with = "imposed")]
+    pub free: bool,
     /// Whether the block moves; default: on its mounts where the file gives them in a form that a run in time can use.
     #[arg(long, value_enum)]
     pub block: Option<BlockOption>,
-    /// Torque of a constant load, with its unit, or `none`; default: with gas the mean that the engine gives at the start speed.
+    /// Torque of a constant load, with its unit, or `none`; default: as the file says, else with gas the mean that the engine gives at the start speed.
     #[arg(long, value_name = "TORQUE")]
     pub load: Option<String>,
     /// The load is bolted to the block, as a generator: its reaction goes there instead of to the ground.
@@ -40,13 +43,13 @@ pub struct SimulateArguments {
     /// Leave out the weight.
     #[arg(long)]
     pub no_gravity: bool,
-    /// Crank angle between samples, with its unit.
-    #[arg(long, value_name = "ANGLE", default_value = "1 deg")]
-    pub step: String,
-    /// Relative tolerance of every step, from 1e-13 to 1e-2.
-    #[arg(long, value_name = "TOLERANCE", default_value_t = 1e-9)]
-    pub tolerance: f64,
-    /// Let it take as long as it takes: no bound on the evaluations.
+    /// Crank angle between samples, with its unit; default: as the file says, else 1 deg.
+    #[arg(long, value_name = "ANGLE")]
+    pub step: Option<String>,
+    /// Relative tolerance of every step, from 1e-13 to 1e-2; default: as the file says, else 1e-9.
+    #[arg(long, value_name = "TOLERANCE")]
+    pub tolerance: Option<f64>,
+    /// Let it take as long as it takes: no bound on evaluations and samples.
     #[arg(long)]
     pub long: bool,
     /// Table written with `--format csv`; default: trace.

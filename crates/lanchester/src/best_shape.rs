@@ -7,7 +7,9 @@ use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Limit, NearestLimit, Objective, Optimum, Outline, Part,
     ShapeTask, counterweight_properties, design_within, evolve, largest_balance,
 };
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault, PartWeight};
+use lanchester_model::{
+    Counterweight, CounterweightForm, CounterweightPart, Engine, EngineParts, PartFault, PartWeight,
+};
 use lanchester_report::obstacle_name;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -433,8 +435,7 @@ pub(crate) fn missed(
         return Ok(None);
     }
     let (part, weight) = fitted_part(engine, index, design, density)?;
-    let mut fitted = engine.clone();
-    fit(&mut fitted, index, part, weight);
+    let fitted = engine.with(|parts| fit(parts, index, part, weight)).map_err(CounterweightError::engine)?;
     // Counterweights with a shape come first, in their order.
     let body = fitted.counterweights[..index].iter().filter(|weight| weight.part.is_some()).count();
     Ok(clearance_model(&fitted)?.missed(body).map_err(crate::EngineClearanceError::from)?)
@@ -490,7 +491,7 @@ pub(crate) fn room(
 }
 
 /// Puts a part in the place of a weight: plane, unbalance and direction become those of the part.
-pub(crate) fn fit(fitted: &mut Engine, index: usize, part: CounterweightPart, weight: PartWeight) {
+pub(crate) fn fit(fitted: &mut EngineParts, index: usize, part: CounterweightPart, weight: PartWeight) {
     let old = &mut fitted.counterweights[index];
     (old.z, old.unbalance, old.angle) = (weight.z, weight.unbalance, weight.angle);
     old.part = Some(Box::new(part));

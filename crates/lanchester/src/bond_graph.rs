@@ -79,8 +79,8 @@ pub enum BondGraphError {
 /// use lanchester::{BondGraphRequest, engine_bond_graph};
 /// use lanchester::bondgraph::{Graph, equations};
 ///
-/// let template = lanchester::model::template("v2-90").expect("it is in the gallery");
-/// let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester::file::template("v2-90").expect("it is in the gallery");
+/// let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let found = engine_bond_graph(&engine, &[], &BondGraphRequest::default())?;
 /// let graph = Graph::new(&found.description).expect("names and units fit");
 /// assert!(equations(&graph).is_ok());

@@ -78,8 +78,8 @@ pub enum CrossCheckError {
 /// ```
 /// use lanchester::{CrossCheckRequest, crosscheck};
 ///
-/// let template = lanchester::model::template("v6-90").expect("it is in the gallery");
-/// let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester::file::template("v6-90").expect("it is in the gallery");
+/// let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let check = crosscheck(&engine, &[], &CrossCheckRequest::default())?;
 /// assert!(check.agrees());
 /// # Ok::<(), lanchester::CrossCheckError>(())

@@ -6,8 +6,8 @@
 //! ```
 //! use lanchester::mechanism::{LoadRequest, loads};
 //!
-//! let template = lanchester::model::template("in-line-4").expect("it is in the gallery");
-//! let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+//! let template = lanchester::file::template("in-line-4").expect("it is in the gallery");
+//! let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 //! let loads = loads(&engine, &LoadRequest::default())?;
 //! let (first, second) = (loads.total.orders[1], loads.total.orders[2]);
 //! // An in-line four is free of first order and shakes at second order.
@@ -41,6 +41,7 @@ mod own_layout;
 mod pressure;
 mod robust_balance;
 pub mod run;
+mod run_plan;
 mod running;
 mod sample_study;
 mod scene;
@@ -77,6 +78,7 @@ pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
+pub use lanchester_file as file;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
@@ -84,6 +86,8 @@ pub use lanchester_multibody as multibody;
 pub use lanchester_report as report;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
+pub use lanchester_task as task;
+pub use lanchester_units as units;
 pub use lanchester_workshop as workshop;
 pub use layout_search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
 pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
@@ -103,7 +107,7 @@ pub use shaft_weights::{
     design_shaft_weights, named_shaft_weights, shaft_weights_to_design, with_shaft_weights,
 };
 pub use simulated_gas::GivenGas;
-pub use simulation::{RunLength, SimulateRequest, simulate};
+pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
 pub use speed_gas::optimised;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,

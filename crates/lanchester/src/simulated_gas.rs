@@ -1,24 +1,49 @@
-//! The pressures of a gas report as a run of the multibody simulation takes them.
+//! The pressures of gas reports as a run of the multibody simulation takes them.
 
+use crate::mounted::depends_on_speed;
+use crate::pressure::{GasError, GasReport, TraceFile, cylinder_gas};
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
+use lanchester_model::{CrankcasePressure, Engine, GasSource};
 use lanchester_multibody::GasPressure;
 
 /// Jump of a value or of a slope over a radian, as a share of the curve's range, that counts as a kink.
 const KINK: f64 = 1e-6;
 
-/// Pressures on all pistons at one speed, taken at every speed.
+/// Equal steps of the range of speeds at whose ends a cycle is computed.
+const STEPS: usize = 4;
+
+/// Pressures on all pistons at one speed, taken at every speed, or at several speeds, on straight lines between and constant beyond.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GivenGas<'a> {
-    gas: &'a [CylinderGas],
+    /// Speeds [rad/s], rising.
+    speeds: Vec<f64>,
+    gas: Vec<&'a [CylinderGas]>,
     kinks: Vec<Vec<f64>>,
 }
 
 impl<'a> GivenGas<'a> {
-    /// From one entry a cylinder.
+    /// From one entry a cylinder, whatever the speed.
     pub fn new(gas: &'a [CylinderGas]) -> GivenGas<'a> {
-        let kinks = gas.iter().map(|own| [kinks(&own.cylinder), kinks(&own.crankcase)].concat()).collect();
-        GivenGas { gas, kinks }
+        GivenGas { speeds: vec![0.0], gas: vec![gas], kinks: all_kinks(&[gas]) }
     }
+
+    /// From reports at several speeds that rise.
+    pub fn over_speed(reports: &'a [GasReport]) -> GivenGas<'a> {
+        let gas: Vec<&[CylinderGas]> = reports.iter().map(|report| &report.cylinders[..]).collect();
+        GivenGas { speeds: reports.iter().map(|report| report.speed).collect(), kinks: all_kinks(&gas), gas }
+    }
+}
+
+/// Kinks of every cylinder at any of the speeds, each once.
+fn all_kinks(gas: &[&[CylinderGas]]) -> Vec<Vec<f64>> {
+    let of = |cylinder: usize| {
+        let curves = gas.iter().flat_map(|gas| [&gas[cylinder].cylinder, &gas[cylinder].crankcase]);
+        let mut found: Vec<f64> = curves.flat_map(kinks).collect();
+        found.sort_by(f64::total_cmp);
+        found.dedup_by(|later, kept| *later - *kept < 1e-9);
+        found
+    };
+    (0..gas.first().map_or(0, |gas| gas.len())).map(of).collect()
 }
 
 /// Angles at which the value or the slope of a curve jumps.
@@ -37,16 +62,66 @@ fn kinks(curve: &PeriodicCurve) -> Vec<f64> {
 }
 
 impl GasPressure for GivenGas<'_> {
-    fn pressure(&self, cylinder: usize, own_angle: f64, _: f64) -> f64 {
-        let own = &self.gas[cylinder];
-        own.cylinder.at(own_angle) - own.crankcase.at(own_angle)
+    fn pressure(&self, cylinder: usize, own_angle: f64, speed: f64) -> f64 {
+        let at = |index: usize| {
+            let own = &self.gas[index][cylinder];
+            own.cylinder.at(own_angle) - own.crankcase.at(own_angle)
+        };
+        let after = self.speeds.partition_point(|known| *known <= speed);
+        if after == 0 || after == self.speeds.len() {
+            return at(after.saturating_sub(1));
+        }
+        let (low, high) = (self.speeds[after - 1], self.speeds[after]);
+        let share = (speed - low) / (high - low);
+        let below = at(after - 1);
+        below + share * (at(after) - below)
     }
 
     fn cycle(&self) -> f64 {
-        self.gas.first().map_or(2.0 * std::f64::consts::TAU, |own| own.cylinder.period())
+        let first = self.gas.first().and_then(|gas| gas.first());
+        first.map_or(2.0 * std::f64::consts::TAU, |own| own.cylinder.period())
     }
 
     fn kinks(&self, cylinder: usize) -> Vec<f64> {
         self.kinks[cylinder].clone()
     }
+}
+
+/// The gas at `speed` alone, or where it depends on the speed at several of the range, `speed` among them: those of the measured traces, or some at which a
+/// cycle is computed. The place of `speed` in the list comes with it.
+pub(crate) fn gas_over_speed(
+    engine: &Engine,
+    traces: &[TraceFile],
+    speed: f64,
+    varies: bool,
+) -> Result<(Vec<GasReport>, usize), GasError> {
+    let gas = engine.gas.as_ref().ok_or(GasError::NoGas)?;
+    let mut speeds = vec![speed];
+    if varies && depends_on_speed(gas) {
+        let (lowest, highest) = (engine.speed.lowest, engine.speed.highest);
+        match &gas.source {
+            GasSource::Traces { traces, .. } => {
+                speeds.extend(traces.iter().filter_map(|trace| trace.speed));
+                if let CrankcasePressure::Trace(trace) = &gas.crankcase {
+                    speeds.extend(trace.speed);
+                }
+            }
+            GasSource::Cycle(_) => {
+                let at = |step: usize| lowest + (highest - lowest) * step as f64 / STEPS as f64;
+                speeds.extend((0..=STEPS).map(at));
+            }
+        }
+    }
+    speeds.sort_by(f64::total_cmp);
+    // The speed that was asked for stays, others as near as that go.
+    speeds.dedup_by(|later, kept| {
+        let same = *later - *kept < 1e-3 * *later;
+        if same && *later == speed {
+            *kept = speed;
+        }
+        same
+    });
+    let own = speeds.iter().position(|known| *known == speed).unwrap_or(0);
+    let reports = speeds.into_iter().map(|speed| cylinder_gas(engine, traces, speed));
+    Ok((reports.collect::<Result<_, _>>()?, own))
 }

@@ -1,74 +1,45 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
 use crate::crosscheck::{CrossCheckError, rotor_inertia};
-use crate::pressure::{TraceFile, cylinder_gas};
-use crate::simulated_gas::GivenGas;
+use crate::pressure::TraceFile;
+use crate::run_plan::{RunPlan, action_words, plan};
+use crate::simulated_gas::{GivenGas, gas_over_speed};
+use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
-use lanchester_model::Engine;
+pub use lanchester_model::RunLength;
 use lanchester_multibody::{
-    Action, BlockMotion, Duration, Event, GasPressure, Load, LoadLaw, ReactsOn, STANDARD_GRAVITY, Simulation,
-    Train, When,
+    BlockMotion, Drive, GasPressure, Load, LoadLaw, Occasion, ReactsOn, RunState, Train,
 };
 use lanchester_report::{PeriodicResult, SIMULATION_VERSION, SimulationResult};
+use std::f64::consts::PI;
 
-/// What to simulate; the rest follows from the engine.
-#[derive(Debug, Clone, PartialEq)]
+/// What to simulate; where it says nothing, the engine file does, and then a default.
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct SimulateRequest {
-    /// Speed of crankshaft 1 at the start [rad/s]; `None`: the highest of the engine.
+    /// Speed of crankshaft 1 at the start [rad/s]; by default the highest of the engine.
     pub speed: Option<f64>,
-    /// How long.
-    pub length: RunLength,
-    /// Whether the speed is imposed; else it is free.
-    pub imposed: bool,
-    /// Whether the block moves on its mounts; `None`: where the file gives them in a form that a run can use.
+    /// How long; by default ten revolutions.
+    pub length: Option<RunLength>,
+    /// Whether the speed is imposed; by default it is free.
+    pub imposed: Option<bool>,
+    /// Whether the block moves on its mounts; by default where the file gives them in a form that a run can use.
     pub on_mounts: Option<bool>,
-    /// Whether weight acts.
-    pub gravity: bool,
-    /// Whether the gas of the file acts.
-    pub gas: bool,
-    /// Torque of the load [N m]; `None`: with gas the mean that the engine gives at the start speed, without none.
+    /// Whether weight acts; by default it does.
+    pub gravity: Option<bool>,
+    /// Whether the gas of the file acts; by default it does.
+    pub gas: Option<bool>,
+    /// Load; by default with gas the constant mean torque that the engine gives at the start speed, without gas none.
     pub load: Option<LoadLaw>,
-    /// Where the reaction to the load goes.
-    pub reacts_on: ReactsOn,
+    /// Where the reaction to the load goes; by default to the ground.
+    pub reacts_on: Option<ReactsOn>,
     /// Cylinders, by index, that fire no more after the first revolution.
     pub misfire: Vec<usize>,
-    /// Crank angle between samples [rad].
-    pub step: f64,
-    /// Tolerance of every step.
-    pub tolerance: f64,
-    /// Most evaluations of the equations of motion.
-    pub most_evaluations: u64,
-}
-
-/// How long a run lasts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum RunLength {
-    /// Revolutions of crankshaft 1.
-    Revolutions(f64),
-    /// Seconds.
-    Time(f64),
-    /// One period of the periodic motion.
-    Periodic,
-}
-
-impl Default for SimulateRequest {
-    /// Ten revolutions at free speed from the highest of the engine, samples every degree.
-    fn default() -> Self {
-        SimulateRequest {
-            speed: None,
-            length: RunLength::Revolutions(10.0),
-            imposed: false,
-            on_mounts: None,
-            gravity: true,
-            gas: true,
-            load: None,
-            reacts_on: ReactsOn::Ground,
-            misfire: Vec::new(),
-            step: std::f64::consts::PI / 180.0,
-            tolerance: 1e-9,
-            most_evaluations: 10_000_000,
-        }
-    }
+    /// Crank angle between samples [rad]; by default a degree.
+    pub step: Option<f64>,
+    /// Tolerance of every step; by default 1e-9.
+    pub tolerance: Option<f64>,
+    /// Whether it may take as long as it takes.
+    pub long: bool,
 }
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.
@@ -77,9 +48,10 @@ impl Default for SimulateRequest {
 /// use lanchester::{RunLength, SimulateRequest, simulate};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4.toml"));
-/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
-/// let request = SimulateRequest { imposed: true, gravity: false, length: RunLength::Revolutions(2.0), ..SimulateRequest::default() };
-/// let result = simulate(&engine, &[], &request)?;
+/// let file = lanchester::file::read(text).file.expect("the example has no mistakes");
+/// let length = Some(RunLength::Revolutions(2.0));
+/// let request = SimulateRequest { imposed: Some(true), gravity: Some(false), length, ..SimulateRequest::default() };
+/// let result = simulate(&file, &[], &request)?;
 /// assert!(result.run.audit.energy < 1e-9 && result.run.audit.loops < 1e-12);
 /// # Ok::<(), lanchester::CrossCheckError>(())
 /// ```
@@ -87,49 +59,49 @@ impl Default for SimulateRequest {
 /// # Errors
 /// [`CrossCheckError`] where the file lacks something that the run needs.
 pub fn simulate(
-    engine: &Engine,
+    file: &EngineFile,
     traces: &[TraceFile],
     request: &SimulateRequest,
 ) -> Result<SimulationResult, CrossCheckError> {
-    let speed = request.speed.unwrap_or(engine.speed.highest);
-    let mut notes = Vec::new();
-    let report = match (&engine.gas, request.gas) {
-        (Some(_), true) => Some(cylinder_gas(engine, traces, speed)?),
+    simulate_watched(file, traces, request, &|_| true)
+}
+
+/// The same; after every step `watch` sees how far the run is, and `false` ends it with the samples so far. The search for a periodic motion is not watched.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn simulate_watched(
+    file: &EngineFile,
+    traces: &[TraceFile],
+    request: &SimulateRequest,
+    watch: &dyn Fn(RunState) -> bool,
+) -> Result<SimulationResult, CrossCheckError> {
+    let EngineFile { engine, tasks } = file;
+    let input = tasks.simulation.as_deref();
+    let train = Train::new(engine, &rotor_inertia(engine))?;
+    let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
+        plan(engine, input, &train, request)?;
+    let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
+    let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
+    let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);
+    let (reports, own) = match (&engine.gas, with_gas) {
+        (Some(_), true) => gas_over_speed(engine, traces, speed, !is_constant)?,
         (Some(_), false) => {
             notes.push("The gas of the file is left out.".to_owned());
-            None
+            (Vec::new(), 0)
         }
-        (None, _) => None,
+        (None, _) => (Vec::new(), 0),
     };
-    let train = Train::new(engine, &rotor_inertia(engine))?;
-    let mut simulation = match request.imposed {
-        true => Simulation::imposed(speed, 1.0),
-        false => Simulation::free(speed, 1.0),
-    };
-    match request.length {
-        RunLength::Revolutions(turns) => simulation.duration = Duration::Revolutions(turns),
-        RunLength::Time(time) => simulation.duration = Duration::Time(time),
-        RunLength::Periodic => {}
-    }
-    simulation.step = request.step;
-    simulation.tolerance = request.tolerance;
-    simulation.most_evaluations = request.most_evaluations;
-    simulation.reactions = true;
-    simulation.gravity = if request.gravity { STANDARD_GRAVITY } else { 0.0 };
-    let can_move =
-        train.fixed_because.is_none() && train.mounts.iter().all(|mount| !mount.frequency_dependent);
-    if request.on_mounts.unwrap_or(can_move) {
-        simulation.block = BlockMotion::Mounts;
-    } else {
-        let given = train
-            .fixed_because
-            .clone()
-            .unwrap_or_else(|| "a mount's stiffness or loss depends on frequency".into());
-        let because = if can_move { "as asked for".to_owned() } else { given };
-        notes.push(format!("The block is fixed: {because}."));
+    if let [first, .., last] = &reports[..] {
+        notes.push(format!(
+            "The pressures follow the speed, on straight lines between {} speeds from {:.0} to {:.0} rpm.",
+            reports.len(),
+            first.speed * 30.0 / PI,
+            last.speed * 30.0 / PI
+        ));
     }
     let mut mean = 0.0;
-    if let Some(report) = &report {
+    if let Some(report) = reports.get(own) {
         mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
         if let Some(friction) = engine.friction {
             let found = torque(
@@ -140,33 +112,37 @@ pub fn simulate(
             let brake = found.indicated.brake(&friction, speed);
             simulation.friction_torque = (found.indicated.torque - brake.torque).max(0.0);
             notes.push(format!(
-                "Friction: {:.4} N m, its mean effective pressure at the start speed as a constant torque.",
-                simulation.friction_torque
+                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
+                simulation.friction_torque,
+                speed * 30.0 / PI
             ));
         }
+        simulation.governor = input.and_then(|input| input.governor);
+    } else if input.is_some_and(|input| input.governor.is_some()) {
+        notes.push("Without gas the governor has nothing to act on: it is left out.".to_owned());
     }
-    let law = match &request.load {
-        Some(law) => law.clone(),
-        None if request.imposed || report.is_none() => LoadLaw::None,
-        None => {
-            let load = mean - simulation.friction_torque;
+    let in_file = input.and_then(|input| input.load.as_ref());
+    let law = match (&request.load, in_file) {
+        (Some(law), _) => law.clone(),
+        (None, Some(load)) => load.law.clone(),
+        (None, None) if is_imposed || reports.is_empty() => LoadLaw::None,
+        (None, None) => {
+            let load = (mean - simulation.friction_torque).max(0.0);
             notes.push(format!(
-                "Load: {load:.4} N m, constant, the mean that the engine gives at the start speed."
+                "Load: {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
+                speed * 30.0 / PI
             ));
             LoadLaw::Constant(load)
         }
     };
-    simulation.load = Load { law, reacts_on: request.reacts_on };
-    for &cylinder in &request.misfire {
-        let when = When::Angle(std::f64::consts::TAU);
-        simulation.events.push(Event { when, action: Action::Misfire(cylinder) });
-    }
+    let reacts_on = request.reacts_on.or(in_file.map(|load| load.reacts_on)).unwrap_or(ReactsOn::Ground);
+    simulation.load = Load { law, reacts_on };
     if let Some(rotor) = train.unknown_inertia() {
         notes.push(format!("The moment of inertia of {} is not known: it counts as 0.", rotor.name));
     }
-    let given = report.as_ref().map(|report| GivenGas::new(&report.cylinders));
+    let given = (!reports.is_empty()).then(|| GivenGas::over_speed(&reports));
     let gas = given.as_ref().map(|given| given as &dyn GasPressure);
-    let (run, periodic) = match request.length {
+    let (run, periodic) = match length {
         RunLength::Periodic => {
             let found = train.periodic(&simulation, gas)?;
             let (outcome, residual, iterations) = (found.outcome, found.residual, found.iterations);
@@ -175,15 +151,22 @@ pub fn simulate(
                 Some(PeriodicResult { outcome, residual, iterations, multipliers: found.multipliers }),
             )
         }
-        _ => (train.run(&simulation, gas)?, None),
+        _ => (train.run_watched(&simulation, gas, watch)?, None),
     };
+    for (index, event) in simulation.events.iter().enumerate() {
+        let came = run.events.iter().any(|happened| happened.what == Occasion::Event { index });
+        if !came && periodic.is_none() {
+            notes.push(format!("Event {} ({}) never came.", index + 1, action_words(&event.action)));
+        }
+    }
     let on_mounts = simulation.block == BlockMotion::Mounts;
     Ok(SimulationResult {
         version: SIMULATION_VERSION,
         engine: engine.name.clone(),
-        gas: report.map(|report| report.source),
+        gas: reports.into_iter().nth(own).map(|report| report.source),
         notes,
         revolutions: train.revolutions,
+        actions: simulation.events.iter().map(|event| action_words(&event.action)).collect(),
         mounts: train.mounts.iter().filter(|_| on_mounts).map(|mount| mount.name.clone()).collect(),
         mains: train.rotors[..train.crankshafts].iter().map(|rotor| rotor.mains.clone()).collect(),
         periodic,

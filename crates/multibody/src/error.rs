@@ -72,6 +72,20 @@ pub enum MultibodyError {
         /// What is missing.
         missing: &'static str,
     },
+    /// The run would take too long.
+    #[error(
+        "the run would take about {evaluations:.1e} evaluations and {samples:.1e} samples, more than {most_evaluations:.0e} or {most_samples:.0e}: make it shorter, take a larger sample step, or ask for a long run"
+    )]
+    TooLong {
+        /// Estimate of the evaluations of the equations of motion.
+        evaluations: f64,
+        /// Samples.
+        samples: f64,
+        /// Evaluations that are allowed.
+        most_evaluations: f64,
+        /// Samples that are allowed.
+        most_samples: f64,
+    },
     /// The equations of motion have no solution at a state.
     #[error("the mass matrix at crank angle {theta} rad is not positive definite")]
     Singular {

@@ -108,7 +108,7 @@ impl Train {
             true => PeriodicOutcome::Stable,
         };
         let shown = Simulation { duration: quiet.duration, tolerance, ..simulation.clone() };
-        let run = self.run_from(&shown, gas, Some(x.as_slice()))?;
+        let run = self.run_from(&shown, gas, Some(x.as_slice()), &|_| true)?;
         Ok(Periodic { outcome, residual, iterations, multipliers, run })
     }
 }

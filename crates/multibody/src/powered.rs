@@ -6,7 +6,9 @@ use crate::gas_pressure::GasPressure;
 use crate::loads::Loads;
 use crate::motion::Motion;
 use crate::place::Place;
-use crate::simulation::{BlockMotion, Drive, ImposedAgainst, LoadLaw, ReactsOn, Simulation, straight};
+use crate::simulation::{
+    BlockMotion, Drive, ImposedAgainst, LoadLaw, ReactsOn, Simulation, holding_torque, load_torque, straight,
+};
 use crate::symmetric::{self, MOST, Matrix};
 use crate::train::Train;
 use nalgebra::Vector3;
@@ -145,7 +147,7 @@ impl<'a> Powered<'a> {
 
     /// Largest torque by which friction and load can hold the crank at standstill [N m].
     pub fn dry_torque(&self) -> f64 {
-        let load = if self.layout.links == 0 { self.conditions.load.torque(f64::MIN_POSITIVE) } else { 0.0 };
+        let load = if self.layout.links == 0 { holding_torque(&self.conditions.load) } else { 0.0 };
         self.simulation.friction_torque + load
     }
 
@@ -222,7 +224,13 @@ impl<'a> Powered<'a> {
         };
         // Held by dry friction the crank feels neither it nor a load of its own: what they must give is found below.
         let held = self.conditions.held;
-        let load = if held && ends.is_none() { 0.0 } else { -self.conditions.load.torque(turning) };
+        let angle = layout.links.checked_sub(1).map_or(theta, |last| state[layout.link(last)]);
+        let over_angle_alone = matches!(self.conditions.load, LoadLaw::Angle { .. });
+        let load = if held && ends.is_none() && !over_angle_alone {
+            0.0
+        } else {
+            -load_torque(&self.conditions.load, turning, angle)
+        };
         let friction = if held { 0.0 } else { -simulation.friction_torque * self.conditions.sense };
         let mut outer = over_angle + if starter_ground { starter } else { 0.0 };
         let mut inner = friction + if starter_ground { 0.0 } else { starter };
@@ -323,7 +331,7 @@ impl<'a> Powered<'a> {
             rates[at] = (wanted.clamp(0.0, 1.0) - u) / governor.delay;
             // The integral waits while the actuator is at its end.
             let waits = (wanted > 1.0 && error > 0.0) || (wanted < 0.0 && error < 0.0);
-            rates[at + 1] = if waits { 0.0 } else { governor.integral * error };
+            rates[at + 1] = if waits { 0.0 } else { governor.gain * governor.integral * error };
         }
         let works = &mut rates[layout.works()..];
         let absolute = speed + spin_z;

@@ -8,8 +8,10 @@ use crate::gas_pressure::GasPressure;
 use crate::powered::{Conditions, Layout, Powered, Torques, WORKS};
 use crate::reactions::Instant;
 use crate::run_check::check;
-use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, Samples};
-use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When};
+use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
+use crate::simulation::{
+    Action, BlockMotion, BlockStart, Drive, Duration, LoadLaw, Simulation, When, load_torque,
+};
 use crate::train::Train;
 use lanchester_numerics::{Dop853, Outcome, Settings, Step, System};
 use std::f64::consts::TAU;
@@ -116,6 +118,7 @@ pub(crate) struct Runner<'a> {
     pub cost: Cost,
     happened: Vec<Happened>,
     scale: f64,
+    watch: &'a dyn Fn(RunState) -> bool,
 }
 
 impl Train {
@@ -124,7 +127,20 @@ impl Train {
     /// # Errors
     /// [`MultibodyError`] where a number is impossible, an inertia is missing that the run needs, or the block cannot move.
     pub fn run(&self, simulation: &Simulation, gas: Option<&dyn GasPressure>) -> Result<Run, MultibodyError> {
-        self.run_from(simulation, gas, None)
+        self.run_from(simulation, gas, None, &|_| true)
+    }
+
+    /// The same; after every step `watch` sees how far the run is, and `false` ends it with the samples so far.
+    ///
+    /// # Errors
+    /// As [`Train::run`].
+    pub fn run_watched(
+        &self,
+        simulation: &Simulation,
+        gas: Option<&dyn GasPressure>,
+        watch: &dyn Fn(RunState) -> bool,
+    ) -> Result<Run, MultibodyError> {
+        self.run_from(simulation, gas, None, watch)
     }
 
     /// The same from the components of a periodic motion.
@@ -133,8 +149,10 @@ impl Train {
         simulation: &Simulation,
         gas: Option<&dyn GasPressure>,
         returning: Option<&[f64]>,
+        watch: &dyn Fn(RunState) -> bool,
     ) -> Result<Run, MultibodyError> {
         let mut runner = Runner::new(self, simulation, gas)?;
+        runner.watch = watch;
         if let Some(returning) = returning {
             runner.rewind(returning);
         }
@@ -194,13 +212,14 @@ impl<'a> Runner<'a> {
             },
             time: 0.0,
             state: vec![0.0; layout.dimension()],
-            kinks: kinks(train, gas, period),
+            kinks: kinks(train, gas, simulation, period),
             period,
             pending: vec![true; simulation.events.len()],
             step: None,
             cost: Cost::default(),
             happened: Vec::new(),
             scale: 1.0,
+            watch: &|_| true,
         };
         runner.start();
         Ok(runner)
@@ -216,7 +235,7 @@ impl<'a> Runner<'a> {
         for (index, link) in simulation.driveline.iter().enumerate() {
             (angle, speed) = (link.ratio * angle, link.ratio * speed);
             let behind: f64 = simulation.driveline[index + 1..].iter().map(|link| link.ratio).product();
-            let torque = behind * simulation.load.law.torque(speed * behind);
+            let torque = behind * load_torque(&simulation.load.law, speed * behind, angle * behind);
             angle -= if link.stiffness > 0.0 { torque / link.stiffness } else { 0.0 };
             self.state[layout.link(index)] = angle;
             self.state[layout.link(index) + 1] = speed;
@@ -288,6 +307,7 @@ impl<'a> Runner<'a> {
                     }
                 }
                 Outcome::TooManyEvaluations { .. } => return RunOutcome::TooManyEvaluations,
+                Outcome::Stopped => return RunOutcome::Cancelled,
                 reason => return RunOutcome::Failed { reason },
             }
         }
@@ -409,6 +429,7 @@ impl<'a> Runner<'a> {
         }
         let grid = if over_angle { simulation.step } else { simulation.step / FAST[0] };
         let origin = if over_angle { simulation.start_angle } else { 0.0 };
+        let watch = self.watch;
         let mut system = Piece { powered: &mut self.powered, over_angle, watches };
         let outcome = integrator.run(&mut system, &mut x, &mut y, end, |step: &Step| {
             let mut index = ((step.from - origin) / grid * (1.0 + 1e-14)).floor() + 1.0;
@@ -417,7 +438,12 @@ impl<'a> Runner<'a> {
                 // The end of the run is a sample though rounding may put it beyond.
                 let at = if at > step.to && at < step.to + 1e-9 * grid { step.to } else { at };
                 if at > step.to {
-                    return ControlFlow::Continue(());
+                    let (time, theta) = match over_angle {
+                        true => (step.end[0], step.to),
+                        false => (step.to, step.end[0]),
+                    };
+                    let goes_on = watch(RunState { time, theta, speed: step.end[1] });
+                    return if goes_on { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
                 }
                 let mut state = vec![0.0; step.start.len()];
                 step.at(at, &mut state);
@@ -606,11 +632,23 @@ impl Watch {
     }
 }
 
-/// Crank angles within one period at which the pressures have kinks, rising.
-fn kinks(train: &Train, gas: Option<&dyn GasPressure>, period: f64) -> Vec<f64> {
-    let Some(gas) = gas else { return Vec::new() };
+/// Crank angles within one period at which pressures and load have kinks, rising.
+fn kinks(train: &Train, gas: Option<&dyn GasPressure>, simulation: &Simulation, period: f64) -> Vec<f64> {
     let mut all = Vec::new();
-    for (index, cylinder) in train.cylinders.iter().enumerate() {
+    // Behind a driveline the load's angle is not the crank's: its kinks are left to the control of the steps.
+    if let (LoadLaw::Angle { period: own, points }, true) =
+        (&simulation.load.law, simulation.driveline.is_empty())
+    {
+        let whole = (period / own).round();
+        if (period / own - whole).abs() < 1e-9 {
+            for point in points {
+                all.extend((0..whole as u32).map(|turn| point[0] + own * f64::from(turn)));
+            }
+        }
+    }
+    for (gas, (index, cylinder)) in
+        gas.iter().flat_map(|gas| train.cylinders.iter().enumerate().map(move |cylinder| (gas, cylinder)))
+    {
         let ratio = train.ratio(index).abs();
         let cycles = (period * ratio / gas.cycle()).round().max(1.0) as usize;
         for kink in gas.kinks(index) {

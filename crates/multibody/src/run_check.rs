@@ -3,10 +3,14 @@
 use crate::error::MultibodyError;
 use crate::simulation::{Action, BlockMotion, Drive, Duration, Simulation};
 use crate::train::Train;
+use std::f64::consts::TAU;
 
 /// Most inertias of a driveline and events of a list.
 const MOST_LINKS: usize = 8;
 const MOST_EVENTS: usize = 64;
+
+/// Evaluations that a revolution takes at the least: some 14 steps of an engine with one cylinder, 12 evaluations each.
+const LEAST_EVALUATIONS: f64 = 160.0;
 
 /// Refuses what cannot be run.
 pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> Result<(), MultibodyError> {
@@ -28,6 +32,7 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
         Duration::Revolutions(turns) => positive("duration [revolutions]", turns)?,
         Duration::Time(time) => positive("duration [s]", time)?,
     }
+    check_length(train, simulation)?;
     if simulation.driveline.len() > MOST_LINKS {
         return number(
             "number of inertias of the driveline",
@@ -109,6 +114,26 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
             },
         },
     }
+}
+
+/// Refuses a run that would take longer than it may, before it starts.
+fn check_length(train: &Train, simulation: &Simulation) -> Result<(), MultibodyError> {
+    let fastest = match &simulation.drive {
+        Drive::Free => simulation.start_speed.max(simulation.governor.map_or(0.0, |governor| governor.speed)),
+        Drive::Imposed { profile, .. } => profile.iter().fold(0.0, |most, point| point[1].max(most)),
+    };
+    let fastest = if fastest > 0.0 { fastest } else { train.highest_speed };
+    let turns = match simulation.duration {
+        Duration::Revolutions(turns) => turns,
+        Duration::Time(time) => time * fastest / TAU,
+    };
+    let (evaluations, samples) = (turns * LEAST_EVALUATIONS, turns * TAU / simulation.step);
+    let (most_evaluations, most_samples) =
+        (simulation.most_evaluations as f64, simulation.most_samples as f64);
+    if evaluations <= most_evaluations && samples <= most_samples {
+        return Ok(());
+    }
+    Err(MultibodyError::TooLong { evaluations, samples, most_evaluations, most_samples })
 }
 
 fn number(quantity: &str, needed: &'static str, got: f64, fits: bool) -> Result<(), MultibodyError> {

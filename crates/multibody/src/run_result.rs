@@ -47,6 +47,8 @@ pub enum RunOutcome {
         /// Torque by which friction and load can hold it [N m].
         held_by: f64,
     },
+    /// Whoever watched it ended it: the samples so far are there.
+    Cancelled,
     /// As many evaluations as are allowed: the samples so far are there.
     TooManyEvaluations,
     /// A quantity became no number, or the error could not be met by any step: the samples so far are there.
@@ -54,6 +56,17 @@ pub enum RunOutcome {
         /// What the integrator says.
         reason: Outcome,
     },
+}
+
+/// How far a run is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunState {
+    /// Time [s].
+    pub time: f64,
+    /// Crank angle of crankshaft 1 [rad].
+    pub theta: f64,
+    /// Its rate [rad/s].
+    pub speed: f64,
 }
 
 /// One vector a quantity, one value a sample.

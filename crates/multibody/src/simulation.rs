@@ -1,6 +1,10 @@
 //! What a run is asked: start, drive, load, starter, governor, driveline, events. All in SI units and radians.
 
 use crate::reactions::Guidance;
+pub use lanchester_model::{
+    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter,
+    TorqueOrder, When,
+};
 use serde::Serialize;
 
 /// Standard acceleration of gravity [m/s^2].
@@ -51,6 +55,8 @@ pub struct Simulation {
     pub events: Vec<Event>,
     /// Largest number of evaluations of the equations of motion.
     pub most_evaluations: u64,
+    /// Largest number of samples.
+    pub most_samples: u64,
 }
 
 impl Simulation {
@@ -78,6 +84,7 @@ impl Simulation {
             driveline: Vec::new(),
             events: Vec::new(),
             most_evaluations: 10_000_000,
+            most_samples: 1_000_000,
         }
     }
 
@@ -100,15 +107,6 @@ pub enum Drive {
         /// Whose speed it is.
         against: ImposedAgainst,
     },
-}
-
-/// Against what an imposed speed counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum ImposedAgainst {
-    /// Relative to the block.
-    Block,
-    /// Absolute: it differs by the block's roll.
-    Ground,
 }
 
 /// Where the block starts.
@@ -147,71 +145,40 @@ pub enum BlockMotion {
     Floating,
 }
 
-/// One order of a torque over the crank angle: `sin sin(order theta) + cos cos(order theta)`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct TorqueOrder {
-    /// Its order.
-    pub order: f64,
-    /// Factor of the sine [N m].
-    pub sin: f64,
-    /// Factor of the cosine [N m].
-    pub cos: f64,
+/// Torque of a load against the rotation at `speed` [rad/s] and `angle` [rad] of the shaft that it sits on [N m], with the sign of the speed;
+/// a table over the angle acts against positive rotation at any speed.
+pub fn load_torque(law: &LoadLaw, speed: f64, angle: f64) -> f64 {
+    let size = speed.abs();
+    let amount = match law {
+        LoadLaw::None => 0.0,
+        LoadLaw::Constant(torque) => *torque,
+        LoadLaw::Viscous { torque, at } => torque * (size / at),
+        LoadLaw::Quadratic { torque, at } => torque * (size / at).powi(2),
+        LoadLaw::Power { power, least_speed } => power / size.max(*least_speed),
+        LoadLaw::Table(points) => straight(points, size),
+        LoadLaw::Angle { period, points } => return periodic(points, *period, angle),
+    };
+    amount * if speed < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// Where the reaction to a torque goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum ReactsOn {
-    /// The ground: the block does not feel it.
-    Ground,
-    /// The block, as of a machine that is bolted to it.
-    Block,
-}
-
-/// What takes the power, at the end of the driveline.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Load {
-    /// Its torque, against the rotation.
-    pub law: LoadLaw,
-    /// Where its reaction goes.
-    pub reacts_on: ReactsOn,
-}
-
-/// Torque of a load over the speed w of the shaft that it sits on.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub enum LoadLaw {
-    /// None.
-    None,
-    /// The same at every speed [N m]; like dry friction it holds at standstill.
-    Constant(f64),
-    /// `factor w` [N m s].
-    Viscous(f64),
-    /// `factor w |w|` [N m s^2].
-    Quadratic(f64),
-    /// A constant power [W]; below `least_speed` [rad/s] the torque stays what it is there.
-    Power {
-        /// Power [W].
-        power: f64,
-        /// Speed below which the torque is constant [rad/s].
-        least_speed: f64,
-    },
-    /// Torque [N m] at speeds [rad/s] that rise, straight between, constant beyond.
-    Table(Vec<[f64; 2]>),
-}
-
-impl LoadLaw {
-    /// Torque against the rotation at `speed` [rad/s] [N m], with the sign of the speed.
-    pub fn torque(&self, speed: f64) -> f64 {
-        let size = speed.abs();
-        let amount = match self {
-            LoadLaw::None => 0.0,
-            LoadLaw::Constant(torque) => *torque,
-            LoadLaw::Viscous(factor) => factor * size,
-            LoadLaw::Quadratic(factor) => factor * size * size,
-            LoadLaw::Power { power, least_speed } => power / size.max(*least_speed),
-            LoadLaw::Table(points) => straight(points, size),
-        };
-        amount * if speed < 0.0 { -1.0 } else { 1.0 }
+/// Torque by which a load holds its shaft at standstill, as dry friction does [N m].
+pub(crate) fn holding_torque(law: &LoadLaw) -> f64 {
+    match law {
+        LoadLaw::Angle { .. } => 0.0,
+        law => load_torque(law, f64::MIN_POSITIVE, 0.0),
     }
+}
+
+/// Value at `x` on straight lines through points within one period, from the last to the first of the next.
+fn periodic(points: &[[f64; 2]], period: f64, x: f64) -> f64 {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return 0.0 };
+    let own = x.rem_euclid(period);
+    if own < first[0] || own >= last[0] {
+        let gap = first[0] + period - last[0];
+        let past = (own - last[0]).rem_euclid(period);
+        return if gap > 0.0 { last[1] + (first[1] - last[1]) * past / gap } else { last[1] };
+    }
+    straight(points, own)
 }
 
 /// Value at `x` on straight lines through points that rise; constant beyond them, 0 without points.
@@ -222,90 +189,4 @@ pub(crate) fn straight(points: &[[f64; 2]], x: f64) -> f64 {
         (Some([_, y]), None) | (None, Some([_, y])) => *y,
         (None, None) => 0.0,
     }
-}
-
-/// A starter: `torque = stall (1 - ratio w / free_speed)` times its ratio on crankshaft 1, until a speed is reached.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Starter {
-    /// Torque of the starter at standstill [N m].
-    pub stall_torque: f64,
-    /// Speed of the starter without torque [rad/s].
-    pub free_speed: f64,
-    /// Speed of the starter over that of crankshaft 1.
-    pub ratio: f64,
-    /// Speed of crankshaft 1 at which it lets go [rad/s].
-    pub until: f64,
-    /// Where its reaction goes.
-    pub reacts_on: ReactsOn,
-}
-
-/// A governor: the fired part of the gas is multiplied by `u`, from 0 to 1.
-///
-/// ```text
-/// e = w_0 (1 - droop u) - w         u_c = gain e + integral INTEGRAL of e, held within 0 and 1       delay u' = u_c - u
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Governor {
-    /// Speed without load [rad/s].
-    pub speed: f64,
-    /// Proportional gain [s/rad].
-    pub gain: f64,
-    /// Integral gain [1/rad].
-    pub integral: f64,
-    /// Drop of the speed from no load to full load, as a share.
-    pub droop: f64,
-    /// Time constant of the actuator [s].
-    pub delay: f64,
-    /// `u` at the start.
-    pub start: f64,
-}
-
-/// An inertia behind the flywheel on a torsional spring.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct DrivelineInertia {
-    /// Moment of inertia about its axis [kg m^2].
-    pub inertia: f64,
-    /// Stiffness of the spring before it [N m/rad].
-    pub stiffness: f64,
-    /// Damping of that spring [N m s/rad].
-    pub damping: f64,
-    /// Its speed over that of what is before it.
-    pub ratio: f64,
-}
-
-/// Something that happens on the way.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Event {
-    /// When.
-    pub when: When,
-    /// What.
-    pub action: Action,
-}
-
-/// When an event happens: the first time after the start.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub enum When {
-    /// At a time [s].
-    Time(f64),
-    /// At a crank angle from the start [rad].
-    Angle(f64),
-    /// When the speed rises through this [rad/s].
-    SpeedRises(f64),
-    /// When the speed falls through this [rad/s].
-    SpeedFalls(f64),
-}
-
-/// What an event does.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub enum Action {
-    /// The cylinder with this index fires no more.
-    Misfire(usize),
-    /// All cylinders: factor on the fired part of the gas, from 0 to 1.
-    Fuel(f64),
-    /// Another load torque law.
-    Load(LoadLaw),
-    /// The spring before the first inertia of the driveline carries no more.
-    ClutchOpen,
-    /// The run ends.
-    Stop,
 }

@@ -30,7 +30,7 @@ pub struct RotorInertia {
 impl RotorInertia {
     /// What the engine file itself gives: the flywheel, and the crankshafts together as seen at crankshaft 1, in equal parts to each.
     ///
-    /// Balance shafts have no key for it: `None`.
+    /// Of a balance shaft what its key says.
     pub fn of(engine: &Engine) -> RotorInertia {
         let wheel = engine.flywheel.as_ref();
         RotorInertia::with_crankshafts(engine, wheel.and_then(|wheel| wheel.crankshaft_inertia))
@@ -48,7 +48,7 @@ impl RotorInertia {
         RotorInertia {
             crankshafts,
             flywheel: flywheel.unwrap_or(0.0),
-            shafts: vec![None; engine.shafts.len()],
+            shafts: engine.shafts.iter().map(|shaft| shaft.inertia).collect(),
         }
     }
 }

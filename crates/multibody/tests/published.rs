@@ -75,7 +75,11 @@ fn train(
         ..cylinder(index, place[0], 0.0)
     });
     let mut engine = engine("published", throws.collect(), cylinders.collect());
-    engine.strokes = Strokes::Two;
+    engine = engine
+        .with(|engine| {
+            engine.strokes = Strokes::Two;
+        })
+        .unwrap();
     let inertia = RotorInertia { crankshafts: vec![Some(inertia)], ..RotorInertia::default() };
     let train = Train::new(&engine, &inertia).expect("it turns");
     (engine, train)
@@ -98,7 +102,7 @@ fn lit_modelica_v6() {
     let gas = ModelicaGas { radius: 0.05, rod: 0.175, length: 0.195, top: 0.32 };
     let mut simulation = Simulation::free(10.0, 1.0);
     simulation.gravity = 9.81;
-    simulation.load.law = LoadLaw::Quadratic(100.0 / (200.0 * 200.0));
+    simulation.load.law = LoadLaw::Quadratic { torque: 100.0, at: 200.0 };
     simulation.tolerance = 1e-10;
     let published = [
         [0.250076, 10.5693582, 74.0558742],

@@ -57,24 +57,40 @@ fn fired(count: usize) -> Engine {
         _ => vec![0.0, PI, PI, 0.0],
     };
     let mut engine = in_line(&angles);
-    engine.strokes = Strokes::Four;
+    engine = engine
+        .with(|engine| {
+            engine.strokes = Strokes::Four;
+        })
+        .unwrap();
     let firings = [0.0, 3.0 * PI, PI, TAU];
-    for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
-        cylinder.bore = Some(0.08);
-        cylinder.firing_angle = Some(if count == 1 { 0.0 } else { firings[index] });
-    }
-    engine.block = Some(Block {
-        mass: 120.0,
-        centre: [0.06, 0.01, 0.02],
-        inertia: [9.0, 8.0, 4.0],
-        products: [0.1, -0.2, 0.15],
-        moving_parts: MovingParts::Included,
-        gravity: [-1.0, 0.0, 0.0],
-        driveline_torque: [0.0; 3],
-    });
+    engine = engine
+        .with(|engine| {
+            for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.bore = Some(0.08);
+                cylinder.firing_angle = Some(if count == 1 { 0.0 } else { firings[index] });
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.block = Some(Block {
+                mass: 120.0,
+                centre: [0.06, 0.01, 0.02],
+                inertia: [9.0, 8.0, 4.0],
+                products: [0.1, -0.2, 0.15],
+                moving_parts: MovingParts::Included,
+                gravity: [-1.0, 0.0, 0.0],
+                driveline_torque: [0.0; 3],
+            });
+        })
+        .unwrap();
     for (y, z) in [(0.25, 0.3), (-0.25, 0.3), (0.25, -0.25), (-0.25, -0.25)] {
         let spring = MountSpring { damping: [300.0; 3], ..MountSpring::along_frame([9e4, 5e4, 6e4]) };
-        engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+        engine = engine
+            .with(|engine| {
+                engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+            })
+            .unwrap();
     }
     engine
 }
@@ -114,7 +130,11 @@ fn prop_energy_of_a_sealed_engine_stays_for_a_hundred_revolutions() {
 #[test]
 fn prop_momenta_in_space_stay_without_outside_loads() {
     let mut engine = fired(2);
-    engine.mounts.clear();
+    engine = engine
+        .with(|engine| {
+            engine.mounts.clear();
+        })
+        .unwrap();
     let train = train(&engine);
     let start = BlockStart::Moving { velocity: [0.1, -0.2, 0.05], spin: [0.3, 0.2, -0.4] };
     let mut simulation =
@@ -139,7 +159,7 @@ fn prop_energy_on_mounts_with_everything() {
     simulation.piston_damping = 15.0;
     simulation.friction_torque = 4.0;
     simulation.step = 0.1;
-    simulation.load.law = LoadLaw::Viscous(mean_torque(&train, &gas) / 150.0);
+    simulation.load.law = LoadLaw::Viscous { torque: mean_torque(&train, &gas), at: 150.0 };
     let link = |inertia, ratio| DrivelineInertia { inertia, stiffness: 4e3, damping: 4.0, ratio };
     simulation.driveline = vec![link(0.1, 1.0), link(0.4, 0.5)];
     let run = train.run(&simulation, Some(&gas)).expect("it runs");
@@ -301,7 +321,7 @@ fn a_governor_settles_within_its_droop_after_a_load_step() {
     let mut simulation = Simulation { tolerance: 1e-8, step: 0.1, ..Simulation::free(157.0, 1.0) };
     simulation.duration = Duration::Time(16.0);
     simulation.load.law = LoadLaw::Constant(0.3 * full);
-    let governor = Governor { speed: 157.0, gain: 0.05, integral: 0.1, droop: 0.04, delay: 0.02, start: 0.3 };
+    let governor = Governor { speed: 157.0, gain: 0.05, integral: 2.0, droop: 0.04, delay: 0.02, start: 0.3 };
     simulation.governor = Some(governor);
     simulation.events =
         vec![Event { when: When::Time(4.0), action: Action::Load(LoadLaw::Constant(0.7 * full)) }];
@@ -335,7 +355,7 @@ fn a_periodic_motion_is_found_and_closes() {
     let with = |reacts_on| {
         let mut simulation = Simulation::free(150.0, 1.0);
         simulation.block = BlockMotion::Mounts;
-        simulation.load = Load { law: LoadLaw::Viscous(torque / 150.0), reacts_on };
+        simulation.load = Load { law: LoadLaw::Viscous { torque, at: 150.0 }, reacts_on };
         train.periodic(&simulation, Some(&gas)).expect("it runs")
     };
     // Mean over one period of the roll moment of the block on its mounts, by the reaction to the load: the damped springs' mean is that of the load.
@@ -437,7 +457,11 @@ fn what_is_missing_is_named() {
     assert!(refused.to_string().contains("[block]"), "{refused}");
     let refused = train.run(&Simulation::imposed(100.0, 1.0), Some(&gas(1.0))).expect_err("no bore");
     assert!(refused.to_string().contains("bore"), "{refused}");
-    engine.block = fired(1).block.map(|block| Block { mass: 1.0, ..block });
+    engine = engine
+        .with(|engine| {
+            engine.block = fired(1).block.clone().map(|block| Block { mass: 1.0, ..block });
+        })
+        .unwrap();
     let refused = Train::new(&engine, &RotorInertia::of(&engine)).expect_err("too small");
     assert!(refused.to_string().contains("cylinder 1"), "{refused}");
     let few = Simulation { most_evaluations: 500, ..Simulation::imposed(100.0, 1000.0) };

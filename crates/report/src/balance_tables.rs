@@ -3,7 +3,8 @@
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, numbers, words};
 use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method, WebBound};
-use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, Limit, Seat, criterion_name, criterion_unit};
 
 /// What fits on the webs whose weights it bounds; none where no weight is bounded so.
 pub fn web_bounds_table(answer: &Answer) -> Option<Table> {

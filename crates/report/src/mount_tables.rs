@@ -23,8 +23,15 @@ pub fn mounted_body_words(study: &MountStudy) -> String {
         true => format!(" ({} kg of pistons and rods added)", number::short(body.added_mass, 4)),
         false => String::new(),
     };
+    let rotors = match study.rotors == 0.0 {
+        true => String::new(),
+        false => format!(
+            " What turns in it has {} kg m² for its spin: the gyroscopic couple is counted, and that roll does not turn it.",
+            number::short(study.rotors, 4)
+        ),
+    };
     format!(
-        "The block: {} kg{added}, centre at x = {x}, y = {y}, z = {z} mm, moments of inertia {}, {} and {} kg m² about x, y and z.",
+        "The block: {} kg{added}, centre at x = {x}, y = {y}, z = {z} mm, moments of inertia {}, {} and {} kg m² about x, y and z.{rotors}",
         number::short(body.mass, 4),
         inertia(0, 0),
         inertia(1, 1),

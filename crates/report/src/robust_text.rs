@@ -4,7 +4,8 @@ use crate::balance_tables::{effects_table, found_inertias_table, found_shafts_ta
 use crate::number::short;
 use crate::terminal::push_wrapped;
 use lanchester_balance::{RobustAnswer, RobustMeasure};
-use lanchester_model::{Engine, criterion_name};
+use lanchester_model::Engine;
+use lanchester_task::criterion_name;
 
 /// What was found, how sure it is, and what it costs the engine as it is meant.
 pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {

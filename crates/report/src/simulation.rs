@@ -23,6 +23,8 @@ pub struct SimulationResult {
     pub notes: Vec<String>,
     /// Revolutions after which all shafts and cylinders stand as before.
     pub revolutions: u32,
+    /// What each event of the run does, in words.
+    pub actions: Vec<String>,
     /// Names of the mounts.
     pub mounts: Vec<String>,
     /// Planes of the main bearings [m], by crankshaft.
@@ -102,14 +104,17 @@ fn outcome_words(outcome: &RunOutcome) -> String {
             number::short(*torque, 4),
             number::short(*held_by, 4)
         ),
+        RunOutcome::Cancelled => "incomplete: cancelled, the samples so far are shown".into(),
         RunOutcome::TooManyEvaluations => "incomplete: as many evaluations as are allowed were used".into(),
         RunOutcome::Failed { reason } => format!("incomplete: {reason:?}; the samples before it are good"),
     }
 }
 
-fn occasion_words(what: Occasion) -> String {
+fn occasion_words(what: Occasion, actions: &[String]) -> String {
     match what {
-        Occasion::Event { index } => format!("event {}", index + 1),
+        Occasion::Event { index } => {
+            actions.get(index).cloned().unwrap_or_else(|| format!("event {}", index + 1))
+        }
         Occasion::StarterOff => "the starter lets go".into(),
         Occasion::Reversed => "the crank reverses".into(),
         Occasion::Held => "friction holds the crank".into(),
@@ -264,7 +269,7 @@ pub fn simulation_text(result: &SimulationResult) -> String {
     out.push_str(&energy_table(run).text());
     if !run.events.is_empty() {
         out.push('\n');
-        out.push_str(&events_table(run).text());
+        out.push_str(&events_table(result).text());
     }
     out.push('\n');
     let audit = &run.audit;
@@ -323,10 +328,11 @@ fn energy_table(run: &Run) -> Table {
 }
 
 /// The events.
-fn events_table(run: &Run) -> Table {
+fn events_table(result: &SimulationResult) -> Table {
+    let run = &result.run;
     let rows = run.events.iter().map(|event| {
         vec![
-            Cell::text(occasion_words(event.what)),
+            Cell::text(occasion_words(event.what, &result.actions)),
             Cell::number(event.time, 6),
             Cell::number(event.theta.to_degrees(), 7),
             Cell::number(number::rpm(event.speed), 5),
@@ -344,7 +350,7 @@ pub fn simulation_energy_csv(result: &SimulationResult) -> String {
 
 /// The events as CSV.
 pub fn simulation_events_csv(result: &SimulationResult) -> String {
-    events_table(&result.run).csv()
+    events_table(result).csv()
 }
 
 /// Angle, speed, torques, pose of the block and mount forces at every sample.

@@ -12,7 +12,7 @@
 //! surface drops away beside the crown, from which the depth is counted: that is the `a^2/8`, exact for a cylinder, as the
 //! static moment of its part above the bottom is `rho/2 INTEGRAL (R^2 - y^2 - (R - h)^2) dA` over the disc of the hole.
 
-use lanchester_model::workshop::{Drill, DrillDirection, Surface};
+use lanchester_task::workshop::{Drill, DrillDirection, Surface};
 use serde::Serialize;
 use std::f64::consts::PI;
 

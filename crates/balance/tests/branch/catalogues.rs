@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{Answer, BalanceError, Method, Outcome, optimise, optimise_watched};
 use lanchester_balance::{BalanceSettings, Next, StopCause};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
     let answer = optimise(engine, task).expect("a valid task");
@@ -58,14 +59,18 @@ fn enumerated(engine: &Engine, task: &BalanceTask, allowed: impl Fn(&[f64]) -> b
             let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else {
                 panic!("{weight:?}")
             };
-            engine.counterweights.push(Counterweight {
-                name: weight.name.clone(),
-                crankshaft: 0,
-                z,
-                unbalance: *amount,
-                angle: phase - engine.crankshafts[0].phase,
-                part: None,
-            });
+            engine = engine
+                .with(|engine| {
+                    engine.counterweights.push(Counterweight {
+                        name: weight.name.clone(),
+                        crankshaft: 0,
+                        z,
+                        unbalance: *amount,
+                        angle: phase - engine.crankshafts[0].phase,
+                        part: None,
+                    });
+                })
+                .unwrap();
         }
         let value = lanchester_balance::as_it_stands(&engine, task.stages[0].terms[0].1).expect("a load");
         if value < best.0 {
@@ -250,14 +255,18 @@ fn enumerated_one(engine: &Engine, task: &BalanceTask, amounts: &[f64]) -> f64 {
     let mut engine = engine.clone();
     for (weight, amount) in task.weights.iter().zip(amounts) {
         let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else { panic!("{weight:?}") };
-        engine.counterweights.push(Counterweight {
-            name: weight.name.clone(),
-            crankshaft: 0,
-            z,
-            unbalance: *amount,
-            angle: phase - engine.crankshafts[0].phase,
-            part: None,
-        });
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.push(Counterweight {
+                    name: weight.name.clone(),
+                    crankshaft: 0,
+                    z,
+                    unbalance: *amount,
+                    angle: phase - engine.crankshafts[0].phase,
+                    part: None,
+                });
+            })
+            .unwrap();
     }
     lanchester_balance::as_it_stands(&engine, task.stages[0].terms[0].1).expect("a load")
 }

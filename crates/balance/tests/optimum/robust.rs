@@ -5,6 +5,7 @@ use lanchester_balance::{
     BalanceError, RobustAnswer, RobustMeasure, RobustRequest, as_it_stands, fitted, optimise, optimise_robust,
 };
 use lanchester_model::*;
+use lanchester_task::*;
 
 const FORCE: Criterion = Criterion::Peak(Load::Force);
 
@@ -14,14 +15,22 @@ fn samples(engine: &Engine, from: u32, to: u32) -> Vec<Engine> {
         .map(|k| {
             let mut one = engine.clone();
             let wave = |factor: f64, part: usize| ((f64::from(k) + 0.37) * factor + part as f64 * 2.3).sin();
-            for (part, cylinder) in one.cylinders.iter_mut().enumerate() {
-                cylinder.piston_mass *= 1.0 + 0.04 * wave(1.7, part);
-                cylinder.rod.big_end_mass *= 1.0 + 0.06 * wave(2.9, part);
-            }
-            for (part, throw) in one.throws.iter_mut().enumerate() {
-                throw.unbalance *= 1.0 + 0.05 * wave(0.71, part);
-                throw.angle += 0.01 * wave(3.3, part);
-            }
+            one = one
+                .with(|one| {
+                    for (part, cylinder) in one.cylinders.iter_mut().enumerate() {
+                        cylinder.piston_mass *= 1.0 + 0.04 * wave(1.7, part);
+                        cylinder.rod.big_end_mass *= 1.0 + 0.06 * wave(2.9, part);
+                    }
+                })
+                .unwrap();
+            one = one
+                .with(|one| {
+                    for (part, throw) in one.throws.iter_mut().enumerate() {
+                        throw.unbalance *= 1.0 + 0.05 * wave(0.71, part);
+                        throw.angle += 0.01 * wave(3.3, part);
+                    }
+                })
+                .unwrap();
             one
         })
         .collect()

@@ -3,11 +3,12 @@
 use super::mounts::{engine, task};
 use lanchester_balance::{Answer, Outcome, fitted, optimise};
 use lanchester_mechanism::{MountSystem, inertia_excitations};
-use lanchester_model::{BalanceTask, Criterion, Engine, Limit, Load, SpeedRange, Stage};
+use lanchester_model::{Engine, SpeedRange};
+use lanchester_task::{BalanceTask, Criterion, Limit, Load, Stage};
 
 /// The three on its mounts, whose resonances lie within its range.
 fn soft() -> Engine {
-    Engine { speed: SpeedRange { lowest: 50.0, highest: 420.0 }, ..engine(1.5e6, 90.0) }
+    engine(1.5e6, 90.0).with(|parts| parts.speed = SpeedRange { lowest: 50.0, highest: 420.0 }).unwrap()
 }
 
 fn largest() -> BalanceTask {

@@ -5,12 +5,13 @@ use lanchester_bondgraph::{
     EngineBlock, EngineDrive, EngineLoad, EngineRequest, Equations, GasStates, GasWalls, Graph, LoadTorque,
     Simulation, SimulationRequest, engine_graph, equations,
 };
-use lanchester_model::{Engine, read};
+use lanchester_file::read;
+use lanchester_model::Engine;
 use std::f64::consts::TAU;
 
 fn engine() -> Engine {
     let read = read(include_str!("../../../../examples/three-cylinder.toml"));
-    read.engine.unwrap_or_else(|| panic!("{:#?}", read.diagnostics))
+    read.engine().unwrap_or_else(|| panic!("{:#?}", read.diagnostics))
 }
 
 fn found(engine: &Engine, request: &EngineRequest) -> Equations {
@@ -119,16 +120,15 @@ fn rocking(engine: &Engine) -> f64 {
 #[test]
 fn lit_singh_rocking_without_and_with_the_balancer() {
     let with = |phase: Option<f64>| {
-        let mut engine = engine();
-        match phase {
+        let engine = engine().with(|engine| match phase {
             None => engine.shafts.clear(),
             Some(degrees) => {
                 for (weight, more) in engine.shafts[0].weights.iter_mut().zip([0.0, 180.0]) {
                     weight.phase = (degrees + more).to_radians();
                 }
             }
-        }
-        rocking(&engine)
+        });
+        rocking(&engine.unwrap_or_else(|faults| panic!("{faults:?}")))
     };
     let without = with(None);
     let printed = with(Some(180.0)) / without;

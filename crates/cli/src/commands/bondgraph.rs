@@ -14,7 +14,8 @@ use lanchester::bondgraph::{
     audit_text, causality, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
     graphml, is_graph_file, linear_text, modelica, simulation_csv, simulation_text, used_graphs,
 };
-use lanchester::model::{Diagnostic, option, read, render};
+use lanchester::file::{Diagnostic, read, render};
+use lanchester::task::option;
 use lanchester::{BondGraphRequest, engine_bond_graph};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -109,7 +110,7 @@ fn of_engine(
     if !reading.diagnostics.is_empty() {
         eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
     }
-    let engine = reading.engine.ok_or_else(Failure::diagnosed)?;
+    let engine = reading.engine().ok_or_else(Failure::diagnosed)?;
     let options = &arguments.engine;
     let load = match options.load.as_deref().map(str::trim) {
         None => None,

@@ -5,14 +5,15 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::simulation_arguments::{BlockOption, SimulateArguments, SimulationTable};
+use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
-use lanchester::model::option;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
     simulation_energy_csv, simulation_events_csv, simulation_reactions_csv, simulation_text,
     simulation_trace_csv,
 };
-use lanchester::{RunLength, SimulateRequest, simulate};
+use lanchester::task::option;
+use lanchester::{RunLength, SimulateRequest, simulate_watched};
 
 pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.table.is_some() && arguments.format != Format::Csv {
@@ -24,18 +25,21 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     for &number in &arguments.misfire {
-        let count = opened.engine.cylinders.len();
+        let count = opened.file.engine.cylinders.len();
         if !(1..=count).contains(&number) {
             let needed = format!("--misfire needs a number of a cylinder, from 1 to {count}, got {number}");
             return Err(Failure::input(needed, "cylinders are numbered as in the file"));
         }
         request.misfire.push(number - 1);
     }
-    let traces = match request.gas {
-        true => trace_files(&opened.engine, &arguments.file)?,
-        false => Vec::new(),
+    let in_file = opened.file.tasks.simulation.as_ref().and_then(|input| input.gas);
+    let traces = match request.gas.or(in_file) {
+        Some(false) => Vec::new(),
+        _ => trace_files(&opened.file.engine, &arguments.file)?,
     };
-    let result = simulate(&opened.engine, &traces, &request).map_err(Failure::refused)?;
+    let goes_on = GoesOn::until_interrupted();
+    let result = simulate_watched(&opened.file, &traces, &request, &|_| goes_on.now());
+    let result = result.map_err(Failure::refused)?;
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => simulation_text(&result),
         (Format::Json, _) => json(&result)?,
@@ -55,23 +59,28 @@ fn request(arguments: &SimulateArguments) -> Result<SimulateRequest, Failure> {
         Some("none") => Some(LoadLaw::None),
         Some(text) => Some(LoadLaw::Constant(option::torque(text, "--load")?)),
     };
-    let mut request = SimulateRequest {
-        speed: arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?,
-        length: if arguments.until.is_some() { RunLength::Periodic } else { length(&arguments.duration)? },
-        imposed: arguments.imposed,
-        on_mounts: arguments.block.map(|block| block == BlockOption::Mounts),
-        gravity: !arguments.no_gravity,
-        gas: !arguments.inertia_only,
-        load,
-        reacts_on: if arguments.load_on_block { ReactsOn::Block } else { ReactsOn::Ground },
-        step: option::angle(&arguments.step, "--step")?,
-        tolerance: arguments.tolerance,
-        ..SimulateRequest::default()
+    let length = match (arguments.until, &arguments.duration) {
+        (Some(_), _) => Some(RunLength::Periodic),
+        (None, text) => text.as_deref().map(length).transpose()?,
     };
-    if arguments.long {
-        request.most_evaluations = u64::MAX;
-    }
-    Ok(request)
+    Ok(SimulateRequest {
+        speed: arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?,
+        length,
+        imposed: match (arguments.imposed, arguments.free) {
+            (true, _) => Some(true),
+            (false, true) => Some(false),
+            (false, false) => None,
+        },
+        on_mounts: arguments.block.map(|block| block == BlockOption::Mounts),
+        gravity: arguments.no_gravity.then_some(false),
+        gas: arguments.inertia_only.then_some(false),
+        load,
+        reacts_on: arguments.load_on_block.then_some(ReactsOn::Block),
+        misfire: Vec::new(),
+        step: arguments.step.as_deref().map(|text| option::angle(text, "--step")).transpose()?,
+        tolerance: arguments.tolerance,
+        long: arguments.long,
+    })
 }
 
 /// `10 revolutions` or `2 s`.

@@ -216,7 +216,7 @@ proptest! {
         let weight = |z| ShaftWeight { z, unbalance: part.unbalance(), phase, part: Some(part) };
         let weights = vec![weight(-0.05), weight(0.06)];
         let ratio = Ratio::new(-1, 1).unwrap();
-        let shaft = BalanceShaft { name: "left".to_string(), ratio, x, y, weights };
+        let shaft = BalanceShaft { name: "left".to_string(), ratio, x, y, weights, inertia: None };
         let parts = shaft_solids(&shaft).unwrap();
         let (made, facet_error) = (solids(&parts).unwrap(), 10f64.powf(power));
         let Ok(bytes) = stl(&made, facet_error) else { return Ok(()) };

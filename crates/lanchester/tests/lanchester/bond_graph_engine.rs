@@ -5,7 +5,8 @@ use lanchester::bondgraph::{
     Curve, EngineBlock, EngineLoad, EngineRequest, EngineStart, Equations, Graph, LoadTorque,
     SimulationRequest, Unit, engine_graph, equations,
 };
-use lanchester::model::{Engine, read, template};
+use lanchester::file::{read, template};
+use lanchester::model::Engine;
 use lanchester::multibody::{
     BlockMotion, BlockStart, GasPressure, Load, LoadLaw, Motion, ReactsOn, RotorInertia, Run, RunOutcome,
     Simulation, Train,
@@ -95,7 +96,7 @@ fn mounts() -> String {
 
 fn engine(text: &str) -> Engine {
     let read = read(text);
-    read.engine.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+    read.engine().unwrap_or_else(|| panic!("{:?}", read.diagnostics))
 }
 
 /// What is compared: the engine, its inertias, what acts.
@@ -321,15 +322,27 @@ fn xcheck_single_with_its_block_in_space() {
 fn of_gallery(name: &str, block: EngineBlock) -> Case {
     let mut engine = engine(template(name).expect("it is in the gallery").text);
     let count = engine.cylinders.len();
-    for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
-        cylinder.bore = Some(0.07 + 0.001 * index as f64);
-        if cylinder.firing_angle.is_none() {
-            cylinder.firing_angle = Some(2.0 * TAU * index as f64 / count as f64);
-        }
-    }
+    engine = engine
+        .with(|engine| {
+            for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.bore = Some(0.07 + 0.001 * index as f64);
+                if cylinder.firing_angle.is_none() {
+                    cylinder.firing_angle = Some(2.0 * TAU * index as f64 / count as f64);
+                }
+            }
+        })
+        .unwrap();
     let donor = single(&(BLOCK.to_owned() + &mounts()));
-    engine.block = donor.block;
-    engine.mounts = donor.mounts;
+    engine = engine
+        .with(|engine| {
+            engine.block.clone_from(&donor.block);
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.mounts.clone_from(&donor.mounts);
+        })
+        .unwrap();
     Case { load: 40.0, ..Case::new(engine, block) }
 }
 

@@ -4,14 +4,13 @@ use lanchester::balance::{
     Answer, BalanceError, BalanceSettings, Next, Outcome, as_it_stands, fitted, optimise,
 };
 use lanchester::mechanism::{BearingRequest, MainBearing, MainForces, bearing_loads};
-use lanchester::model::{
-    BalanceTask, Criterion, Engine, Limit, Mains, SpeedRange, Stage, Statistic, default_task,
-};
+use lanchester::model::{Engine, SpeedRange};
+use lanchester::task::{BalanceTask, Criterion, Limit, Mains, Stage, Statistic, default_task};
 use lanchester::{cylinder_gas, optimised};
 
 fn four() -> Engine {
     let text = include_str!("../../../../examples/in-line-4-mounts.toml");
-    lanchester::model::read(text).engine.expect("the example has no mistakes")
+    lanchester::file::read(text).engine().expect("the example has no mistakes")
 }
 
 const fn gas(statistic: Statistic, mains: Mains) -> Criterion {
@@ -42,7 +41,11 @@ fn after(answer: &Answer, criterion: Criterion) -> f64 {
 
 fn with_weights(engine: &Engine, factor: f64) -> Engine {
     let mut engine = engine.clone();
-    engine.counterweights.iter_mut().for_each(|weight| weight.unbalance *= factor);
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.iter_mut().for_each(|weight| weight.unbalance *= factor);
+        })
+        .unwrap();
     engine
 }
 
@@ -104,11 +107,15 @@ fn the_least_peak_and_the_least_root_mean_square_over_the_range() {
         assert!(stage.lower_bound <= own * (1.0 + 1e-5) && stage.value <= own * (1.0 + 1e-5));
         for trial in 0..12 {
             let mut other = best.clone();
-            for (k, weight) in other.counterweights.iter_mut().enumerate() {
-                let turn = f64::from(trial) * 1.7 + k as f64 * 2.3;
-                weight.unbalance *= 1.0 + 0.05 * turn.sin();
-                weight.angle += 0.05 * turn.cos();
-            }
+            other = other
+                .with(|other| {
+                    for (k, weight) in other.counterweights.iter_mut().enumerate() {
+                        let turn = f64::from(trial) * 1.7 + k as f64 * 2.3;
+                        weight.unbalance *= 1.0 + 0.05 * turn.sin();
+                        weight.angle += 0.05 * turn.cos();
+                    }
+                })
+                .unwrap();
             let theirs = over_speeds(&other, 24)[place];
             assert!(theirs >= stage.lower_bound * (1.0 - 1e-5), "{trial}: {theirs} N beside {stage:?}");
         }
@@ -205,7 +212,7 @@ fn what_is_missing_is_told() {
         let asked = optimised(engine, Ok(&[]), &task, &BalanceSettings::default(), &|_| Next::Continue);
         asked.expect_err("it is refused").to_string()
     };
-    let without = Engine { gas: None, ..four() };
+    let without = four().with(|parts| parts.gas = None).unwrap();
     assert!(refused(&without, PEAK).contains("add [gas]"));
     let mean = refused(&four(), gas(Statistic::Mean, Mains::All));
     assert!(mean.contains("needs one speed") && mean.contains("--speed"), "{mean}");

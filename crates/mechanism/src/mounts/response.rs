@@ -3,6 +3,7 @@
 //! ```text
 //! ( K(w) + i w C - w^2 M ) Q = F        w = n times the speed        force on mount j = ( K_j(w) + i w C_j ) B_j Q
 //! ```
+//! C and M with what the rotors do at the speed (27.12, 27.13).
 
 use crate::mounts::error::MountError;
 use crate::mounts::excitation::{Excitation, amplitudes};
@@ -54,7 +55,7 @@ impl MountSystem {
         let exciting = amplitudes(load, self.body().centre);
         let resonance = || MountError::Resonance { order: load.order, speed };
         let stiffness = self.mount_stiffness(frequency);
-        let motion = self.solve(frequency, &stiffness, &exciting).ok_or_else(resonance)?;
+        let motion = self.solve(frequency, speed, &stiffness, &exciting).ok_or_else(resonance)?;
         let mut transmitted = Vector6::zeros();
         let forces = self.mounts.iter().zip(&stiffness).map(|(mount, stiffness)| {
             let force = mount.force(frequency, stiffness, &motion);
@@ -75,6 +76,7 @@ impl MountSystem {
     fn solve(
         &self,
         frequency: f64,
+        speed: f64,
         stiffness: &[[Complex64; 3]],
         load: &Vector6<Complex64>,
     ) -> Option<Vector6<Complex64>> {
@@ -87,15 +89,18 @@ impl MountSystem {
                 );
             }
         }
+        if speed > 0.0 {
+            self.add_rotors(&mut matrix, frequency, speed);
+        }
         solved(&matrix, load)
     }
 
-    /// Forces on the mounts for a unit of each of F_x, F_y, F_z, M_x, M_y, M_z about the origin that turns with `e^{i w t}`:
-    /// `[mount][component][load]`. At frequency 0 they are those at rest.
+    /// Forces on the mounts for a unit of each of F_x, F_y, F_z, M_x, M_y, M_z about the origin that turns with `e^{i w t}`, while
+    /// crankshaft 1 turns at `speed` [rad/s] (0: the engine stands, its rotors with it): `[mount][component][load]`. At frequency 0 they are those at rest.
     ///
     /// # Errors
     /// [`MountError::Resonance`] where the block is undamped and this is a natural frequency.
-    pub fn transfer(&self, frequency: f64) -> Result<Vec<[[Complex64; 6]; 3]>, MountError> {
+    pub fn transfer(&self, frequency: f64, speed: f64) -> Result<Vec<[[Complex64; 6]; 3]>, MountError> {
         let mut result = vec![[[Complex64::ZERO; 6]; 3]; self.mounts.len()];
         let stiffness = self.mount_stiffness(frequency);
         let centre = Vector3::from(self.body().centre);
@@ -110,8 +115,9 @@ impl MountSystem {
                 self.rigid_share(load.into()).iter().map(|f| f.map(Complex64::from)).collect()
             } else {
                 let resonance = || MountError::Resonance { order: 1.0, speed: frequency };
-                let motion =
-                    self.solve(frequency, &stiffness, &load.map(Complex64::from)).ok_or_else(resonance)?;
+                let motion = self
+                    .solve(frequency, speed, &stiffness, &load.map(Complex64::from))
+                    .ok_or_else(resonance)?;
                 let pairs = self.mounts.iter().zip(&stiffness);
                 pairs.map(|(m, stiffness)| m.force(frequency, stiffness, &motion).into()).collect()
             };
@@ -125,7 +131,7 @@ impl MountSystem {
     }
 
     /// Force transmissibility against frequency: for a unit load in each coordinate at the centre, what all mounts together
-    /// pass on in the same coordinate. 1 for slow loads, above 1 near the natural frequencies, then falling.
+    /// pass on in the same coordinate, of the engine that stands. 1 for slow loads, above 1 near the natural frequencies, then falling.
     ///
     /// # Errors
     /// [`MountError::Resonance`] where the block is undamped and one of `frequencies` [rad/s] is natural.
@@ -137,7 +143,7 @@ impl MountSystem {
                 let mut load = Vector6::zeros();
                 load[unit] = Complex64::ONE;
                 let resonance = || MountError::Resonance { order: 1.0, speed: frequency };
-                let motion = self.solve(frequency, &stiffness, &load).ok_or_else(resonance)?;
+                let motion = self.solve(frequency, 0.0, &stiffness, &load).ok_or_else(resonance)?;
                 let pairs = self.mounts.iter().zip(&stiffness);
                 let passed: Vector6<Complex64> =
                     pairs.map(|(m, own)| m.on_centre(&m.force(frequency, own, &motion))).sum();

@@ -224,6 +224,8 @@ pub struct MountStudy {
     pub warnings: Vec<String>,
     /// The body that moves.
     pub body: MountedBody,
+    /// Angular momentum of all rotors whose inertia is known over the speed of crankshaft 1 [kg m^2].
+    pub rotors: f64,
     /// At rest.
     pub at_rest: MountStatics,
     /// Natural motions.

@@ -20,6 +20,8 @@ pub struct MountRequest {
     pub excitation: String,
     /// What the user should know of it.
     pub warnings: Vec<String>,
+    /// Angular momentum of the rotors over the speed of crankshaft 1 [kg m^2] in place of that of the file.
+    pub rotors: Option<f64>,
 }
 
 /// The block of `engine` on its mounts: at rest, its natural motions, and shaken by `excitations`.
@@ -34,7 +36,10 @@ pub fn mount_study(
     if let Some(&bad) = request.points.iter().flatten().find(|c| !c.is_finite()) {
         return Err(MountError::Number { quantity: "point [m]".to_owned(), needed: "finite", got: bad });
     }
-    let system = MountSystem::new(engine)?;
+    let mut system = MountSystem::new(engine)?;
+    if let Some(rotors) = request.rotors {
+        system = system.with_rotors(rotors);
+    }
     let response = system.response(excitations)?;
     let modes = system.modes()?;
     let motion = |&point: &[f64; 3]| PointMotion {
@@ -56,6 +61,7 @@ pub fn mount_study(
         excitation: request.excitation.clone(),
         warnings: request.warnings.clone(),
         body: system.body().clone(),
+        rotors: system.rotors(),
         at_rest: system.at_rest(),
         points: request.points.iter().map(motion).collect(),
         transmissibility: Transmissibility {

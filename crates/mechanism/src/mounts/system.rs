@@ -4,6 +4,7 @@ use crate::mounts::body::mounted_body;
 use crate::mounts::error::MountError;
 use crate::mounts::free_motion::free_motion;
 use crate::mounts::result::MountedBody;
+use crate::mounts::rotors::rotor_inertia_about_z;
 use lanchester_model::{Block, Engine, MAX_LOSS_FACTOR, Mount, MountPoint, MountSpring};
 use nalgebra::{Cholesky, Matrix3, Matrix3x6, Matrix6, U6, Vector3, Vector6};
 use num_complex::Complex64;
@@ -28,6 +29,8 @@ pub struct MountSystem {
     pub(crate) damping: Matrix6<f64>,
     /// Complex stiffness of the mounts without a table.
     fixed: Complex6x6,
+    /// Angular momentum of the rotors over the speed of crankshaft 1 [kg m^2].
+    pub(crate) rotors: f64,
 }
 
 /// One mount, ready for use.
@@ -88,12 +91,18 @@ impl MountSystem {
             fixed,
             mounts,
             body,
+            rotors: rotor_inertia_about_z(engine, None),
         })
     }
 
     /// The body that moves.
     pub fn body(&self) -> &MountedBody {
         &self.body
+    }
+
+    /// Number of mounts.
+    pub fn mount_count(&self) -> usize {
+        self.mounts.len()
     }
 
     /// What the file says of it.

@@ -31,10 +31,14 @@ proptest! {
 fn fired_in_line(angles: &[f64]) -> (Engine, Vec<CylinderGas>) {
     let mut engine = fired(in_line(angles), 0.08, Strokes::Four);
     let count = angles.len();
-    for (k, cylinder) in engine.cylinders.iter_mut().enumerate() {
-        cylinder.bore = Some(0.08);
-        cylinder.firing_angle = Some(2.0 * TAU * k as f64 / count as f64);
-    }
+    engine = engine
+        .with(|engine| {
+            for (k, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.bore = Some(0.08);
+                cylinder.firing_angle = Some(2.0 * TAU * k as f64 / count as f64);
+            }
+        })
+        .unwrap();
     let gas = vec![diesel_like(&engine, 2.5); count];
     (engine, gas)
 }

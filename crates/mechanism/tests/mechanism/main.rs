@@ -16,6 +16,7 @@ mod motion;
 mod mounts;
 mod mounts_in_time;
 mod mounts_properties;
+mod mounts_rotors;
 mod properties;
 mod spectrum;
 mod support;

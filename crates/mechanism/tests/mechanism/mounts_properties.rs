@@ -22,9 +22,13 @@ fn size(vector: &[Complex64; 6]) -> f64 {
 
 /// The engine with one loss factor everywhere and no dampers.
 fn evenly_damped(mut engine: Engine, loss: f64) -> Engine {
-    for spring in engine.mounts.iter_mut().filter_map(|m| m.spring.as_mut()) {
-        (spring.damping, spring.loss_factor) = ([0.0; 3], [loss; 3]);
-    }
+    engine = engine
+        .with(|engine| {
+            for spring in engine.mounts.iter_mut().filter_map(|m| m.spring.as_mut()) {
+                (spring.damping, spring.loss_factor) = ([0.0; 3], [loss; 3]);
+            }
+        })
+        .unwrap();
     engine
 }
 
@@ -128,9 +132,9 @@ proptest! {
     #[test]
     fn prop_equal_isotropic_springs_share_a_slow_load_by_least_squares(engine in engines(), load in any_load()) {
         let mut engine = evenly_damped(engine, 0.0);
-        for spring in engine.mounts.iter_mut().filter_map(|m| m.spring.as_mut()) {
+        engine = engine.with(|engine| { for spring in engine.mounts.iter_mut().filter_map(|m| m.spring.as_mut()) {
             spring.stiffness = [3e5; 3];
-        }
+        } }).unwrap();
         let system = system(&engine);
         let centre = engine.block.as_ref().expect("it has a block").centre;
         let count = engine.mounts.len();
@@ -155,10 +159,10 @@ proptest! {
     fn prop_slow_loads_are_shared_as_at_rest_and_the_transfer_is_linear(engine in engines(), speed in 50.0..600.0f64) {
         let system = system(&engine);
         let block = engine.block.clone().expect("it has a block");
-        let slow = system.transfer(1e-7).expect("held");
-        let still = system.transfer(0.0).expect("held");
+        let slow = system.transfer(1e-7, 0.0).expect("held");
+        let still = system.transfer(0.0, 0.0).expect("held");
         let stiff = evenly_damped(engine.clone(), 0.0);
-        let undamped = MountSystem::new(&stiff).expect("held").transfer(1e-7).expect("held");
+        let undamped = MountSystem::new(&stiff).expect("held").transfer(1e-7, 0.0).expect("held");
         for (mount, (a, b)) in still.iter().zip(&undamped).enumerate() {
             for j in 0..3 {
                 for c in 0..6 {
@@ -171,7 +175,7 @@ proptest! {
         let excitations = inertia_excitations(&engine, &[speed], 3).expect("valid");
         let found = system.response(&excitations).expect("it is damped");
         for order in &found.speeds[0].orders {
-            let transfer = system.transfer(order.order * speed).expect("it is damped");
+            let transfer = system.transfer(order.order * speed, speed).expect("it is damped");
             let [fx, fy, fz, mx, my, mz] = order.load;
             let [x, y, z] = block.centre;
             // Moments about the origin.

@@ -99,6 +99,7 @@ impl ShaftDesign {
         let square = (f64::from(turns) * speed).powi(2);
         let (weights, count) = self.weights(orders);
         BalanceShaft {
+            inertia: None,
             name,
             ratio: Ratio::whole(turns).expect("invariant: the order of a shaft is 1 or 2"),
             x: self.x,

@@ -10,7 +10,7 @@ use lanchester_mechanism::{
     SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
     merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -198,11 +198,13 @@ fn of_point(point: &OperatingPoint, gas: bool, max_order: u32) -> Result<Torque,
 
 /// The engine with pistons on which no gas presses.
 fn unloaded(engine: &Engine) -> Result<(Engine, Vec<CylinderGas>), TorqueError> {
-    let mut engine = engine.clone();
-    for cylinder in &mut engine.cylinders {
-        cylinder.bore.get_or_insert(1.0);
-        cylinder.firing_angle.get_or_insert(0.0);
-    }
+    let complete = |parts: &mut EngineParts| {
+        for cylinder in &mut parts.cylinders {
+            cylinder.bore.get_or_insert(1.0);
+            cylinder.firing_angle.get_or_insert(0.0);
+        }
+    };
+    let engine = engine.with(complete).expect("invariant: a bore of 1 m is one");
     let cycle = TAU * f64::from(engine.strokes.revolutions());
     let even = |cylinder: usize| {
         let curve = PeriodicCurve::constant(cycle, 0.0)

@@ -75,7 +75,7 @@ prop_compose! {
         weights in prop::collection::vec((-0.3..0.3f64, 0.0..0.02f64, angle()), 1..3),
     ) -> BalanceShaft {
         let weights = weights.into_iter().map(|(z, unbalance, phase)| ShaftWeight::new(z, unbalance, phase)).collect();
-        BalanceShaft { name: "shaft".into(), ratio: Ratio::new(ratio.0, ratio.1).expect("not 0"), x, y, weights }
+        BalanceShaft { name: "shaft".into(), ratio: Ratio::new(ratio.0, ratio.1).expect("not 0"), x, y, weights, inertia: None }
     }
 }
 
@@ -110,12 +110,13 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
                 cylinders.push(cylinder);
             }
         }
-        let mut engine = engine("random", throws.into_iter().map(|(throw, _)| throw).collect(), cylinders);
+        let mut engine =
+            engine("random", throws.into_iter().map(|(throw, _)| throw).collect(), cylinders).into_parts();
         engine.speed = SpeedRange { lowest: speed, highest: speed };
         if shape.geared {
             let ((numerator, denominator), phase, x, y) = gear;
             let ratio = Ratio::new(numerator, denominator).expect("not 0");
-            engine.crankshafts.push(Crankshaft { ratio, phase, x, y, ..crankshaft() });
+            engine.crankshafts.push(Crankshaft { name: "second".into(), ratio, phase, x, y, ..crankshaft() });
         }
         let crankshafts = engine.crankshafts.len();
         engine.counterweights = weights
@@ -131,6 +132,6 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
             })
             .collect();
         engine.shafts = shafts;
-        engine
+        Engine::new(engine).unwrap()
     })
 }

@@ -1,0 +1,142 @@
+//! What a run is asked, from the request, the engine file and defaults, in this order.
+
+use crate::simulation::SimulateRequest;
+use lanchester_model::{
+    Action, BlockKind, Engine, ImposedAgainst, RodGuidance, RunLength, SimulationInput, SpeedKind,
+    StartOfBlock, When,
+};
+use lanchester_multibody::{
+    BlockMotion, BlockStart, Drive, Duration, Event, Guidance, MultibodyError, STANDARD_GRAVITY, Simulation,
+    Train,
+};
+use std::f64::consts::TAU;
+
+/// What a run is asked, but for gas, load and friction.
+pub(crate) struct RunPlan {
+    pub simulation: Simulation,
+    pub length: RunLength,
+    /// Speed at which friction and the mean torque of the gas are judged [rad/s].
+    pub reference_speed: f64,
+    pub notes: Vec<String>,
+}
+
+/// Words for what an event does.
+pub(crate) fn action_words(action: &Action) -> String {
+    match action {
+        Action::Misfire(cylinder) => format!("cylinder {} fires no more", cylinder + 1),
+        Action::Fuel(share) => format!("fuel {} %", 100.0 * share),
+        Action::Load(law) => match law {
+            lanchester_model::LoadLaw::Constant(torque) => format!("load {torque} N m"),
+            _ => "no load".into(),
+        },
+        Action::ClutchOpen => "the clutch opens".into(),
+        Action::Stop => "stop".into(),
+    }
+}
+
+/// The plan of a run of `train`, which is that of `engine`.
+pub(crate) fn plan(
+    engine: &Engine,
+    input: Option<&SimulationInput>,
+    train: &Train,
+    request: &SimulateRequest,
+) -> Result<RunPlan, MultibodyError> {
+    let none = SimulationInput::default();
+    let input = input.unwrap_or(&none);
+    let mut notes = Vec::new();
+    let imposed = request.imposed.unwrap_or(input.speed == Some(SpeedKind::Imposed));
+    let has_profile = imposed && request.speed.is_none() && !input.imposed.is_empty();
+    let first = input.imposed.first().filter(|_| has_profile).map(|point| point[1]);
+    let speed = request.speed.or(first).or(input.start_speed).unwrap_or(engine.speed.highest);
+    let mut simulation = Simulation::free(speed, 1.0);
+    if imposed {
+        let against = input.imposed_against.unwrap_or(ImposedAgainst::Block);
+        let profile = if has_profile { input.imposed.clone() } else { vec![[0.0, speed]] };
+        simulation.drive = Drive::Imposed { profile, against };
+    }
+    let length = request.length.or(input.duration).unwrap_or(RunLength::Revolutions(10.0));
+    match length {
+        RunLength::Revolutions(turns) => simulation.duration = Duration::Revolutions(turns),
+        RunLength::Time(time) => simulation.duration = Duration::Time(time),
+        RunLength::Periodic => {}
+    }
+    simulation.start_angle = input.start_angle.unwrap_or(0.0);
+    simulation.step = request.step.or(input.step).unwrap_or(simulation.step);
+    simulation.tolerance = request.tolerance.or(input.tolerance).unwrap_or(simulation.tolerance);
+    if request.long {
+        (simulation.most_evaluations, simulation.most_samples) = (u64::MAX, u64::MAX);
+    }
+    simulation.reactions = true;
+    simulation.gravity = match request.gravity {
+        Some(true) => input.gravity.filter(|gravity| *gravity > 0.0).unwrap_or(STANDARD_GRAVITY),
+        Some(false) => 0.0,
+        None => input.gravity.unwrap_or(STANDARD_GRAVITY),
+    };
+    if input.guidance == Some(RodGuidance::Piston) {
+        simulation.guidance = Guidance::Piston;
+    }
+    if input.start_block == Some(StartOfBlock::AsDrawn) {
+        simulation.block_start = BlockStart::AsDrawn;
+    }
+    if !input.main_stiffness.is_empty() {
+        let (count, mains) = (input.main_stiffness.len(), train.rotors.first().map_or(0, |r| r.mains.len()));
+        if count != mains {
+            return Err(MultibodyError::Number {
+                quantity: format!(
+                    "number of entries of `main_stiffness` in [simulation] for {mains} main bearings"
+                ),
+                needed: "that of the main bearings of crankshaft 1",
+                got: count as f64,
+            });
+        }
+        simulation.main_stiffness = vec![input.main_stiffness.clone()];
+    }
+    simulation.torque.clone_from(&input.torque);
+    simulation.starter = input.starter;
+    simulation.driveline.clone_from(&input.driveline);
+    simulation.piston_damping = input.piston_damping.unwrap_or(0.0);
+    simulation.events.clone_from(&input.events);
+    for &cylinder in &request.misfire {
+        simulation.events.push(Event { when: When::Angle(TAU), action: Action::Misfire(cylinder) });
+    }
+    let can_move =
+        train.fixed_because.is_none() && train.mounts.iter().all(|mount| !mount.frequency_dependent);
+    let wanted = request.on_mounts.or(input.block.map(|block| block == BlockKind::Mounts));
+    if wanted.unwrap_or(can_move) {
+        simulation.block = BlockMotion::Mounts;
+    } else {
+        let given = train
+            .fixed_because
+            .clone()
+            .unwrap_or_else(|| "a mount's stiffness or loss depends on frequency".into());
+        let because = if can_move { "as asked for".to_owned() } else { given };
+        notes.push(format!("The block is fixed: {because}."));
+    }
+    let unused = unused(engine, input, &simulation, imposed, has_profile);
+    if !unused.is_empty() {
+        notes.push(format!("Keys of the file that this run does not use: {}.", unused.join(", ")));
+    }
+    let reference_speed = if speed > 0.0 { speed } else { engine.speed.lowest };
+    Ok(RunPlan { simulation, length, reference_speed, notes })
+}
+
+/// Keys that the file gives and this run has no use for.
+fn unused(
+    engine: &Engine,
+    input: &SimulationInput,
+    simulation: &Simulation,
+    imposed: bool,
+    has_profile: bool,
+) -> Vec<&'static str> {
+    let moves = simulation.block != BlockMotion::Fixed;
+    let driveline_torque = engine.block.as_ref().is_some_and(|block| block.driveline_torque != [0.0; 3]);
+    [
+        ("`imposed_against`", input.imposed_against.is_some() && !(imposed && moves)),
+        ("`imposed`", !input.imposed.is_empty() && !has_profile),
+        ("`block` of `start`", input.start_block.is_some() && !moves),
+        ("`driveline_torque` of [block]", driveline_torque),
+    ]
+    .into_iter()
+    .filter_map(|(key, is_unused)| is_unused.then_some(key))
+    .collect()
+}

@@ -1,0 +1,271 @@
+//! What the file says of a run in time: start, drive, load, starter, governor, driveline, events. Plain data; `None` and empty where it says nothing.
+
+use serde::Serialize;
+
+/// What the file says of a run: `[simulation]`, `[load]`, `[starter]`, `[governor]`, `[[driveline]]` and `piston_damping` of `[friction]`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct SimulationInput {
+    /// Whether the speed is imposed or free.
+    pub speed: Option<SpeedKind>,
+    /// Against what an imposed speed counts.
+    pub imposed_against: Option<ImposedAgainst>,
+    /// Time [s] and speed [rad/s] of an imposed speed, rising in time, straight between; empty: constant.
+    pub imposed: Vec<[f64; 2]>,
+    /// Speed of crankshaft 1 at the start [rad/s].
+    pub start_speed: Option<f64>,
+    /// Crank angle at the start [rad].
+    pub start_angle: Option<f64>,
+    /// Where the block starts.
+    pub start_block: Option<StartOfBlock>,
+    /// How long the run lasts.
+    pub duration: Option<RunLength>,
+    /// Whether the block moves on its mounts.
+    pub block: Option<BlockKind>,
+    /// Acceleration of gravity [m/s^2]; 0: off.
+    pub gravity: Option<f64>,
+    /// Whether the gas of the file acts.
+    pub gas: Option<bool>,
+    /// Crank angle between two samples [rad].
+    pub step: Option<f64>,
+    /// Relative tolerance of every step.
+    pub tolerance: Option<f64>,
+    /// Which pin guides the rods along the crank axis.
+    pub guidance: Option<RodGuidance>,
+    /// Stiffness of the main bearings of crankshaft 1 for the rule `springs` [N/m]; empty: all alike.
+    pub main_stiffness: Vec<f64>,
+    /// Torque on crankshaft 1 over its angle, from the ground.
+    pub torque: Vec<TorqueOrder>,
+    /// What takes the power.
+    pub load: Option<RunLoad>,
+    /// What starts the engine.
+    pub starter: Option<Starter>,
+    /// What holds its speed.
+    pub governor: Option<Governor>,
+    /// Inertias behind the flywheel, in order.
+    pub driveline: Vec<DrivelineInertia>,
+    /// Viscous friction of every piston along its cylinder [N s/m].
+    pub piston_damping: Option<f64>,
+    /// What happens on the way.
+    pub events: Vec<Event>,
+}
+
+/// What sets the speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SpeedKind {
+    /// The torques.
+    Free,
+    /// A drive that takes whatever torque it needs.
+    Imposed,
+}
+
+/// Against what an imposed speed counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ImposedAgainst {
+    /// Relative to the block.
+    Block,
+    /// Absolute: it differs by the block's roll.
+    Ground,
+}
+
+/// Where the block starts, at rest.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StartOfBlock {
+    /// Where its mounts carry weight and mean torque.
+    Equilibrium,
+    /// In the position of the file.
+    AsDrawn,
+}
+
+/// How long a run lasts.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RunLength {
+    /// Revolutions of crankshaft 1.
+    Revolutions(f64),
+    /// Seconds.
+    Time(f64),
+    /// One period of the motion that repeats.
+    Periodic,
+}
+
+/// Whether the block moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlockKind {
+    /// It stands still.
+    Fixed,
+    /// It stands on its mounts.
+    Mounts,
+}
+
+/// Which pin guides a rod along the crank axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RodGuidance {
+    /// The crankpin.
+    Crankpin,
+    /// The piston pin.
+    Piston,
+}
+
+/// One order of a torque over the crank angle: `sin sin(order theta) + cos cos(order theta)`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct TorqueOrder {
+    /// Its order.
+    pub order: f64,
+    /// Factor of the sine [N m].
+    pub sin: f64,
+    /// Factor of the cosine [N m].
+    pub cos: f64,
+}
+
+/// Where the reaction to a torque goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ReactsOn {
+    /// The ground: the block does not feel it.
+    Ground,
+    /// The block, as of a machine that is bolted to it.
+    Block,
+}
+
+/// What takes the power, at the end of the driveline.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct RunLoad {
+    /// Its torque, against the rotation.
+    pub law: LoadLaw,
+    /// Where its reaction goes.
+    pub reacts_on: ReactsOn,
+}
+
+/// Torque of a load over the speed w [rad/s], or the angle, of the shaft that it sits on.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LoadLaw {
+    /// None.
+    None,
+    /// The same at every speed [N m]; like dry friction it holds at standstill.
+    Constant(f64),
+    /// `torque w / at`.
+    Viscous {
+        /// Torque [N m] at the speed `at`.
+        torque: f64,
+        /// Speed [rad/s].
+        at: f64,
+    },
+    /// `torque (w / at)^2`.
+    Quadratic {
+        /// Torque [N m] at the speed `at`.
+        torque: f64,
+        /// Speed [rad/s].
+        at: f64,
+    },
+    /// A constant power [W]; below `least_speed` [rad/s] the torque stays what it is there.
+    Power {
+        /// Power [W].
+        power: f64,
+        /// Speed below which the torque is constant [rad/s].
+        least_speed: f64,
+    },
+    /// Torque [N m] at speeds [rad/s] that rise, straight between, constant beyond.
+    Table(Vec<[f64; 2]>),
+    /// Torque [N m] at angles [rad] that rise from 0 or more, straight between and from the last to the first a period later; it acts
+    /// against positive rotation at any speed.
+    Angle {
+        /// Angle after which it repeats [rad].
+        period: f64,
+        /// Angles and torques.
+        points: Vec<[f64; 2]>,
+    },
+}
+
+/// A starter: `torque = stall (1 - ratio w / free_speed)` times its ratio on crankshaft 1, until a speed is reached.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Starter {
+    /// Torque of the starter at standstill [N m].
+    pub stall_torque: f64,
+    /// Speed of the starter without torque [rad/s].
+    pub free_speed: f64,
+    /// Speed of the starter over that of crankshaft 1.
+    pub ratio: f64,
+    /// Speed of crankshaft 1 at which it lets go [rad/s].
+    pub until: f64,
+    /// Where its reaction goes.
+    pub reacts_on: ReactsOn,
+}
+
+/// A governor: the fired part of the gas is multiplied by `u`, from 0 to 1.
+///
+/// ```text
+/// e = w_0 (1 - droop u) - w      u_c = gain (e + integral INTEGRAL of e dt), held within 0 and 1      delay u' = u_c - u
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Governor {
+    /// Speed without load [rad/s].
+    pub speed: f64,
+    /// Proportional gain [s/rad].
+    pub gain: f64,
+    /// Integral part: reciprocal of the reset time [1/s].
+    pub integral: f64,
+    /// Drop of the speed from no load to full load, as a share.
+    pub droop: f64,
+    /// Time constant of the actuator, a lag of first order [s].
+    pub delay: f64,
+    /// `u` at the start.
+    pub start: f64,
+}
+
+/// An inertia behind the flywheel on a torsional spring.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct DrivelineInertia {
+    /// Moment of inertia about its axis [kg m^2].
+    pub inertia: f64,
+    /// Stiffness of the spring before it [N m/rad].
+    pub stiffness: f64,
+    /// Damping of that spring [N m s/rad].
+    pub damping: f64,
+    /// Its speed over that of what is before it.
+    pub ratio: f64,
+}
+
+/// Something that happens on the way.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Event {
+    /// When.
+    pub when: When,
+    /// What.
+    pub action: Action,
+}
+
+/// When an event happens: the first time after the start.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum When {
+    /// At a time [s].
+    Time(f64),
+    /// At a crank angle from the start [rad].
+    Angle(f64),
+    /// When the speed rises through this [rad/s].
+    SpeedRises(f64),
+    /// When the speed falls through this [rad/s].
+    SpeedFalls(f64),
+}
+
+/// What an event does.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Action {
+    /// The cylinder with this index fires no more.
+    Misfire(usize),
+    /// All cylinders: factor on the fired part of the gas, from 0 to 1.
+    Fuel(f64),
+    /// Another load torque law.
+    Load(LoadLaw),
+    /// The spring before the first inertia of the driveline carries no more.
+    ClutchOpen,
+    /// The run ends.
+    Stop,
+}
