@@ -1,6 +1,7 @@
 //! What must hold for any input: shared by the fuzz targets and by the test that replays the kept corpus.
 
 use lanchester_balance::{Outcome, optimise};
+use lanchester_bondgraph::{Graph, SimulationRequest, drawing, equations, modelica};
 use lanchester_file::workshop::read_sheet;
 use lanchester_file::{EngineFile, expanded, read as read_text, render, templates};
 use lanchester_mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
@@ -79,6 +80,50 @@ pub fn balance(data: &[u8]) {
         );
     }
 }
+
+/// A bond graph with some of its lines changed: it is refused with a fix for each mistake, or runs to an end within its bound.
+pub fn graph(data: &[u8]) {
+    let text = changed(&GRAPHS, &GRAPH_ADDITIONS, data);
+    let graph = match Graph::read(&text) {
+        Ok(graph) => graph,
+        Err(mistakes) => {
+            let fixed = !mistakes.is_empty() && mistakes.iter().all(|mistake| mistake.hint.is_some());
+            assert!(fixed, "refused without a reason or a fix: {mistakes:?}\n{text}");
+            return;
+        }
+    };
+    let Ok(found) = equations(&graph) else { return };
+    assert!(drawing(&graph, &found.causality).starts_with("<svg") && modelica(&found).starts_with("model "));
+    let asked = SimulationRequest { samples: 3, audit: true, most_evaluations: 3000, ..found.request() };
+    let run = found.simulate(&asked);
+    let states = found.causality.states.len();
+    for series in run.series.iter().take(states) {
+        assert!(
+            series.values.iter().all(|value| value.is_finite()),
+            "{} is not finite of\n{text}",
+            series.name
+        );
+    }
+}
+
+/// Shipped graphs.
+const GRAPHS: [&str; 7] = [
+    include_str!("../examples/bond-graphs/mass-spring-damper.toml"),
+    include_str!("../examples/bond-graphs/dc-motor.toml"),
+    include_str!("../examples/bond-graphs/two-tanks.toml"),
+    include_str!("../examples/bond-graphs/two-tanks-turbulent.toml"),
+    include_str!("../examples/bond-graphs/slider-crank.toml"),
+    include_str!("../examples/bond-graphs/slider-crank-elastic.toml"),
+    include_str!("../examples/bond-graphs/torsion-chain.toml"),
+];
+const GRAPH_ADDITIONS: [&str; 6] = [
+    "\n[tables.more]\npoints = [[0, 1], [2, 3], [4, 1]]\nperiodic = true\n",
+    "\n[tables.more]\npieces = [[0, 1, 2, 3, 4], [1, 0, 0, 0, 0]]\nend = 2\ny_unit = \"N m\"\n",
+    "\n[elements.more]\nkind = \"Gas\"\ngas_constant = \"287 J/kg/K\"\nheat_capacity = \"720 J/kg/K\"\nvolume = \"1 l\"\n",
+    "\n[elements.other]\nkind = \"R\"\nflow = [\"e1 - e2\", \"e2 - e1\"]\n",
+    "\n[elements.field]\nkind = \"I\"\ncoenergy = \"2 kg*f1*f2\"\n",
+    "\n[signals.level]\nintegral_of = \"1 - level\"\nstart = \"0 s\"\n",
+];
 
 /// Worked sheets.
 const SHEETS: [&str; 2] = [

@@ -73,8 +73,8 @@ pub(crate) fn audit(
             let mut error = 0.0f64;
             for values in variables {
                 let powers = element.ports.iter().map(|bond| {
-                    let effort = if graph.bonds[*bond].domain.is_true_bond() { values[*bond] } else { 1.0 };
-                    graph.bonds[*bond].sign_into(index) * effort * values[count + *bond]
+                    let power = graph.bonds[*bond].domain.power(values[*bond], values[count + *bond]);
+                    graph.bonds[*bond].sign_into(index) * power
                 });
                 let (sum, most) =
                     powers.fold((0.0, 0.0f64), |(sum, most), power| (sum + power, most.max(power.abs())));
@@ -109,6 +109,12 @@ fn held(
 ) -> Option<f64> {
     let graph = &equations.graph;
     let Law::Store(ports) = &graph.elements[element].law else { return None };
+    if graph.elements[element].kind == Kind::Gas {
+        // Its energy is what its third port holds.
+        let symbol = format!("{}.displacement", graph.bond_name(graph.elements[element].ports[2]));
+        let state = equations.states.iter().position(|state| state.symbol == symbol)?;
+        return Some(samples.last()?.1[state] - samples.first()?.1[state]);
+    }
     let [port] = ports.as_slice() else { return None };
     port.inverse?;
     let bond = graph.elements[element].ports[0];

@@ -103,6 +103,16 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
             Law::Resistor { flow: None, .. } => {
                 steps.push(procedure.assign(index, 0, false, "gives its effort by its flow alone"));
             }
+            Law::Resistors { gives_flows, laws } => {
+                let what = if *gives_flows {
+                    "gives its flows by its efforts"
+                } else {
+                    "gives its efforts by its flows"
+                };
+                for port in 0..laws.len() {
+                    steps.push(procedure.assign(index, port, *gives_flows, what));
+                }
+            }
             Law::Matrix(rows) => {
                 let columns = rows[0].len();
                 for port in 0..columns + rows.len() {

@@ -180,6 +180,7 @@ impl Checker<'_> {
                 "C" => Kind::C,
                 "I" => Kind::I,
                 "IC" => Kind::IC,
+                "Gas" => Kind::Gas,
                 "TF" | "MTF" => Kind::TF,
                 "GY" | "MGY" => Kind::GY,
                 "0" => Kind::Zero,
@@ -191,7 +192,8 @@ impl Checker<'_> {
                         format!("`{other}` is no kind of element")
                     };
                     let span = if other.is_empty() { &entry.name.span } else { &written.span };
-                    let hint = "the kinds are Se, Sf, R, C, I, IC, TF, GY, 0, 1 and MSe, MSf, MR, MTF, MGY";
+                    let hint =
+                        "the kinds are Se, Sf, R, C, I, IC, Gas, TF, GY, 0, 1 and MSe, MSf, MR, MTF, MGY";
                     self.mistakes.push("E1702", span, message, hint);
                     continue;
                 }
@@ -227,6 +229,11 @@ impl Checker<'_> {
                 Some(rows.len() + rows[0].split(';').count())
             }
             Kind::TF | Kind::GY => Some(2),
+            Kind::Gas => Some(3),
+            Kind::R => {
+                let law = entry.get("flow").or_else(|| entry.get("effort"));
+                Some(law.map_or(1, |text| text.text.split(';').count()))
+            }
             Kind::C | Kind::I | Kind::IC => match (entry.get("energy"), entry.get("coenergy")) {
                 (Some(energy), _) => Some(field_ports(energy, &['q', 'p'])),
                 (None, Some(coenergy)) => Some(field_ports(coenergy, &['f'])),
@@ -340,7 +347,7 @@ impl Checker<'_> {
     /// Half arrows point into stores and resistors, and through transformers and gyrators.
     fn arrow(&mut self, element: usize, port: Option<usize>, is_to: bool, text: &Text) {
         let needs_to = match self.elements[element].kind {
-            Kind::R | Kind::C | Kind::I | Kind::IC => true,
+            Kind::R | Kind::C | Kind::I | Kind::IC | Kind::Gas => true,
             Kind::TF | Kind::GY => {
                 let entry = self.entry(element);
                 let first = entry
@@ -382,6 +389,11 @@ impl Checker<'_> {
             }));
         }
         let mut domains: Vec<Option<Domain>> = vec![None; ends.len()];
+        for element in self.elements.iter().filter(|element| element.kind == Kind::Gas) {
+            for (bond, domain) in element.ports.iter().zip([Domain::Hydraulic, Domain::Mass, Domain::Heat]) {
+                domains[*bond] = Some(domain);
+            }
+        }
         // Domains spread along bonds, through junctions and one-ports, until nothing changes.
         let mut changed = true;
         while changed {
@@ -420,7 +432,7 @@ impl Checker<'_> {
                 let junction = if self.elements[to].is_junction() { to } else { from };
                 let Text { text, span } = self.entry(junction).name.clone();
                 let message = format!("the domain of `{text}` is not known");
-                let hint = "add domain = \"translation\", \"rotation\", \"electric\", \"hydraulic\", \"thermal\" or \"heat\"";
+                let hint = "add domain = \"translation\", \"rotation\", \"electric\", \"hydraulic\", \"thermal\", \"heat\" or \"mass\"";
                 self.mistakes.push("E1710", &span, message, hint);
                 Domain::Translation
             });
@@ -624,7 +636,7 @@ impl Checker<'_> {
             }
             "effort" => (Var::Effort(number), domain.effort()),
             "flow" => (Var::Flow(number), domain.flow()),
-            "displacement" if element.kind == Kind::C => {
+            "displacement" if matches!(element.kind, Kind::C | Kind::Gas) => {
                 (Var::Displacement(number), domain.flow().times(Unit::SECOND))
             }
             "momentum" if element.kind == Kind::I => {

@@ -1,5 +1,6 @@
 //! Equations compiled for the integrators.
 
+use crate::domain::Domain;
 use crate::equations::{Equations, What};
 use crate::expression::{Id, Pool, Var};
 use crate::following::Following;
@@ -18,8 +19,8 @@ pub(crate) struct Compiled {
     unknowns: usize,
     bonds: usize,
     audited: bool,
-    /// Whether effort times flow is the power of each bond; of a heat bond the flow itself is.
-    true_bonds: Vec<bool>,
+    /// Of each bond: what its power is made of.
+    domains: Vec<Domain>,
     rates: Tape,
     /// Residuals of the unknowns, then their slopes by the unknowns.
     residuals: Tape,
@@ -30,6 +31,8 @@ pub(crate) struct Compiled {
     /// Conditions and arguments of curves.
     switch_functions: Tape,
     pub(crate) held: Held,
+    /// Whether events are passed over.
+    pub(crate) without_events: bool,
     /// Solves for all unknowns at once, where they are rates of followers.
     following: Option<Following>,
     /// Rates that it found with them.
@@ -96,13 +99,14 @@ impl Compiled {
                 unknowns: left.len(),
                 bonds: equations.graph.bonds.len(),
                 audited,
-                true_bonds: true_bonds(equations),
+                domains: domains(equations),
                 rates: Tape::default(),
                 residuals: Tape::default(),
                 variables,
                 slopes: None,
                 switch_functions: functions,
                 held: Held::new(&switches, &pool),
+                without_events: false,
                 following: Some(following),
                 found: vec![0.0; states],
                 inputs: vec![0.0; 1 + states + left.len()],
@@ -138,13 +142,14 @@ impl Compiled {
             unknowns,
             bonds: equations.graph.bonds.len(),
             audited,
-            true_bonds: true_bonds(equations),
+            domains: domains(equations),
             rates,
             residuals,
             variables,
             slopes: Some(slopes),
             switch_functions,
             held: Held::new(&switches, &pool),
+            without_events: false,
             following: None,
             found: Vec::new(),
             inputs: vec![0.0; 1 + states + unknowns],
@@ -238,9 +243,8 @@ impl Compiled {
     }
 }
 
-/// Whether effort times flow is the power of each bond.
-fn true_bonds(equations: &Equations) -> Vec<bool> {
-    equations.graph.bonds.iter().map(|bond| bond.domain.is_true_bond()).collect()
+fn domains(equations: &Equations) -> Vec<Domain> {
+    equations.graph.bonds.iter().map(|bond| bond.domain).collect()
 }
 
 /// Functions of switches and arguments of curves, which may hold such themselves.
@@ -273,14 +277,14 @@ impl System for Compiled {
             self.scratch.resize(2 * self.bonds, 0.0);
             self.variables.run(&self.inputs, &self.held, &mut self.work, &mut self.scratch);
             for bond in 0..self.bonds {
-                let effort = if self.true_bonds[bond] { self.scratch[bond] } else { 1.0 };
-                derivative[self.states + bond] = effort * self.scratch[self.bonds + bond];
+                let (effort, flow) = (self.scratch[bond], self.scratch[self.bonds + bond]);
+                derivative[self.states + bond] = self.domains[bond].power(effort, flow);
             }
         }
     }
 
     fn events(&self) -> usize {
-        self.held.events()
+        if self.without_events { 0 } else { self.held.events() }
     }
 
     fn event_functions(&mut self, t: f64, y: &[f64], values: &mut [f64]) {

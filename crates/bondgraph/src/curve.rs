@@ -57,6 +57,17 @@ impl Curve {
         self.units
     }
 
+    /// Start of every piece with its coefficients, and the end of the last.
+    pub fn pieces(&self) -> (Vec<(f64, [f64; 4])>, f64) {
+        let starts = self.places.iter().copied().zip(self.pieces.iter().copied());
+        (starts.collect(), self.places[self.pieces.len()])
+    }
+
+    /// Whether it repeats.
+    pub fn is_periodic(&self) -> bool {
+        self.periodic
+    }
+
     fn period(&self) -> f64 {
         self.places[self.pieces.len()] - self.places[0]
     }

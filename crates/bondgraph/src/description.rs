@@ -34,6 +34,17 @@ impl Entry {
     }
 }
 
+/// Another graph that is a part of this one.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Use {
+    /// Name of its file.
+    pub graph: Text,
+    /// Prefix of all its names.
+    pub prefix: Text,
+    /// Parameters that are given anew.
+    pub parameters: Vec<(Text, Text)>,
+}
+
 /// A bond graph as it is described, unchecked; [`crate::Graph::new`] checks it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Description {
@@ -45,6 +56,8 @@ pub struct Description {
     pub elements: Vec<Entry>,
     /// Signals with `value`, or with `integral_of` and `start`.
     pub signals: Vec<Entry>,
+    /// Graphs that are parts of it, until they are put into it.
+    pub uses: Vec<Use>,
     /// Bonds, `"from > to"`.
     pub bonds: Vec<Text>,
     /// Tables that expressions read: `table(name, x)`.

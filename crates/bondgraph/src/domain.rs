@@ -18,17 +18,20 @@ pub enum Domain {
     Thermal,
     /// Temperature and heat flow: a pseudo-bond, whose flow itself is the power.
     Heat,
+    /// Pressure and mass flow: a pseudo-bond, whose energy goes by the heat bond beside it.
+    Mass,
 }
 
 impl Domain {
     /// Every domain.
-    pub const ALL: [Domain; 6] = [
+    pub const ALL: [Domain; 7] = [
         Domain::Translation,
         Domain::Rotation,
         Domain::Electric,
         Domain::Hydraulic,
         Domain::Thermal,
         Domain::Heat,
+        Domain::Mass,
     ];
 
     /// Its name in files.
@@ -40,6 +43,7 @@ impl Domain {
             Domain::Hydraulic => "hydraulic",
             Domain::Thermal => "thermal",
             Domain::Heat => "heat",
+            Domain::Mass => "mass",
         }
     }
 
@@ -49,7 +53,7 @@ impl Domain {
             Domain::Translation => Unit::of([1, 1, -2, 0, 0]),
             Domain::Rotation => Unit::JOULE,
             Domain::Electric => Unit::of([2, 1, -3, -1, 0]),
-            Domain::Hydraulic => Unit::of([-1, 1, -2, 0, 0]),
+            Domain::Hydraulic | Domain::Mass => Unit::of([-1, 1, -2, 0, 0]),
             Domain::Thermal | Domain::Heat => Unit::of([0, 0, 0, 0, 1]),
         }
     }
@@ -63,12 +67,22 @@ impl Domain {
             Domain::Hydraulic => Unit::of([3, 0, -1, 0, 0]),
             Domain::Thermal => Unit::of([2, 1, -3, 0, -1]),
             Domain::Heat => Unit::of([2, 1, -3, 0, 0]),
+            Domain::Mass => Unit::of([0, 1, -1, 0, 0]),
         }
     }
 
     /// Whether effort times flow is power.
     pub fn is_true_bond(self) -> bool {
-        self != Domain::Heat
+        !matches!(self, Domain::Heat | Domain::Mass)
+    }
+
+    /// Energy that a bond carries in a unit of time.
+    pub fn power(self, effort: f64, flow: f64) -> f64 {
+        match self {
+            Domain::Heat => flow,
+            Domain::Mass => 0.0,
+            _ => effort * flow,
+        }
     }
 
     /// How effort, flow, displacement and momentum read for people, with their unit: `rad/s` rather than `1/s`.
@@ -80,6 +94,7 @@ impl Domain {
             Domain::Hydraulic => ["Pa", "m3/s", "m3", "Pa s"],
             Domain::Thermal => ["K", "W/K", "J/K", "K s"],
             Domain::Heat => ["K", "W", "J", "K s"],
+            Domain::Mass => ["Pa", "kg/s", "kg", "Pa s"],
         }
     }
 }

@@ -275,6 +275,7 @@ fn activated(graph: &Graph, places: &[[f64; 2]], svg: &mut String) {
         let laws: Vec<Id> = match &element.law {
             Law::Source(id) | Law::Ratio(id) => vec![*id],
             Law::Resistor { effort, flow } => effort.iter().chain(flow).copied().collect(),
+            Law::Resistors { laws, .. } => laws.clone(),
             Law::Matrix(rows) => rows.iter().flatten().copied().collect(),
             _ => Vec::new(),
         };

@@ -1,7 +1,7 @@
 //! The bond graph of an engine: from a validated engine to the description of a graph.
 //!
-//! Flows of the block are those of its centre of mass in the axes of the ground and its angular velocity in its own axes; the crank has its speed
-//! relative to the block. Every other body is a store that follows them through a transformer whose matrix is its Jacobian:
+//! Flows of the block are those of its centre of mass in the axes of the ground and its angular velocity in its own axes; the crank has
+//! its speed relative to the block. Every other body is a store that follows them through a transformer whose matrix is its Jacobian:
 //!
 //! ```text
 //! body at c (block axes, from the block's centre)     V = v + R (Omega x c) + R c' w
@@ -23,13 +23,16 @@
 
 mod body;
 mod cylinder;
+mod gas;
+mod gas_file;
 mod numbers;
 mod request;
 mod rotor;
 mod words;
 
 pub use request::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
+    GasWalls, LoadTorque,
 };
 
 use crate::description::Description;
@@ -55,6 +58,7 @@ pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Descript
     builder.parameters();
     builder.block();
     builder.rotors();
+    builder.surroundings();
     builder.cylinders();
     builder.mounts();
     builder.torques();

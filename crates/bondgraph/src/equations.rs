@@ -161,13 +161,17 @@ impl Resolver<'_> {
                     add(Var::Momentum(number), "momentum", domain.effort(), units[3], law.start[1], rate);
                 }
                 if law.effort.is_some() {
+                    let rate = match law.gain {
+                        Some(gain) => self.pool.sum(flow, gain),
+                        None => flow,
+                    };
                     add(
                         Var::Displacement(number),
                         "displacement",
                         domain.flow(),
                         units[2],
                         law.start[0],
-                        flow,
+                        rate,
                     );
                 }
             }
@@ -314,6 +318,7 @@ impl Resolver<'_> {
                 let law = law.unwrap_or_else(|| self.pool.constant(f64::NAN));
                 self.expand(law)
             }
+            Law::Resistors { laws, .. } => self.expand(laws[port]),
             Law::Store(ports) => {
                 let law = if wants_effort { ports[port].effort } else { ports[port].flow };
                 let law = law.unwrap_or_else(|| self.pool.constant(f64::NAN));

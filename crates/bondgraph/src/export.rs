@@ -61,6 +61,12 @@ pub fn modelica(equations: &Equations) -> String {
                     let _ = writeln!(body, "  {} = {};", flow(0), law(*value));
                 }
             }
+            Law::Resistors { gives_flows, laws } => {
+                for (port, value) in laws.iter().enumerate() {
+                    let left = if *gives_flows { flow(port) } else { effort(port) };
+                    let _ = writeln!(body, "  {left} = {};", law(*value));
+                }
+            }
             Law::Store(ports) => {
                 for (port, store) in ports.iter().enumerate() {
                     let bond = element.ports[port];
@@ -92,7 +98,8 @@ pub fn modelica(equations: &Equations) -> String {
                     if let Some(value) = store.effort {
                         let symbol = var(Var::Displacement(number));
                         declare(&symbol, store.start[0], units[2]);
-                        let _ = writeln!(body, "  der({symbol}) = {};", flow(port));
+                        let gain = store.gain.map_or(String::new(), |gain| format!(" + {}", law(gain)));
+                        let _ = writeln!(body, "  der({symbol}) = {}{gain};", flow(port));
                         if store.flow.is_none() {
                             let _ = writeln!(body, "  {} = {};", effort(port), law(value));
                         }

@@ -1,7 +1,9 @@
 //! The graph file: TOML text to a description.
 
-use crate::description::{Description, Entry, Text};
+use crate::curve::Curve;
+use crate::description::{Description, Entry, Text, Use};
 use crate::mistake::Mistakes;
+use crate::unit::Unit;
 use std::ops::Range;
 use toml_spanner::{Item, Table, Value};
 
@@ -39,6 +41,8 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
             ("elements", Value::Table(table)) => description.elements = entries(table, mistakes),
             ("signals", Value::Table(table)) => description.signals = entries(table, mistakes),
             ("simulation", Value::Table(table)) => description.simulation = texts(table, mistakes),
+            ("tables", Value::Table(table)) => description.tables = curves(table, mistakes),
+            ("use", Value::Array(list)) => description.uses = list.iter().filter_map(|item| used(item, mistakes)).collect(),
             ("bonds", Value::Table(table)) => {
                 for (key, item) in table {
                     match (key.name, item.value()) {
@@ -66,17 +70,19 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                     }
                 }
             }
-            ("name" | "parameters" | "elements" | "signals" | "simulation" | "bonds", _) => mistakes.push(
-                "E1701",
-                &place,
-                format!("`{}` has a value of another kind", key.name),
-                if key.name == "name" { "name is a text" } else { "write it as a table" },
-            ),
+            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "use" | "bonds", _) => {
+                mistakes.push(
+                    "E1701",
+                    &place,
+                    format!("`{}` has a value of another kind", key.name),
+                    if key.name == "name" { "name is a text" } else { "write it as a table" },
+                )
+            }
             (other, _) => mistakes.push(
                 "E1702",
                 &place,
                 format!("a graph file has no `{other}`"),
-                "it has name, note, [parameters], [elements], [signals], [bonds] and [simulation]",
+                "it has name, note, [parameters], [tables], [[use]], [elements], [signals], [bonds] and [simulation]",
             ),
         }
     }
@@ -85,6 +91,120 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
 
 fn span(item: &Item<'_>) -> Range<usize> {
     item.span().range()
+}
+
+/// Names of the graphs that a file uses.
+pub fn used_graphs(text: &str) -> Vec<String> {
+    let description = read(text, &mut Mistakes::default());
+    description.uses.into_iter().map(|used| used.graph.text).collect()
+}
+
+/// One `[[use]]`: `graph`, `as` and `parameters`.
+fn used(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Use> {
+    let hint = "write graph = \"spring.toml\" and as = \"left\", and parameters = { k = \"2 N/m\" } where they differ";
+    let place = span(item);
+    let Some(table) = item.as_table() else {
+        mistakes.push("E1701", &place, "[[use]] needs a table", hint);
+        return None;
+    };
+    let mut found = Use::default();
+    for (key, item) in table {
+        let text = item.as_str().map(|text| Text { text: text.to_owned(), span: span(item) });
+        match (key.name, text, item.as_table()) {
+            ("graph", Some(text), _) => found.graph = text,
+            ("as", Some(text), _) => found.prefix = text,
+            ("parameters", _, Some(table)) => found.parameters = texts(table, mistakes),
+            _ => mistakes.push(
+                "E1702",
+                &span(item),
+                format!("[[use]] has no `{}` of this form", key.name),
+                hint,
+            ),
+        }
+    }
+    if found.graph.text.is_empty() || found.prefix.text.is_empty() {
+        mistakes.push("E1709", &place, "[[use]] needs a graph and the prefix of its names", hint);
+        return None;
+    }
+    Some(found)
+}
+
+/// Tables: straight lines through `points`, or `pieces` of cubics up to `end`.
+fn curves(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Curve)> {
+    let mut found = Vec::new();
+    for (key, item) in table {
+        let name = Text { text: key.name.to_owned(), span: key.span.range() };
+        let Some(table) = item.as_table() else {
+            let message = format!("table `{}` needs points or pieces", key.name);
+            mistakes.push("E1701", &span(item), message, "for example { points = [[0, 0], [1, 2]] }");
+            continue;
+        };
+        let (mut rows, mut cubic, mut end, mut periodic) = (None, false, None, false);
+        let mut units = [Unit::NONE; 2];
+        for (key, item) in table {
+            let unit = item.as_str().and_then(Unit::of_text);
+            let good = match (key.name, item.value()) {
+                ("points", Value::Array(_)) => {
+                    rows = numbers(item, 2);
+                    rows.is_some()
+                }
+                ("pieces", Value::Array(_)) => {
+                    (rows, cubic) = (numbers(item, 5), true);
+                    rows.is_some()
+                }
+                ("end", _) => {
+                    end = item.as_f64();
+                    end.is_some()
+                }
+                ("periodic", Value::Boolean(value)) => {
+                    periodic = *value;
+                    true
+                }
+                ("x_unit" | "y_unit", _) => {
+                    units[usize::from(key.name == "y_unit")] = unit.unwrap_or_default();
+                    unit.is_some()
+                }
+                _ => false,
+            };
+            if !good {
+                let message = format!("table `{}` has no `{}` of this form", name.text, key.name);
+                let hint = "it has points = [[x, y], ...] or pieces = [[start, c0, c1, c2, c3], ...] with end, \
+                            periodic = true, x_unit and y_unit as SI units";
+                mistakes.push("E1702", &span(item), message, hint);
+            }
+        }
+        let curve = rows.and_then(|rows: Vec<Vec<f64>>| match (cubic, end) {
+            (true, Some(end)) => {
+                let pieces: Vec<(f64, [f64; 4])> =
+                    rows.iter().map(|row| (row[0], [row[1], row[2], row[3], row[4]])).collect();
+                Curve::cubics(&pieces, end, periodic, units)
+            }
+            (true, None) => None,
+            (false, _) => {
+                let points: Vec<[f64; 2]> = rows.iter().map(|row| [row[0], row[1]]).collect();
+                Curve::straight(&points, periodic, units)
+            }
+        });
+        match curve {
+            Some(curve) => found.push((name, curve)),
+            None => mistakes.push(
+                "E1709",
+                &span(item),
+                format!("table `{}` is no function", name.text),
+                "give points or pieces whose x rise, pieces with their end, all numbers finite",
+            ),
+        }
+    }
+    found
+}
+
+/// Rows of so many finite numbers.
+fn numbers(item: &Item<'_>, count: usize) -> Option<Vec<Vec<f64>>> {
+    let row = |item: &Item<'_>| -> Option<Vec<f64>> {
+        let row: Option<Vec<f64>> = item.as_array()?.iter().map(Item::as_f64).collect();
+        row.filter(|row| row.len() == count)
+    };
+    item.as_array()?.iter().map(row).collect()
 }
 
 /// Keys with a text each; numbers are taken as they stand.

@@ -57,6 +57,8 @@ pub enum Kind {
     I,
     /// Field of stores by an energy function.
     IC,
+    /// Perfect gas: volume, mass and internal energy.
+    Gas,
     /// Transformer.
     TF,
     /// Gyrator.
@@ -89,6 +91,11 @@ pub(crate) enum Law {
         effort: Option<Id>,
         flow: Option<Id>,
     },
+    /// A resistor of several ports: flows by all efforts, or efforts by all flows.
+    Resistors {
+        gives_flows: bool,
+        laws: Vec<Id>,
+    },
     /// Each port of a store or field.
     Store(Vec<StorePort>),
     /// Ratio of TF or GY.
@@ -107,6 +114,8 @@ pub(crate) struct StorePort {
     /// The stored quantity by the port's own effort (C) or flow (I), where the law can be turned round; of a field by its co-energy by the
     /// flows of all its ports.
     pub(crate) inverse: Option<Id>,
+    /// What the displacement gains beside its own flow: the work that goes into the energy of a gas.
+    pub(crate) gain: Option<Id>,
     /// Start of displacement and momentum.
     pub(crate) start: [f64; 2],
 }
@@ -151,8 +160,17 @@ impl Graph {
     /// # Errors
     /// Every mistake at once, with place and hint. No text makes this panic.
     pub fn read(text: &str) -> Result<Graph, Vec<Diagnostic>> {
+        Graph::read_with(text, &|_| None)
+    }
+
+    /// The same for a file that uses others; `look_up` gives their texts by the names that [`crate::used_graphs`] finds.
+    ///
+    /// # Errors
+    /// As [`Graph::read`]; a mistake in a used graph is shown where it is used.
+    pub fn read_with(text: &str, look_up: &dyn Fn(&str) -> Option<String>) -> Result<Graph, Vec<Diagnostic>> {
         let mut mistakes = Mistakes::default();
-        let description = file::read(text, &mut mistakes);
+        let mut description = file::read(text, &mut mistakes);
+        crate::subgraph::assemble(&mut description, look_up, 0, &mut mistakes);
         let graph = check::check(&description, &mut mistakes);
         let graph = graph.map(|graph| Graph { source: text.to_owned(), ..graph });
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(text))

@@ -39,23 +39,25 @@ mod linear;
 mod mistake;
 mod shown;
 mod simulate;
+mod subgraph;
 mod tape;
 mod text;
 mod unit;
+mod write;
 
 pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use causality::{Causality, Follower, Preference, Step, causality};
 pub use curve::Curve;
-pub use description::{Description, Entry, Text};
+pub use description::{Description, Entry, Text, Use};
 pub use domain::Domain;
 pub use draw::drawing;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque,
-    engine_graph,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
+    GasWalls, LoadTorque, engine_graph,
 };
 pub use equations::{Equations, equations};
 pub use export::{graphml, modelica};
-pub use file::is_graph_file;
+pub use file::{is_graph_file, used_graphs};
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
@@ -65,3 +67,4 @@ pub use text::{
     audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,
 };
 pub use unit::{Unit, duration};
+pub use write::graph_file;

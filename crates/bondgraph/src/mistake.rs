@@ -27,6 +27,11 @@ impl Mistakes {
         }
     }
 
+    /// Code, message and fix of each mistake.
+    pub(crate) fn said(&self) -> impl Iterator<Item = (&'static str, &str, &str)> {
+        self.found.iter().map(|(code, _, message, hint)| (*code, message.as_str(), hint.as_str()))
+    }
+
     pub(crate) fn any(&self) -> bool {
         !self.found.is_empty()
     }

@@ -299,6 +299,16 @@ impl Equations {
                     (_, Some(law), _) => add(flow(bond), printed.text(*law), units(bond)[1]),
                     (None, None, _) => {}
                 },
+                Law::Resistors { gives_flows, laws: list } => {
+                    for (port, law) in element.ports.iter().zip(list) {
+                        let (left, unit) = if *gives_flows {
+                            (flow(*port), units(*port)[1])
+                        } else {
+                            (effort(*port), units(*port)[0])
+                        };
+                        add(left, printed.text(*law), unit);
+                    }
+                }
                 Law::Store(ports) => {
                     for (port, law) in ports.iter().enumerate() {
                         let bond = element.ports[port];

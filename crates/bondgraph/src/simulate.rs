@@ -11,6 +11,9 @@ use std::ops::ControlFlow;
 /// More events than these at places that cannot be told apart mean that a condition switches to and fro.
 const CHATTER: u32 = 200;
 
+/// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
+const FINE: f64 = 1e-9;
+
 /// How a simulation is run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SimulationRequest {
@@ -187,11 +190,11 @@ impl Equations {
                 unit: units[1].into(),
                 values: of(&|v| v[bonds + bond]),
             });
-            let is_true = self.graph.bonds[bond].domain.is_true_bond();
+            let domain = self.graph.bonds[bond].domain;
             series.push(Series {
                 name: format!("{name}.power"),
                 unit: "W".into(),
-                values: of(&|v| if is_true { v[bond] * v[bonds + bond] } else { v[bonds + bond] }),
+                values: of(&|v| domain.power(v[bond], v[bonds + bond])),
             });
         }
         for element in self.graph.elements.iter().filter(|element| element.is_junction()) {
@@ -236,6 +239,9 @@ impl Equations {
         settings.absolute = absolute.to_vec();
         settings.most_evaluations = request.most_evaluations;
         settings.stiffness_test = request.method.is_none();
+        if request.tolerance < FINE {
+            settings.stops = places.to_vec();
+        }
         let mut explicit = Dop853::new(settings.clone());
         settings.stops = places.to_vec();
         let mut implicit = Radau5::new(settings);
@@ -253,11 +259,14 @@ impl Equations {
             statistics: Statistics::default(),
         };
         let (mut next, mut at_once) = (0, 0);
+        let mut stepped = (0.0, y.clone());
         loop {
             let samples = &mut pass.samples;
             let largest = &mut pass.largest;
             let before = samples.len();
             let observe = |step: &Step| {
+                stepped.0 = step.from;
+                stepped.1.copy_from_slice(step.start);
                 for (most, value) in largest.iter_mut().zip(step.end) {
                     *most = most.max(value.abs());
                 }
@@ -281,6 +290,9 @@ impl Equations {
             }
             match outcome {
                 Outcome::Event { index, rising } => {
+                    if is_explicit && !compiled.held.is_condition(index) {
+                        step_again(compiled, request, absolute, &stepped, t, &mut y);
+                    }
                     if compiled.held.is_condition(index) {
                         pass.events.push(Event { time: t, condition: index, on: rising });
                     }
@@ -340,5 +352,28 @@ impl Equations {
             Outcome::Singular => format!("Newton's matrix is singular at {t} s"),
             other => format!("{other:?} at {t} s"),
         }
+    }
+}
+
+/// The state at a kink of a curve by steps of their own from the start of the step that met it: the interpolant is less accurate. The
+/// curve goes on smoothly within its window, so that the place of the kink does not matter to the last digit.
+fn step_again(
+    compiled: &mut Compiled,
+    request: &SimulationRequest,
+    absolute: &[f64],
+    (from, start): &(f64, Vec<f64>),
+    to: f64,
+    state: &mut [f64],
+) {
+    let mut settings = Settings::uniform(state.len(), request.tolerance);
+    settings.absolute = absolute.to_vec();
+    settings.dense = false;
+    settings.first_step = Some(to - from);
+    let (mut t, mut fine) = (*from, start.clone());
+    compiled.without_events = true;
+    let outcome = Dop853::new(settings).run(compiled, &mut t, &mut fine, to, |_| ControlFlow::Continue(()));
+    compiled.without_events = false;
+    if outcome == Outcome::Reached {
+        state.copy_from_slice(&fine);
     }
 }

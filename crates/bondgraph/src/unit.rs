@@ -98,6 +98,37 @@ impl Unit {
         Unit { twelfths }
     }
 
+    /// A unit of SI by its text: `N m`, `rad/s`, `1/s`.
+    pub fn of_text(text: &str) -> Option<Unit> {
+        if text.trim() == "1" {
+            return Some(Unit::NONE);
+        }
+        let padded = format!(" {}", text.trim());
+        let (length, factor, unit) = leading_unit(&padded)?;
+        (length == padded.len() && factor == 1.0).then_some(unit)
+    }
+
+    /// Text of the unit in powers of the base units, which [`Unit::of_text`] reads.
+    pub fn base_text(self) -> String {
+        let names = ["m", "kg", "s", "A", "K"];
+        let powers = |sign: i16| -> Vec<String> {
+            let of = self.twelfths.iter().zip(names).filter(|(twelfths, _)| **twelfths * sign > 0);
+            of.map(|(twelfths, name)| match twelfths.abs() / 12 {
+                1 => name.to_owned(),
+                power => format!("{name}{power}"),
+            })
+            .collect()
+        };
+        let (above, below) = (powers(1), powers(-1));
+        let below = below.join("/");
+        match (above.is_empty(), below.is_empty()) {
+            (true, true) => "1".to_owned(),
+            (false, true) => above.join(" "),
+            (true, false) => format!("1/{below}"),
+            (false, false) => format!("{}/{below}", above.join(" ")),
+        }
+    }
+
     /// Factor to SI and unit of a name; the error is the nearest known name.
     pub(crate) fn named(name: &str) -> Option<(f64, Unit)> {
         NAMED.iter().find(|(known, ..)| *known == name).map(|(_, factor, of)| (*factor, Unit::of(*of)))
@@ -259,6 +290,13 @@ mod tests {
         assert_eq!(read("/l"), None);
         assert_eq!(read(" min(3, 4)"), None);
         assert_eq!(read(" theta"), None);
+        for unit in [Unit::NONE, Unit::JOULE, Unit::of([-1, 1, -2, 0, 0]), Unit::of([0, 0, -1, 0, 0])] {
+            assert_eq!(Unit::of_text(&unit.base_text()), Some(unit), "{}", unit.base_text());
+        }
+        assert_eq!(
+            [Unit::of_text("Pa"), Unit::of_text("bar"), Unit::of_text("Pa x")].map(|u| u.is_some()),
+            [true, false, false]
+        );
         assert_eq!(Unit::JOULE.power(0.5).and_then(|root| root.power(2.0)), Some(Unit::JOULE));
     }
 }

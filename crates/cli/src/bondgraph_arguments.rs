@@ -6,8 +6,8 @@ use clap::{Args, ValueEnum};
 /// `bondgraph`
 #[derive(Debug, Args)]
 pub struct BondgraphArguments {
-    /// What to show, and the graph file (`-`: standard input): causality, equations, linear, simulate, audit, draw or export; without it
-    /// causality and equations.
+    /// What to show, and the graph file or engine file (`-`: standard input): causality, equations, linear, simulate, audit, draw or
+    /// export; without it causality and equations.
     #[arg(value_names = ["ACTION", "FILE"], required = true, num_args = 1..=2)]
     pub words: Vec<String>,
     /// How equations are written.
@@ -16,7 +16,7 @@ pub struct BondgraphArguments {
     /// Which stores causality assigns first: `derivative` shows the dual, for study.
     #[arg(long, value_enum, default_value_t = PreferOption::Integral)]
     pub prefer: PreferOption,
-    /// Duration of the simulation, with its unit; default: that of the file, else 1 s.
+    /// Duration of the simulation, with its unit; default: that of the graph file, else 1 s; of an engine file two revolutions.
     #[arg(long = "for", value_name = "TIME")]
     pub duration: Option<String>,
     /// Samples of the simulation beside its start.
@@ -31,9 +31,53 @@ pub struct BondgraphArguments {
     /// Which text `export` writes.
     #[arg(long, value_enum, default_value_t = ExportOption::Modelica)]
     pub to: ExportOption,
+    /// What the graph of an engine file holds.
+    #[command(flatten)]
+    pub engine: EngineOptions,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// What the graph of an engine file holds; a graph file says all of it itself.
+#[derive(Debug, Args, Default, PartialEq)]
+pub struct EngineOptions {
+    /// Of an engine file: speed of crankshaft 1 at the start, with its unit; default: the highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Option<String>,
+    /// Of an engine file: how the block moves; default: in space on its mounts where the file gives them with viscous damping.
+    #[arg(long, value_enum)]
+    pub block: Option<EngineBlockOption>,
+    /// Of an engine file: keep the speed by a source of flow.
+    #[arg(long)]
+    pub imposed: bool,
+    /// Of an engine file: torque of a constant load, with its unit, or `none`; default: with gas the mean that the engine gives at the
+    /// start speed.
+    #[arg(long, value_name = "TORQUE")]
+    pub load: Option<String>,
+    /// Of an engine file: the load is bolted to the block.
+    #[arg(long)]
+    pub load_on_block: bool,
+    /// Of an engine file: gas as states with valves and heat release, instead of the pressures of its cycle.
+    #[arg(long, conflicts_with = "inertia_only")]
+    pub gas_states: bool,
+    /// Of an engine file: leave out its gas.
+    #[arg(long)]
+    pub inertia_only: bool,
+    /// Of an engine file: leave out the weight.
+    #[arg(long)]
+    pub no_gravity: bool,
+}
+
+/// How the block of an engine moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EngineBlockOption {
+    /// It stands still.
+    Fixed,
+    /// In the plane across the crank.
+    Plane,
+    /// In space.
+    Space,
 }
 
 /// How equations are written.
@@ -72,4 +116,6 @@ pub enum ExportOption {
     Graphml,
     /// Equations and causality as JSON.
     Json,
+    /// A graph file.
+    Graph,
 }

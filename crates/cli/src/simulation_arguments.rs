@@ -124,6 +124,6 @@ pub enum ConditionOption {
     B,
     /// Imposed speed, block on its mounts.
     C,
-    /// Free speed, block on its mounts, gas.
+    /// Free speed, block on its mounts where the file gives them: the bond graph.
     D,
 }

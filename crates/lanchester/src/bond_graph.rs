@@ -3,8 +3,8 @@
 use crate::crosscheck::rotor_inertia;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_bondgraph::{
-    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, LoadTorque,
-    Unit, engine_graph,
+    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, GasStates,
+    LoadTorque, Unit, engine_graph,
 };
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, PeriodicCurve, TorqueError, TorqueRequest, torque};
 use lanchester_model::Engine;
@@ -23,6 +23,8 @@ pub struct BondGraphRequest {
     pub gravity: bool,
     /// Whether the gas of the file acts.
     pub gas: bool,
+    /// Whether the gas is states of the graph, with valves and heat release, instead of pressures that are computed before.
+    pub gas_as_states: bool,
     /// Torque of the load; `None`: with gas the mean that the engine gives at the start speed, without none.
     pub load: Option<LoadTorque>,
     /// Whether the load is bolted to the block.
@@ -39,6 +41,7 @@ impl Default for BondGraphRequest {
             imposed: None,
             gravity: true,
             gas: true,
+            gas_as_states: false,
             load: None,
             load_on_block: false,
             revolutions: 2.0,
@@ -117,9 +120,14 @@ pub fn engine_bond_graph(
         _ => None,
     };
     let mut found = EngineRequest::free(speed, request.revolutions);
+    if request.gas_as_states {
+        found.gas_states = Some(GasStates::of(engine)?);
+    }
     let mut mean = 0.0;
     if let Some(report) = &report {
-        found.pressures = gauge_pressures(&report.cylinders);
+        if !request.gas_as_states {
+            found.pressures = gauge_pressures(&report.cylinders);
+        }
         mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
         if let Some(friction) = engine.friction {
             let asked =

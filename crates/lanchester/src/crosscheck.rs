@@ -1,9 +1,10 @@
-//! The closed form held against the multibody simulation of the same engine.
+//! Closed form and bond graph held against the multibody simulation of the same engine.
 
 use crate::crosscheck_orders::order_rows;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::simulated_gas::GivenGas;
 use crate::torque_report::known_inertia;
+use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{
     BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, RippleOutcome,
     TorqueError, bearing_loads, speed_ripple,
@@ -66,9 +67,12 @@ pub enum CrossCheckError {
     /// The simulation.
     #[error(transparent)]
     Multibody(#[from] MultibodyError),
+    /// The bond graph.
+    #[error(transparent)]
+    BondGraph(#[from] EngineGraphError),
 }
 
-/// Compares closed form and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
+/// Compares closed form, bond graph and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
 /// [`crate::trace_names`] names.
 ///
 /// ```
@@ -139,6 +143,21 @@ impl Pair<'_> {
             Err(reason) => (Vec::new(), Some(reason)),
         };
         Ok(ConditionCheck { condition, not_applicable, rows })
+    }
+
+    /// Condition D: the bond graph for some revolutions, then the linear response with the causes of what it misses; either where the file
+    /// has its data.
+    fn all_free(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
+        let graph = crate::crosscheck_graph::all_free(self)?;
+        let response = crate::crosscheck_mounts::all_free(self)?;
+        Ok(match (graph, response) {
+            (Ok(mut rows), Ok(more)) => {
+                rows.extend(more);
+                Ok(rows)
+            }
+            (Ok(rows), Err(_)) | (Err(_), Ok(rows)) => Ok(rows),
+            (Err(reason), Err(_)) => Err(reason),
+        })
     }
 
     /// Reactions of the simulation at `theta`, speed imposed, block fixed.

@@ -78,7 +78,8 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
         quantity: "motion, largest difference; without what the rotors do in the closed form".into(),
         unit: "share".into(),
         order: None,
-        closed_form: off(&plain, &found),
+        closed_form: Some(off(&plain, &found)),
+        bond_graph: None,
         multibody: left,
         difference: left,
         scale: 1.0,
@@ -123,7 +124,7 @@ pub(crate) fn all_free(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>,
         return Ok(Err("no periodic motion was found".into()));
     };
     // The part of C, and what is left: the free speed.
-    Ok(Ok(motion_rows("", &both, &free, |index, from| {
+    Ok(Ok(motion_rows(", by the linear response", &both, &free, |index, from| {
         let size = |a: &[Complex64; 6], b: &[Complex64; 6]| {
             (from..from + 3).map(|k| (a[k] - b[k]).norm_sqr()).sum::<f64>().sqrt()
         };
@@ -161,7 +162,8 @@ fn motion_rows(
                 quantity: format!("{name}{what}"),
                 unit: unit.into(),
                 order: Some(*order),
-                closed_form: size(theirs),
+                closed_form: Some(size(theirs)),
+                bond_graph: None,
                 multibody: size(ours),
                 difference: size(&std::array::from_fn(|k| ours[k] - theirs[k])),
                 scale,

@@ -26,6 +26,7 @@ mod counterweight_check;
 mod counterweights;
 mod crankshaft_parts;
 mod crosscheck;
+mod crosscheck_graph;
 mod crosscheck_mounts;
 mod crosscheck_orders;
 mod crosscheck_ripple;

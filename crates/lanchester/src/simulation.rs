@@ -4,8 +4,8 @@ use crate::crosscheck::{CrossCheckError, rotor_inertia};
 use crate::pressure::TraceFile;
 use crate::run_plan::{RunPlan, action_words, plan};
 use crate::simulated_gas::{GivenGas, gas_over_speed};
-use lanchester_model::Engine;
 use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
+use lanchester_model::Engine;
 pub use lanchester_model::RunLength;
 use lanchester_multibody::{
     BlockMotion, Drive, GasPressure, Load, LoadLaw, Occasion, ReactsOn, RunState, Train,

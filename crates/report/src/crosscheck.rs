@@ -1,4 +1,4 @@
-//! How far the closed form and the multibody simulation agree: the table of `crosscheck`.
+//! How far closed form, bond graph and multibody simulation agree: the table of `crosscheck`.
 
 use crate::number;
 use crate::table::{Cell, Column, Table, csv_number, push_csv_line};
@@ -33,7 +33,8 @@ pub enum Condition {
     FreeSpeed,
     /// Imposed speed, block on its mounts.
     MovingBlock,
-    /// Free speed, block on its mounts, gas.
+    /// Free speed, block on its mounts where the file gives them: bond graph against multibody simulation, and by order the linear response with
+    /// its causes.
     AllFree,
 }
 
@@ -58,10 +59,13 @@ impl Condition {
             Condition::LikeForLike => "imposed speed, fixed block, no gravity",
             Condition::FreeSpeed => "free speed, fixed block, constant load torque",
             Condition::MovingBlock => "imposed speed, block on its mounts",
-            Condition::AllFree => {
-                "free speed, block on its mounts, load on the block in proportion to the speed"
-            }
+            Condition::AllFree => "free speed, block on its mounts where it has them",
         }
+    }
+
+    /// What the multibody simulation is held against.
+    pub fn held_against(self) -> &'static str {
+        if self == Condition::AllFree { "bond graph or closed form" } else { "closed form" }
     }
 }
 
@@ -85,8 +89,10 @@ pub struct CrossRow {
     pub unit: String,
     /// Order; `None`: over the whole cycle.
     pub order: Option<f64>,
-    /// Largest value of the closed form over the cycle, or amplitude of the order.
-    pub closed_form: f64,
+    /// Largest value of the closed form over the cycle, or amplitude of the order; `None`: the bond graph is compared.
+    pub closed_form: Option<f64>,
+    /// Largest value of the bond graph over the run; `None`: the closed form is compared.
+    pub bond_graph: Option<f64>,
     /// The same of the multibody simulation.
     pub multibody: f64,
     /// Largest difference.
@@ -137,7 +143,8 @@ impl CrossRow {
             quantity: quantity.to_owned(),
             unit: unit.to_owned(),
             order,
-            closed_form,
+            closed_form: Some(closed_form),
+            bond_graph: None,
             multibody,
             difference,
             scale,
@@ -170,7 +177,9 @@ impl ConditionCheck {
             vec![
                 Cell::text(format!("{} [{}]", row.quantity, row.unit)),
                 Cell::text(row.order.map_or("cycle".to_owned(), number::order)),
-                Cell::text(number::short(row.closed_form, 6)),
+                Cell::text(
+                    row.closed_form.or(row.bond_graph).map_or(String::new(), |own| number::short(own, 6)),
+                ),
                 Cell::text(number::short(row.multibody, 6)),
                 power(row.share()),
                 row.bar.map_or(Cell::text("none"), power),
@@ -178,8 +187,8 @@ impl ConditionCheck {
                 Cell::text(row.reason.clone().unwrap_or_default()),
             ]
         });
-        let head =
-            ["quantity", "order", "closed form", "multibody", "difference", "bar", "verdict", "reason"];
+        let other = self.condition.held_against();
+        let head = ["quantity", "order", other, "multibody", "difference", "bar", "verdict", "reason"];
         Table {
             id: "crosscheck",
             title: format!("Condition {}: {}", self.condition.letter(), self.condition.name()),
@@ -195,8 +204,10 @@ impl ConditionCheck {
 pub fn crosscheck_text(check: &CrossCheck) -> String {
     let speed = number::short(number::rpm(check.speed), 6);
     let gas = check.gas.as_ref().map_or("inertia alone".to_owned(), |gas| format!("gas: {gas}"));
-    let mut out =
-        format!("{} at {speed} rpm, closed form against multibody simulation, {gas}\n", check.engine);
+    let mut out = format!(
+        "{} at {speed} rpm, closed form and bond graph against multibody simulation, {gas}\n",
+        check.engine
+    );
     for condition in &check.conditions {
         out.push('\n');
         match &condition.not_applicable {
@@ -224,6 +235,7 @@ pub fn crosscheck_csv(check: &CrossCheck) -> String {
         "unit",
         "order",
         "closed_form",
+        "bond_graph",
         "multibody",
         "difference",
         "scale",
@@ -239,7 +251,8 @@ pub fn crosscheck_csv(check: &CrossCheck) -> String {
                 row.quantity.clone(),
                 row.unit.clone(),
                 row.order.map_or(String::new(), csv_number),
-                csv_number(row.closed_form),
+                row.closed_form.map_or(String::new(), csv_number),
+                row.bond_graph.map_or(String::new(), csv_number),
                 csv_number(row.multibody),
                 csv_number(row.difference),
                 csv_number(row.scale),

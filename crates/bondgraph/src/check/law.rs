@@ -19,6 +19,7 @@ impl Checker<'_> {
             Kind::C => (&["capacitance", "stiffness", "law", "energy"], &["effort", "displacement"]),
             Kind::I => (&["inertia", "law", "energy", "coenergy"], &["flow", "momentum"]),
             Kind::IC => (&["energy"], &["displacement", "momentum"]),
+            Kind::Gas => (&["gas_constant"], &["heat_capacity", "volume", "pressure", "temperature"]),
             Kind::TF => (&["ratio", "matrix"], &[]),
             Kind::GY => (&["ratio"], &[]),
             Kind::Zero | Kind::One => (&[], &[]),
@@ -45,6 +46,10 @@ impl Checker<'_> {
                 let domain = self.bonds[element.ports[0]].domain;
                 let unit = if element.kind == Kind::Se { domain.effort() } else { domain.flow() };
                 self.of_unit(text, unit, &element.name).map(Law::Source)
+            }
+            (Kind::Gas, Some((_, text))) => self.gas(index, text),
+            (Kind::R, Some((key, text))) if element.ports.len() > 1 => {
+                self.resistors(&element.ports, key, text, &element.name)
             }
             (Kind::R, Some((key, text))) => self.resistor(element.ports[0], key, text, &element.name),
             (Kind::TF, Some(("matrix", text))) => self.matrix(&element.ports, text, &element.name),
@@ -147,6 +152,99 @@ impl Checker<'_> {
         }
     }
 
+    /// A resistor of several ports: a list of flows by `e1`, `e2`, or of efforts by `f1`, `f2`.
+    fn resistors(&mut self, ports: &[usize], key: &str, text: &Text, name: &str) -> Option<Law> {
+        let gives_flows = key == "flow";
+        let mut local = HashMap::new();
+        for (port, bond) in ports.iter().enumerate() {
+            let domain = self.bonds[*bond].domain;
+            let number = *bond as u32;
+            let (var, unit, letter) = if gives_flows {
+                (Var::Effort(number), domain.effort(), "e")
+            } else {
+                (Var::Flow(number), domain.flow(), "f")
+            };
+            local
+                .insert(format!("{letter}{}", port + 1), Parsed { id: self.pool.var(var), unit: Some(unit) });
+        }
+        let mut laws = Vec::new();
+        for (bond, part) in ports.iter().zip(text.text.split(';')) {
+            let domain = self.bonds[*bond].domain;
+            let unit = if gives_flows { domain.flow() } else { domain.effort() };
+            self.local.clone_from(&local);
+            let law =
+                self.of_unit(&Text { text: part.trim().to_owned(), span: text.span.clone() }, unit, name);
+            self.local.clear();
+            laws.push(law?);
+        }
+        Some(Law::Resistors { gives_flows, laws })
+    }
+
+    /// A perfect gas: ports of volume (that is taken from it), mass and energy.
+    ///
+    /// ```text
+    /// V = V_0 - q_1    P = R E/(c_v V) at ports 1 and 2    T = E/(m c_v) at port 3    E' = f_3 + P f_1
+    /// ```
+    fn gas(&mut self, index: usize, text: &Text) -> Option<Law> {
+        let element = self.elements[index].clone();
+        let entry = self.entry(index).clone();
+        let name = element.name.as_str();
+        let per_mass = Unit::of([2, 0, -2, 0, -1]);
+        let constant = self.of_unit(text, per_mass, name)?;
+        self.positive(constant, text, name, "gas constant");
+        let needed = |checker: &mut Self, key: &str| -> Option<Text> {
+            let text = entry.get(key).cloned();
+            if text.is_none() {
+                let message = format!("`{name}` (Gas) has no {key}");
+                checker.mistakes.push("E1709", &element.span, message, format!("add {key}"));
+            }
+            text
+        };
+        let capacity_text = needed(self, "heat_capacity")?;
+        let (volume, pressure, temperature) =
+            (needed(self, "volume")?, needed(self, "pressure")?, needed(self, "temperature")?);
+        let capacity = self.of_unit(&capacity_text, per_mass, name)?;
+        self.positive(capacity, &capacity_text, name, "heat capacity");
+        let mut starts = [0.0; 3];
+        let units = [Unit::of([3, 0, 0, 0, 0]), Unit::of([-1, 1, -2, 0, 0]), Unit::of([0, 0, 0, 0, 1])];
+        for (k, (text, what)) in [(&volume, "volume"), (&pressure, "pressure"), (&temperature, "temperature")]
+            .into_iter()
+            .enumerate()
+        {
+            starts[k] = self.start(Some(text), units[k], name)?;
+            if starts[k] <= 0.0 {
+                let message = format!("`{name}` starts with the {what} {}, it must be positive", starts[k]);
+                self.mistakes.push("E1712", &text.span, message, "a vacuum has a small pressure");
+            }
+        }
+        let [volume, pressure, temperature] = starts;
+        let [a, b, c] = [element.ports[0], element.ports[1], element.ports[2]].map(|bond| bond as u32);
+        let [taken, mass, energy] = [a, b, c].map(|bond| self.pool.var(Var::Displacement(bond)));
+        let whole = self.pool.constant(volume);
+        let left = self.pool.difference(whole, taken);
+        let above = self.pool.product(constant, energy);
+        let below = self.pool.product(capacity, left);
+        let gas_pressure = self.pool.quotient(above, below);
+        let below = self.pool.product(mass, capacity);
+        let gas_temperature = self.pool.quotient(energy, below);
+        let rate = self.pool.var(Var::Flow(a));
+        let work = self.pool.product(gas_pressure, rate);
+        let (constant, capacity) = (self.number(constant), self.number(capacity));
+        let start_mass = pressure * volume / (constant * temperature);
+        let port = |effort: Id, gain: Option<Id>, start: f64| StorePort {
+            effort: Some(effort),
+            flow: None,
+            inverse: None,
+            gain,
+            start: [start, 0.0],
+        };
+        Some(Law::Store(vec![
+            port(gas_pressure, None, 0.0),
+            port(gas_pressure, None, start_mass),
+            port(gas_temperature, Some(work), start_mass * capacity * temperature),
+        ]))
+    }
+
     fn matrix(&mut self, ports: &[usize], text: &Text, name: &str) -> Option<Law> {
         let rows: Vec<Vec<&str>> =
             text.text.split('|').map(|row| row.split(';').map(str::trim).collect()).collect();
@@ -234,9 +332,9 @@ impl Checker<'_> {
             (None, None, _) => 0.0,
         };
         Some(Law::Store(vec![if capacitor {
-            StorePort { effort: Some(law), flow: None, inverse, start: [start, 0.0] }
+            StorePort { effort: Some(law), flow: None, inverse, gain: None, start: [start, 0.0] }
         } else {
-            StorePort { effort: None, flow: Some(law), inverse, start: [0.0, start] }
+            StorePort { effort: None, flow: Some(law), inverse, gain: None, start: [0.0, start] }
         }]))
     }
 
@@ -293,7 +391,7 @@ impl Checker<'_> {
             let start_p =
                 self.start(given(&momenta).as_ref(), domain.effort().times(Unit::SECOND), &element.name);
             let start = [start_q.unwrap_or(0.0), start_p.unwrap_or(0.0)];
-            ports.push(StorePort { effort, flow, inverse: None, start });
+            ports.push(StorePort { effort, flow, inverse: None, gain: None, start });
         }
         Some(Law::Store(ports))
     }
@@ -330,7 +428,13 @@ impl Checker<'_> {
                 let hint = format!("name f{} in it, or leave the port out", port + 1);
                 self.mistakes.push("E1709", &text.span, message, hint);
             }
-            ports.push(StorePort { effort: None, flow: None, inverse: Some(momentum), start: [0.0; 2] });
+            ports.push(StorePort {
+                effort: None,
+                flow: None,
+                inverse: Some(momentum),
+                gain: None,
+                start: [0.0; 2],
+            });
         }
         Some(Law::Store(ports))
     }

@@ -126,7 +126,7 @@ impl Builder<'_> {
     }
 
     /// A point of the block's axes as seen from the block's centre.
-    pub(crate) fn from_centre(&self, k: usize, place: f64) -> f64 {
+    pub(crate) fn seen_from_centre(&self, k: usize, place: f64) -> f64 {
         if self.moves() { place - self.numbers.block_centre[k] } else { place }
     }
 }

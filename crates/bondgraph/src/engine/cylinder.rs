@@ -92,12 +92,12 @@ impl Builder<'_> {
         let k = index + 1;
         let [cos, sin] = direction(cylinder.angle);
         let s = format!("s{k}");
-        let z = self.from_centre(2, cylinder.z);
+        let z = self.seen_from_centre(2, cylinder.z);
         let place = |value: f64| if value == 0.0 { "0".to_owned() } else { quantity(value, "m") };
         if cylinder.piston_mass > 0.0 {
             let fixed = [
-                self.from_centre(0, shaft.x - cylinder.offset * sin),
-                self.from_centre(1, shaft.y + cylinder.offset * cos),
+                self.seen_from_centre(0, shaft.x - cylinder.offset * sin),
+                self.seen_from_centre(1, shaft.y + cylinder.offset * cos),
             ];
             let at = [
                 combination(&[(cos, &s), (1.0, &place(fixed[0]))]),
@@ -110,7 +110,7 @@ impl Builder<'_> {
         }
         if cylinder.rod.mass() > 0.0 {
             let share = numbers.rod_centre;
-            let fixed = [self.from_centre(0, shaft.x), self.from_centre(1, shaft.y)];
+            let fixed = [self.seen_from_centre(0, shaft.x), self.seen_from_centre(1, shaft.y)];
             for (axis, own) in [("x", fixed[0]), ("y", fixed[1])] {
                 let at = combination(&[
                     (1.0, &format!("p{axis}{k}")),
@@ -165,9 +165,10 @@ impl Builder<'_> {
     /// What acts between piston and block along the cylinder: gas and viscous friction.
     fn stroke(&mut self, index: usize) {
         let k = index + 1;
-        let gas = self.request.pressures.get(index).cloned();
+        let states = self.request.gas_states.clone();
+        let gas = self.request.pressures.get(index).filter(|_| states.is_none()).cloned();
         let damping = self.request.piston_damping;
-        if gas.is_none() && damping == 0.0 {
+        if gas.is_none() && states.is_none() && damping == 0.0 {
             return;
         }
         let (slide, stroke) = (format!("slide{k}"), format!("stroke{k}"));
@@ -175,13 +176,18 @@ impl Builder<'_> {
         self.element(&stroke, "1", &[("domain", "translation")]);
         self.bond("crank", &format!("{slide}.1"));
         self.bond(&format!("{slide}.2"), &stroke);
-        if let Some(curve) = gas {
+        if gas.is_some() || states.is_some() {
             let cylinder = &self.engine.cylinders[index];
             let shaft = &self.engine.crankshafts[self.engine.throws[cylinder.throw].crankshaft];
             let ratio = shaft.ratio.value().abs();
             let firing = self.numbers.cylinders[index].firing.unwrap_or(0.0);
             let angle = combination(&[(ratio, "theta"), (1.0, &angle_text(-ratio * firing))]);
             self.signal(&format!("psi{k}"), &angle);
+        }
+        if let Some(states) = states {
+            self.gas_states(index, &states);
+        }
+        if let Some(curve) = gas {
             let table = format!("gauge_pressure{k}");
             self.graph.tables.push((table.as_str().into(), curve));
             self.signal(&format!("p{k}"), &format!("table({table}, psi{k})"));

@@ -72,7 +72,8 @@ impl Numbers {
         }
         for index in 0..count {
             let cylinder = numbers.cylinder(engine, index);
-            if !request.pressures.is_empty() && (cylinder.area == 0.0 || cylinder.firing.is_none()) {
+            let has_gas = !request.pressures.is_empty() || request.gas_states.is_some();
+            if has_gas && (cylinder.area == 0.0 || cylinder.firing.is_none()) {
                 return Err(EngineGraphError::Chamber { cylinder: index + 1 });
             }
             numbers.cylinders.push(cylinder);
@@ -255,6 +256,29 @@ fn firing(engine: &Engine, index: usize) -> Option<f64> {
     }
     let top = 0.5 * (low + high);
     Some(top + turn * ((nominal - top) / turn).round())
+}
+
+/// Travel of the piston pin of a cylinder at a crank angle [m].
+pub(crate) fn travel(engine: &Engine, index: usize, theta: f64) -> f64 {
+    linkage(engine, index, theta).travel
+}
+
+/// Travel of the piston pin at its top and bottom dead centre [m].
+pub(crate) fn dead_centres(engine: &Engine, index: usize) -> [f64; 2] {
+    let ratio = engine.crankshafts[engine.throws[engine.cylinders[index].throw].crankshaft].ratio.value();
+    let step = TAU / ratio.abs() / LOOKS as f64;
+    let extreme = |sign: f64| {
+        let at = |theta: f64| sign * travel(engine, index, theta);
+        let best =
+            (0..LOOKS).max_by(|a, b| at(step * *a as f64).total_cmp(&at(step * *b as f64))).unwrap_or(0);
+        let (mut low, mut high) = (step * (best as f64 - 1.0), step * (best as f64 + 1.0));
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if sign * rate(engine, index, middle).1 > 0.0 { low = middle } else { high = middle }
+        }
+        travel(engine, index, 0.5 * (low + high))
+    };
+    [extreme(1.0), extreme(-1.0)]
 }
 
 /// Slope of the volume that the pistons of a chamber fill, by the crank angle, times 4/pi.

@@ -24,9 +24,13 @@ pub struct EngineRequest {
     pub crankshaft_inertia: Vec<f64>,
     /// Polar inertia of every balance shaft [kg m^2].
     pub shaft_inertia: Vec<f64>,
-    /// Pressure in every cylinder less that under its piston [Pa] over the angle that its crankshaft turned since it fired [rad]; empty: no gas.
+    /// Pressure in every cylinder less that under its piston [Pa] over the angle that its crankshaft turned since it fired [rad]; empty:
+    /// no gas.
     #[serde(skip)]
     pub pressures: Vec<Curve>,
+    /// The gas as states instead of pressures.
+    #[serde(skip)]
+    pub gas_states: Option<GasStates>,
     /// Dry friction of the crank train against the rotation of crankshaft 1 [N m].
     pub friction_torque: f64,
     /// Viscous friction of every piston along its cylinder [N s/m].
@@ -55,6 +59,7 @@ impl EngineRequest {
             crankshaft_inertia: Vec::new(),
             shaft_inertia: Vec::new(),
             pressures: Vec::new(),
+            gas_states: None,
             friction_torque: 0.0,
             piston_damping: 0.0,
             load: EngineLoad { torque: LoadTorque::None, reacts_on_block: false },
@@ -111,6 +116,53 @@ impl Default for EngineStart {
     }
 }
 
+/// The gas of all cylinders as states: volume, mass and energy.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GasStates {
+    /// Gas constant [J/(kg K)].
+    pub gas_constant: f64,
+    /// Specific heat at constant volume [J/(kg K)].
+    pub heat_capacity: f64,
+    /// Largest volume over smallest.
+    pub compression_ratio: f64,
+    /// Pressure under the pistons [Pa].
+    pub crankcase: f64,
+    /// Pressure [Pa] and temperature [K] in every cylinder at the start.
+    pub start: [f64; 2],
+    /// Valve to the intake.
+    pub intake: GasValve,
+    /// Valve to the exhaust.
+    pub exhaust: GasValve,
+    /// Heat release by the angle since firing [J/rad].
+    pub release: Option<Curve>,
+    /// Walls.
+    pub walls: Option<GasWalls>,
+}
+
+/// A valve to a reservoir.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GasValve {
+    /// Pressure of the reservoir [Pa].
+    pub pressure: f64,
+    /// Its temperature [K].
+    pub temperature: f64,
+    /// Effective area over the angle since firing [m^2].
+    pub area: Curve,
+}
+
+/// Heat from the gas to the engine's body and from there to the surroundings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GasWalls {
+    /// Conductance from the gas of one cylinder to the body [W/K].
+    pub gas_to_body: f64,
+    /// Heat capacity of the body [J/K].
+    pub body_capacity: f64,
+    /// Conductance from the body to the surroundings [W/K].
+    pub body_to_ambient: f64,
+    /// Temperature of the surroundings, and of the body at the start [K].
+    pub ambient: f64,
+}
+
 /// What takes the power.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct EngineLoad {
@@ -154,6 +206,11 @@ pub enum EngineGraphError {
         /// The smallest of what is left of its moments of inertia [kg m^2].
         inertia: f64,
     },
+    /// The gas of the file cannot become states.
+    Gas {
+        /// What it would need.
+        needed: &'static str,
+    },
     /// As many pressures as cylinders are needed.
     Pressures {
         /// Cylinders.
@@ -186,6 +243,7 @@ impl std::fmt::Display for EngineGraphError {
                 formatter,
                 "[block] is smaller than the parts in it: a mass of {mass} kg and an inertia of {inertia} kg m2 are left"
             ),
+            EngineGraphError::Gas { needed } => write!(formatter, "gas as states needs {needed}"),
             EngineGraphError::Pressures { needed, got } => {
                 write!(formatter, "every cylinder needs its pressure: {needed} cylinders, {got} pressures")
             }

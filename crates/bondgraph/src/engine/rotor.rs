@@ -133,7 +133,7 @@ impl Builder<'_> {
         };
         let mut rows = Vec::new();
         if self.moves() {
-            let place = |k: usize, value: f64| match self.from_centre(k, value) {
+            let place = |k: usize, value: f64| match self.seen_from_centre(k, value) {
                 0.0 => "0".to_owned(),
                 value => quantity(value, "m"),
             };
@@ -189,7 +189,7 @@ impl Builder<'_> {
             let at = [mount.x, mount.y, mount.z];
             let turned = apply(turn, at);
             let moved = [0, 1, 2].map(|k| self.request.start.position[k] + turned[k] - at[k]);
-            let arm = [0, 1, 2].map(|k| self.from_centre(k, at[k]));
+            let arm = [0, 1, 2].map(|k| self.seen_from_centre(k, at[k]));
             for (way, axis) in spring.axes.iter().enumerate() {
                 let (stiffness, damping) = (spring.stiffness[way], spring.damping[way]);
                 let preload = if way == 0 { spring.preload } else { 0.0 };

@@ -1,18 +1,23 @@
 //! `lanchester bondgraph`: a graph's causality, equations, poles, simulation, audit, drawing and exports.
 
 use crate::bondgraph_arguments::{
-    BondgraphArguments, ExportOption, MethodOption, NotationOption, PreferOption,
+    BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, MethodOption, NotationOption,
+    PreferOption,
 };
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
-use crate::files::{Source, print, read_source, tell};
+use crate::files::{Source, print, read_bytes, read_source, tell};
 use crate::format::Format;
+use crate::trace_files::trace_files;
 use lanchester::bondgraph::{
-    Equations, Graph, Method, Notation, Preference, SimulationRequest, audit_text, causality, causality_text,
-    drawing, equations, equations_latex, equations_text, graphml, is_graph_file, linear_text, modelica,
-    simulation_csv, simulation_text,
+    Description, EngineBlock, Equations, Graph, LoadTorque, Method, Notation, Preference, SimulationRequest,
+    audit_text, causality, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
+    graphml, is_graph_file, linear_text, modelica, simulation_csv, simulation_text, used_graphs,
 };
-use lanchester::file::{Diagnostic, render};
+use lanchester::file::{Diagnostic, read, render};
+use lanchester::task::option;
+use lanchester::{BondGraphRequest, engine_bond_graph};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// What the command shows.
@@ -43,14 +48,20 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
         ));
     }
     let source = read_source(Path::new(file))?;
-    if !is_graph_file(&source.text) {
-        return Err(Failure::input(
-            format!("{} is no graph file: it has no table [elements]", source.name),
-            "examples/bond-graphs has graphs to start from; engine files are not drawn as graphs",
-        ));
-    }
     let refuse = |mistakes: Vec<Diagnostic>| diagnosed(&mistakes, &source, colour);
-    let graph = Graph::read(&source.text).map_err(refuse)?;
+    let (description, graph) = if is_graph_file(&source.text) {
+        if arguments.engine != EngineOptions::default() {
+            return Err(Failure::input(
+                "a graph file says itself how it starts, what drives it and what moves",
+                "leave out --speed, --block, --imposed, --load, --load-on-block, --gas-states, --inertia-only and --no-gravity",
+            ));
+        }
+        (None, Graph::read_with(&source.text, &parts(Path::new(file), &source.text)?).map_err(refuse)?)
+    } else {
+        let description = of_engine(arguments, Path::new(file), &source, colour)?;
+        let graph = Graph::new(&description).map_err(refuse)?;
+        (Some(description), graph)
+    };
     if action == "causality" {
         let preference = match arguments.prefer {
             PreferOption::Integral => Preference::Integral,
@@ -62,7 +73,71 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
         return Ok(DONE);
     }
     let found = equations(&graph).map_err(refuse)?;
-    show(arguments, action, &graph, &found)
+    let as_file = || description.as_ref().map_or_else(|| source.text.clone(), graph_file);
+    show(arguments, action, &graph, &found, as_file)
+}
+
+/// Texts of the graphs that a graph file uses, and of those that they use, by name from the folder of the file.
+fn parts(file: &Path, text: &str) -> Result<impl Fn(&str) -> Option<String> + use<>, Failure> {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let mut found: BTreeMap<String, String> = BTreeMap::new();
+    let mut waiting = used_graphs(text);
+    while let Some(name) = waiting.pop() {
+        if found.contains_key(&name) {
+            continue;
+        }
+        let bytes = read_bytes(
+            &folder.join(&name),
+            "[[use]] names it: give its place from the folder of the graph file",
+        )?;
+        let Ok(text) = String::from_utf8(bytes) else {
+            return Err(Failure::input(format!("{name} is not UTF-8 text"), "save the graph file in UTF-8"));
+        };
+        waiting.extend(used_graphs(&text));
+        found.insert(name, text);
+    }
+    Ok(move |name: &str| found.get(name).cloned())
+}
+
+/// The graph of an engine file.
+fn of_engine(
+    arguments: &BondgraphArguments,
+    file: &Path,
+    source: &Source,
+    colour: bool,
+) -> Result<Description, Failure> {
+    let reading = read(&source.text);
+    if !reading.diagnostics.is_empty() {
+        eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
+    }
+    let engine = reading.engine().ok_or_else(Failure::diagnosed)?;
+    let options = &arguments.engine;
+    let load = match options.load.as_deref().map(str::trim) {
+        None => None,
+        Some("none") => Some(LoadTorque::None),
+        Some(text) => Some(LoadTorque::Constant(option::torque(text, "--load")?)),
+    };
+    let request = BondGraphRequest {
+        speed: options.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?,
+        block: options.block.map(|block| match block {
+            EngineBlockOption::Fixed => EngineBlock::Fixed,
+            EngineBlockOption::Plane => EngineBlock::Plane,
+            EngineBlockOption::Space => EngineBlock::Space,
+        }),
+        imposed: options.imposed.then_some(true),
+        gravity: !options.no_gravity,
+        gas: !options.inertia_only,
+        gas_as_states: options.gas_states,
+        load,
+        load_on_block: options.load_on_block,
+        ..BondGraphRequest::default()
+    };
+    let traces = if request.gas { trace_files(&engine, file)? } else { Vec::new() };
+    let found = engine_bond_graph(&engine, &traces, &request).map_err(Failure::refused)?;
+    for note in &found.notes {
+        tell(format_args!("note: {note}"));
+    }
+    Ok(found.description)
 }
 
 fn diagnosed(mistakes: &[Diagnostic], source: &Source, colour: bool) -> Failure {
@@ -75,6 +150,7 @@ fn show(
     action: &str,
     graph: &Graph,
     found: &Equations,
+    as_file: impl Fn() -> String,
 ) -> Result<u8, Failure> {
     let as_json = arguments.format == Format::Json;
     let notation = match arguments.notation {
@@ -93,6 +169,7 @@ fn show(
         "export" => print(&match arguments.to {
             ExportOption::Modelica => modelica(found),
             ExportOption::Graphml => graphml(found),
+            ExportOption::Graph => as_file(),
             ExportOption::Json => json(
                 &serde_json::json!({ "causality": found.causality, "equations": found.shown(notation) }),
             )?,

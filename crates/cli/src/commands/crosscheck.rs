@@ -1,4 +1,4 @@
-//! `lanchester crosscheck`: the closed form against the multibody simulation.
+//! `lanchester crosscheck`: closed form and bond graph against the multibody simulation.
 
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};

@@ -5,6 +5,7 @@
 mod bad_runs;
 mod balance;
 mod balance_speeds;
+mod bond_graph;
 mod compare;
 mod consequences;
 mod counterweight;

@@ -1,9 +1,9 @@
 //! What the file says of a run in time.
 
 use super::{File, quantity};
-use lanchester_model::{Engine, 
-    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength, RunLoad,
-    SimulationInput, SpeedKind, StartOfBlock, Starter, When,
+use lanchester_model::{
+    Action, BlockKind, Engine, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength,
+    RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
 };
 use lanchester_units::{Dimension, exact_text};
 

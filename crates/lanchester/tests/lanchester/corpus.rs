@@ -34,6 +34,11 @@ fn kept_corpus_of_the_workshop() {
 }
 
 #[test]
+fn kept_corpus_of_the_graphs() {
+    replay("graph", checks::graph);
+}
+
+#[test]
 fn kept_corpus_of_the_optima() {
     replay("balance", checks::balance);
 }

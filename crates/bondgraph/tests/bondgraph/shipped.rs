@@ -10,7 +10,7 @@ fn shipped(text: &str) -> Equations {
 
 macro_rules! graph {
     ($name:literal) => {
-        shipped(include_str!(concat!("../../../examples/bond-graphs/", $name, ".toml")))
+        shipped(include_str!(concat!("../../../../examples/bond-graphs/", $name, ".toml")))
     };
 }
 

@@ -39,9 +39,9 @@ macro_rules! external {
         #[test]
         fn $test() {
             compare(
-                include_str!(concat!("../../../examples/bond-graphs/", $name, ".toml")),
-                include_str!(concat!("../../../validation/external/rumoca/", $name, ".mo")),
-                include_str!(concat!("../../../validation/external/rumoca/", $name, ".json")),
+                include_str!(concat!("../../../../examples/bond-graphs/", $name, ".toml")),
+                include_str!(concat!("../../../../validation/external/rumoca/", $name, ".mo")),
+                include_str!(concat!("../../../../validation/external/rumoca/", $name, ".json")),
             );
         }
     };

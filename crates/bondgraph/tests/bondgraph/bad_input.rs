@@ -2,7 +2,7 @@
 
 use lanchester_bondgraph::{Graph, SimulationRequest, equations};
 
-const GOOD: &str = include_str!("../../../examples/bond-graphs/slider-crank.toml");
+const GOOD: &str = include_str!("../../../../examples/bond-graphs/slider-crank.toml");
 
 #[test]
 fn one_change_one_diagnostic_with_place_and_hint() {
@@ -113,9 +113,9 @@ fn dry_friction_is_located_and_a_condition_that_flutters_is_told() {
 fn prop_mutated_graphs_are_refused_or_run() {
     let texts = [
         GOOD,
-        include_str!("../../../examples/bond-graphs/dc-motor.toml"),
-        include_str!("../../../examples/bond-graphs/two-tanks-turbulent.toml"),
-        include_str!("../../../examples/bond-graphs/torsion-chain.toml"),
+        include_str!("../../../../examples/bond-graphs/dc-motor.toml"),
+        include_str!("../../../../examples/bond-graphs/two-tanks-turbulent.toml"),
+        include_str!("../../../../examples/bond-graphs/torsion-chain.toml"),
     ];
     let mut seed = 0x2545_f491_4f6c_dd1du64;
     let mut draw = |below: usize| {

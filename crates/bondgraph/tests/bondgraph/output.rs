@@ -3,13 +3,13 @@
 use lanchester_bondgraph::{Equations, Graph, drawing, equations, graphml, modelica};
 
 const SHIPPED: [&str; 7] = [
-    include_str!("../../../examples/bond-graphs/mass-spring-damper.toml"),
-    include_str!("../../../examples/bond-graphs/dc-motor.toml"),
-    include_str!("../../../examples/bond-graphs/two-tanks.toml"),
-    include_str!("../../../examples/bond-graphs/two-tanks-turbulent.toml"),
-    include_str!("../../../examples/bond-graphs/slider-crank.toml"),
-    include_str!("../../../examples/bond-graphs/slider-crank-elastic.toml"),
-    include_str!("../../../examples/bond-graphs/torsion-chain.toml"),
+    include_str!("../../../../examples/bond-graphs/mass-spring-damper.toml"),
+    include_str!("../../../../examples/bond-graphs/dc-motor.toml"),
+    include_str!("../../../../examples/bond-graphs/two-tanks.toml"),
+    include_str!("../../../../examples/bond-graphs/two-tanks-turbulent.toml"),
+    include_str!("../../../../examples/bond-graphs/slider-crank.toml"),
+    include_str!("../../../../examples/bond-graphs/slider-crank-elastic.toml"),
+    include_str!("../../../../examples/bond-graphs/torsion-chain.toml"),
 ];
 
 fn read(text: &str) -> (Graph, Equations) {

@@ -1,0 +1,12 @@
+//! All tests of the crate.
+
+mod bad_input;
+mod causality;
+mod codes;
+mod course;
+mod engine_gas;
+mod external;
+mod gas;
+mod graph_file;
+mod output;
+mod shipped;

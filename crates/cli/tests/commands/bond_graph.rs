@@ -1,0 +1,100 @@
+//! Bond graphs on the command line: graph files and engine files.
+
+use crate::program::{example, folder, lanchester, message, number, output, output_json};
+
+fn graph(name: &str) -> String {
+    example(&format!("bond-graphs/{name}"))
+}
+
+#[test]
+fn a_graph_file_shows_causality_equations_and_poles() {
+    let folder = folder("bond-graph");
+    let text = output(&folder, 0, &["bondgraph", &graph("slider-crank")]);
+    assert!(text.contains("piston follows crank through shaft, slider, guide"), "{text}");
+    assert!(text.contains("State equations, M x' = f"), "{text}");
+    let latex = output(&folder, 0, &["bondgraph", "equations", &graph("dc-motor"), "--notation", "latex"]);
+    assert!(latex.starts_with("\\begin{aligned}"), "{latex}");
+    let dual = output(&folder, 0, &["bondgraph", "causality", &graph("two-tanks"), "--prefer", "derivative"]);
+    assert!(dual.contains("is made to follow"), "{dual}");
+    let poles =
+        output_json(&folder, 0, &["bondgraph", "linear", &graph("mass-spring-damper"), "--format", "json"]);
+    let frequency = number(&poles, "/poles/0/frequency");
+    assert!((frequency * frequency - 250.0 / 1.2).abs() < 1e-9 * 250.0, "{frequency}");
+}
+
+#[test]
+fn a_run_has_samples_and_an_audit() {
+    let folder = folder("bond-graph-run");
+    let run = ["bondgraph", "simulate", &graph("mass-spring-damper"), "--for", "2 s", "--samples", "50"];
+    let csv = output(&folder, 0, &[&run[..], &["--format", "csv"]].concat());
+    assert_eq!(csv.lines().count(), 52, "a head, the start and fifty samples");
+    let json = output_json(&folder, 0, &[&run[..], &["--format", "json", "--tolerance", "1e-11"]].concat());
+    assert_eq!(json["complete"], true);
+    assert_eq!(json["time"].as_array().map(Vec::len), Some(51));
+    let implicit = output(&folder, 0, &[&run[..], &["--method", "implicit"]].concat());
+    assert!(implicit.contains("implicit"), "{implicit}");
+    let audit = output(&folder, 0, &["bondgraph", "audit", &graph("two-tanks-turbulent")]);
+    assert!(audit.contains("whole"), "{audit}");
+    let drawing = output(&folder, 0, &["bondgraph", "draw", &graph("dc-motor")]);
+    assert!(drawing.starts_with("<svg"), "{drawing}");
+}
+
+/// The engine of the bond-graph thesis from its engine file, and the same graph from the graph file that it is exported to.
+#[test]
+fn an_engine_file_is_a_graph() {
+    let folder = folder("bond-graph-engine");
+    let engine = example("three-cylinder");
+    let text = output(&folder, 0, &["bondgraph", "causality", &engine]);
+    assert!(text.contains("piston1_x follows"), "{text}");
+    assert!(text.contains("States: block_x, block_y, block_z"), "{text}");
+    let plain = ["--block", "fixed", "--inertia-only", "--no-gravity", "--speed", "1000 rpm"];
+    let json = ["--for", "0.1 s", "--format", "json"];
+    let run = output_json(&folder, 0, &[&["bondgraph", "simulate", &engine], &plain[..], &json[..]].concat());
+    assert_eq!(run["complete"], true);
+    let exported =
+        output(&folder, 0, &[&["bondgraph", "export", &engine, "--to", "graph"], &plain[..]].concat());
+    std::fs::write(folder.join("engine-graph.toml"), exported).unwrap();
+    let again =
+        output_json(&folder, 0, &[&["bondgraph", "simulate", "engine-graph.toml"], &json[..]].concat());
+    assert_eq!(run["series"], again["series"], "the graph file is the same graph");
+    let states = ["bondgraph", "simulate", &engine, "--block", "fixed", "--gas-states", "--for", "0.06 s"];
+    let run = output_json(&folder, 0, &[&states[..], &["--format", "json"]].concat());
+    assert_eq!(run["complete"], true);
+    let notes = lanchester(&folder, &states).stderr;
+    assert!(String::from_utf8(notes).unwrap().contains("note: Load: "));
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let folder = folder("bond-graph-bad");
+    let has = |arguments: &[&str], words: &str| {
+        let text = message(&folder, 2, arguments);
+        assert!(text.contains(words), "{arguments:?}\n{text}");
+    };
+    has(&["bondgraph", "causality"], "needs a graph file");
+    has(&["bondgraph", "paint", &graph("dc-motor")], "has no action \"paint\"");
+    has(&["bondgraph", "simulate", &graph("dc-motor"), "--for", "2 m"], "--for needs a time");
+    has(&["bondgraph", "simulate", &graph("dc-motor"), "--tolerance", "1"], "outside 1e-13 to 0.01");
+    has(&["bondgraph", "draw", &graph("dc-motor"), "--format", "csv"], "CSV");
+    has(&["bondgraph", &graph("dc-motor"), "--speed", "1000 rpm"], "a graph file says itself");
+    has(&["bondgraph", &example("in-line-4-mounts"), "--block", "space"], "stiffness and viscous damping");
+    has(&["bondgraph", &example("in-line-4"), "--block", "space"], "no [block]");
+    has(&["bondgraph", &example("three-cylinder"), "--speed", "1000"], "--speed");
+    has(&["bondgraph", &example("v6-60"), "--gas-states"], "gas as states needs");
+    let text = std::fs::read_to_string(graph("slider-crank")).unwrap();
+    std::fs::write(folder.join("bad.toml"), text.replace("effort = \"5 N m\"", "effort = \"5 N\"")).unwrap();
+    has(&["bondgraph", "bad.toml"], "error[E1705]");
+    let conflict = "[elements]\na = { kind = \"Sf\", flow = \"1 rad/s\" }\nb = { kind = \"Sf\", flow = \"2 rad/s\" }\n\
+                    s = { kind = \"1\", domain = \"rotation\" }\n[bonds]\nlist = [\"a > s\", \"b > s\"]\n";
+    std::fs::write(folder.join("conflict.toml"), conflict).unwrap();
+    has(&["bondgraph", "conflict.toml"], "E1713");
+    has(&["bondgraph", "missing.toml"], "missing.toml");
+    let used = "[[use]]\ngraph = \"part.toml\"\nas = \"a\"\n[elements]\ns = { kind = \"Se\", effort = \"1 N m\" }\n[bonds]\n\
+         list = [\"s > a_shaft\"]\n";
+    std::fs::write(folder.join("uses.toml"), used).unwrap();
+    has(&["bondgraph", "uses.toml"], "[[use]] names it");
+    let part = "[elements]\nshaft = { kind = \"1\", domain = \"rotation\" }\n\
+         wheel = { kind = \"I\", inertia = \"1 kg m2\" }\n[bonds]\nlist = [\"shaft > wheel\"]\n";
+    std::fs::write(folder.join("part.toml"), part).unwrap();
+    assert!(output(&folder, 0, &["bondgraph", "uses.toml"]).contains("States: a_wheel"));
+}
