@@ -10,7 +10,7 @@ const ARROWS: [(&str, &[&str]); 19] = [
     ("lanchester-model", &["lanchester-shape"]),
     ("lanchester-mechanism", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-bondgraph", &["lanchester-model", "lanchester-numerics"]),
-    ("lanchester-cycle", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-cycle", &["lanchester-model", "lanchester-mechanism", "lanchester-numerics"]),
     ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
     ("lanchester-balance", &["lanchester-model", "lanchester-mechanism", "lanchester-numerics"]),
     ("lanchester-workshop", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
