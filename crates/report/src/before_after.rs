@@ -52,7 +52,7 @@ pub(crate) fn before_and_after_table(
     let shown_rows: Vec<&Consequence> =
         others.into_iter().filter(|row| row.before != 0.0 || row.after != 0.0).collect();
     let omitted = shown_rows.len() < all;
-    rows.extend(shown_rows.into_iter().map(|row| consequence_row(row, several)));
+    rows.extend(shown_rows.into_iter().map(|row| consequence_row(engine, row, several)));
     let rpm = number::terminal(number::rpm(consequences.speed), 0);
     let mut table = Table::of_columns(
         "before-and-after",
@@ -165,10 +165,10 @@ fn effect_row(engine: &Engine, answer: &Answer, effect: &Effect, same: Option<&C
     }
 }
 
-fn consequence_row(row: &Consequence, several: bool) -> Row {
+fn consequence_row(engine: &Engine, row: &Consequence, several: bool) -> Row {
     let (factor, unit) = shown(row.quantity);
     let at = match row.quantity {
-        Affected::MountForce => "all speeds".to_owned(),
+        Affected::MountForce if engine.is_on_springs() => "all speeds".to_owned(),
         _ => part_name(&row.part, several),
     };
     Row {

@@ -29,6 +29,10 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
             amount(found.standard_error)
         ),
     );
+    if found.value > found.least * (1.0 + 2e-6) {
+        let words = format!("With what it gives up for later stages it is {}.", amount(found.value));
+        push_wrapped(&mut out, "", &words);
+    }
     if let Some(second) = found.second_value {
         let words =
             format!("{} other engines, drawn independently, have {}.", found.second_samples, amount(second));
@@ -44,10 +48,6 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
             amount(found.ordinary_nominal)
         ),
     );
-    if found.value > found.least * (1.0 + 2e-6) {
-        let words = format!("With what it gives up for later stages it is {}.", amount(found.value));
-        push_wrapped(&mut out, "", &words);
-    }
     for stage in &found.later {
         let names: Vec<String> = stage.criteria.iter().map(|one| criterion_name(one, engine)).collect();
         let unit = if let [one] = &stage.criteria[..] { criterion_unit(one) } else { "" };

@@ -227,11 +227,23 @@ fn weights_for_a_production_of_engines() {
     assert!(number(&mean, "value") < number(&worst, "value"));
     assert_eq!(found(&["--worst-share", "10 %"]), mean, "the same seed, the same answer");
     assert_ne!(found(&["--worst-share", "10 %", "--robust-seed", "2"])["value"], mean["value"]);
+    // A limit holds for the engine as it is meant; a later stage takes what the first gives up.
+    let limited = found(&["--limit", "main-bearing load = 1000 kN"]);
+    assert_eq!(limited["limits"][0]["beyond"], 0);
+    let later = ["--minimise", "added unbalance", "--give-up", "5 %"];
+    let given = found(&later);
+    let (least, value) = (number(&given, "least"), number(&given, "value"));
+    assert!((least - number(&worst, "value")).abs() < 1e-6 * least && value > least && value < 1.051 * least);
+    assert!(number(&given["later"][0], "value") > 0.0);
+    let told = output(&folder, 0, &[&asked[..], &later].concat());
+    assert!(told.contains("gives up for later stages") && told.contains("Then added unbalance"), "{told}");
     let text = output(&folder, 0, &asked);
     for words in ["the worst of 60 engines", "Standard error", "drawn independently", "as it is meant"] {
         assert!(text.contains(words), "{words}: {text}");
     }
     for (more, says) in [
+        (["--limit", "couple = 0.001 N m"], "limits that can hold together"),
+        (["--least", "0.01 kg m"], "proved on every sample"),
         (["--worst-share", "0 %"], "above 0"),
         (["--worst-share", "x"], "--worst-share"),
         (["--format", "csv"], "no table"),

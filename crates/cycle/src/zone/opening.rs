@@ -2,6 +2,7 @@
 
 use crate::volume::CylinderVolume;
 use lanchester_model::{Opening, OpeningShape, SingleZone};
+use lanchester_numerics::golden_section;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
@@ -137,13 +138,9 @@ pub fn piston_gap(zone: &SingleZone, volume: &CylinderVolume) -> Vec<PistonGap> 
             let nearest = (0..=STEPS)
                 .map(|k| opening.opens + step * f64::from(k))
                 .min_by(|a, b| gap(*a).total_cmp(&gap(*b)))?;
-            // Golden section between the neighbours.
-            let (mut low, mut high) = (nearest - step, nearest + step);
-            for _ in 0..40 {
-                let third = (high - low) * 0.381_966_011_250_105;
-                if gap(low + third) < gap(high - third) { high -= third } else { low += third }
-            }
-            let angle = low + (high - low) / 2.0;
+            // Between the neighbours.
+            let closer = |psi: f64| Ok::<f64, std::convert::Infallible>(-gap(psi));
+            let Ok((angle, _)) = golden_section(nearest - step, nearest + step, 40, closer);
             Some(PistonGap { is_intake, gap: gap(angle), angle: angle.rem_euclid(volume.cycle()) })
         })
         .collect()
