@@ -7,7 +7,9 @@ use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Limit, NearestLimit, Objective, Optimum, Outline, Part,
     ShapeTask, counterweight_properties, design_within, evolve, largest_balance,
 };
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, EngineParts, PartFault, PartWeight};
+use lanchester_model::{
+    Counterweight, CounterweightForm, CounterweightPart, Engine, EngineParts, PartFault, PartWeight,
+};
 use lanchester_report::obstacle_name;
 use serde::Serialize;
 use std::cell::{Cell, RefCell};

@@ -1,7 +1,10 @@
 //! What a run is asked, from the request, the engine file and defaults, in this order.
 
 use crate::simulation::SimulateRequest;
-use lanchester_model::{Action, BlockKind, Engine, ImposedAgainst, RodGuidance, RunLength, SimulationInput, SpeedKind, StartOfBlock, When};
+use lanchester_model::{
+    Action, BlockKind, Engine, ImposedAgainst, RodGuidance, RunLength, SimulationInput, SpeedKind,
+    StartOfBlock, When,
+};
 use lanchester_multibody::{
     BlockMotion, BlockStart, Drive, Duration, Event, Guidance, MultibodyError, STANDARD_GRAVITY, Simulation,
     Train,

@@ -8,7 +8,9 @@ use lanchester_mechanism::{
     RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads, flywheel_need,
     speed_ripple, torque,
 };
-use lanchester_model::{Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange};
+use lanchester_model::{
+    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange,
+};
 use lanchester_report::{BearingSizes, CycleResult};
 use serde::Serialize;
 

@@ -1,7 +1,10 @@
 //! What a run is asked: start, drive, load, starter, governor, driveline, events. All in SI units and radians.
 
 use crate::reactions::Guidance;
-pub use lanchester_model::{Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter, TorqueOrder, When};
+pub use lanchester_model::{
+    Action, DrivelineInertia, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RunLoad as Load, Starter,
+    TorqueOrder, When,
+};
 use serde::Serialize;
 
 /// Standard acceleration of gravity [m/s^2].

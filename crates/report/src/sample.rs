@@ -63,17 +63,15 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
                 part: None,
             })
             .collect(),
+        ..EngineParts::default()
     })
     .expect("the parts of an engine")
 }
 
 /// The twin with pistons in step and a counter-rotating first-order shaft.
 pub fn twin() -> Engine {
-    let mut engine = engine(&[(0.0, 0.0), (0.0, 0.0)]);
-    engine = engine
-        .with(|engine| {
-            engine.name = "In-line twin".to_owned();
-        })
+    let mut engine = engine(&[(0.0, 0.0), (0.0, 0.0)])
+        .with(|parts| parts.name = "In-line twin".to_owned())
         .expect("an engine");
     engine = engine
         .with(|engine| {

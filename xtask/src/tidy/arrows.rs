@@ -23,7 +23,10 @@ const ARROWS: [(&str, &[&str]); 23] = [
     ),
     ("lanchester-mechanism", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-bondgraph", &["lanchester-diagnostic", "lanchester-model", "lanchester-numerics"]),
-    ("lanchester-cycle", &["lanchester-model", "lanchester-units", "lanchester-mechanism", "lanchester-numerics"]),
+    (
+        "lanchester-cycle",
+        &["lanchester-model", "lanchester-units", "lanchester-mechanism", "lanchester-numerics"],
+    ),
     ("lanchester-geometry", &["lanchester-model", "lanchester-task", "lanchester-shape"]),
     (
         "lanchester-balance",

@@ -3,7 +3,10 @@
 use super::request::{EngineGraphError, GasStates, GasValve};
 use crate::curve::Curve;
 use crate::unit::Unit;
-use lanchester_model::{CrankcasePressure, Engine, FuelSupply, GasProcess, GasSource, HeatRelease, Opening, OpeningShape, Reservoir};
+use lanchester_model::{
+    CrankcasePressure, Engine, FuelSupply, GasProcess, GasSource, HeatRelease, Opening, OpeningShape,
+    Reservoir,
+};
 use std::f64::consts::{PI, TAU};
 
 /// Longest piece of a table over the angle [rad].

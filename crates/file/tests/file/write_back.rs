@@ -5,7 +5,9 @@ use crate::support::written::{
     plate, same_weight, template,
 };
 use lanchester_file::{WriteBackError, write_back};
-use lanchester_model::{BalanceShaft, Counterweight, Engine, EngineParts, Ratio, ShaftWeight, ShaftWeightPart};
+use lanchester_model::{
+    BalanceShaft, Counterweight, Engine, EngineParts, Ratio, ShaftWeight, ShaftWeightPart,
+};
 use lanchester_shape::{CounterweightShape, Insert, Point, ShaftWeightShape};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};

@@ -5,7 +5,9 @@
 use lanchester::geometry::clearance::{ClearanceError, Obstacle};
 use lanchester::geometry::{Contour, Outline, Part, Point};
 use lanchester::mechanism::{LoadRequest, motion};
-use lanchester::model::{Counterweight, CounterweightForm, CounterweightPart, Engine, Envelope, RodEnvelope, RodJoint, Skirt};
+use lanchester::model::{
+    Counterweight, CounterweightForm, CounterweightPart, Engine, Envelope, RodEnvelope, RodJoint, Skirt,
+};
 use lanchester::{EngineClearanceError, clearance_curve, clearances, largest_swept_radius};
 use std::f64::consts::{PI, TAU};
 

@@ -4,3 +4,4 @@
 
 mod mains;
 mod spacing;
+mod validity;

@@ -4,7 +4,10 @@ use crate::explore::kernel::Block;
 use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
 use crate::explore::space::CounterweightPattern;
-use lanchester_model::{BalanceShaft, Counterweight, Crankshaft, Cylinder, Engine, EngineParts, Ratio, Rod, RodJoint, RodMassRule, Rotation, SpeedRange, Strokes, Throw};
+use lanchester_model::{
+    BalanceShaft, Counterweight, Crankshaft, Cylinder, Engine, EngineParts, Ratio, Rod, RodJoint,
+    RodMassRule, Rotation, SpeedRange, Strokes, Throw,
+};
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};

@@ -1,7 +1,9 @@
 //! Files, weights and comparisons for what is written back.
 
 use lanchester_file::{EngineFile, difference, expanded, read, render, templates, write_back};
-use lanchester_model::{BalanceShaft, Counterweight, CounterweightForm, CounterweightPart, Engine, ShaftWeight, ShaftWeightPart};
+use lanchester_model::{
+    BalanceShaft, Counterweight, CounterweightForm, CounterweightPart, Engine, ShaftWeight, ShaftWeightPart,
+};
 use lanchester_shape::{Contour, Corner, CounterweightShape, Insert, Outline, Part, Point};
 use std::f64::consts::{PI, TAU};
 

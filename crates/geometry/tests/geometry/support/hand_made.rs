@@ -2,7 +2,10 @@
 
 use lanchester_geometry::clearance::{Obstacle, RodBounds, RodMotion, RodPose};
 use lanchester_geometry::{Contour, Edge, Outline, Part, Point};
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Crankshaft, Cylinder, Engine, EngineParts, Envelope, Liner, Ratio, Rod, RodEnvelope, RodJoint, RodMassRule, Rotation, Skirt, SpeedRange, Strokes, Throw};
+use lanchester_model::{
+    Counterweight, CounterweightForm, CounterweightPart, Crankshaft, Cylinder, Engine, EngineParts, Envelope,
+    Liner, Ratio, Rod, RodEnvelope, RodJoint, RodMassRule, Rotation, Skirt, SpeedRange, Strokes, Throw,
+};
 use std::f64::consts::{PI, TAU};
 
 /// Crank radius, rod length and bore of all engines here [m].
