@@ -1,9 +1,10 @@
 //! What must hold for any input: shared by the fuzz targets and by the test that replays the kept corpus.
 
 use lanchester_balance::{Outcome, optimise};
+use lanchester_file::workshop::read_sheet;
+use lanchester_file::{EngineFile, expanded, read as read_text, render, templates};
 use lanchester_mechanism::{LoadError, LoadRequest, LoadSet, loads as loads_of};
-use lanchester_model::workshop::read_sheet;
-use lanchester_model::{Engine, expanded, read as read_text, render, templates};
+use lanchester_model::Engine;
 use lanchester_workshop::{correction, drilling, grade};
 
 /// Any bytes, read as an engine file: mistakes can be shown, and what is accepted survives its expanded form.
@@ -58,8 +59,8 @@ pub fn workshop(data: &[u8]) {
 /// finite, whatever is read.
 pub fn balance(data: &[u8]) {
     let text = changed(&TASKS, &TASK_ADDITIONS, data);
-    let Some(engine) = accepted(&text) else { return };
-    let Some(task) = &engine.balance else { return };
+    let Some(EngineFile { engine, tasks }) = accepted_file(&text) else { return };
+    let Some(task) = &tasks.balance else { return };
     // Choices multiply, and this must end soon.
     if engine.cylinders.len() > 4 || task.weights.len() > 8 {
         return;
@@ -125,21 +126,26 @@ const TASK_ADDITIONS: [&str; 6] = [
 
 /// Reads a file; what is refused has a reason that can be shown, what is accepted has an equal expanded form.
 fn accepted(text: &str) -> Option<Engine> {
+    accepted_file(text).map(|file| file.engine)
+}
+
+/// As [`accepted`], with what is asked of the engine.
+fn accepted_file(text: &str) -> Option<EngineFile> {
     let reading = read_text(text);
     let shown = render(&reading.diagnostics, "engine.toml", text, false);
-    let Some(engine) = reading.engine else {
+    let Some(file) = reading.file else {
         assert!(!shown.is_empty(), "refused without a reason:\n{text}");
         return None;
     };
-    let form = expanded(&engine);
+    let form = expanded(&file);
     let again = read_text(&form);
     let mistakes = render(&again.diagnostics, "expanded.toml", &form, false);
     assert_eq!(
-        again.engine.as_ref(),
-        Some(&engine),
+        again.file.as_ref(),
+        Some(&file),
         "the expanded form reads differently\n{mistakes}\n{text}\n---\n{form}"
     );
-    Some(engine)
+    Some(file)
 }
 
 fn finite(loads: &LoadSet) -> bool {
@@ -208,7 +214,7 @@ const WORDS: [&str; 16] = [
     "reverse",
 ];
 /// A crankshaft as a body, and counterweights as parts.
-const PARTS: &str = include_str!("../crates/model/tests/files/crank-as-body.toml");
+const PARTS: &str = include_str!("../crates/file/tests/files/crank-as-body.toml");
 const ADDITIONS: [&str; 9] = [
     "\n[counterweights]\nreciprocating_share = \"50 %\"\n",
     "\n[[counterweight]]\nthrow = 2\nmass = \"1 kg\"\nradius = \"40 mm\"\nangle = \"170 deg\"\n",

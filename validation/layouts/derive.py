@@ -5,7 +5,7 @@
     python3 validation/layouts/derive.py v8-cross   # only these
 
 Needs Python >= 3.11 and numpy >= 2 on a machine whose long double is wider than double. Reads dimensions and masses
-(`dimensions.py`) from crates/model/templates/<template>.toml, the layout itself (throws, banks, planes, firing order) from
+(`dimensions.py`) from crates/file/templates/<template>.toml, the layout itself (throws, banks, planes, firing order) from
 `descriptions.py`, and computes by brute force (`mechanics.py`). The Rust test crates/lanchester/tests/gallery.rs
 compares what is written here with the closed-form kernels; it needs no Python.
 """

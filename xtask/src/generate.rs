@@ -109,9 +109,9 @@ const fn blind(file: &'static str, arguments: &'static [&'static str]) -> Writte
     Written { file, head: "", input: None, arguments, figure: Some("consequences.svg") }
 }
 
-const BLIND_FOUR: [&str; 5] = blind_to("crates/model/templates/in-line-4.toml");
-const BLIND_SIX: [&str; 5] = blind_to("crates/model/templates/in-line-6.toml");
-const BLIND_V8: [&str; 5] = blind_to("crates/model/templates/v8-crossplane.toml");
+const BLIND_FOUR: [&str; 5] = blind_to("crates/file/templates/in-line-4.toml");
+const BLIND_SIX: [&str; 5] = blind_to("crates/file/templates/in-line-6.toml");
+const BLIND_V8: [&str; 5] = blind_to("crates/file/templates/v8-crossplane.toml");
 
 /// Force, couple and then the least weights: the main bearings are not asked.
 const fn blind_to(engine: &'static str) -> [&'static str; 5] {

@@ -1,14 +1,15 @@
 //! How long the search over arrangements takes: a twin at four cylinder spacings against half a four, and a V6.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{ArrangementRequest, Judged, MountPlaces, Target, arrangements};
-use lanchester_model::{Engine, read, template};
+use lanchester_file::{read, template};
+use lanchester_model::Engine;
 use std::hint::black_box;
 
 const BOXER: &str = include_str!("../../../validation/twin-cylinder-thesis/boxer-in-phase.toml");
 const FOUR: &str = include_str!("../../../validation/twin-cylinder-thesis/in-line-four.toml");
 
 fn engine(text: &str) -> Engine {
-    read(text).engine.expect("the engine is valid")
+    read(text).engine().expect("the engine is valid")
 }
 
 fn bench(criterion: &mut Criterion) {

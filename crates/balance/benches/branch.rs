@@ -1,16 +1,24 @@
 //! How long choices take: planes, a given amount, one of several devices, against the convex optimum without them.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::optimise;
-use lanchester_model::{
-    BalanceTask, Criterion as Judged, Engine, FreeWeight, Load, Place, Seat, Stage, read, template,
-};
+use lanchester_file::{read, template};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion as Judged, FreeWeight, Load, Place, Seat, Stage};
 use std::hint::black_box;
 
 fn engine(name: &str) -> Engine {
     let text = template(name).expect("it is in the gallery").text;
-    let mut engine = read(text).engine.expect("the template is valid");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+    let mut engine = read(text).engine().expect("the template is valid");
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 

@@ -1,16 +1,24 @@
 //! How long exact cancellation takes: where the orders vanish, and where they cannot.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{Outcome, optimise};
-use lanchester_model::{
-    BalanceTask, Engine, FreeShaft, FreeWeight, Load, Place, Ratio, Seat, read, template,
-};
+use lanchester_file::{read, template};
+use lanchester_model::{Engine, Ratio};
+use lanchester_task::{BalanceTask, FreeShaft, FreeWeight, Load, Place, Seat};
 use std::hint::black_box;
 
 fn engine(name: &str) -> Engine {
     let mut engine =
-        read(template(name).expect("it is in the gallery").text).engine.expect("the engine is valid");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+        read(template(name).expect("it is in the gallery").text).engine().expect("the engine is valid");
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 

@@ -1,16 +1,24 @@
 //! How long an optimum takes, on one thread: the counterweights of a twin, and four balance shafts of a V6.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::optimise;
-use lanchester_model::{
-    BalanceTask, Engine, FreeShaft, FreeWeight, Place, Ratio, Seat, default_task, read, template,
-};
+use lanchester_file::{read, template};
+use lanchester_model::{Engine, Ratio};
+use lanchester_task::{BalanceTask, FreeShaft, FreeWeight, Place, Seat, default_task};
 use std::hint::black_box;
 
 /// The engine without counterweights and shafts.
 fn bare(name: &str) -> Engine {
-    let mut engine = read(template(name).expect("it is in the gallery").text).engine.expect("it is valid");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+    let mut engine = read(template(name).expect("it is in the gallery").text).engine().expect("it is valid");
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 
@@ -44,7 +52,7 @@ fn bench(criterion: &mut Criterion) {
     let crank = task(&twin, &[]);
     criterion.bench_function("counterweights of a twin", |b| b.iter(|| optimise(black_box(&twin), &crank)));
     // Force and couple leave all eight open: this is the time of the main-bearing loads.
-    let four = read(template("in-line-4").expect("it is in the gallery").text).engine.expect("it is valid");
+    let four = read(template("in-line-4").expect("it is in the gallery").text).engine().expect("it is valid");
     let eight = default_task(&four);
     criterion.bench_function("eight counterweights of a four", |b| {
         b.iter(|| optimise(black_box(&four), &eight));

@@ -4,8 +4,9 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{
     Answer, ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task, optimise_with,
 };
+use lanchester_file::read;
 use lanchester_mechanism::{LoadRequest, LoadSet, PeakMode, total_loads};
-use lanchester_model::{Engine, read};
+use lanchester_model::Engine;
 use std::hint::black_box;
 
 const FILES: [&str; 5] = [
@@ -24,7 +25,7 @@ const SHORTER: [(&str, &str); 4] = [
 ];
 
 fn engines() -> Vec<Engine> {
-    let engine = |text: &str| read(text).engine.expect("the engine is valid");
+    let engine = |text: &str| read(text).engine().expect("the engine is valid");
     let longer = FILES.iter().map(|text| engine(text));
     let shorter = FILES.iter().map(|text| {
         engine(&SHORTER.iter().fold((*text).to_owned(), |text, (old, new)| {

@@ -2,7 +2,7 @@
 
 use crate::cancellation::answer::Cancellation;
 use crate::settings::{BalanceSettings, StopCause};
-use lanchester_model::{BalanceTask, Criterion};
+use lanchester_task::{BalanceTask, CatalogueHole, Criterion};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -18,9 +18,12 @@ pub struct Answer {
     pub engine: String,
     /// Speed of crankshaft 1 at which loads are judged [rad/s]: the highest of the engine, where all of them are largest.
     pub speed: f64,
-    /// Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
+    /// Where forces of inertia at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mount_speeds: Option<JudgedSpeeds>,
+    /// The same of forces at mounts with gas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mount_gas_speeds: Option<JudgedSpeeds>,
     /// Where main-bearing loads with gas are judged: the speeds that decide [rad/s], and where the largest of them stands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas_speeds: Option<JudgedSpeeds>,
@@ -107,7 +110,10 @@ pub enum Outcome {
 pub struct JudgedSpeeds {
     /// Speeds of crankshaft 1 [rad/s] that hold the proof: over a range the ends, the resonances, some between and the worst of every round.
     pub judged: Vec<f64>,
-    /// Speed [rad/s] at which the first of these criteria is largest with what was found.
+    /// What loads at each of them are multiplied by before the largest counts; empty where nothing is.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub weights: Vec<f64>,
+    /// Speed [rad/s] at which the first of these criteria, times the weight of its speed, is largest with what was found.
     pub worst: f64,
     /// By how much a speed between passes the value, at most, as a share of it: what the search over the range left.
     pub excess: f64,
@@ -145,6 +151,9 @@ pub struct FoundWeight {
     pub z: f64,
     /// Its mass [kg], where the task gives its radius.
     pub mass: Option<f64>,
+    /// The hole that it is, where the task gives drills: opposite to its direction if it stays empty.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hole: Option<CatalogueHole>,
     /// Whether it is used.
     pub used: bool,
 }

@@ -4,9 +4,8 @@
 use crate::crank_sweep::CrankLoad;
 use crate::error::BalanceError;
 use crate::twin_arrangement::{ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load};
-use lanchester_model::{
-    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie,
-};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie};
 use std::f64::consts::{PI, TAU};
 
 /// Share of an amount below which two weights count as equal, or their sum as nothing.
@@ -178,10 +177,10 @@ impl Free {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
 
     fn task(name: &str, arrangement: TwinArrangement) -> BalanceTask {
-        let engine = read(template(name).unwrap().text).engine.unwrap();
+        let engine = read(template(name).unwrap().text).engine().unwrap();
         arrangement_task(&engine, arrangement, &ArrangementOptions::default()).unwrap()
     }
 
@@ -209,7 +208,7 @@ mod tests {
 
     #[test]
     fn the_crank_alone_leaves_the_shafts_as_they_are() {
-        let engine = read(template("twin-360").unwrap().text).engine.unwrap();
+        let engine = read(template("twin-360").unwrap().text).engine().unwrap();
         let options = ArrangementOptions::default();
         let task = crank_task(&engine, TwinArrangement::OptimisedCrankTwoSecond, &options).unwrap();
         assert_eq!((task.weights.len(), task.ties.len(), task.shafts.len()), (2, 1, 0));

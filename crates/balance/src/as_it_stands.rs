@@ -2,7 +2,8 @@
 
 use crate::error::BalanceError;
 use crate::optimum::optimise;
-use lanchester_model::{BalanceTask, Criterion, Engine, Stage};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Stage};
 
 /// What `engine` has of `criterion` as it stands, at its highest speed over the continuous cycle, in the unit of the criterion.
 ///
@@ -14,8 +15,8 @@ use lanchester_model::{BalanceTask, Criterion, Engine, Stage};
 /// use lanchester_balance::as_it_stands;
 /// use lanchester_model::{Criterion, Load};
 ///
-/// let template = lanchester_model::template("in-line-6").expect("it is in the gallery");
-/// let engine = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("in-line-6").expect("it is in the gallery");
+/// let engine = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// // An in-line six is free of second order.
 /// assert!(as_it_stands(&engine, Criterion::Order(Load::Force, 2.0))? < 1e-6);
 /// # Ok::<(), lanchester_balance::BalanceError>(())

@@ -38,8 +38,8 @@ pub struct BalanceRate {
 /// ```
 /// use lanchester_balance::balance_rates;
 ///
-/// let template = lanchester_model::template("in-line-4").expect("it is in the gallery");
-/// let engine = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("in-line-4").expect("it is in the gallery");
+/// let engine = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// // Its webs take 80 % of the rotating masses.
 /// assert!(balance_rates(&engine).iter().all(|bay| (bay.rate - 0.8).abs() < 1e-12));
 /// ```
@@ -103,11 +103,12 @@ impl Held {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{Counterweight, read, template};
+    use lanchester_file::{read, template};
+    use lanchester_model::Counterweight;
     use std::f64::consts::PI;
 
     fn gallery(name: &str) -> Engine {
-        read(template(name).unwrap().text).engine.unwrap()
+        read(template(name).unwrap().text).engine().unwrap()
     }
 
     fn rates(engine: &Engine) -> Vec<f64> {
@@ -129,14 +130,18 @@ mod tests {
 
     #[test]
     fn an_engine_without_counterweights_has_none() {
-        let engine = Engine { counterweights: Vec::new(), ..gallery("in-line-4") };
+        let engine = gallery("in-line-4").without_counterweights();
         assert_rates(&engine, &[0.0; 4]);
     }
 
     #[test]
     fn a_weight_across_the_throw_answers_nothing() {
         let mut engine = gallery("in-line-4");
-        engine.counterweights.iter_mut().for_each(|weight| weight.angle += PI / 2.0);
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.iter_mut().for_each(|weight| weight.angle += PI / 2.0);
+            })
+            .expect("an engine");
         assert_rates(&engine, &[0.0; 4]);
     }
 
@@ -145,7 +150,11 @@ mod tests {
         // A four on three mains: nothing of a bay's force is left, only its couple, and the webs answer four fifths of that.
         let mut engine = gallery("in-line-4");
         let planes = engine.main_planes(0);
-        engine.crankshafts[0].mains = Some(vec![planes[0], planes[2], planes[4]]);
+        engine = engine
+            .with(|engine| {
+                engine.crankshafts[0].mains = Some(vec![planes[0], planes[2], planes[4]]);
+            })
+            .expect("an engine");
         assert_rates(&engine, &[0.8; 2]);
     }
 
@@ -153,14 +162,18 @@ mod tests {
     fn a_weight_beyond_the_end_mains_is_in_no_bay() {
         let mut engine = gallery("in-line-4");
         let end = engine.main_planes(0)[4];
-        engine.counterweights.push(Counterweight {
-            name: "flywheel".to_string(),
-            crankshaft: 0,
-            z: end + 0.05,
-            unbalance: 0.01,
-            angle: 0.0,
-            part: None,
-        });
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.push(Counterweight {
+                    name: "flywheel".to_string(),
+                    crankshaft: 0,
+                    z: end + 0.05,
+                    unbalance: 0.01,
+                    angle: 0.0,
+                    part: None,
+                });
+            })
+            .expect("an engine");
         assert_rates(&engine, &[0.8; 4]);
     }
 
@@ -168,7 +181,7 @@ mod tests {
     fn split_pins_are_answered_where_their_sum_is() {
         // Whatever the angle between its pins: weights that leave nothing on the two mains answer all.
         let engine = gallery("v6-90");
-        let mut answered = Engine { counterweights: Vec::new(), ..engine.clone() };
+        let mut answered = engine.without_counterweights();
         for (number, throw) in engine.throws.iter().enumerate() {
             for (z, unbalance) in std::iter::once((throw.unbalance_plane(), throw.unbalance)).chain(
                 engine
@@ -177,14 +190,18 @@ mod tests {
                     .filter(|cylinder| cylinder.throw == number)
                     .map(|cylinder| (cylinder.z, cylinder.rod.big_end_mass * throw.radius)),
             ) {
-                answered.counterweights.push(Counterweight {
-                    name: format!("answer {}", answered.counterweights.len()),
-                    crankshaft: 0,
-                    z,
-                    unbalance,
-                    angle: throw.angle + PI,
-                    part: None,
-                });
+                answered = answered
+                    .with(|answered| {
+                        answered.counterweights.push(Counterweight {
+                            name: format!("answer {}", answered.counterweights.len()),
+                            crankshaft: 0,
+                            z,
+                            unbalance,
+                            angle: throw.angle + PI,
+                            part: None,
+                        });
+                    })
+                    .expect("an engine");
             }
         }
         assert_rates(&answered, &vec![1.0; engine.main_planes(0).len() - 1]);

@@ -20,7 +20,8 @@ use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::operator::Operator;
 use lanchester_mechanism::{Beam, BeamModel, turning_loads};
-use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Seat};
 use num_complex::Complex64;
 
 /// Planes closer than this are one [m].
@@ -90,7 +91,7 @@ pub(crate) fn judge(
     }
     let unbalanced = if present { unbalanced } else { 0.0 };
     groups.push(Group::new(members));
-    Ok(Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced })
+    Ok(Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest: None, scale, unbalanced })
 }
 
 fn bends(member: &Member) -> bool {

@@ -3,7 +3,10 @@
 use crate::error::BalanceError;
 use crate::operator::ratio_of;
 use crate::problem::implied;
-use lanchester_model::{BalanceTask, Catalogue, Criterion, Engine, FreeWeight, GiveUp, Phase, Place, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{
+    BalanceTask, Catalogue, Criterion, DrillCatalogue, FreeWeight, GiveUp, Phase, Place, Seat,
+};
 
 /// Places closer than this are the same [m].
 const SAME_PLACE: f64 = 1e-9;
@@ -22,6 +25,21 @@ pub(crate) fn check(engine: &Engine, task: &BalanceTask) -> Result<(), BalanceEr
     }
     for one in &task.weights {
         weight(engine, task, one)?;
+    }
+    for speed in &task.speeds {
+        positive("speed", "the speeds that are judged", *speed)?;
+    }
+    for weight in &task.speed_weights {
+        positive("weight", "a speed that is judged", *weight)?;
+    }
+    if task.speed_weights.len() > task.speeds.len() {
+        let got = task.speed_weights.len() as f64;
+        return Err(number(
+            "number of weights",
+            "the speeds that are judged",
+            "at most that of the speeds",
+            got,
+        ));
     }
     for inertia in &task.inertias {
         positive("ratio", &inertia.name, inertia.ratio)?;
@@ -191,6 +209,18 @@ fn catalogue(task: &BalanceTask, weight: &FreeWeight) -> Result<(), BalanceError
                 );
             }
         }
+    }
+    let is_of = |drill: &DrillCatalogue| {
+        let holes = drill.holes();
+        (1..=holes.len()).all(|k| catalogue.amount(k) == holes[k - 1].unbalance)
+            && catalogue.last() == holes.len()
+    };
+    if weight.drill.as_ref().is_some_and(|drill| !is_of(drill)) {
+        return unsuited(
+            "the unbalances of the holes as the catalogue of a drilled weight",
+            format!("others for `{name}`"),
+            "set both with `FreeWeight::drilled`",
+        );
     }
     let last = weight.most.map_or(catalogue.last(), |most| catalogue.below(most));
     if weight.least > 0.0 && catalogue.amount(last) < weight.least * (1.0 - 1e-9) {

@@ -9,7 +9,8 @@ use crate::error::BalanceError;
 use crate::operator::natural;
 use crate::optimum::optimise;
 use lanchester_mechanism::{Beam, BeamModel, MainInertiaLoad, main_inertia_loads, turning_loads};
-use lanchester_model::{BalanceTask, Counterweight, Criterion, Engine, Load, Stage};
+use lanchester_model::{Counterweight, Engine};
+use lanchester_task::{BalanceTask, Criterion, Load, Stage};
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -11,7 +11,8 @@ use crate::convex::programme::Group;
 use crate::criterion::Judged;
 use crate::fitted::replaces;
 use crate::operator::{Operator, WeightColumns};
-use lanchester_model::{BalanceTask, Criterion, Engine, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Seat};
 
 /// The cost of a task in which `optional` says of a weight or shaft that its use is not decided; a weight without corners is not
 /// used.
@@ -64,7 +65,7 @@ pub(crate) fn judge(
     let scale = shares.iter().map(|share| share.1).fold(0.0, f64::max);
     let scale = if scale > 0.0 { scale } else { 1.0 };
     shares.iter_mut().for_each(|share| share.1 /= scale);
-    Judged { criterion: Criterion::Cost, groups: shares, scale, unbalanced: 0.0 }
+    Judged { criterion: Criterion::Cost, groups: shares, largest: None, scale, unbalanced: 0.0 }
 }
 
 /// A weight as a share of its largest amount.

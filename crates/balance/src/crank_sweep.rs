@@ -17,7 +17,8 @@
 
 use crate::error::BalanceError;
 use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism};
-use lanchester_model::{Engine, Load};
+use lanchester_model::Engine;
+use lanchester_task::Load;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -183,7 +184,7 @@ impl Turning {
         angles: usize,
     ) -> Result<Turning, BalanceError> {
         let request = LoadRequest { kinematics, samples: angles, ..LoadRequest::default() };
-        let bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+        let bare = engine.without_counterweights();
         let trace = Mechanism::new(&bare, &request)?.trace(angles);
         let square = engine.speed.highest * engine.speed.highest;
         let weight = |k: usize| {
@@ -273,10 +274,10 @@ impl Turning {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
 
     fn engine(name: &str) -> Engine {
-        read(template(name).unwrap().text).engine.unwrap()
+        read(template(name).unwrap().text).engine().unwrap()
     }
 
     /// The thesis's motion and the exact one, over strokes and rods of many sizes.
@@ -293,7 +294,11 @@ mod tests {
         for ((name, load), stretch) in layouts.into_iter().flat_map(|l| (0..6).map(move |k| (l, k))) {
             let mut engine = engine(name);
             let stretch = 1.0 + 0.037 * f64::from(stretch);
-            engine.throws.iter_mut().for_each(|throw| throw.radius *= stretch);
+            engine = engine
+                .with(|engine| {
+                    engine.throws.iter_mut().for_each(|throw| throw.radius *= stretch);
+                })
+                .expect("an engine");
             for kinematics in [thesis, Kinematics::Exact] {
                 let swept = sweep(&engine, load, kinematics, &SweepOptions::default()).unwrap();
                 let turning = Turning::of(&engine, load, kinematics, 360).unwrap();
@@ -335,9 +340,21 @@ mod tests {
     #[test]
     fn a_large_engine_gets_a_coarser_step() {
         let mut ship = engine("single");
-        ship.cylinders[0].piston_mass = 5000.0;
-        ship.throws[0].radius = 1.2;
-        ship.cylinders[0].rod.length = 3.0;
+        ship = ship
+            .with(|ship| {
+                ship.cylinders[0].piston_mass = 5000.0;
+            })
+            .expect("an engine");
+        ship = ship
+            .with(|ship| {
+                ship.throws[0].radius = 1.2;
+            })
+            .expect("an engine");
+        ship = ship
+            .with(|ship| {
+                ship.cylinders[0].rod.length = 3.0;
+            })
+            .expect("an engine");
         let options = SweepOptions::fitting(&ship);
         let swept = sweep(&ship, CrankLoad::Force, Kinematics::Exact, &options).unwrap();
         assert!(swept.steps.len() <= 100_002 && options.step > 1e-2);

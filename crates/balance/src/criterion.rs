@@ -10,12 +10,13 @@ use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
 use crate::cost;
 use crate::error::BalanceError;
-use crate::gas_places::GasCycle;
 use crate::gas_range::indices;
 use crate::mounts;
 use crate::operator::{Channel, Operator};
+use crate::speed_places::GasCycle;
 use crate::wave::{Wave, curve};
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Mains, Statistic};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, Mains, Statistic};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
@@ -31,17 +32,42 @@ pub(crate) struct Judged {
     pub criterion: Criterion,
     /// Groups with their shares.
     pub groups: Vec<(usize, f64)>,
+    /// Where the largest of several such sums counts: these, and the variable that none of them passes, which `groups` has.
+    pub largest: Option<LargestSum>,
     /// What a level of 1 is in the criterion's unit.
     pub scale: f64,
     /// The criterion where all variables are 0.
     pub unbalanced: f64,
 }
 
+/// Sums of groups none of which passes a variable:
+///
+/// ```text
+/// minimise u   with   SUM over j of w_j |F_s(theta_j)| <= u   for every speed s
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LargestSum {
+    pub variable: usize,
+    pub sums: Vec<Vec<(usize, f64)>>,
+}
+
 impl Judged {
     /// The criterion at the levels of the groups, in its own unit.
     pub fn value(&self, level: impl Fn(usize) -> f64) -> f64 {
         // An empty sum is a negative zero.
-        0.0 + self.scale * self.groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
+        let sum = |groups: &[(usize, f64)]| {
+            0.0 + self.scale * groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
+        };
+        match &self.largest {
+            Some(largest) => largest.sums.iter().map(|groups| sum(groups)).fold(0.0, f64::max),
+            None => sum(&self.groups),
+        }
+    }
+
+    /// All groups that it depends on.
+    pub fn seen(&self) -> impl Iterator<Item = usize> {
+        let sums = self.largest.iter().flat_map(|largest| largest.sums.iter().flatten());
+        self.groups.iter().chain(sums).map(|one| one.0)
     }
 }
 
@@ -60,13 +86,15 @@ pub(crate) fn vectors(
         Load::CoupleX => (channels(&[Channel::CoupleX]), false),
         Load::CoupleY => (channels(&[Channel::CoupleY]), false),
         Load::RollMoment => (channels(&[Channel::RollMoment]), false),
-        Load::MountForce(index) => {
-            let at_speeds = mount_forces(engine, operator)?.into_iter();
+        Load::MountForce(index) | Load::MountForceWithGas(index) => {
+            let at_speeds = mount_forces(engine, operator, load)?.into_iter();
             let own = at_speeds.map(|all| all.into_iter().nth(index)).collect::<Option<Vec<_>>>();
             let needed = "a mount of that number";
             (own.ok_or_else(|| missing("force at a mount", needed, "count the [[mount]] entries"))?, true)
         }
-        Load::LargestMountForce => (mount_forces(engine, operator)?.concat(), true),
+        Load::LargestMountForce | Load::LargestMountForceWithGas => {
+            (mount_forces(engine, operator, load)?.concat(), true)
+        }
         Load::MainLoad(index) => {
             let of_main = main_loads(operator)?.get(index).cloned();
             let needed = "a main bearing of that number";
@@ -90,7 +118,11 @@ fn main_loads(operator: &Operator) -> Result<&[[Wave; 2]], BalanceError> {
     Ok(&operator.mains)
 }
 
-fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
+fn mount_forces(
+    engine: &Engine,
+    operator: &Operator,
+    load: Load,
+) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
     if engine.mounts.is_empty() {
         return Err(missing(
             "mount force",
@@ -98,7 +130,7 @@ fn mount_forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave
             "add [[mount]] entries to the engine file",
         ));
     }
-    mounts::forces(engine, operator)
+    mounts::forces(engine, operator, load.counts_gas())
 }
 
 /// Adds the groups of `criterion` to `groups` and says how to read them.
@@ -121,7 +153,6 @@ pub(crate) fn judge(
             Ok(peak(operator, criterion, &vectors, force, groups))
         }
         Criterion::Order(load, order) => {
-            let key = order * f64::from(operator.grid.revolutions);
             if !(order.is_finite() && order >= 0.0) {
                 return Err(BalanceError::Number {
                     quantity: "order",
@@ -133,9 +164,7 @@ pub(crate) fn judge(
             if load == Load::BendingMoment {
                 return bending::judge(engine, task, operator, criterion, order == 1.0, groups);
             }
-            // An order between those that the engine has is not there.
-            let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;
-            let key = if whole { key.round() as u32 } else { u32::MAX };
+            let key = order_key(order, operator.grid.revolutions);
             let (vectors, force) = vectors(engine, operator, load)?;
             let only: Vec<Vec<Wave>> =
                 vectors.iter().map(|v| v.iter().map(|w| w.only(key)).collect()).collect();
@@ -170,10 +199,10 @@ pub(crate) fn judge(
                 vectors(engine, operator, Load::MainLoad(index))?;
             }
             let indices = indices(mains, count);
-            let cycles = &operator.gas.cycles;
+            let cycles = &operator.places.cycles;
             match statistic {
                 Statistic::Peak => {
-                    let peaks = operator.gas.peaks.iter().filter(|peak| indices.contains(&peak.main));
+                    let peaks = operator.places.peaks.iter().filter(|peak| indices.contains(&peak.main));
                     let members = peaks.map(|peak| peak.vector(operator)).collect();
                     Ok(largest_of(operator, criterion, members, groups))
                 }
@@ -187,10 +216,11 @@ pub(crate) fn judge(
                     Ok(rms(operator, criterion, &sets, groups))
                 }
                 Statistic::Mean => {
-                    let one = cycles.first().map(|cycle| {
+                    let of = |cycle: &GasCycle| -> Vec<(f64, Member)> {
                         indices.iter().flat_map(|main| cycle.vectors(operator, *main)).collect()
-                    });
-                    Ok(mean(operator, criterion, one.unwrap_or_default(), groups))
+                    };
+                    let all: Vec<Vec<(f64, Member)>> = cycles.iter().map(of).collect();
+                    Ok(largest_mean(operator, criterion, all, groups))
                 }
             }
         }
@@ -203,6 +233,13 @@ pub(crate) fn judge(
             Ok(1.0 / radius)
         })?),
     }
+}
+
+/// The key of an order; of one between those that the engine has, which is not there, the key of none.
+pub(crate) fn order_key(order: f64, revolutions: u32) -> u32 {
+    let key = order * f64::from(revolutions);
+    let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;
+    if whole { key.round() as u32 } else { u32::MAX }
 }
 
 /// A group of curves, scaled by its largest amount without the devices.
@@ -223,7 +260,7 @@ fn peak(
     let (unbalanced, scale) = (unbalanced * natural, unit * natural);
     let members = curves.iter().map(|curve| Member::Curve(curve.in_unit(unit))).collect();
     groups.push(Group::new(members));
-    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest: None, scale, unbalanced }
 }
 
 /// A group of one vector for each set of loads, whose length is the root mean square over the set and the cycle (Parseval):
@@ -275,6 +312,7 @@ fn rms(operator: &Operator, criterion: Criterion, sets: &[&[[Wave; 2]]], groups:
     Judged {
         criterion,
         groups: vec![(groups.len() - 1, 1.0)],
+        largest: None,
         scale: unit * natural,
         unbalanced: unbalanced * natural,
     }
@@ -311,7 +349,7 @@ fn largest_of(
     groups.push(Group::new(members.into_iter().map(|member| member.in_unit(unit)).collect()));
     let natural = operator.natural_force;
     let (scale, unbalanced) = (unit * natural, unbalanced * natural);
-    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], scale, unbalanced }
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest: None, scale, unbalanced }
 }
 
 /// A group for each of `members`, whose amounts have this mean:
@@ -338,9 +376,35 @@ fn mean(
     Judged {
         criterion,
         groups: (first..).zip(weights).collect(),
+        largest: None,
         scale: unit * natural,
         unbalanced: unbalanced * natural,
     }
+}
+
+/// The largest of several means: a variable of its own that none of them passes, unless there is only one.
+fn largest_mean(
+    operator: &Operator,
+    criterion: Criterion,
+    mut all: Vec<Vec<(f64, Member)>>,
+    groups: &mut Vec<Group>,
+) -> Judged {
+    let own = operator.largest.iter().find(|one| one.0 == criterion).map(|one| one.1);
+    let Some(variable) = own else {
+        return mean(operator, criterion, all.pop().unwrap_or_default(), groups);
+    };
+    let means: Vec<Judged> = all.into_iter().map(|one| mean(operator, criterion, one, groups)).collect();
+    let (scale, unbalanced) =
+        means.iter().fold((0.0f64, 0.0f64), |most, one| (most.0.max(one.scale), most.1.max(one.unbalanced)));
+    let in_scale = |one: Judged| -> Vec<(usize, f64)> {
+        one.groups.into_iter().map(|(group, share)| (group, share * one.scale / scale)).collect()
+    };
+    let sums = means.into_iter().map(in_scale).collect();
+    let mut columns = Matrix::zeros(1, operator.variables);
+    columns[(0, variable)] = 1.0;
+    groups.push(Group::new(vec![Member::vector(columns)]));
+    let largest = Some(LargestSum { variable, sums });
+    Judged { criterion, groups: vec![(groups.len() - 1, 1.0)], largest, scale, unbalanced }
 }
 
 /// A sum over the amounts of all weights, each times its factor.
@@ -358,7 +422,7 @@ fn sum(
     let scale = shares.iter().map(|s| s.1).fold(0.0, f64::max);
     let scale = if scale > 0.0 { scale } else { 1.0 };
     shares.iter_mut().for_each(|s| s.1 /= scale);
-    Ok(Judged { criterion, groups: shares, scale, unbalanced: 0.0 })
+    Ok(Judged { criterion, groups: shares, largest: None, scale, unbalanced: 0.0 })
 }
 
 /// One group for the amount of each corner of each weight, in units of the weight.

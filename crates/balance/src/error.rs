@@ -1,6 +1,7 @@
 //! Why a balancing question cannot be answered.
 
 use lanchester_mechanism::{LoadError, MountError, TorqueError};
+use lanchester_model::Fault;
 
 /// A question that has no meaning for this engine. A limit that nobody can reach is an [`crate::Outcome`].
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -99,7 +100,17 @@ pub enum BalanceError {
         /// What was given.
         got: f64,
     },
+    /// What is to be judged is no engine.
+    #[error(transparent)]
+    Engine(Fault),
     /// Whoever asked said that the answer is not wanted any more ([`crate::Next::Abandon`]).
     #[error("the search was broken off\nhint: ask again for the whole of it")]
     BrokenOff,
+}
+
+impl BalanceError {
+    /// The first of the faults of parts that are no engine.
+    pub(crate) fn engine(faults: Vec<Fault>) -> BalanceError {
+        BalanceError::Engine(Fault::first_of(faults))
+    }
 }

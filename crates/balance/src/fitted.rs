@@ -1,14 +1,16 @@
 //! An engine without what a task takes over, and with what was found.
 
 use crate::answer::Answer;
-use lanchester_model::{BalanceShaft, BalanceTask, Counterweight, Criterion, Engine, Seat, ShaftWeight};
+use lanchester_model::{BalanceShaft, Counterweight, Engine, EngineParts, ShaftWeight};
+use lanchester_task::{BalanceTask, Criterion, Seat};
 
 /// The engine without the counterweights and shafts that have the names of free weights and shafts.
 pub(crate) fn bare(engine: &Engine, task: &BalanceTask) -> Engine {
-    let mut bare = engine.clone();
-    bare.counterweights.retain(|old| !replaces(task, &old.name));
-    bare.shafts.retain(|old| task.shafts.iter().all(|shaft| shaft.name != old.name));
-    bare
+    let change = |parts: &mut EngineParts| {
+        parts.counterweights.retain(|old| !replaces(task, &old.name));
+        parts.shafts.retain(|old| task.shafts.iter().all(|shaft| shaft.name != old.name));
+    };
+    engine.with(change).expect("invariant: an engine with fewer weights is one")
 }
 
 /// Whether a free weight on a crankshaft has this name.
@@ -49,7 +51,7 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
         return engine.clone();
     }
     let task = &answer.task;
-    let mut fitted = bare(engine, task);
+    let mut fitted = bare(engine, task).into_parts();
     let mut shafts: Vec<BalanceShaft> = task
         .shafts
         .iter()
@@ -78,7 +80,7 @@ pub fn fitted(engine: &Engine, answer: &Answer) -> Engine {
         }
     }
     fitted.shafts.extend(shafts.into_iter().filter(|shaft| !shaft.weights.is_empty()));
-    fitted
+    Engine::new(fitted).expect("invariant: amounts that are found are finite, and no name is there twice")
 }
 
 /// What the directions of found weights are uncertain by [rad]: the conic solver closes its gap to about 1e-9.

@@ -20,10 +20,11 @@ mod crank_sweep;
 mod criterion;
 mod error;
 mod fitted;
-mod gas_places;
+mod gas_over_speed;
 mod gas_range;
 mod infeasible;
 mod limits;
+mod mount_range;
 mod mounts;
 mod operator;
 mod optimum;
@@ -32,6 +33,7 @@ pub mod published;
 mod robust;
 mod rounding;
 mod settings;
+mod speed_places;
 mod speed_range;
 mod stages;
 mod swept;
@@ -51,9 +53,11 @@ pub use consequences::{
 pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
 pub use fitted::fitted;
-pub use gas_range::GasOverSpeed;
+pub use gas_over_speed::GasOverSpeed;
 pub use optimum::{optimise, optimise_watched, optimise_with};
-pub use robust::{ROBUST_VERSION, RobustAnswer, RobustMeasure, RobustRequest, optimise_robust};
+pub use robust::{
+    ROBUST_VERSION, RobustAnswer, RobustLimit, RobustMeasure, RobustRequest, RobustStage, optimise_robust,
+};
 pub use settings::{BalanceSettings, Next, SearchState, StopCause};
 pub use swept::{SWEPT_VERSION, Swept, swept};
 pub use twin_arrangement::{

@@ -4,7 +4,8 @@ use crate::answer::{Answer, FoundLimit, LimitSide};
 use crate::convex::dense::{RowFactors, add_scaled, dot};
 use crate::problem::{Problem, Rule};
 use crate::stages::{Reached, StageProof};
-use lanchester_model::{BalanceTask, Engine, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, criterion_name, criterion_unit};
 
 /// A limit with a smaller multiplier, in natural units, is not active: an interior-point method leaves such multipliers.
 const ACTIVE: f64 = 1e-9;

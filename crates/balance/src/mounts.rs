@@ -15,12 +15,14 @@
 use crate::convex::dense::{Matrix, RowFactors, dot};
 use crate::error::BalanceError;
 use crate::operator::Operator;
+use crate::speed_places::MountPlace;
 use crate::wave::Wave;
 use lanchester_mechanism::MountSystem;
 use lanchester_model::{Engine, Mount};
 use num_complex::Complex64;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::rc::Rc;
 
 /// Directions that carry less than this share count as not carried.
 const NOT_CARRIED: f64 = 1e-9;
@@ -28,11 +30,24 @@ const NOT_CARRIED: f64 = 1e-9;
 /// Places of the channels among force and moment about x, y and z.
 const PLACES: [usize; 5] = [0, 1, 3, 4, 5];
 
-/// Forces at each mount of `engine` under the loads of `operator`, three components each: at every speed on springs, all of whose
-/// forces count.
-pub(crate) fn forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
+/// Forces at each mount of `engine` under the loads of `operator`, with those of the gas or without, three components each: on springs
+/// at every speed that is judged, all of whose forces count.
+pub(crate) fn forces(
+    engine: &Engine,
+    operator: &Operator,
+    with_gas: bool,
+) -> Result<Vec<Vec<Vec<Wave>>>, BalanceError> {
     if engine.is_on_springs() {
-        return operator.speeds.iter().map(|speed| on_springs(engine, operator, *speed)).collect();
+        let system = MountSystem::new(engine)?;
+        let at = |place: &MountPlace| on_springs(&system, operator, place, with_gas);
+        if operator.places.mounts.is_empty() {
+            let highest = MountPlace { speed: operator.speed, weight: 1.0, gas: Rc::default() };
+            return Ok(vec![at(&highest)?]);
+        }
+        return operator.places.mounts.iter().map(at).collect();
+    }
+    if with_gas {
+        return Err(no_springs());
     }
     let one = |share: &[[f64; 5]; 3]| {
         let rows = share.iter().map(|row| Wave::sum(row.iter().copied().zip(&operator.channels)));
@@ -41,26 +56,50 @@ pub(crate) fn forces(engine: &Engine, operator: &Operator) -> Result<Vec<Vec<Vec
     Ok(vec![shares(&engine.mounts).iter().map(one).collect()])
 }
 
+/// Why there are no forces of the gas at mounts that are stiff.
+fn no_springs() -> BalanceError {
+    BalanceError::Missing {
+        criterion: "mount force with gas".into(),
+        needed: "mounts on springs: stiff ones pass every jump of the gas",
+        hint: "give [block] and stiffness to every [[mount]], or leave \"with gas\" out",
+    }
+}
+
 /// The transfer of a frequency: by mount, component and force or moment.
 type Transfer = Vec<[[Complex64; 6]; 3]>;
 
-/// Forces at each mount at `speed` [rad/s]: inertia loads grow with its square, and each order passes with the transfer of its frequency.
+/// The roll moment among the forces and moments of a transfer.
+const ROLL: usize = PLACES[4];
+
+/// Forces at each mount at a speed, times its weight: inertia loads grow with the square of the speed, and each order passes with the
+/// transfer of its frequency. The gas is known at the speed itself:
+///
+/// ```text
+/// F_k = SUM over orders of  T_k(n W) ( W^2 / W_0^2 L_n + (1 - s) G_n e_z ) e^{i n theta}       G_n: roll moment of the gas
+/// ```
+/// `s` is the share of a counter-rotating inertia in the torque, whatever drives it.
 pub(crate) fn on_springs(
-    engine: &Engine,
+    system: &MountSystem,
     operator: &Operator,
-    speed: f64,
+    place: &MountPlace,
+    with_gas: bool,
 ) -> Result<Vec<Vec<Wave>>, BalanceError> {
-    let system = MountSystem::new(engine)?;
+    let speed = place.speed;
+    let revolutions = f64::from(operator.grid.revolutions);
+    let gas: &[(f64, Complex64)] = if with_gas { &place.gas.orders } else { &[] };
+    let gas: Vec<(u32, Complex64)> =
+        gas.iter().map(|(order, roll)| ((order * revolutions).round() as u32, *roll)).collect();
     let mut transfers: BTreeMap<u32, Transfer> = BTreeMap::new();
-    for channel in &operator.channels {
-        for key in channel.base.keys().copied().chain(channel.parts.iter().map(|p| p.1)) {
-            if let Entry::Vacant(place) = transfers.entry(key) {
-                let order = f64::from(key) / f64::from(operator.grid.revolutions);
-                place.insert(system.transfer(order * speed, speed)?);
-            }
+    let of_channels = operator
+        .channels
+        .iter()
+        .flat_map(|channel| channel.base.keys().copied().chain(channel.parts.iter().map(|part| part.1)));
+    for key in of_channels.chain(gas.iter().map(|one| one.0)) {
+        if let Entry::Vacant(free) = transfers.entry(key) {
+            free.insert(system.transfer(f64::from(key) / revolutions * speed, speed)?);
         }
     }
-    let growth = (speed / operator.speed).powi(2);
+    let growth = place.weight * (speed / operator.speed).powi(2);
     let component = |mount: usize, j: usize| {
         let mut wave = Wave::default();
         // a cos + b sin = Re( (a - i b) e^{i key phi} )
@@ -78,9 +117,16 @@ pub(crate) fn on_springs(
                 wave.add_part(variable, key, cos, sin);
             }
         }
+        for &(key, roll) in &gas {
+            let force = place.weight * transfers[&key][mount][j][ROLL] * roll;
+            wave.add_base(key, force.re, -force.im);
+            if let Some((variable, _)) = operator.inertia {
+                wave.add_part(variable, key, -force.re, force.im);
+            }
+        }
         wave
     };
-    Ok((0..engine.mounts.len()).map(|mount| (0..3).map(|j| component(mount, j)).collect()).collect())
+    Ok((0..system.mount_count()).map(|mount| (0..3).map(|j| component(mount, j)).collect()).collect())
 }
 
 /// Forces at each mount for a unit of F_x, F_y, M_x, M_y, M_z about the origin: `[mount][component][channel]`.

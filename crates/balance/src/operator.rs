@@ -11,13 +11,15 @@
 use crate::convex::curve::Grid;
 use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
-use crate::gas_places::GasPlaces;
 use crate::rounding::clear_rounding;
+use crate::speed_places::SpeedPlaces;
+use crate::speed_range::criteria;
 use crate::wave::Wave;
 use lanchester_mechanism::{
     Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, OrderLoads, main_orders,
 };
-use lanchester_model::{BalanceTask, Engine, FreeInertia, Phase, Place, Ratio, Seat};
+use lanchester_model::{Engine, Ratio};
+use lanchester_task::{BalanceTask, Criterion, FreeInertia, Phase, Place, Seat, Statistic};
 use num_complex::Complex64;
 use std::rc::Rc;
 
@@ -72,8 +74,8 @@ pub(crate) struct EngineLoads {
     speed: f64,
     natural_force: f64,
     natural_moment: f64,
-    /// Where its main-bearing loads with gas are judged.
-    gas: Rc<GasPlaces>,
+    /// Where its loads over speed are judged.
+    places: Rc<SpeedPlaces>,
 }
 
 impl EngineLoads {
@@ -83,13 +85,13 @@ impl EngineLoads {
         let speed = engine.speed.highest;
         let (natural_force, natural_moment) = natural(engine, speed);
         let mains = main_orders(engine, &LoadRequest { kinematics, ..LoadRequest::default() })?;
-        let gas = Rc::default();
-        Ok(EngineLoads { orders, mains, revolutions, speed, natural_force, natural_moment, gas })
+        let places = Rc::default();
+        Ok(EngineLoads { orders, mains, revolutions, speed, natural_force, natural_moment, places })
     }
 
-    /// The same with places at which its main-bearing loads with gas are judged.
-    pub fn with_gas(self, gas: &Rc<GasPlaces>) -> EngineLoads {
-        EngineLoads { gas: Rc::clone(gas), ..self }
+    /// The same with places at which its loads over speed are judged.
+    pub fn judged_at(self, places: &Rc<SpeedPlaces>) -> EngineLoads {
+        EngineLoads { places: Rc::clone(places), ..self }
     }
 }
 
@@ -107,8 +109,6 @@ pub(crate) struct AxisArea {
 pub(crate) struct Operator {
     /// Speed of crankshaft 1 [rad/s].
     pub speed: f64,
-    /// Speeds at which forces at mounts with springs are judged [rad/s].
-    pub speeds: Vec<f64>,
     pub grid: Rc<Grid>,
     /// By [`Channel`].
     pub channels: [Wave; 5],
@@ -130,8 +130,10 @@ pub(crate) struct Operator {
     pub natural_force: f64,
     /// What moments are measured against [N m].
     pub natural_moment: f64,
-    /// Where main-bearing loads with gas are judged.
-    pub gas: Rc<GasPlaces>,
+    /// Variables that the largest of several means does not pass.
+    pub largest: Vec<(Criterion, usize)>,
+    /// Where loads over speed are judged; no place of mounts: at the highest speed.
+    pub places: Rc<SpeedPlaces>,
 }
 
 impl Operator {
@@ -161,12 +163,14 @@ impl Operator {
     ) -> Result<Operator, BalanceError> {
         let &EngineLoads { ref orders, ref mains, revolutions: own, speed, .. } = engine_loads;
         let ratios: Vec<Ratio> = task.weights.iter().map(|w| ratio_of(engine, task, w.seat)).collect();
+        let of_gas = engine_loads.places.revolutions.max(1);
         let revolutions = (1..=MOST_REVOLUTIONS)
-            .find(|r| r % own == 0 && ratios.iter().all(|ratio| r % ratio.denominator() == 0))
+            .find(|r| {
+                r % own == 0 && r % of_gas == 0 && ratios.iter().all(|ratio| r % ratio.denominator() == 0)
+            })
             .ok_or(LoadError::PeriodTooLong { limit: MOST_REVOLUTIONS })?;
         let mut operator = Operator {
             speed,
-            speeds: if task.speeds.is_empty() { vec![speed] } else { task.speeds.clone() },
             grid: Rc::new(Grid::new(1, 1)),
             channels: Default::default(),
             mains: mains.iter().map(|main| main_waves(engine, main, revolutions)).collect(),
@@ -179,7 +183,8 @@ impl Operator {
             equal_to: Vec::new(),
             natural_force: engine_loads.natural_force,
             natural_moment: engine_loads.natural_moment,
-            gas: Rc::clone(&engine_loads.gas),
+            largest: Vec::new(),
+            places: Rc::clone(&engine_loads.places),
         };
         for order in orders {
             operator.add_order(order, revolutions);
@@ -197,11 +202,13 @@ impl Operator {
             let torque = torque(orders, revolutions);
             operator.add_inertia(inertia, &torque);
         }
+        operator.add_largest(task);
         operator.equalities = operator.ties(task);
         operator.equal_to = vec![0.0; operator.equalities.rows];
         let waves = operator.channels.iter().chain(operator.mains.iter().flatten());
         let highest = waves.flat_map(|c| c.base.keys().chain(c.parts.iter().map(|p| &p.1)));
-        let highest = highest.copied().max().unwrap_or(0) as usize;
+        let of_gas = operator.places.highest_order * revolutions;
+        let highest = highest.copied().max().unwrap_or(0).max(of_gas) as usize;
         let count = (ANGLES * revolutions as usize).max(8 * highest);
         operator.grid = Rc::new(Grid::new(revolutions, count));
         Ok(operator)
@@ -334,6 +341,17 @@ impl Operator {
             self.channel_mut(Channel::RollMoment).add_part(variable, key, *cos, *sin);
         }
         self.inertia = Some((variable, most_share(inertia)));
+    }
+
+    /// A variable for each mean with gas that is judged at several speeds.
+    fn add_largest(&mut self, task: &BalanceTask) {
+        let is_mean = |one: &Criterion| matches!(one, Criterion::MainsWithGas(Statistic::Mean, _));
+        if self.places.cycles.len() > 1 {
+            for criterion in criteria(task, is_mean) {
+                self.largest.push((criterion, self.variables));
+                self.variables += 1;
+            }
+        }
     }
 
     /// Rows of `U_second - factor U_first = 0` (or its mirror image).

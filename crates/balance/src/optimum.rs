@@ -10,17 +10,18 @@ use crate::cost::of_taken_over;
 use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
-use crate::gas_places::GasPlaces;
-use crate::gas_range::{GasOverSpeed, with_gas};
+use crate::gas_over_speed::GasOverSpeed;
 use crate::infeasible::obstacle;
 use crate::limits::found_limits;
 use crate::operator::{EngineLoads, Operator, WeightColumns, inertia_of, middle};
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause, Watch};
+use crate::speed_places::SpeedPlaces;
 use crate::speed_range::over_the_range;
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Place, Seat, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Place, Seat, criterion_name, criterion_unit};
 use std::rc::Rc;
 
 /// Share of what a stage is without the devices below which it vanishes.
@@ -54,7 +55,7 @@ pub fn optimise_with(
 }
 
 /// As [`optimise`], with settings, for a caller who watches: a search over choices tells `watch` where it stands before each of its
-/// nodes, and does what it says. `gas`: the pressures, which main-bearing loads with gas need. Stopped, it answers with the best so far and the bound that is proved by then
+/// nodes, and does what it says. `gas`: the pressures, which loads with gas need. Stopped, it answers with the best so far and the bound that is proved by then
 /// ([`Outcome::Stopped`]). Convex programmes take milliseconds and are always finished.
 ///
 /// # Errors
@@ -82,13 +83,11 @@ fn found(
         return cancel(engine, task, kinematics);
     }
     check(engine, task)?;
-    let mut answer = with_gas(engine, task, gas, &|task, places| {
-        over_the_range(engine, task, kinematics, &|task| {
-            if branch::is_needed(task) {
-                return searched(engine, task, kinematics, places, settings, watch);
-            }
-            convex(engine, task, kinematics, places)
-        })
+    let mut answer = over_the_range(engine, task, kinematics, gas, &|task, places| {
+        if branch::is_needed(task) {
+            return searched(engine, task, kinematics, places, settings, watch);
+        }
+        convex(engine, task, kinematics, places)
     })?;
     if answer.outcome == Outcome::Optimal && answer.stages.iter().any(|stage| stage.give_up.is_some()) {
         let strict = BalanceTask { give_up: Vec::new(), ..task.clone() };
@@ -116,11 +115,11 @@ fn convex(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
-    gas: &Rc<GasPlaces>,
+    judged: &Rc<SpeedPlaces>,
 ) -> Result<Answer, BalanceError> {
     let places = middle(engine, task);
     let bare = bare(engine, task);
-    let loads = EngineLoads::of(&bare, kinematics)?.with_gas(gas);
+    let loads = EngineLoads::of(&bare, kinematics)?.judged_at(judged);
     let operator = Operator::with(&loads, &bare, task, &places, &[])?;
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
@@ -144,11 +143,12 @@ fn searched(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
-    gas: &Rc<GasPlaces>,
+    places: &Rc<SpeedPlaces>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Answer, BalanceError> {
-    let Searched { ending, nodes, solves } = branch::search(engine, task, kinematics, gas, settings, watch)?;
+    let Searched { ending, nodes, solves } =
+        branch::search(engine, task, kinematics, places, settings, watch)?;
     let mut answer = Answer { settings: *settings, ..empty(engine, task) };
     let chosen = branch::is_choice(task);
     answer.method = if chosen { Method::BranchAndBound { nodes, solves } } else { Method::Convex { solves } };
@@ -183,6 +183,7 @@ fn empty(engine: &Engine, task: &BalanceTask) -> Answer {
         engine: engine.name.clone(),
         speed: engine.speed.highest,
         mount_speeds: None,
+        mount_gas_speeds: None,
         gas_speeds: None,
         task: task.clone(),
         outcome: Outcome::Optimal,
@@ -479,6 +480,7 @@ fn found_weights(problem: &Problem, task: &BalanceTask, x: &[f64], planes: &[f64
             unbalance,
             z: planes[index],
             mass: weight.radius.map(|radius| unbalance.norm() / radius),
+            hole: weight.drill.as_ref().and_then(|drill| drill.hole(unbalance.norm())),
             used: unbalance.norm() > 0.0,
         });
     }
@@ -527,7 +529,6 @@ fn effects(
     let nothing = BalanceTask {
         stages: crate::problem::stages(task),
         limits: task.limits.clone(),
-        speeds: task.speeds.clone(),
         ..Default::default()
     };
     let operator = Operator::new(engine, &nothing, kinematics, &[])?;

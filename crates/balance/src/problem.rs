@@ -5,7 +5,8 @@ use crate::convex::programme::{Group, Programme, Row};
 use crate::criterion::{Judged, amounts, judge, level};
 use crate::error::BalanceError;
 use crate::operator::Operator;
-use lanchester_model::{BalanceTask, Criterion, Engine, GiveUp, Load, Mains, Place, Seat, Stage};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, GiveUp, Load, Mains, Place, Seat, Stage};
 use std::rc::Rc;
 
 /// What a row of the programme stands for.
@@ -39,6 +40,8 @@ pub(crate) struct Problem {
     pub implied: Vec<Vec<(f64, Judged)>>,
     /// The task's limits.
     pub limits: Vec<Judged>,
+    /// Rows of sums whose largest counts, each with the group of what none of them passes.
+    pub sums: Vec<(usize, usize)>,
     /// Weights of given amount in a given direction, with the row of the operator's equalities that says so.
     pub given: Vec<(usize, usize)>,
     /// Groups of the amounts of every weight's corners.
@@ -144,6 +147,7 @@ impl Problem {
             give_up: task.give_up.clone(),
             implied,
             limits,
+            sums: Vec::new(),
             given: Vec::new(),
             amounts,
             radii: task.weights.iter().map(|w| w.radius).collect(),
@@ -175,6 +179,24 @@ impl Problem {
 
     fn add_rows(&mut self, task: &BalanceTask) {
         let nothing = vec![0.0; self.operator.variables];
+        let mut known: Vec<usize> = Vec::new();
+        let named = self.effects.iter().filter_map(|judged| {
+            let largest = judged.largest.as_ref()?;
+            Some((judged.groups.first()?.0, largest))
+        });
+        for (group, largest) in named {
+            if known.contains(&largest.variable) {
+                continue;
+            }
+            known.push(largest.variable);
+            for sum in &largest.sums {
+                let mut directions = nothing.clone();
+                directions[largest.variable] = -1.0;
+                self.sums.push((self.programme.rows.len(), group));
+                self.programme.rows.push(Row { shares: sum.clone(), directions, most: 0.0 });
+                self.rules.push((Rule::Plain, 1.0));
+            }
+        }
         for (index, (limit, judged)) in task.limits.iter().zip(&self.limits).enumerate() {
             let row = Row {
                 shares: judged.groups.clone(),

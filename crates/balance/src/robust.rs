@@ -17,7 +17,7 @@ use crate::check::check;
 use crate::convex::curve::Member;
 use crate::convex::dense::Matrix;
 use crate::convex::programme::{Group, Programme, Row};
-use crate::criterion::{level, vectors};
+use crate::criterion::{Judged, level, vectors};
 use crate::error::BalanceError;
 use crate::fitted::bare;
 use crate::infeasible::reduced;
@@ -27,7 +27,8 @@ use crate::problem::Problem;
 use crate::stages::{Walk, run};
 use crate::wave::curve;
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Limit, Load, criterion_unit};
 use serde::Serialize;
 
 /// Version of [`RobustAnswer`]; raised when a field changes its meaning or goes.
@@ -38,6 +39,9 @@ const MOST_ROUNDS: usize = 40;
 
 /// Samples that are rows to begin with, for each of those that count.
 const FIRST: usize = 2;
+
+/// How far a later stage may pass the measure or a stage before it, and a sample a limit, as a share of it.
+const KEEPS: f64 = 1e-6;
 
 /// Resamplings behind the standard error.
 const RESAMPLINGS: usize = 400;
@@ -86,8 +90,16 @@ pub struct RobustAnswer {
     pub seed: u64,
     /// The measure of the samples.
     pub value: f64,
-    /// No weights bring the measure of these samples below this.
+    /// The measure before stages behind the first took what it gives up.
+    pub least: f64,
+    /// No weights that hold the limits bring the measure of these samples below this.
     pub lower_bound: f64,
+    /// Stages behind the first, minimised on the engine as it is meant.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub later: Vec<RobustStage>,
+    /// The limits, which hold for the engine as it is meant.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub limits: Vec<RobustLimit>,
     /// Standard error of the value by resampling the samples (bootstrap); of the worst it tells little.
     pub standard_error: f64,
     /// The measure of an independent second set of samples, if there is one: free of having been optimised for.
@@ -104,11 +116,38 @@ pub struct RobustAnswer {
     pub solves: usize,
 }
 
-/// Finds the weights of `task` that minimise the measure of its first stage over sampled engines.
+/// A stage behind the first.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct RobustStage {
+    /// Its criteria.
+    pub criteria: Vec<Criterion>,
+    /// Its value on the engine as it is meant, weighted as the task says.
+    pub value: f64,
+    /// No weights that keep the stages before it and the limits go below this.
+    pub lower_bound: f64,
+}
+
+/// A limit, which holds for the engine as it is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct RobustLimit {
+    /// What is limited.
+    pub criterion: Criterion,
+    /// Its largest value.
+    pub most: f64,
+    /// What the engine as it is meant has.
+    pub nominal: f64,
+    /// The largest of the samples, for peaks of loads.
+    pub worst: Option<f64>,
+    /// How many samples pass the limit, for peaks of loads.
+    pub beyond: Option<usize>,
+}
+
+/// Finds the weights of `task` that minimise the measure of its first stage over sampled engines, then its other stages on the engine as it
+/// is meant, each keeping those before it but for what they give up. Limits hold for the engine as it is meant.
 ///
 /// # Errors
-/// [`BalanceError`] as [`crate::optimise`]; [`BalanceError::Unsuited`] where the task has choices, limits on loads, more than one
-/// stage, or a criterion without a peak; where there is no sample.
+/// [`BalanceError`] as [`crate::optimise`]; [`BalanceError::Unsuited`] where the task has choices, orders to cancel, limits that cannot
+/// hold, loads over the range of speeds, or a first criterion without a peak; where there is no sample.
 ///
 /// # Source
 /// Book, "The optimum and its proof", "A production of engines".
@@ -118,12 +157,14 @@ pub fn optimise_robust(
     request: &RobustRequest<'_>,
 ) -> Result<RobustAnswer, BalanceError> {
     check(engine, task)?;
-    let criterion = suits(task, request)?;
+    let criterion = suits(engine, task, request)?;
     let operator = Operator::new(&bare(engine, task), task, Kinematics::Exact, &middle(engine, task))?;
     let problem = Problem::new(engine, task, operator)?;
     let mut solves = 0;
-    let ordinary =
-        run(&problem, &mut solves).map_err(|_| unsuited("a task that has a solution", "none".into()))?;
+    let ordinary = run(&problem, &mut solves).map_err(|_| {
+        let hint = "relax the limits: they hold for the engine as it is meant";
+        unsuited("limits that can hold together", "some that cannot".into(), hint)
+    })?;
     let samples = Samples::of(&problem, task, criterion, request.samples)?;
     let count = samples.groups.len();
     let averaged = match request.measure {
@@ -131,8 +172,10 @@ pub fn optimise_robust(
         RobustMeasure::MeanOfWorst(share) => ((share * count as f64).round() as usize).clamp(1, count),
     };
     let search = Search { problem: &problem, samples: &samples, averaged };
-    let (x, bound) = search.best(&ordinary.x, &mut solves);
+    let (best, bound) = search.best(&ordinary.x, &mut solves);
+    let least = mean_of_largest(&samples.values(&best), averaged);
     let scale = samples.scale;
+    let (x, later) = later_stages(&search, &best, least, &mut solves)?;
     let values = samples.values(&x);
     let value = mean_of_largest(&values, averaged);
     let second = Samples::of(&problem, task, criterion, request.second)?;
@@ -148,7 +191,10 @@ pub fn optimise_robust(
         averaged,
         seed: request.seed,
         value: scale * value,
-        lower_bound: scale * bound.min(value),
+        least: scale * least,
+        lower_bound: scale * bound.min(least),
+        later,
+        limits: limits(&problem, task, request.samples, &x)?,
         standard_error: scale * standard_error(&values, averaged, request.seed),
         second_value: (!second.groups.is_empty())
             .then(|| scale * mean_of_largest(&second.values(&x), second_averaged)),
@@ -160,47 +206,131 @@ pub fn optimise_robust(
     })
 }
 
-fn unsuited(needed: &'static str, got: String) -> BalanceError {
-    BalanceError::Unsuited {
-        method: "an optimum over samples",
-        needed,
-        got,
-        hint: "name one load, such as force, with amounts alone to be found; leave limits and give-ups out",
+/// Minimises the stages behind the first on the engine as it is meant, while the measure rises by no more than the first gives up.
+fn later_stages(
+    search: &Search<'_>,
+    best: &[f64],
+    least: f64,
+    solves: &mut usize,
+) -> Result<(Vec<f64>, Vec<RobustStage>), BalanceError> {
+    let (problem, scale) = (search.problem, search.samples.scale);
+    let (mut x, mut found, mut kept) = (best.to_vec(), Vec::new(), Vec::new());
+    let most = |stage: usize, least: f64| least + problem.allowed(stage, least).max(KEEPS * least);
+    let held = most(0, scale * least) / scale;
+    for (stage, terms) in problem.stages.iter().enumerate().skip(1) {
+        let (cost, unit, _) = problem.cost(terms);
+        let (next, bound) = search.later(terms, held, &kept, &x, solves).ok_or_else(|| {
+            let hint = "name fewer stages, or let the first give up more";
+            unsuited("stages that can be minimised one after another", "one that could not".into(), hint)
+        })?;
+        let value = |x: &[f64]| terms.iter().map(|(w, judged)| w * problem.value(judged, x)).sum::<f64>();
+        x = next;
+        let shares: Vec<(usize, f64)> = cost.into_iter().enumerate().filter(|one| one.1 > 0.0).collect();
+        kept.push(Row { shares, directions: Vec::new(), most: most(stage, value(&x)) / unit });
+        found.push(RobustStage {
+            criteria: terms.iter().map(|(_, judged)| judged.criterion).collect(),
+            value: value(&x),
+            lower_bound: (unit * bound).min(value(&x)),
+        });
     }
+    // Later stages may have raised earlier ones by what these gave up.
+    for (stage, terms) in found.iter_mut().zip(problem.stages.iter().skip(1)) {
+        stage.value = terms.iter().map(|(w, judged)| w * problem.value(judged, &x)).sum();
+    }
+    Ok((x, found))
 }
 
+/// What the limits have on the engine as it is meant and, where they are about peaks of loads, on the samples.
+fn limits(
+    problem: &Problem,
+    task: &BalanceTask,
+    engines: &[Engine],
+    x: &[f64],
+) -> Result<Vec<RobustLimit>, BalanceError> {
+    let of_one = |(limit, judged): (&Limit, &Judged)| {
+        let is_peak = matches!(limit.criterion, Criterion::Peak(load) | Criterion::Order(load, _) if load != Load::BendingMoment);
+        let worst = match is_peak {
+            true => {
+                let samples = Samples::of(problem, task, limit.criterion, engines)?;
+                let values = samples.values(x).into_iter().map(|level| samples.scale * level);
+                Some(values.collect::<Vec<f64>>())
+            }
+            false => None,
+        };
+        let beyond = worst
+            .as_ref()
+            .map(|values| values.iter().filter(|value| **value > limit.most * (1.0 + KEEPS)).count());
+        Ok(RobustLimit {
+            criterion: limit.criterion,
+            most: limit.most,
+            nominal: problem.value(judged, x),
+            worst: worst.map(|values| values.into_iter().fold(0.0, f64::max)),
+            beyond,
+        })
+    };
+    task.limits.iter().zip(&problem.limits).map(of_one).collect()
+}
+
+fn unsuited(needed: &'static str, got: String, hint: &'static str) -> BalanceError {
+    BalanceError::Unsuited { method: "an optimum over samples", needed, got, hint }
+}
+
+/// What to ask for.
+const ONE_LOAD: &str =
+    "name one load first, such as force; what comes after it is minimised on the engine as it is meant";
+
 /// The criterion of a task that samples can be judged by.
-fn suits(task: &BalanceTask, request: &RobustRequest<'_>) -> Result<Criterion, BalanceError> {
+fn suits(
+    engine: &Engine,
+    task: &BalanceTask,
+    request: &RobustRequest<'_>,
+) -> Result<Criterion, BalanceError> {
     if request.samples.is_empty() {
-        return Err(unsuited("at least one sample", "none".into()));
+        return Err(unsuited("at least one sample", "none".into(), "draw some engines"));
     }
     if let RobustMeasure::MeanOfWorst(share) = request.measure
         && !(share > 0.0 && share <= 1.0)
     {
-        return Err(unsuited("a share of the worst above 0 and up to 1", format!("{share}")));
+        let hint = "0.05 is the mean of the worst 5 %";
+        return Err(unsuited("a share of the worst above 0 and up to 1", format!("{share}"), hint));
     }
     if branch::is_needed(task) {
-        return Err(unsuited("devices without choices", "places, amounts or devices to be chosen".into()));
-    }
-    if !task.limits.is_empty() || !task.give_up.is_empty() || !task.cancel.is_empty() {
+        // A bound of the nominal engine says nothing of the samples, whose loads differ with every choice.
         return Err(unsuited(
-            "one load and nothing beside it",
-            "limits, give-ups or orders to cancel".into(),
+            "devices without choices: each choice would have to be proved on every sample",
+            "places, amounts or devices to be chosen".into(),
+            "choose without it first, and ask again with what was chosen",
         ));
     }
-    match task.stages.as_slice() {
-        [stage] => match stage.terms.as_slice() {
-            [(_, criterion @ (Criterion::Peak(load) | Criterion::Order(load, _)))]
-                if !matches!(load, Load::BendingMoment | Load::MountForce(_) | Load::LargestMountForce) =>
-            {
-                Ok(*criterion)
-            }
-            _ => Err(unsuited(
-                "the peak of a load on the block or of a main bearing",
-                "another criterion".into(),
-            )),
-        },
-        stages => Err(unsuited("one stage", format!("{}", stages.len()))),
+    if !task.cancel.is_empty() {
+        let hint = "minimise instead: what vanishes on one engine does not vanish on another";
+        return Err(unsuited("something to minimise", "orders to cancel".into(), hint));
+    }
+    let over_speed = |criterion: &Criterion| {
+        let on_springs = |load: Load| load.is_at_mounts() && engine.is_on_springs();
+        criterion.counts_gas()
+            || matches!(criterion, Criterion::Peak(load) | Criterion::Order(load, _) if on_springs(*load))
+    };
+    let later = task.stages.iter().skip(1).flat_map(|stage| &stage.terms).map(|term| term.1);
+    if later.chain(task.limits.iter().map(|limit| limit.criterion)).any(|one| over_speed(&one)) {
+        return Err(unsuited(
+            "limits and later stages at the highest speed",
+            "a force at mounts on springs, or a load with gas".into(),
+            "leave it out: these are judged over the range of speeds",
+        ));
+    }
+    let first = task.stages.first().map_or(&[][..], |stage| &stage.terms);
+    match first {
+        [(_, criterion @ (Criterion::Peak(load) | Criterion::Order(load, _)))]
+            if *load != Load::BendingMoment && !load.is_at_mounts() =>
+        {
+            Ok(*criterion)
+        }
+        _ => Err(unsuited(
+            "the peak of a load on the block or of a main bearing",
+            "another criterion".into(),
+            ONE_LOAD,
+        )),
     }
 }
 
@@ -235,7 +365,7 @@ impl Samples {
             let (load, order) = match criterion {
                 Criterion::Order(load, order) => (load, Some(order)),
                 Criterion::Peak(load) => (load, None),
-                _ => return Err(unsuited("the peak of a load", "another criterion".into())),
+                _ => return Err(unsuited("the peak of a load", "another criterion".into(), ONE_LOAD)),
             };
             let (vectors, _) = vectors(engine, &operator, load)?;
             let key = order.map(|order| (order * f64::from(operator.grid.revolutions)).round() as u32);
@@ -260,6 +390,25 @@ impl Samples {
     /// Level of every sample.
     fn values(&self, x: &[f64]) -> Vec<f64> {
         self.groups.iter().map(|group| level(group, &self.grid, x)).collect()
+    }
+}
+
+/// A programme over some of the samples.
+struct SampleProgramme {
+    programme: Programme,
+    /// Point and directions of the variables.
+    origin: Vec<f64>,
+    wider: Matrix,
+    /// Row of the first sample.
+    first: usize,
+    /// The measure of the samples in terms of the variables.
+    measure: Vec<f64>,
+}
+
+impl SampleProgramme {
+    /// The variables of the problem at a solution.
+    fn point(&self, z: &[f64]) -> Vec<f64> {
+        self.origin.iter().zip(self.wider.times(z)).map(|(x, step)| x + step).collect()
     }
 }
 
@@ -306,16 +455,13 @@ impl Search<'_> {
         (self.problem.programme.restricted(&origin, &wider), origin, wider)
     }
 
-    /// The optimum over some of the samples, the others not counted, and the multiplier of each.
-    fn over(&self, rows: &[usize], solves: &mut usize) -> Option<(Vec<f64>, Vec<f64>)> {
+    /// The programme with some of the samples: behind the variables stand the threshold and, for a mean, what each sample has above it.
+    fn with_samples(&self, rows: &[usize]) -> SampleProgramme {
         let worst = self.averaged == 1;
-        // The threshold, and what each sample has above it.
         let extra = if worst { 1 } else { 1 + rows.len() };
         let (mut programme, origin, wider) = self.open(extra);
         let own = wider.columns - extra;
         programme.cost.iter_mut().for_each(|cost| *cost = 0.0);
-        programme.linear = vec![0.0; wider.columns];
-        programme.linear[own] = 1.0;
         let first = programme.rows.len();
         for (number, &sample) in rows.iter().enumerate() {
             programme.groups.push(restricted(&self.samples.groups[sample], &origin, &wider));
@@ -328,18 +474,64 @@ impl Search<'_> {
             let shares = vec![(programme.groups.len() - 1, 1.0)];
             programme.rows.push(Row { shares, directions, most: 0.0 });
         }
+        let mut measure = vec![0.0; wider.columns];
+        measure[own] = 1.0;
         for variable in own..wider.columns {
             let mut directions = vec![0.0; wider.columns];
             directions[variable] = -1.0;
             programme.rows.push(Row { shares: Vec::new(), directions, most: 0.0 });
             if variable > own {
-                programme.linear[variable] = 1.0 / self.averaged as f64;
+                measure[variable] = 1.0 / self.averaged as f64;
             }
         }
-        let solution = reduced(&programme, solves).ok()?;
-        let step = wider.times(&solution.x);
-        let x = origin.iter().zip(step).map(|(x, step)| x + step).collect();
-        Some((x, solution.prices[first..first + rows.len()].to_vec()))
+        SampleProgramme { programme, origin, wider, first, measure }
+    }
+
+    /// The optimum over some of the samples, the others not counted, and the multiplier of each.
+    fn over(&self, rows: &[usize], solves: &mut usize) -> Option<(Vec<f64>, Vec<f64>)> {
+        let mut asked = self.with_samples(rows);
+        asked.programme.linear.clone_from(&asked.measure);
+        let solution = reduced(&asked.programme, solves).ok()?;
+        let prices = solution.prices[asked.first..asked.first + rows.len()].to_vec();
+        Some((asked.point(&solution.x), prices))
+    }
+
+    /// The least of a later stage, on the engine as it is meant, while the measure stays at most at `held` and later stages before it
+    /// keep their rows; also what no point goes below [level of the stage].
+    fn later(
+        &self,
+        terms: &[(f64, Judged)],
+        held: f64,
+        kept: &[Row],
+        start: &[f64],
+        solves: &mut usize,
+    ) -> Option<(Vec<f64>, f64)> {
+        let (cost, ..) = self.problem.cost(terms);
+        let mut rows = largest(&self.samples.values(start), FIRST * self.averaged);
+        for _ in 0..MOST_ROUNDS {
+            let mut asked = self.with_samples(&rows);
+            asked.programme.cost[..cost.len()].copy_from_slice(&cost);
+            let nothing = vec![0.0; asked.wider.columns];
+            let keep = |row: &Row| Row { directions: nothing.clone(), ..row.clone() };
+            asked.programme.rows.extend(kept.iter().map(keep));
+            let directions = asked.measure.clone();
+            asked.programme.rows.push(Row { shares: Vec::new(), directions, most: held });
+            let solution = reduced(&asked.programme, solves).ok()?;
+            let x = asked.point(&solution.x);
+            let values = self.samples.values(&x);
+            let before = rows.len();
+            if mean_of_largest(&values, self.averaged) > held * (1.0 + KEEPS) {
+                for sample in largest(&values, self.averaged) {
+                    if !rows.contains(&sample) {
+                        rows.push(sample);
+                    }
+                }
+            }
+            if rows.len() == before {
+                return Some((x, solution.bound));
+            }
+        }
+        None
     }
 
     /// What no point goes below, by a sum of samples with these weights [level].

@@ -1,7 +1,7 @@
 //! How far a search over choices goes, and what whoever asked is told and says meanwhile.
 
 use crate::error::BalanceError;
-use lanchester_model::Stage;
+use lanchester_task::Stage;
 use serde::Serialize;
 
 /// The gap to which a convex programme is solved, relative to the larger of its optimum and a millionth of what it is without

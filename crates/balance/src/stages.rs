@@ -16,7 +16,7 @@ use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
 use crate::convex::{Failure, better, proved, solve};
 use crate::criterion::Judged;
 use crate::problem::Problem;
-use lanchester_model::criterion_unit;
+use lanchester_task::criterion_unit;
 
 /// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
 pub(crate) const GAP: f64 = 1e-9;
@@ -198,7 +198,7 @@ impl<'a> Walk<'a> {
         let (local, kept) = self.local()?;
         let (range, _) = RowFactors::of(&local.seen(), UNSEEN).bases();
         let small = local.restricted(&vec![0.0; local.variables], &range);
-        let solution = match vanishing(&small, solves) {
+        let mut solution = match vanishing(&small, solves) {
             Some(solution) => solution,
             None => match idle_rows(&small, floor, solves) {
                 Some(idle) if proved(&idle, GAP, floor) => idle,
@@ -210,6 +210,9 @@ impl<'a> Walk<'a> {
                 },
             },
         };
+        if let Some(bound) = self.bound_of_sums(&small, &kept, &solution, solves) {
+            solution.bound = solution.bound.max(bound);
+        }
         let step = range.times(&solution.x);
         let fixed = face(&local, &solution);
         let mut prices = vec![0.0; self.problem.programme.rows.len()];
@@ -229,6 +232,48 @@ impl<'a> Walk<'a> {
         self.programme.rows.push(row);
         self.programme.cost.iter_mut().for_each(|c| *c = 0.0);
         Ok((solution, prices))
+    }
+
+    /// A bound where the largest of several sums is minimised, by one sum with the prices of their rows as weights:
+    ///
+    /// ```text
+    /// max over s of m_s(x) >= SUM q_s m_s(x)        q_s >= 0, SUM q_s = 1
+    /// ```
+    /// An error of the weights costs its square.
+    fn bound_of_sums(
+        &self,
+        small: &Programme,
+        kept: &[usize],
+        solution: &Solution,
+        solves: &mut usize,
+    ) -> Option<f64> {
+        let row_of = |place: usize| self.problem.sums.iter().find(|one| one.0 == place).map(|one| one.1);
+        let mut one = small.clone();
+        for group in 0..small.groups.len() {
+            let own = |place: &usize| row_of(*place) == Some(group);
+            let prices = || {
+                let places = kept.iter().zip(&solution.prices).enumerate();
+                places.filter(|(_, (place, _))| own(place)).map(|(row, (_, price))| (row, price.max(0.0)))
+            };
+            let all: f64 = prices().map(|one| one.1).sum();
+            let cost = std::mem::take(&mut one.cost[group]);
+            if all <= 0.0 || cost <= 0.0 {
+                one.cost[group] = cost;
+                continue;
+            }
+            for (row, price) in prices() {
+                for &(term, share) in &small.rows[row].shares {
+                    one.cost[term] += cost * price / all * share;
+                }
+            }
+        }
+        if one.cost == small.cost {
+            return None;
+        }
+        // What is left out holds nothing up: the bound stays one.
+        let rows = small.rows.iter().zip(kept).filter(|(_, place)| row_of(**place).is_none());
+        one.rows = rows.map(|(row, _)| row.clone()).collect();
+        crate::infeasible::reduced(&one, solves).ok().map(|found| found.bound)
     }
 
     fn advance(&mut self, step: &[f64]) {
@@ -299,8 +344,8 @@ impl<'a> Walk<'a> {
         let start = if amounts { self.open.clone() } else { Walk::new(self.problem).open };
         let whole = self.problem.programme.restricted(&self.x, &start);
         let mut seen = Matrix::zeros(0, start.columns);
-        for (group, _) in judged.iter().flat_map(|j| &j.groups).filter(|g| self.problem.is_load(g.0)) {
-            whole.groups[*group].add_directions(&mut seen);
+        for group in judged.iter().flat_map(|j| j.seen()).filter(|group| self.problem.is_load(*group)) {
+            whole.groups[group].add_directions(&mut seen);
         }
         let (_, free) = RowFactors::of(&seen, UNSEEN).bases();
         if free.columns == 0 {
@@ -446,7 +491,10 @@ fn idle_rows(programme: &Programme, floor: f64, solves: &mut usize) -> Option<So
 fn vanishing(programme: &Programme, solves: &mut usize) -> Option<Solution> {
     let mut columns = Matrix::zeros(0, programme.variables);
     let mut right = Vec::new();
-    if programme.linear.iter().any(|p| *p != 0.0) {
+    // What nothing may pass does not vanish while the loads below it stay.
+    let passed =
+        |row: &Row| row.most == 0.0 && !row.shares.is_empty() && row.directions.iter().any(|h| *h < 0.0);
+    if programme.linear.iter().any(|p| *p != 0.0) || programme.rows.iter().any(passed) {
         return None;
     }
     for (group, _) in programme.cost.iter().enumerate().filter(|c| *c.1 > 0.0) {

@@ -56,8 +56,8 @@ impl Swept {
 /// ```
 /// use lanchester_balance::{SweepOptions, swept};
 /// use lanchester_mechanism::Kinematics;
-/// let template = lanchester_model::template("single").expect("it is in the gallery");
-/// let single = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("single").expect("it is in the gallery");
+/// let single = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let found = swept(&single, None, Kinematics::Exact, &SweepOptions::default())?;
 /// let optimum = found.optimal().expect("it is proved");
 /// assert!(optimum.criterion <= found.best.criterion && found.best.criterion < 0.6 * found.basic.criterion);
@@ -79,7 +79,7 @@ pub fn swept(
     };
     let load = load.map_or_else(rule, Ok)?;
     let sweep = sweep(engine, load, kinematics, options)?;
-    let bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+    let bare = engine.without_counterweights();
     let task = swept_task(&bare, load);
     let request = LoadRequest { kinematics, ..LoadRequest::default() };
     let true_peak = |unbalance: f64| -> Result<SweptCrank, BalanceError> {
@@ -106,10 +106,10 @@ pub fn swept(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
 
     fn engine(name: &str) -> Engine {
-        read(template(name).unwrap().text).engine.unwrap()
+        read(template(name).unwrap().text).engine().unwrap()
     }
 
     #[test]
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn shafts_of_the_file_stay() {
         let with = engine("in-line-3-shaft");
-        let without = Engine { shafts: Vec::new(), ..with.clone() };
+        let without = with.without_shafts();
         let best = |engine: &Engine| {
             let load = Some(CrankLoad::Couple);
             swept(engine, load, Kinematics::Exact, &SweepOptions::default()).unwrap().best.criterion

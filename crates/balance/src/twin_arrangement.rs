@@ -214,8 +214,8 @@ impl ArrangementOptions {
 /// # Example
 /// ```
 /// use lanchester_balance::{ArrangementOptions, TwinArrangement, arranged};
-/// let template = lanchester_model::template("twin-360").expect("it is in the gallery");
-/// let twin = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("twin-360").expect("it is in the gallery");
+/// let twin = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let balanced = arranged(&twin, TwinArrangement::TwoFirst, &ArrangementOptions::default())?;
 /// assert_eq!(balanced.shafts.len(), 2);
 /// # Ok::<(), lanchester_balance::BalanceError>(())
@@ -247,7 +247,9 @@ pub fn arranged(
 fn with_crank(engine: &Engine, crank: &[Complex64]) -> Engine {
     let counterweights =
         crank.iter().enumerate().map(|(k, &unbalance)| weight(engine, k, unbalance)).collect();
-    Engine { counterweights, ..engine.clone() }
+    engine
+        .with(|parts| parts.counterweights = counterweights)
+        .expect("invariant: weights along the throws have finite amounts and names of their own")
 }
 
 /// `engine` with a counterweight of this unbalance [kg m] opposite throw 1 in the place of its own, and as much more or
@@ -320,7 +322,7 @@ fn shafts_fitted(
         let (ratio, at) = if k == 0 { (2, [x, y]) } else { (-2, [x, -y]) };
         shafts.extend(orders.shaft(name, ratio, at, second_order)?);
     }
-    Ok(Engine { counterweights: Vec::new(), shafts, ..engine.clone() })
+    engine.without_counterweights().with(|parts| parts.shafts = shafts).map_err(BalanceError::engine)
 }
 
 /// Counterweights, opposite their throws, that balance the rotating masses: one complex amount along each throw.
@@ -340,8 +342,9 @@ fn raised_crank(engine: &Engine, options: &ArrangementOptions) -> Result<Vec<Com
     let request = options.request();
     let mut crank = basic_crank(engine);
     // On bare throws a cylinder's first order with the crank is its big end's and its reciprocating parts' alone.
-    let mut bare = engine.clone();
-    bare.throws.iter_mut().for_each(|throw| throw.unbalance = 0.0);
+    let bare = engine
+        .with(|parts| parts.throws.iter_mut().for_each(|throw| throw.unbalance = 0.0))
+        .expect("invariant: 0 is an unbalance");
     for (index, cylinder) in engine.cylinders.iter().enumerate() {
         let orders = Mechanism::of(&bare, &request, Selection::Cylinder(index))?.orders();
         let speed = engine.speed.highest;

@@ -43,6 +43,15 @@ impl Wave {
         sum
     }
 
+    /// What it is where the variables are `x`.
+    pub fn at(&self, x: &[f64]) -> Wave {
+        let mut wave = Wave { base: self.base.clone(), parts: Vec::new() };
+        for &(variable, key, [cos, sin]) in &self.parts {
+            wave.add_base(key, x[variable] * cos, x[variable] * sin);
+        }
+        wave
+    }
+
     /// One key alone.
     pub fn only(&self, key: u32) -> Wave {
         Wave {

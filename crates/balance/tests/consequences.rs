@@ -3,29 +3,39 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use lanchester_balance::{Affected, AffectedPart, Change, Consequences, balance_rates, consequences};
+use lanchester_file::{read, template, templates};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads, main_inertia_loads};
-use lanchester_model::{Engine, read, template, templates};
+use lanchester_model::Engine;
 
 fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 /// Only its crank turns: one unbalance in the plane of every throw, nothing else has mass.
 fn crank_alone(name: &str) -> (Engine, f64) {
     let mut engine = gallery(name);
-    for throw in &mut engine.throws {
-        (throw.unbalance, throw.unbalance_offset) = (0.02, 0.0);
-    }
-    for cylinder in &mut engine.cylinders {
-        cylinder.piston_mass = 0.0;
-        (cylinder.rod.big_end_mass, cylinder.rod.small_end_mass, cylinder.rod.inertia) = (0.0, 0.0, None);
-    }
+    engine = engine
+        .with(|engine| {
+            for throw in &mut engine.throws {
+                (throw.unbalance, throw.unbalance_offset) = (0.02, 0.0);
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.piston_mass = 0.0;
+                (cylinder.rod.big_end_mass, cylinder.rod.small_end_mass, cylinder.rod.inertia) =
+                    (0.0, 0.0, None);
+            }
+        })
+        .unwrap();
     let force = 0.02 * engine.speed.highest.powi(2);
     (engine, force)
 }
 
 fn bare(engine: &Engine) -> Engine {
-    Engine { counterweights: Vec::new(), ..engine.clone() }
+    engine.without_counterweights()
 }
 
 fn of(before: &Engine, after: &Engine) -> Consequences {
@@ -104,7 +114,11 @@ fn a_millionth_is_no_change_and_a_thousandth_is_one() {
     let engine = gallery("in-line-4");
     let with = |factor: f64| {
         let mut other = engine.clone();
-        other.counterweights.iter_mut().for_each(|weight| weight.unbalance *= factor);
+        other = other
+            .with(|other| {
+                other.counterweights.iter_mut().for_each(|weight| weight.unbalance *= factor);
+            })
+            .unwrap();
         of(&engine, &other)
     };
     assert!(with(1.0 + 1e-8).rows.iter().all(|row| row.change == Change::Unchanged));
@@ -118,7 +132,11 @@ fn a_millionth_is_no_change_and_a_thousandth_is_one() {
 fn too_much_of_a_counterweight_is_marked_too() {
     let engine = gallery("in-line-4");
     let mut heavier = engine.clone();
-    heavier.counterweights.iter_mut().for_each(|weight| weight.unbalance *= 2.0);
+    heavier = heavier
+        .with(|heavier| {
+            heavier.counterweights.iter_mut().for_each(|weight| weight.unbalance *= 2.0);
+        })
+        .unwrap();
     let found = of(&engine, &heavier);
     for row in found.of(Affected::BalanceRate) {
         // 80 % to 160 %: three fifths too much are farther from all than one fifth too little.
@@ -141,7 +159,7 @@ fn the_mass_is_a_row_where_that_of_every_weight_is_known() {
 #[test]
 fn main_loads_are_those_of_the_bearings() {
     for template in templates() {
-        let engine = read(template.text).engine.unwrap();
+        let engine = read(template.text).engine().unwrap();
         let request = BearingRequest { part: BearingPart::Inertia, ..BearingRequest::default() };
         let traces = bearing_loads(&engine, None, &request).unwrap();
         let loads = main_inertia_loads(&engine, None).unwrap();
@@ -159,7 +177,7 @@ fn main_loads_are_those_of_the_bearings() {
 #[test]
 fn every_engine_of_the_gallery_has_consequences() {
     for template in templates() {
-        let engine = read(template.text).engine.unwrap();
+        let engine = read(template.text).engine().unwrap();
         let found = of(&engine, &bare(&engine));
         assert!(
             found.rows.iter().all(|row| row.before.is_finite() && row.after.is_finite()),

@@ -5,8 +5,9 @@ use lanchester_balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, Basis, EngineResidual, FourCylinderRule, MatrixBalance,
     MatrixMethod, Remark, ShaftPair, ThreeCylinderRule,
 };
+use lanchester_file::{read, template, templates};
 use lanchester_mechanism::{LoadRequest, loads, series_coefficients};
-use lanchester_model::{Engine, read, template, templates};
+use lanchester_model::Engine;
 use num_complex::Complex64;
 
 const TOOL_PAPER_THREE: &str = include_str!("../../../validation/balancing-tool-paper/in-line-three.toml");
@@ -16,7 +17,7 @@ const THESIS_FOUR: &str = include_str!("../../../validation/three-four-cylinder-
 
 fn engine(text: &str) -> Engine {
     let reading = read(text);
-    reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
 }
 
 fn gallery(name: &str) -> Engine {
@@ -303,7 +304,7 @@ fn half_is_the_best_balance_factor() {
     let single = gallery("single");
     let bare = EngineResidual::of(&BalanceFactor(0.0).fit(&single)).expect("it turns").first.peak().0;
     for f in [0.0, 0.25, 0.5, 0.8, 1.0] {
-        let fitted = Engine { shafts: Vec::new(), ..BalanceFactor(f).fit(&single) };
+        let fitted = BalanceFactor(f).fit(&single).without_shafts();
         let peak = EngineResidual::of(&fitted).expect("it turns").first.peak().0;
         close("peak of the first order", peak / bare, BalanceFactor(f).peak(), 1e-9);
     }

@@ -5,8 +5,10 @@ use lanchester_balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodFound,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
+use lanchester_file::{read, templates};
 use lanchester_mechanism::{Kinematics, LoadRequest, Loads, Part, loads};
-use lanchester_model::{Criterion, Engine, Load, read, templates};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, Load};
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -15,7 +17,7 @@ const THESIS_THREE: &str = include_str!("../../../validation/three-four-cylinder
 
 fn engine(text: &str) -> Engine {
     let reading = read(text);
-    reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
 }
 
 fn two_orders(engine: &Engine, kinematics: Kinematics) -> Loads {
@@ -168,14 +170,19 @@ fn the_balancer_belongs_opposite_the_couples_peak() {
     let published = Kinematics::PowerSeries { max_order: 2, max_power: 1 };
     let left = |turn: f64| {
         let mut turned = fitted.clone();
-        for (weight, opposite) in turned.shafts[0].weights.iter_mut().zip([0.0, std::f64::consts::PI]) {
-            weight.phase = turn + opposite;
-        }
+        turned = turned
+            .with(|turned| {
+                for (weight, opposite) in turned.shafts[0].weights.iter_mut().zip([0.0, std::f64::consts::PI])
+                {
+                    weight.phase = turn + opposite;
+                }
+            })
+            .unwrap();
         let first = |l: &Loads| *l.total.orders.iter().find(|o| o.order == 1.0).expect("listed");
         first(&two_orders(&turned, published)).couple_backward.norm()
     };
     let without = {
-        let bare = Engine { shafts: Vec::new(), ..fitted.clone() };
+        let bare = fitted.without_shafts();
         let orders = two_orders(&bare, published).total.orders;
         orders.iter().find(|o| o.order == 1.0).expect("listed").couple_backward.norm()
     };

@@ -6,7 +6,9 @@
 //! out parts of the higher orders that the exact motion has: loads of second and higher order differ by up to 0.2 %.
 
 use lanchester_balance::*;
+use lanchester_file::{read, templates};
 use lanchester_model::*;
+use lanchester_task::*;
 
 /// Relative difference of the thesis's series from the exact motion, where second and higher orders are left.
 const SERIES: f64 = 2e-3;
@@ -14,7 +16,7 @@ const SERIES: f64 = 2e-3;
 fn engine(name: &str) -> Engine {
     let path = format!("{}/../../validation/twin-cylinder-thesis/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("it is in the validation folder");
-    read(&text).engine.expect("the validation engines are valid")
+    read(&text).engine().expect("the validation engines are valid")
 }
 
 /// The thesis's question: mounts 176 mm apart, half the four as reference.
@@ -272,7 +274,7 @@ fn questions_without_a_meaning_are_refused() {
 #[test]
 fn every_engine_of_the_gallery_has_an_answer() {
     for template in templates() {
-        let engine = read(template.text).engine.expect("the gallery has no mistakes");
+        let engine = read(template.text).engine().expect("the gallery has no mistakes");
         let found = arrangements(&engine, &ArrangementRequest::default()).expect("the default has a meaning");
         let at = &found.spacings[0];
         assert!(!at.front.is_empty() && at.arrangements[0].residual == at.baseline, "{}", template.name);

@@ -8,7 +8,7 @@
 use crate::description::Text;
 use crate::graph::{Graph, Kind, Law};
 use crate::mistake::Mistakes;
-use lanchester_model::Diagnostic;
+use lanchester_diagnostic::Diagnostic;
 use serde::Serialize;
 
 /// Which stores are assigned first.
@@ -112,7 +112,10 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
             }
             Law::Store(ports) => {
                 for (port, law) in ports.iter().enumerate() {
-                    if law.inverse.is_none() {
+                    if law.only_follows() {
+                        let what = "gives its momenta by its flows alone";
+                        steps.push(procedure.assign(index, port, false, what));
+                    } else if law.inverse.is_none() {
                         let what = "has a law that cannot be turned round";
                         steps.push(procedure.assign(index, port, law.flow.is_some(), what));
                     }
@@ -158,7 +161,7 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
         let Law::Store(ports) = &element.law else { continue };
         for (port, law) in ports.iter().enumerate() {
             let bond = element.ports[port];
-            let integral = procedure.at(bond, index) == Some(law.flow.is_some());
+            let integral = !law.only_follows() && procedure.at(bond, index) == Some(law.flow.is_some());
             if integral {
                 states.push(graph.bond_name(bond));
             } else {

@@ -7,6 +7,7 @@ use crate::graph::{Asked, Bond, Element, Graph, Kind, Law, Parameter, Signal};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 mod law;
 
@@ -64,6 +65,8 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
         numbers_only: true,
     };
     checker.names();
+    checker.pool.curves =
+        description.tables.iter().map(|(name, curve)| (name.text.clone(), Arc::new(curve.clone()))).collect();
     for (name, _) in &description.parameters {
         let nothing = Parameter { name: name.text.clone(), unit: Unit::NONE, value: f64::NAN };
         checker.parameters.push(nothing);
@@ -224,22 +227,13 @@ impl Checker<'_> {
                 Some(rows.len() + rows[0].split(';').count())
             }
             Kind::TF | Kind::GY => Some(2),
-            Kind::C | Kind::I | Kind::IC => match entry.get("energy") {
-                Some(_) => Some(self.field_ports(entry)),
-                None => Some(1),
+            Kind::C | Kind::I | Kind::IC => match (entry.get("energy"), entry.get("coenergy")) {
+                (Some(energy), _) => Some(field_ports(energy, &['q', 'p'])),
+                (None, Some(coenergy)) => Some(field_ports(coenergy, &['f'])),
+                (None, None) => Some(1),
             },
             _ => Some(1),
         }
-    }
-
-    /// Ports of a field: the largest number behind q or p in its energy.
-    fn field_ports(&self, entry: &Entry) -> usize {
-        let text = entry.get("energy").map_or("", |text| text.text.as_str());
-        let words = text.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '.'));
-        let number = |word: &str| -> Option<usize> {
-            word.strip_prefix(['q', 'p'])?.parse().ok().filter(|port| *port <= 100)
-        };
-        words.filter_map(number).max().unwrap_or(1)
     }
 
     /// The bonds; gives, for each, nothing but its ends. Ports are filled.
@@ -396,7 +390,8 @@ impl Checker<'_> {
                 for element in *pair {
                     let shares =
                         self.elements[element].is_junction() || self.elements[element].ports.len() == 1;
-                    if !shares {
+                    // A field may join domains, unless it names the one of all its ports.
+                    if !shares && given[element].is_none() {
                         continue;
                     }
                     match (given[element], domains[bond]) {
@@ -549,6 +544,11 @@ impl Scope for Checker<'_> {
         self.mistakes
     }
 
+    fn table(&mut self, name: &str) -> Option<(u32, [Unit; 2])> {
+        let place = self.pool.curves.iter().position(|(known, _)| known == name)?;
+        Some((place as u32, self.pool.curves[place].1.units()))
+    }
+
     fn name(&mut self, name: &str) -> Result<Parsed, Option<(String, String)>> {
         if let Some(parsed) = self.local.get(name) {
             return Ok(*parsed);
@@ -640,6 +640,15 @@ impl Checker<'_> {
         };
         Ok(Parsed { id: self.pool.var(var), unit: Some(unit) })
     }
+}
+
+/// Ports of a field: the largest number behind one of the letters in its energy.
+fn field_ports(text: &Text, letters: &[char]) -> usize {
+    let words = text.text.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '.'));
+    let number = |word: &str| -> Option<usize> {
+        word.strip_prefix(letters)?.parse().ok().filter(|port| *port <= 100)
+    };
+    words.filter_map(number).max().unwrap_or(1)
 }
 
 /// The known word with the fewest edits, where that is a slip.

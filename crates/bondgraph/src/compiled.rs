@@ -1,8 +1,10 @@
 //! Equations compiled for the integrators.
 
-use crate::equations::Equations;
-use crate::expression::{Id, Var};
-use crate::tape::{Switches, Tape};
+use crate::equations::{Equations, What};
+use crate::expression::{Id, Pool, Var};
+use crate::following::Following;
+use crate::held::{Held, Switches};
+use crate::tape::Tape;
 use lanchester_numerics::{Lu, System};
 use std::collections::HashMap;
 
@@ -24,9 +26,14 @@ pub(crate) struct Compiled {
     /// Efforts, flows, signals.
     variables: Tape,
     /// Slopes of rates by states and unknowns, of residuals by states and unknowns.
-    slopes: Tape,
+    slopes: Option<Tape>,
+    /// Conditions and arguments of curves.
     switch_functions: Tape,
-    pub(crate) on: Vec<bool>,
+    pub(crate) held: Held,
+    /// Solves for all unknowns at once, where they are rates of followers.
+    following: Option<Following>,
+    /// Rates that it found with them.
+    found: Vec<f64>,
     /// Time, states, unknowns.
     inputs: Vec<f64>,
     work: Vec<f64>,
@@ -64,6 +71,13 @@ impl Compiled {
         let variables: Vec<Id> = (equations.efforts.iter().chain(&equations.flows).chain(&equations.signals))
             .map(|id| fold(*id))
             .collect();
+        let held: Vec<Id> = left
+            .iter()
+            .map(|index| match equations.unknowns[*index as usize].what {
+                What::Following(held) => fold(held),
+                What::Tear => 0,
+            })
+            .collect();
         let residuals: Vec<Id> = left
             .iter()
             .zip(values)
@@ -72,6 +86,31 @@ impl Compiled {
                 pool.difference(me, value)
             })
             .collect();
+        let mut switches = Switches::default();
+        let following = Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
+        if let Some(following) = following {
+            let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
+            let functions = functions(&mut pool, &input, &mut switches);
+            return Compiled {
+                states,
+                unknowns: left.len(),
+                bonds: equations.graph.bonds.len(),
+                audited,
+                true_bonds: true_bonds(equations),
+                rates: Tape::default(),
+                residuals: Tape::default(),
+                variables,
+                slopes: None,
+                switch_functions: functions,
+                held: Held::new(&switches, &pool),
+                following: Some(following),
+                found: vec![0.0; states],
+                inputs: vec![0.0; 1 + states + left.len()],
+                work: Vec::new(),
+                values: Vec::new(),
+                scratch: Vec::new(),
+            };
+        }
         let by: Vec<Var> =
             (0..states as u32).map(Var::State).chain(left.iter().map(|index| Var::Unknown(*index))).collect();
         // Column by column, so that one memory of derivatives serves each.
@@ -88,31 +127,26 @@ impl Compiled {
                 with_slopes.push(slopes[(states + row) * by.len() + states + column]);
             }
         }
-        let mut switches = Switches::default();
         let rates = Tape::new(&mut pool, &rates, &input, &mut switches);
         let residuals = Tape::new(&mut pool, &with_slopes, &input, &mut switches);
         let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
         let slopes = Tape::new(&mut pool, &slopes, &input, &mut switches);
-        // Functions of switches may hold switches themselves.
-        let mut functions = switches.functions.clone();
-        let mut switch_functions = Tape::new(&mut pool, &functions, &input, &mut switches);
-        while switches.functions.len() > functions.len() {
-            functions = switches.functions.clone();
-            switch_functions = Tape::new(&mut pool, &functions, &input, &mut switches);
-        }
+        let switch_functions = functions(&mut pool, &input, &mut switches);
         let unknowns = left.len();
         Compiled {
             states,
             unknowns,
             bonds: equations.graph.bonds.len(),
             audited,
-            true_bonds: equations.graph.bonds.iter().map(|bond| bond.domain.is_true_bond()).collect(),
+            true_bonds: true_bonds(equations),
             rates,
             residuals,
             variables,
-            slopes,
+            slopes: Some(slopes),
             switch_functions,
-            on: vec![false; functions.len()],
+            held: Held::new(&switches, &pool),
+            following: None,
+            found: Vec::new(),
             inputs: vec![0.0; 1 + states + unknowns],
             work: Vec::new(),
             values: Vec::new(),
@@ -122,7 +156,7 @@ impl Compiled {
 
     /// Operations of one evaluation of the rates.
     pub(crate) fn operations(&self) -> usize {
-        self.rates.len() + self.residuals.len()
+        self.rates.len() + self.residuals.len() + self.following.as_ref().map_or(0, Following::operations)
     }
 
     /// Time and states as inputs, unknowns solved by Newton's iteration from their last values; false where it fails.
@@ -133,10 +167,14 @@ impl Compiled {
         if n == 0 {
             return true;
         }
+        if let Some(following) = &mut self.following {
+            let (inputs, unknowns) = self.inputs.split_at_mut(1 + self.states);
+            return following.solve(inputs, &self.held, &mut self.work, &mut self.found, unknowns);
+        }
         self.values.resize(n + n * n, 0.0);
         let mut last = f64::INFINITY;
         for _ in 0..ITERATIONS {
-            self.residuals.run(&self.inputs, &self.on, &mut self.work, &mut self.values);
+            self.residuals.run(&self.inputs, &self.held, &mut self.work, &mut self.values);
             let mut change = self.values[..n].to_vec();
             let Ok(factors) = Lu::new(n, self.values[n..].to_vec()) else { return false };
             factors.solve(&mut change);
@@ -162,36 +200,58 @@ impl Compiled {
     pub(crate) fn variables(&mut self, t: f64, y: &[f64], signals: usize) -> Vec<f64> {
         let mut values = vec![f64::NAN; 2 * self.bonds + signals];
         if self.place(t, y) {
-            self.variables.run(&self.inputs, &self.on, &mut self.work, &mut values);
+            self.variables.run(&self.inputs, &self.held, &mut self.work, &mut values);
         }
         values
     }
 
-    /// Sets each switch by its function; where that is zero, by where it goes next.
+    /// Values of conditions and arguments of curves.
+    fn quantities(&mut self, t: f64, y: &[f64]) -> Vec<f64> {
+        let mut values = vec![f64::NAN; self.held.quantities()];
+        if self.place(t, y) {
+            self.switch_functions.run(&self.inputs, &self.held, &mut self.work, &mut values);
+        }
+        values
+    }
+
+    /// Sets each switch by its function; where that is zero, by where it goes next. Curves are read ahead of their place.
     pub(crate) fn settle(&mut self, t: f64, y: &[f64]) {
-        let count = self.on.len();
-        let mut values = vec![0.0; count];
+        let count = self.held.quantities();
+        let mut values = Vec::new();
         // Switches may hang on one another: as many passes as there are settle any chain.
         for _ in 0..=count.min(20) {
-            self.event_functions(t, y, &mut values);
-            for (on, value) in self.on.iter_mut().zip(&values) {
-                *on = *value > 0.0;
-            }
+            values = self.quantities(t, y);
+            self.held.settle(&values);
         }
-        if values.contains(&0.0) {
+        if values[..self.held.on.len()].contains(&0.0) {
             let mut slope = vec![0.0; y.len()];
             self.derivative(t, y, &mut slope);
             let step = 1e-9;
             let ahead: Vec<f64> = y.iter().zip(&slope).map(|(y, s)| y + step * s).collect();
-            let mut later = vec![0.0; count];
-            self.event_functions(t + step, &ahead, &mut later);
-            for index in 0..count {
+            let later = self.quantities(t + step, &ahead);
+            for (index, on) in self.held.on.iter_mut().enumerate() {
                 if values[index] == 0.0 {
-                    self.on[index] = later[index] > 0.0;
+                    *on = later[index] > 0.0;
                 }
             }
         }
     }
+}
+
+/// Whether effort times flow is the power of each bond.
+fn true_bonds(equations: &Equations) -> Vec<bool> {
+    equations.graph.bonds.iter().map(|bond| bond.domain.is_true_bond()).collect()
+}
+
+/// Functions of switches and arguments of curves, which may hold such themselves.
+fn functions(pool: &mut Pool, input: &impl Fn(Var) -> u32, switches: &mut Switches) -> Tape {
+    let mut functions = switches.all();
+    let mut tape = Tape::new(pool, &functions, input, switches);
+    while switches.all().len() > functions.len() {
+        functions = switches.all();
+        tape = Tape::new(pool, &functions, input, switches);
+    }
+    tape
 }
 
 impl System for Compiled {
@@ -204,10 +264,14 @@ impl System for Compiled {
             derivative.fill(f64::NAN);
             return;
         }
-        self.rates.run(&self.inputs, &self.on, &mut self.work, &mut derivative[..self.states]);
+        if self.following.is_some() {
+            derivative[..self.states].copy_from_slice(&self.found);
+        } else {
+            self.rates.run(&self.inputs, &self.held, &mut self.work, &mut derivative[..self.states]);
+        }
         if self.audited {
             self.scratch.resize(2 * self.bonds, 0.0);
-            self.variables.run(&self.inputs, &self.on, &mut self.work, &mut self.scratch);
+            self.variables.run(&self.inputs, &self.held, &mut self.work, &mut self.scratch);
             for bond in 0..self.bonds {
                 let effort = if self.true_bonds[bond] { self.scratch[bond] } else { 1.0 };
                 derivative[self.states + bond] = effort * self.scratch[self.bonds + bond];
@@ -216,26 +280,28 @@ impl System for Compiled {
     }
 
     fn events(&self) -> usize {
-        self.on.len()
+        self.held.events()
     }
 
     fn event_functions(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
-        if self.place(t, y) {
-            self.switch_functions.run(&self.inputs, &self.on, &mut self.work, values);
-        } else {
-            values.fill(f64::NAN);
-        }
+        let quantities = self.quantities(t, y);
+        self.held.event_functions(&quantities, values);
     }
 
     /// Exact for the states; energies hang on nothing, and Newton's iteration needs no slopes of theirs.
     fn jacobian(&mut self, t: f64, y: &[f64], jacobian: &mut [f64]) -> bool {
+        if self.slopes.is_none() {
+            return false;
+        }
         if !self.place(t, y) {
             jacobian.fill(f64::NAN);
             return true;
         }
         let (n, m, size) = (self.states, self.unknowns, self.dimension());
         let mut slopes = vec![0.0; (n + m) * (n + m)];
-        self.slopes.run(&self.inputs, &self.on, &mut self.work, &mut slopes);
+        if let Some(tape) = &self.slopes {
+            tape.run(&self.inputs, &self.held, &mut self.work, &mut slopes);
+        }
         let at = |row: usize, column: usize| slopes[row * (n + m) + column];
         for column in 0..n {
             for row in 0..n {

@@ -1,5 +1,6 @@
 //! A bond graph as it is described: by a file or by calls, which are the same thing.
 
+use crate::curve::Curve;
 use std::ops::Range;
 
 /// A text and its place in the file; empty for what was described by calls.
@@ -34,7 +35,7 @@ impl Entry {
 }
 
 /// A bond graph as it is described, unchecked; [`crate::Graph::new`] checks it.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Description {
     /// Name of the graph.
     pub name: String,
@@ -46,6 +47,8 @@ pub struct Description {
     pub signals: Vec<Entry>,
     /// Bonds, `"from > to"`.
     pub bonds: Vec<Text>,
+    /// Tables that expressions read: `table(name, x)`.
+    pub tables: Vec<(Text, Curve)>,
     /// Duration, samples and tolerance of a simulation.
     pub simulation: Vec<(Text, Text)>,
 }
@@ -84,6 +87,13 @@ impl Description {
     #[must_use]
     pub fn bonds(mut self, bonds: &[&str]) -> Description {
         self.bonds.extend(bonds.iter().map(|bond| (*bond).into()));
+        self
+    }
+
+    /// Adds a table.
+    #[must_use]
+    pub fn table(mut self, name: &str, curve: Curve) -> Description {
+        self.tables.push((name.into(), curve));
         self
     }
 }

@@ -5,7 +5,7 @@ use crate::expression::{Id, Node, Pool, Var};
 use crate::graph::{Graph, Kind, Law};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
-use lanchester_model::Diagnostic;
+use lanchester_diagnostic::Diagnostic;
 use std::collections::HashMap;
 
 /// Unknowns beyond this number are not eliminated by symbols but solved at every evaluation.
@@ -429,14 +429,16 @@ impl Resolver<'_> {
     /// The rate of what followers hold: `d/dt phi(x, t)` along the states. Loops that are linear are solved first, because a
     /// follower may hang on one.
     fn follow(&mut self, states: &[State]) {
+        let mut by_time = HashMap::new();
+        let mut by_state: Vec<HashMap<Id, Id>> = vec![HashMap::new(); states.len()];
         for index in 0..self.unknowns.len() {
             let What::Following(held) = self.unknowns[index].what else { continue };
             let vars = self.pool.variables(&[held]);
-            let mut rate = self.pool.derivative(held, Var::Time, &mut HashMap::new());
+            let mut rate = self.pool.derivative(held, Var::Time, &mut by_time);
             for var in vars {
                 match var {
                     Var::State(state) => {
-                        let slope = self.pool.derivative(held, var, &mut HashMap::new());
+                        let slope = self.pool.derivative(held, var, &mut by_state[state as usize]);
                         let term = self.pool.product(slope, states[state as usize].rate);
                         rate = self.pool.sum(rate, term);
                     }
@@ -509,6 +511,10 @@ impl Resolver<'_> {
     fn eliminate(&mut self, outputs: &mut [&mut Id], loops: bool) {
         let of_kind = |unknown: &Unknown| (unknown.what == What::Tear) == loops && unknown.solved.is_none();
         let count = self.unknowns.iter().filter(|unknown| of_kind(unknown)).count();
+        if count > MOST_ELIMINATED && !loops {
+            // Solved together at each evaluation: what is singular among them shows there.
+            return;
+        }
         for index in 0..self.unknowns.len() {
             if !of_kind(&self.unknowns[index]) {
                 continue;

@@ -76,6 +76,12 @@ pub fn modelica(equations: &Equations) -> String {
                         };
                         let _ = writeln!(head, "  Real {symbol}{start} \"{unit}\";");
                     };
+                    if let (true, Some(value)) = (store.only_follows(), store.inverse) {
+                        let symbol = var(Var::Momentum(number));
+                        declare(&symbol, 0.0, units[3]);
+                        let _ = writeln!(body, "  {symbol} = {};", law(value));
+                        let _ = writeln!(body, "  der({symbol}) = {};", effort(port));
+                    }
                     if let Some(value) = store.flow {
                         let symbol = var(Var::Momentum(number));
                         declare(&symbol, store.start[1], units[3]);

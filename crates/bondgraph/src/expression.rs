@@ -10,7 +10,9 @@ mod print;
 pub(crate) use parse::{Parsed, Scope, parse};
 pub(crate) use print::{Printed, Style, number};
 
+use crate::curve::Curve;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Place of an expression in its pool.
 pub(crate) type Id = u32;
@@ -67,6 +69,8 @@ pub(crate) enum Node {
     Max(Id, Id),
     /// The second where the first is positive, else the third.
     If(Id, Id, Id),
+    /// A curve of the pool, or a derivative of it, at an argument.
+    Table(u32, u8, Id),
 }
 
 /// All expressions of a graph.
@@ -74,6 +78,8 @@ pub(crate) enum Node {
 pub(crate) struct Pool {
     nodes: Vec<Node>,
     places: HashMap<Node, Id>,
+    /// Curves with their names.
+    pub(crate) curves: Vec<(String, Arc<Curve>)>,
 }
 
 impl Pool {
@@ -266,7 +272,7 @@ impl Pool {
     pub(crate) fn operands(&self, id: Id) -> impl Iterator<Item = Id> + use<> {
         let (list, count) = match self.node(id) {
             Node::Constant(_) | Node::Var(_) => ([0; 3], 0),
-            Node::Negative(a) | Node::Call(_, a) => ([a, 0, 0], 1),
+            Node::Negative(a) | Node::Call(_, a) | Node::Table(_, _, a) => ([a, 0, 0], 1),
             Node::Sum(a, b)
             | Node::Product(a, b)
             | Node::Quotient(a, b)
@@ -291,6 +297,10 @@ impl Pool {
                 let a = of(self, a);
                 self.call(function, a)
             }
+            Node::Table(curve, derivative, a) => {
+                let a = of(self, a);
+                self.table(curve, derivative, a)
+            }
             Node::If(g, a, b) => {
                 let (g, a, b) = (of(self, g), of(self, a), of(self, b));
                 self.choice(g, a, b)
@@ -313,6 +323,11 @@ impl Pool {
 
     pub(crate) fn atan2(&mut self, a: Id, b: Id) -> Id {
         self.keep(Node::Atan2(a, b))
+    }
+
+    /// A curve, or a derivative of it, at an argument; none is left of a cubic behind its third derivative.
+    pub(crate) fn table(&mut self, curve: u32, derivative: u8, a: Id) -> Id {
+        if derivative > 3 { self.constant(0.0) } else { self.keep(Node::Table(curve, derivative, a)) }
     }
 
     pub(crate) fn least(&mut self, a: Id, b: Id) -> Id {
@@ -378,6 +393,7 @@ impl Pool {
             Node::Min(a, b) => at(a).min(at(b)),
             Node::Max(a, b) => at(a).max(at(b)),
             Node::If(g, a, b) => at(if at(g) > 0.0 { a } else { b }),
+            Node::Table(curve, derivative, a) => self.curves[curve as usize].1.at(at(a), derivative),
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::expression::{Id, Pool};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use crate::{check, file};
-use lanchester_model::Diagnostic;
+use lanchester_diagnostic::Diagnostic;
 
 /// A bond graph, checked. Expressions are kept in a pool of its own.
 #[derive(Debug, Clone)]
@@ -104,10 +104,18 @@ pub(crate) struct StorePort {
     pub(crate) effort: Option<Id>,
     /// Flow by momenta (and displacements), where the port has a momentum.
     pub(crate) flow: Option<Id>,
-    /// The stored quantity by the port's own effort (C) or flow (I), where the law can be turned round.
+    /// The stored quantity by the port's own effort (C) or flow (I), where the law can be turned round; of a field by its co-energy by the
+    /// flows of all its ports.
     pub(crate) inverse: Option<Id>,
     /// Start of displacement and momentum.
     pub(crate) start: [f64; 2],
+}
+
+impl StorePort {
+    /// Whether the port is given by its co-energy: it can follow alone.
+    pub(crate) fn only_follows(&self) -> bool {
+        self.effort.is_none() && self.flow.is_none()
+    }
 }
 
 #[derive(Debug, Clone)]

@@ -23,14 +23,18 @@ mod audit;
 mod causality;
 mod check;
 mod compiled;
+mod curve;
 mod description;
 mod domain;
 mod draw;
+mod engine;
 mod equations;
 mod export;
 mod expression;
 mod file;
+mod following;
 mod graph;
+mod held;
 mod linear;
 mod mistake;
 mod shown;
@@ -41,9 +45,14 @@ mod unit;
 
 pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use causality::{Causality, Follower, Preference, Step, causality};
+pub use curve::Curve;
 pub use description::{Description, Entry, Text};
 pub use domain::Domain;
 pub use draw::drawing;
+pub use engine::{
+    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, LoadTorque,
+    engine_graph,
+};
 pub use equations::{Equations, equations};
 pub use export::{graphml, modelica};
 pub use file::is_graph_file;

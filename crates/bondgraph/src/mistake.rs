@@ -1,6 +1,6 @@
 //! Mistakes in a graph as they are found: all at once, each with its place and a hint.
 
-use lanchester_model::{Diagnostic, Severity};
+use lanchester_diagnostic::{Diagnostic, Severity};
 use std::ops::Range;
 
 /// More than these help nobody.

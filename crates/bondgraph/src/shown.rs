@@ -306,6 +306,9 @@ impl Equations {
                             add(flow(bond), printed.text(law), units(bond)[1]);
                         } else if let Some(law) = law.effort {
                             add(effort(bond), printed.text(law), units(bond)[0]);
+                        } else if let Some(law) = law.inverse {
+                            let momentum = (printed.name)(Var::Momentum(bond as u32));
+                            add(momentum, printed.text(law), units(bond)[3]);
                         }
                     }
                 }

@@ -3,6 +3,7 @@
 use crate::audit::{Audit, audit};
 use crate::compiled::Compiled;
 use crate::equations::Equations;
+use crate::graph::Kind;
 use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -56,7 +57,7 @@ pub struct Simulation {
     pub tolerance: f64,
     /// Times of the samples [s].
     pub time: Vec<f64>,
-    /// States, then effort, flow and power of every bond, then signals, at the samples.
+    /// States, then effort, flow and power of every bond, then what each junction shares, then signals, at the samples.
     pub series: Vec<Series>,
     /// Switches of conditions.
     pub events: Vec<Event>,
@@ -104,6 +105,13 @@ struct Pass {
     statistics: Statistics,
 }
 
+impl Simulation {
+    /// Values of a quantity at the samples: `crank.flow`, `block_x.momentum`.
+    pub fn values(&self, name: &str) -> Option<&[f64]> {
+        self.series.iter().find(|series| series.name == name).map(|series| series.values.as_slice())
+    }
+}
+
 impl Equations {
     /// What the graph's file asks for.
     pub fn request(&self) -> SimulationRequest {
@@ -120,14 +128,21 @@ impl Equations {
 
     /// Simulates. Every way in which a run can end is said in the result.
     pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
+        let samples = request.samples;
+        let places: Vec<f64> = (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
+        self.simulate_at(request, &places)
+    }
+
+    /// The same with samples at `places` [s], which rise from above 0; those behind the duration are not reached.
+    pub fn simulate_at(&self, request: &SimulationRequest, places: &[f64]) -> Simulation {
         let mut compiled = Compiled::new(self, request.audit);
         let dimension = self.states.len() + if request.audit { self.graph.bonds.len() } else { 0 };
         // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that.
-        let rough = SimulationRequest { tolerance: 1e-5f64.max(request.tolerance), samples: 1, ..*request };
-        let sizes = self.pass(&mut compiled, &rough, &vec![1e-12; dimension]).largest;
+        let rough = SimulationRequest { tolerance: 1e-5f64.max(request.tolerance), ..*request };
+        let sizes = self.pass(&mut compiled, &rough, &[request.duration], &vec![1e-12; dimension]).largest;
         let absolute: Vec<f64> =
             sizes.iter().map(|size| (0.01 * request.tolerance * size).max(1e-200)).collect();
-        let pass = self.pass(&mut compiled, request, &absolute);
+        let pass = self.pass(&mut compiled, request, places, &absolute);
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
         let audit = request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.end.1));
@@ -179,6 +194,19 @@ impl Equations {
                 values: of(&|v| if is_true { v[bond] * v[bonds + bond] } else { v[bonds + bond] }),
             });
         }
+        for element in self.graph.elements.iter().filter(|element| element.is_junction()) {
+            let bond = element.ports[0];
+            let units = self.graph.bonds[bond].domain.unit_names();
+            let (what, place, unit) = match element.kind {
+                Kind::One => ("flow", bonds + bond, units[1]),
+                _ => ("effort", bond, units[0]),
+            };
+            series.push(Series {
+                name: format!("{}.{what}", element.name),
+                unit: unit.into(),
+                values: pass.variables.iter().map(|v| v[place]).collect(),
+            });
+        }
         for (index, signal) in self.graph.signals.iter().enumerate() {
             if signal.start.is_none() {
                 series.push(Series {
@@ -192,20 +220,24 @@ impl Equations {
     }
 
     /// One integration over the whole duration.
-    fn pass(&self, compiled: &mut Compiled, request: &SimulationRequest, absolute: &[f64]) -> Pass {
+    fn pass(
+        &self,
+        compiled: &mut Compiled,
+        request: &SimulationRequest,
+        places: &[f64],
+        absolute: &[f64],
+    ) -> Pass {
         let signals = self.graph.signals.len();
         let mut y: Vec<f64> = self.states.iter().map(|state| state.start).collect();
         y.resize(absolute.len(), 0.0);
         let mut t = 0.0;
         compiled.settle(t, &y);
-        let places: Vec<f64> =
-            (1..=request.samples).map(|k| request.duration * k as f64 / request.samples as f64).collect();
         let mut settings = Settings::uniform(y.len(), request.tolerance);
         settings.absolute = absolute.to_vec();
         settings.most_evaluations = request.most_evaluations;
         settings.stiffness_test = request.method.is_none();
         let mut explicit = Dop853::new(settings.clone());
-        settings.stops = places.clone();
+        settings.stops = places.to_vec();
         let mut implicit = Radau5::new(settings);
         let first = request.method.unwrap_or(Method::Explicit);
         let mut pass = Pass {
@@ -249,8 +281,10 @@ impl Equations {
             }
             match outcome {
                 Outcome::Event { index, rising } => {
-                    compiled.on[index] = rising;
-                    pass.events.push(Event { time: t, condition: index, on: rising });
+                    if compiled.held.is_condition(index) {
+                        pass.events.push(Event { time: t, condition: index, on: rising });
+                    }
+                    compiled.held.happen(index, rising);
                     at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
                     if at_once > CHATTER {
                         pass.ended = format!(

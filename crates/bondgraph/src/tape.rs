@@ -1,6 +1,7 @@
 //! Expressions compiled once to a flat list of operations.
 
 use crate::expression::{Function, Id, Node, Pool, Var};
+use crate::held::{Held, Switches};
 use std::collections::HashMap;
 
 /// One operation on places of the tape.
@@ -20,6 +21,12 @@ enum Operation {
     Choice(u32, u32, u32),
     /// 1 or -1 by a switch.
     Sign(u32),
+    /// A curve or its derivative, within the window of a slot.
+    Curve {
+        slot: u32,
+        at: u32,
+        derivative: u8,
+    },
 }
 
 /// A compiled list of expressions.
@@ -27,24 +34,6 @@ enum Operation {
 pub(crate) struct Tape {
     operations: Vec<Operation>,
     outputs: Vec<u32>,
-}
-
-/// The conditions within expressions: each is a switch that is on where its function is positive.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Switches {
-    pub(crate) functions: Vec<Id>,
-    places: HashMap<Id, u32>,
-}
-
-impl Switches {
-    fn of(&mut self, id: Id) -> u32 {
-        let next = self.functions.len() as u32;
-        let functions = &mut self.functions;
-        *self.places.entry(id).or_insert_with(|| {
-            functions.push(id);
-            next
-        })
-    }
 }
 
 impl Tape {
@@ -88,6 +77,9 @@ impl Tape {
                     Node::Min(a, b) => Operation::Choice(switches.of(pool.difference(b, a)), at(a), at(b)),
                     Node::Max(a, b) => Operation::Choice(switches.of(pool.difference(a, b)), at(a), at(b)),
                     Node::If(g, a, b) => Operation::Choice(switches.of(g), at(a), at(b)),
+                    Node::Table(curve, derivative, a) => {
+                        Operation::Curve { slot: switches.slot(curve, a), at: at(a), derivative }
+                    }
                 };
                 let place = tape.push(operation);
                 places.insert(id, place);
@@ -103,7 +95,7 @@ impl Tape {
     }
 
     /// Values of the outputs; `work` keeps its room from call to call.
-    pub(crate) fn run(&self, inputs: &[f64], on: &[bool], work: &mut Vec<f64>, outputs: &mut [f64]) {
+    pub(crate) fn run(&self, inputs: &[f64], held: &Held, work: &mut Vec<f64>, outputs: &mut [f64]) {
         work.clear();
         for operation in &self.operations {
             let at = |place: u32| work[place as usize];
@@ -118,9 +110,10 @@ impl Tape {
                 Operation::Power(a, b) => at(a).powf(at(b)),
                 Operation::Call(function, a) => function.apply(at(a)),
                 Operation::Atan2(a, b) => at(a).atan2(at(b)),
-                Operation::Choice(switch, a, b) => at(if on[switch as usize] { a } else { b }),
+                Operation::Choice(switch, a, b) => at(if held.on[switch as usize] { a } else { b }),
+                Operation::Curve { slot, at: x, derivative } => held.curve(slot, at(x), derivative),
                 Operation::Sign(switch) => {
-                    if on[switch as usize] {
+                    if held.on[switch as usize] {
                         1.0
                     } else {
                         -1.0

@@ -362,7 +362,7 @@ pub struct BalanceArguments {
     /// the true optimum of the same devices stands beside it.
     #[arg(long, value_enum, default_value_t = BalanceMethod::Optimum, conflicts_with = "search")]
     pub method: BalanceMethod,
-    /// What to make small: a criterion such as `force`, `couple`, `roll moment`, `mount force`, `force order 2`, or a sum
+    /// What to make small: a criterion such as `force`, `couple`, `roll moment`, `mount force`, `mount force with gas`, `force order 2`, or a sum
     /// that counts shares of given values, `force = 200 N, couple = 10 N m`. May be given several times: the first
     /// first, each next one without giving up any before it. Default: `force`, then `couple`.
     #[arg(long, alias = "minimize", value_name = "CRITERION")]
@@ -378,7 +378,8 @@ pub struct BalanceArguments {
     #[arg(long, value_name = "STAGE = SHARE", allow_hyphen_values = true)]
     pub give_up: Vec<String>,
     /// Speed at which forces at mounts with springs and loads with gas are judged, such as `2000 rpm`; may be given several times, the largest
-    /// counts. Default: the whole range of the engine, resonances included. All other loads are largest at the highest speed.
+    /// counts, each times its weight where it has one: `2000 rpm * 2`. Default: the whole range of the engine, resonances included. All
+    /// other loads are largest at the highest speed.
     #[arg(long, value_name = "SPEED")]
     pub speed: Vec<String>,
     /// Orders that must vanish exactly: `force order 1, couple order 1`; of all weights that do it those that the bearings need. If they cannot, the

@@ -2,10 +2,11 @@
 
 use crate::arguments::{BalanceArguments, CrankWeights};
 use crate::failure::Failure;
-use lanchester::model::{BalanceTask, CrankWeightPlaces, Engine, TaskOptions, default_task};
+use lanchester::file::EngineFile;
+use lanchester::task::{BalanceTask, CrankWeightPlaces, TaskOptions, default_task};
 
 /// The task behind the options.
-pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<BalanceTask, Failure> {
+pub fn balance_task(file: &EngineFile, arguments: &BalanceArguments) -> Result<BalanceTask, Failure> {
     let options = TaskOptions {
         prefix: "--",
         counterweights: arguments.counterweights.map(places),
@@ -23,7 +24,8 @@ pub fn balance_task(engine: &Engine, arguments: &BalanceArguments) -> Result<Bal
         speeds: arguments.speed.clone(),
         give_up: arguments.give_up.clone(),
     };
-    let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
+    let engine = &file.engine;
+    let task = file.tasks.balance.clone().unwrap_or_else(|| default_task(engine));
     let changed = options.change(engine, task)?;
     for fault in changed.warnings {
         eprintln!("warning: {}\nhint: {}", fault.message, fault.hint);

@@ -3,11 +3,12 @@
 use crate::explore_arguments::{ExploreArguments, SpaceArguments};
 use crate::failure::Failure;
 use crate::value_list::value_list;
-use lanchester::model::{Engine, option};
+use lanchester::model::Engine;
 use lanchester::study::explore::{
     Constraint, CounterweightPattern, ExploreRequest, Explorer, Objective, Removes, Sense, ShaftDesign,
     ShaftSet, even_angles,
 };
+use lanchester::task::option;
 use lanchester::{LayoutChoices, LayoutSpace, layout_space, own_pattern};
 use std::f64::consts::TAU;
 

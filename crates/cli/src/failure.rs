@@ -1,6 +1,6 @@
 //! How a command ends other than well, and the exit status that tells it.
 
-use lanchester::model::option::BadQuantity;
+use lanchester::task::option::BadQuantity;
 use std::fmt;
 use std::process::ExitCode;
 

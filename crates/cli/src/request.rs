@@ -3,7 +3,7 @@
 use crate::arguments::RequestArguments;
 use crate::failure::Failure;
 use lanchester::mechanism::{InternalRequest, Kinematics, LoadRequest, PeakMode};
-use lanchester::model::option;
+use lanchester::task::option;
 
 /// The request behind the options that `loads` and `report` share.
 pub fn load_request(arguments: &RequestArguments) -> Result<LoadRequest, Failure> {

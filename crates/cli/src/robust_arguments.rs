@@ -4,16 +4,15 @@ use crate::failure::Failure;
 use clap::Args;
 use lanchester::RobustOptions;
 use lanchester::balance::RobustMeasure;
-use lanchester::model::option;
+use lanchester::task::option;
 
 /// Engines drawn within the tolerances of the file.
 #[derive(Debug, Clone, Args)]
 pub struct RobustArguments {
     /// Optimise for so many engines, drawn within [tolerances] of the file: the worst of them is minimised, or with --worst-share the
-    /// mean of the worst. With one --minimise, such as `force`.
-    #[arg(long, value_name = "ENGINES", conflicts_with_all = [
-        "search", "method", "limit", "give_up", "budget", "cancel", "table", "figures",
-    ])]
+    /// mean of the worst. The first --minimise is that of the engines, such as `force`; limits and later stages are those of the engine as it is
+    /// meant.
+    #[arg(long, value_name = "ENGINES", conflicts_with_all = ["search", "method", "cancel", "table", "figures"])]
     pub robust: Option<u64>,
     /// With --robust: minimise the mean of this share of the engines, the worst ones, such as `1 %`.
     #[arg(long, value_name = "SHARE", requires = "robust", allow_hyphen_values = true)]

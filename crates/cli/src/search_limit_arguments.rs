@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use clap::Args;
 use lanchester::balance::{BalanceSettings, StopCause};
-use lanchester::model::option;
+use lanchester::task::option;
 
 /// How far a search over choices goes: places to be found, given and least amounts, devices that may be left out.
 #[derive(Debug, Clone, Args)]

@@ -8,8 +8,9 @@ use crate::share_option::share;
 use lanchester::balance::{
     self, ArrangementRequest, DriveRule, Judged, MountPlaces, PartSizes, Positions, Target, searched_engine,
 };
-use lanchester::model::option;
-use lanchester::model::{Criterion, Engine, Limit, criterion};
+use lanchester::model::Engine;
+use lanchester::task::option;
+use lanchester::task::{Criterion, Limit, criterion};
 
 /// The request behind the options; a reference engine is read on the way.
 pub fn arrangement_request(
@@ -22,7 +23,7 @@ pub fn arrangement_request(
     if let Some(text) = &search.mount_spacing {
         request.mounts = MountPlaces::Spacing(positive(text, "--mount-spacing")?);
     }
-    let engine = &searched_engine(engine, &request, 1.0);
+    let engine = &searched_engine(engine, &request, 1.0).map_err(Failure::refused)?;
     request.criterion = judged(engine, arguments)?;
     for text in &arguments.limit {
         add_limit(engine, &mut request, text)?;
@@ -189,7 +190,7 @@ fn add_reference(
         None => 1.0,
         Some(text) => share(text)?,
     };
-    let engine = Box::new(open(path, colour)?.engine);
+    let engine = Box::new(open(path, colour)?.file.engine);
     if request.criterion == Judged::MountForce
         && request.mounts == MountPlaces::Engine
         && engine.mounts.is_empty()

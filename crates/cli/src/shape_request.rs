@@ -3,9 +3,9 @@
 use crate::counterweight_arguments::ShapeArguments;
 use crate::failure::Failure;
 use lanchester::CounterweightRequest;
+use lanchester::file::EngineFile;
 use lanchester::geometry::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
-use lanchester::model::Engine;
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::task::option::{self, BadQuantity};
 
 /// A dimension of a shape, and how its values are read.
 type Read = fn(&str, &str) -> Result<f64, BadQuantity>;
@@ -22,19 +22,19 @@ const DIMENSIONS: [(&str, Read); 7] = [
 ];
 
 /// The request behind the options.
-pub fn shape_request(engine: &Engine, arguments: &ShapeArguments) -> Result<CounterweightRequest, Failure> {
+pub fn shape_request(file: &EngineFile, arguments: &ShapeArguments) -> Result<CounterweightRequest, Failure> {
     let unbalance = arguments.unbalance.as_ref().map(|text| option::unbalance(text, "--unbalance"));
     Ok(CounterweightRequest {
         weights: arguments.weight.clone(),
         unbalance: unbalance.transpose().map_err(Failure::from)?,
-        task: shape_task(engine, arguments)?,
+        task: shape_task(file, arguments)?,
         evolution: None,
     })
 }
 
-fn shape_task(engine: &Engine, arguments: &ShapeArguments) -> Result<ShapeTask, Failure> {
-    let file = engine.shape_task;
-    let mut ranges: [Option<Range>; 7] = match file {
+fn shape_task(file: &EngineFile, arguments: &ShapeArguments) -> Result<ShapeTask, Failure> {
+    let of_file = file.tasks.shape_task;
+    let mut ranges: [Option<Range>; 7] = match of_file {
         None => [None; 7],
         Some(task) => {
             let (height, angle) = match task.shoulder {
@@ -67,10 +67,10 @@ fn shape_task(engine: &Engine, arguments: &ShapeArguments) -> Result<ShapeTask, 
     let shoulder = shoulder_height.map(Shoulder::Height).or(shoulder_angle.map(Shoulder::Angle));
     let density = match &arguments.density {
         Some(text) => Some(option::density(text, "--density").map_err(Failure::from)?),
-        None => file.map(|task| task.density).or(engine.crank_body.map(|body| body.density)),
+        None => of_file.map(|task| task.density).or(file.engine.crank_body.map(|body| body.density)),
     };
-    let thickness = thickness.or(engine.crank_body.map(|body| Range::fixed(body.web_thickness)));
-    let web_radius = web_radius.or(engine.crank_body.map(|body| Range::fixed(body.web_radius)));
+    let thickness = thickness.or(file.engine.crank_body.map(|body| Range::fixed(body.web_thickness)));
+    let web_radius = web_radius.or(file.engine.crank_body.map(|body| Range::fixed(body.web_radius)));
     let missing: Vec<&str> = [
         ("density", density.is_none()),
         ("web_radius", web_radius.is_none()),
@@ -95,10 +95,10 @@ fn shape_task(engine: &Engine, arguments: &ShapeArguments) -> Result<ShapeTask, 
         minimise: arguments
             .minimise
             .map(Objective::from)
-            .or(file.map(|task| task.minimise))
+            .or(of_file.map(|task| task.minimise))
             .unwrap_or(Objective::Mass),
-        least_balance: file.map_or(1.0, |task| task.least_balance),
-        most_balance: file.and_then(|task| task.most_balance),
+        least_balance: of_file.map_or(1.0, |task| task.least_balance),
+        most_balance: of_file.and_then(|task| task.most_balance),
         density,
         web_radius,
         rectangle_height,
@@ -106,7 +106,7 @@ fn shape_task(engine: &Engine, arguments: &ShapeArguments) -> Result<ShapeTask, 
         arc_radius,
         arc_angle,
         thickness,
-        limits: file.map(|task| task.limits).unwrap_or_default(),
+        limits: of_file.map(|task| task.limits).unwrap_or_default(),
     };
     if let Some(text) = &arguments.balance {
         let Range { least, most } = range(text, option::share, "--balance")?;

@@ -1,7 +1,7 @@
 //! The option `--share`: how much of a reference.
 
 use crate::failure::Failure;
-use lanchester::model::option;
+use lanchester::task::option;
 
 /// A share above 0: `50 %`, `0.5` or `1/2`.
 pub fn share(text: &str) -> Result<f64, Failure> {

@@ -19,7 +19,7 @@ fn cycle_of(engine: &Engine) -> &GasCycle {
 }
 
 fn cycles(criterion: &mut Criterion) {
-    let engine = lanchester_model::read(GAS).engine.expect("the example has no mistakes");
+    let engine = lanchester_file::read(GAS).engine().expect("the example has no mistakes");
     let cycle = cycle_of(&engine);
     let volume =
         CylinderVolume::of_engine(&engine, Some(cycle.compression_ratio)).expect("it turns").remove(0);
@@ -32,7 +32,7 @@ fn cycles(criterion: &mut Criterion) {
     let otto = GAS.replace("\"single-zone\"", "\"otto\"");
     let otto =
         otto.split("[gas.intake]").next().unwrap_or("").to_string() + "[gas.fuel]\nenergy = \"1 kJ\"\n";
-    let otto = lanchester_model::read(&otto).engine.expect("an Otto cycle");
+    let otto = lanchester_file::read(&otto).engine().expect("an Otto cycle");
     criterion.bench_function("Otto cycle", |bencher| {
         bencher.iter(|| ideal_cycle(black_box(cycle_of(&otto)), &volume));
     });

@@ -37,25 +37,38 @@ fn four(skirt_length: f64) -> Engine {
     }
     let cylinders = (0..4).map(|at| cylinder(at, 0.0, 0.088 * at as f64)).collect();
     let mut engine = engine(cylinders, weights);
-    engine.throws = angles.iter().enumerate().map(|(at, a)| throw(0, *a, 0.088 * at as f64)).collect();
-    engine.crank_body = Some(CrankBody {
-        density: 7850.0,
-        journal_diameter: 0.05,
-        journal_bore: 0.0,
-        pin_diameter: 0.045,
-        pin_bore: 0.0,
-        web_thickness: 0.014,
-        web_radius: 0.03,
-        pin_end_radius: 0.03,
-        end_journals: [0.02; 2],
-    });
-    engine.envelope = Some(Envelope {
-        least: Some(0.001),
-        crankcase_radius: Some(0.08),
-        skirt: skirt(skirt_length, Some(0.06)),
-        liner: liner(0.072, 0.004),
-        rod: rod_envelope(),
-    });
+    engine = engine
+        .with(|engine| {
+            engine.throws =
+                angles.iter().enumerate().map(|(at, a)| throw(0, *a, 0.088 * at as f64)).collect();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.crank_body = Some(CrankBody {
+                density: 7850.0,
+                journal_diameter: 0.05,
+                journal_bore: 0.0,
+                pin_diameter: 0.045,
+                pin_bore: 0.0,
+                web_thickness: 0.014,
+                web_radius: 0.03,
+                pin_end_radius: 0.03,
+                end_journals: [0.02; 2],
+            });
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.envelope = Some(Envelope {
+                least: Some(0.001),
+                crankcase_radius: Some(0.08),
+                skirt: skirt(skirt_length, Some(0.06)),
+                liner: liner(0.072, 0.004),
+                rod: rod_envelope(),
+            });
+        })
+        .unwrap();
     engine
 }
 

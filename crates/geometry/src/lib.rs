@@ -25,8 +25,9 @@ mod shaft_weight;
 
 pub use counterweight_properties::{counterweight_properties, plain_web};
 pub use design::*;
-pub use lanchester_model::{ShaftWeightAim, ShaftWeightPart, ShaftWeightTask};
+pub use lanchester_model::ShaftWeightPart;
 pub use lanchester_shape::*;
+pub use lanchester_task::{ShaftWeightAim, ShaftWeightTask};
 pub use shaft_weight::{
     NearestShaftWeight, ShaftWeightDesign, ShaftWeightLimit, ShaftWeightOutcome, best_shaft_weight,
     shaft_solids,

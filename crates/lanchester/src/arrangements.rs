@@ -5,8 +5,9 @@ use lanchester_balance::{
     crank_task, optimise_with, swept_crank,
 };
 use lanchester_mechanism::{LoadRequest, PeakMode, loads};
-use lanchester_model::{BalanceTask, Engine, SpeedRange};
+use lanchester_model::{Engine, Fault, SpeedRange};
 use lanchester_report::ArrangementResult;
+use lanchester_task::BalanceTask;
 
 /// `engine` in all nine arrangements, its own counterweights and shafts left out.
 ///
@@ -18,8 +19,8 @@ use lanchester_report::ArrangementResult;
 ///
 /// # Example
 /// ```
-/// let template = lanchester::model::template("twin-180").expect("it is in the gallery");
-/// let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester::file::template("twin-180").expect("it is in the gallery");
+/// let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let nine = lanchester::arrangements(&engine, &Default::default())?;
 /// let couple = |number: usize| nine[number - 1].loads.total.peaks.couple.max.value;
 /// // The crank halves the couple of an out-of-phase twin; one double shaft more removes its first order.
@@ -28,7 +29,9 @@ use lanchester_report::ArrangementResult;
 /// ```
 pub fn arrangements(engine: &Engine, request: &LoadRequest) -> Result<Vec<ArrangementResult>, BalanceError> {
     let speed = request.speed.unwrap_or(engine.speed.highest);
-    let engine = Engine { speed: SpeedRange { lowest: speed, highest: speed }, ..engine.clone() };
+    let engine = engine
+        .with(|parts| parts.speed = SpeedRange { lowest: speed, highest: speed })
+        .map_err(|faults| BalanceError::Engine(Fault::first_of(faults)))?;
     let mut sweep = SweepOptions::fitting(&engine);
     if let PeakMode::Grid(angles) = request.peaks {
         sweep.angles = angles;

@@ -7,9 +7,12 @@ use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Limit, NearestLimit, Objective, Optimum, Outline, Part,
     ShapeTask, counterweight_properties, design_within, evolve, largest_balance,
 };
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, PartFault, PartWeight};
+use lanchester_model::{
+    Counterweight, CounterweightForm, CounterweightPart, Engine, EngineParts, PartFault, PartWeight,
+};
 use lanchester_report::obstacle_name;
 use serde::Serialize;
+use std::cell::{Cell, RefCell};
 use std::f64::consts::{PI, TAU};
 
 /// Steps after which what is shared is known to rounding, or never.
@@ -53,6 +56,8 @@ pub(crate) struct BestShape {
     pub envelope: Option<RadialEnvelope>,
     pub without_room: Option<f64>,
     pub outcome: DesignOutcome,
+    /// The envelope that the search began with.
+    first: Option<RadialEnvelope>,
     /// The best shape where nothing is in the way.
     free: Option<Design>,
 }
@@ -90,6 +95,7 @@ impl BestShape {
             shared,
             room: None,
             envelope: None,
+            first: None,
             without_room: None,
             outcome,
             free: None,
@@ -102,12 +108,13 @@ impl BestShape {
         let task = thin_enough(engine, index, task)?;
         let room = room(engine, index, task.thickness.most)?;
         let mut envelope = envelope(engine, index, &free, &task)?;
-        if let Some(room) = &room {
-            envelope = beyond_disc(envelope, &task, room.radius);
+        if room.is_some() {
+            envelope = beyond_disc(envelope, &task, room.as_ref());
         }
-        let best =
-            BestShape { room, envelope: Some(envelope.clone()), without_room, free: Some(free), ..best };
-        let (outcome, shared) = clear_of(engine, index, &task, envelope, |envelope| {
+        let last = RefCell::new(envelope.clone());
+        let first = Some(envelope.clone());
+        let (outcome, shared) = clear_of(engine, index, &task, envelope.clone(), |envelope| {
+            last.replace(envelope.clone());
             let (outcome, shared) = designed(engine, index, duty, &task, Some(envelope))?;
             let design = match &outcome {
                 DesignOutcome::Found(best) => Some(best.design),
@@ -115,12 +122,15 @@ impl BestShape {
             };
             Ok((design, (outcome, shared)))
         })?;
-        Ok(BestShape { outcome, shared, ..best })
+        // What is told is what bounds the shape: in the end it may be the circle.
+        let last = last.into_inner();
+        let envelope = Some(if last.is_round() { last } else { envelope });
+        Ok(BestShape { room, envelope, first, without_room, free: Some(free), outcome, shared, ..best })
     }
 
     /// Whether it is the best for another weight that has its duty and stands on its web as this one does.
     pub fn is_best_for(&self, engine: &Engine, index: usize) -> Result<bool, CounterweightError> {
-        match (&self.outcome, &self.envelope, &self.free) {
+        match (&self.outcome, &self.first, &self.free) {
             (DesignOutcome::Found(best), None, _) => {
                 Ok(missed(engine, index, &best.design, self.task.density)?.is_none())
             }
@@ -221,8 +231,8 @@ fn eased(task: &ShapeTask, limit: &NearestLimit) -> ShapeTask {
 pub(crate) struct LargestShapes {
     /// How far a weight stands from the opposite of its crankpin, and its largest shape where nothing is in the way, beyond the disc and beyond the web.
     free: Vec<(f64, Option<[Design; 2]>)>,
-    /// Beside that, the envelope and what fits in it [kg m].
-    within: Vec<(f64, RadialEnvelope, f64)>,
+    /// Beside that, the envelope, what fits in it [kg m], and whether it was the circle that bounded it.
+    within: Vec<(f64, RadialEnvelope, f64, bool)>,
 }
 
 impl LargestShapes {
@@ -252,21 +262,27 @@ impl LargestShapes {
         }
         let task = thin_enough(engine, index, task)?;
         let around = envelope(engine, index, &free, &task)?;
-        let by =
-            around.limit.map_or_else(by_shapes, |limit| format!("clearance from {}", obstacle_name(limit)));
-        let known = self.within.iter().find(|(tilt, known, _)| {
+        let by = |is_round: bool| -> Result<String, CounterweightError> {
+            let circle = if is_round { room(engine, index, task.thickness.most)? } else { None };
+            let limit = circle.map_or(around.limit, |circle| Some(circle.limit));
+            Ok(limit.map_or_else(by_shapes, |limit| format!("clearance from {}", obstacle_name(limit))))
+        };
+        let known = self.within.iter().find(|(tilt, known, ..)| {
             let mut radii = known.radii.iter().zip(&around.radii);
             is_known(*tilt) && radii.all(|(known, own)| (known - own).abs() < SAME_RADIUS)
         });
-        if let Some((.., bound)) = known {
-            return Ok((*bound, by));
+        if let Some((.., bound, is_round)) = known {
+            return Ok((*bound, by(*is_round)?));
         }
+        let is_round = Cell::new(false);
         let found = clear_of(engine, index, &task, around.clone(), |envelope| {
+            is_round.set(envelope.is_round());
             let found = largest_shape(engine, index, &task, Some(envelope))?;
             Ok((found.map(|[design, _]| design), found.map(|[_, on_web]| on_web)))
         })?;
         let bound = found.as_ref().map_or(0.0, promised);
-        self.within.push((tilt, around, bound));
+        let by = by(is_round.get())?;
+        self.within.push((tilt, around, bound, is_round.get()));
         Ok((bound, by))
     }
 }
@@ -299,8 +315,8 @@ fn largest_shape(
 
 /// The envelope, or the radius that keeps clear whatever the shape where something comes nearer than the disc of the web: it does so without
 /// any counterweight, and no shape can mend it.
-fn beyond_disc(envelope: RadialEnvelope, task: &ShapeTask, round: f64) -> RadialEnvelope {
-    if envelope.smallest() < task.web_radius.least { envelope.rounded(round) } else { envelope }
+fn beyond_disc(envelope: RadialEnvelope, task: &ShapeTask, room: Option<&SweptRoom>) -> RadialEnvelope {
+    if envelope.smallest() < task.web_radius.least { envelope.rounded(room) } else { envelope }
 }
 
 /// What is found within an envelope and keeps clear between its directions too: until then the envelope is drawn nearer by what is missed, in the
@@ -312,9 +328,9 @@ pub(crate) fn clear_of<T>(
     envelope: RadialEnvelope,
     find: impl Fn(&RadialEnvelope) -> Result<(Option<Design>, T), CounterweightError>,
 ) -> Result<T, CounterweightError> {
-    let round = room(engine, index, task.thickness.most)?.map_or(0.0, |room| room.radius);
-    let last = envelope.rounded(round);
-    let mut now = beyond_disc(envelope, task, round);
+    let room = room(engine, index, task.thickness.most)?;
+    let last = envelope.rounded(room.as_ref());
+    let mut now = beyond_disc(envelope, task, room.as_ref());
     for at in 0..=MOST_ROUNDS {
         let (design, found) = find(&now)?;
         let Some(design) = design else { return Ok(found) };
@@ -325,7 +341,7 @@ pub(crate) fn clear_of<T>(
         let Some(miss) = missed(engine, index, &design, task.density)? else { return Ok(found) };
         // Another shape may be turned on its web another way.
         now = if at == 0 {
-            beyond_disc(self::envelope(engine, index, &design, task)?, task, round)
+            beyond_disc(self::envelope(engine, index, &design, task)?, task, room.as_ref())
         } else if at + 1 < MOST_ROUNDS {
             now.shrunk(1.05 * miss + 1e-7)
         } else {
@@ -433,8 +449,7 @@ pub(crate) fn missed(
         return Ok(None);
     }
     let (part, weight) = fitted_part(engine, index, design, density)?;
-    let mut fitted = engine.clone();
-    fit(&mut fitted, index, part, weight);
+    let fitted = engine.with(|parts| fit(parts, index, part, weight)).map_err(CounterweightError::engine)?;
     // Counterweights with a shape come first, in their order.
     let body = fitted.counterweights[..index].iter().filter(|weight| weight.part.is_some()).count();
     Ok(clearance_model(&fitted)?.missed(body).map_err(crate::EngineClearanceError::from)?)
@@ -490,7 +505,7 @@ pub(crate) fn room(
 }
 
 /// Puts a part in the place of a weight: plane, unbalance and direction become those of the part.
-pub(crate) fn fit(fitted: &mut Engine, index: usize, part: CounterweightPart, weight: PartWeight) {
+pub(crate) fn fit(fitted: &mut EngineParts, index: usize, part: CounterweightPart, weight: PartWeight) {
     let old = &mut fitted.counterweights[index];
     (old.z, old.unbalance, old.angle) = (weight.z, weight.unbalance, weight.angle);
     old.part = Some(Box::new(part));

@@ -9,17 +9,19 @@ use lanchester_balance::{
     Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome,
     TwinArrangement, arranged, as_it_stands, fitted,
 };
+use lanchester_file::EngineFile;
 use lanchester_mechanism::{
-    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, SpeedResponse,
-    Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations, merged_orders,
-    motion, torque, total_loads,
+    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,
+    SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,
+    merged_orders, motion, torque, total_loads,
 };
-use lanchester_model::Criterion::Peak;
-use lanchester_model::{Engine, Load, Mount, SpeedRange, default_task};
+use lanchester_model::{Engine, EngineParts, Fault, Mount, SpeedRange};
 use lanchester_study::compare::{
     COMPARISON_VERSION, Compared, ComparedTorque, Comparison, Criterion, Equal, Held, Leading, Ranking,
     Similar, SimilarError,
 };
+use lanchester_task::Criterion::Peak;
+use lanchester_task::{Load, Tasks, default_task};
 use std::f64::consts::{PI, TAU};
 
 /// What the engines of a comparison get before they are compared.
@@ -37,8 +39,8 @@ pub enum ComparedWith {
 /// One engine to compare.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CompareEntry {
-    /// The engine of a file.
-    pub engine: Engine,
+    /// An engine, and what its file asks.
+    pub file: EngineFile,
     /// The files of pressures that its file names.
     pub traces: Vec<TraceFile>,
     /// What it gets.
@@ -87,6 +89,14 @@ impl Default for CompareRequest {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompareError {
+    /// As it is compared it is no engine.
+    #[error("{engine}: {fault}")]
+    Engine {
+        /// Its name.
+        engine: String,
+        /// What is wrong with it.
+        fault: Fault,
+    },
     /// Nothing to compare.
     #[error("a comparison needs two or more engines or arrangements, got {got}")]
     TooFew {
@@ -196,8 +206,8 @@ pub enum CompareError {
 /// ```
 /// use lanchester::{CompareEntry, CompareRequest, ComparedWith, compare};
 /// let entry = |name| CompareEntry {
-///     engine: lanchester::model::read(lanchester::model::template(name).expect("it is in the gallery").text)
-///         .engine
+///     file: lanchester::file::read(lanchester::file::template(name).expect("it is in the gallery").text)
+///         .file
 ///         .expect("the gallery has no mistakes"),
 ///     traces: Vec::new(),
 ///     with: ComparedWith::OwnDevices,
@@ -308,9 +318,9 @@ impl Candidate {
         request: &CompareRequest,
         warnings: &mut Vec<String>,
     ) -> Result<Candidate, CompareError> {
-        let speed = request.speed.unwrap_or(entry.engine.speed.highest);
-        let range = SpeedRange { lowest: entry.engine.speed.lowest.min(speed), highest: speed };
-        let own = Engine { speed: range, ..entry.engine.clone() };
+        let speed = request.speed.unwrap_or(entry.file.engine.speed.highest);
+        let range = SpeedRange { lowest: entry.file.engine.speed.lowest.min(speed), highest: speed };
+        let own = changed(&entry.file.engine, |parts| parts.speed = range)?;
         let own_name = own.name.clone();
         let balance = |error| CompareError::Balance { engine: own_name.clone(), error: Box::new(error) };
         let (engine, with) = match entry.with {
@@ -320,7 +330,9 @@ impl Candidate {
                 let with = arranged(&own, arrangement, &options).map_err(balance)?;
                 (with, Some(arrangement.name().to_owned()))
             }
-            ComparedWith::Optimum => (optimal(&own, &entry.traces, warnings)?, Some("optimum".to_owned())),
+            ComparedWith::Optimum => {
+                (optimal(&own, &entry.file.tasks, &entry.traces, warnings)?, Some("optimum".to_owned()))
+            }
         };
         let refused = |error| CompareError::Load { engine: own_name.clone(), error: Box::new(error) };
         let strokes =
@@ -422,7 +434,7 @@ impl Candidate {
         let highest = self.speed * similar.speed_of_original();
         let speed = SpeedRange { lowest: highest.min(self.engine.speed.lowest), highest };
         // The mounts are compared by themselves.
-        let engine = Engine { speed, mounts: Vec::new(), ..self.engine.clone() };
+        let engine = changed(&self.engine, |parts| (parts.speed, parts.mounts) = (speed, Vec::new()))?;
         consequences(&engine, &engine, None)
             .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: Box::new(error) })
     }
@@ -431,7 +443,7 @@ impl Candidate {
     fn stiff_mount_force(&self, similar: Similar, mounts: Vec<Mount>) -> Result<f64, CompareError> {
         let highest = self.speed * similar.speed_of_original();
         let speed = SpeedRange { lowest: highest.min(self.engine.speed.lowest), highest };
-        let engine = Engine { speed, mounts, ..self.engine.clone() };
+        let engine = changed(&self.engine, |parts| (parts.speed, parts.mounts) = (speed, mounts))?;
         let most = Peak(Load::LargestMountForce);
         let value = as_it_stands(&engine, most)
             .map_err(|error| CompareError::Balance { engine: engine.name.clone(), error: Box::new(error) })?;
@@ -488,8 +500,15 @@ impl Candidate {
         // The pressures are those of the engine at its own speed, the inertia that of equal piston speed.
         let found = self.torque_at(self.speed * similar.speed_of_original(), gas)?;
         let lowest = engine.speed.lowest * similar.speed_of_original();
-        let need = flywheel_need(engine, Some(&gas.lowest), lowest, known_inertia(engine), fluctuation)
-            .map_err(|error| self.no_torque(error))?;
+        let need = flywheel_need(
+            engine,
+            Some(&gas.lowest),
+            lowest,
+            &OuterTorque::default(),
+            known_inertia(engine),
+            fluctuation,
+        )
+        .map_err(|error| self.no_torque(error))?;
         let moment = similar.moment();
         let work = found.indicated.torque * found.energy.own_period;
         Ok(Some(ComparedTorque {
@@ -536,6 +555,14 @@ impl Gas {
     }
 }
 
+/// An engine with a change.
+fn changed(engine: &Engine, change: impl FnOnce(&mut EngineParts)) -> Result<Engine, CompareError> {
+    engine.with(change).map_err(|faults| CompareError::Engine {
+        engine: engine.name.clone(),
+        fault: Fault::first_of(faults),
+    })
+}
+
 /// Two stiff mounts so far apart [m] on the axis of the crank.
 fn mounts_apart(spacing: f64) -> Vec<Mount> {
     let mount = |(name, side): (&str, f64)| Mount {
@@ -551,13 +578,20 @@ fn mounts_apart(spacing: f64) -> Vec<Mount> {
 /// The engine with the best devices for the task of its file.
 fn optimal(
     engine: &Engine,
+    tasks: &Tasks,
     traces: &[TraceFile],
     warnings: &mut Vec<String>,
 ) -> Result<Engine, CompareError> {
-    let task = engine.balance.clone().unwrap_or_else(|| default_task(engine));
-    let answer =
-        optimise_on_webs(engine, Ok(traces), &task, &BalanceSettings::default(), &|_| Next::Continue)
-            .map_err(|error| CompareError::Optimum { engine: engine.name.clone(), error: Box::new(error) })?;
+    let task = tasks.balance.clone().unwrap_or_else(|| default_task(engine));
+    let answer = optimise_on_webs(
+        engine,
+        Ok(traces),
+        &task,
+        tasks.shape_task.as_ref(),
+        &BalanceSettings::default(),
+        &|_| Next::Continue,
+    )
+    .map_err(|error| CompareError::Optimum { engine: engine.name.clone(), error: Box::new(error) })?;
     match &answer.outcome {
         Outcome::Optimal => {}
         Outcome::Stopped { reason, .. } if !answer.weights.is_empty() => {

@@ -2,7 +2,8 @@
 
 use lanchester_balance::{BalanceError, Consequences, consequences as of_masses};
 use lanchester_geometry::counterweight_properties;
-use lanchester_model::{BalanceTask, Counterweight, Engine, Seat};
+use lanchester_model::{Counterweight, Engine};
+use lanchester_task::{BalanceTask, Seat};
 
 /// What the weights of `after` do, which is the engine `before` with other counterweights and balance shafts.
 ///
@@ -17,8 +18,8 @@ use lanchester_model::{BalanceTask, Counterweight, Engine, Seat};
 /// use lanchester::balance::Affected;
 /// use lanchester::model::{Engine, read, template};
 ///
-/// let four = read(template("in-line-4").expect("it is in the gallery").text).engine.expect("no mistakes");
-/// let bare = Engine { counterweights: Vec::new(), ..four.clone() };
+/// let four = read(template("in-line-4").expect("it is in the gallery").text).engine().expect("no mistakes");
+/// let bare = four.without_counterweights();
 /// let found = lanchester::consequences(&four, &bare, None)?;
 /// // Force and couple do not see the counterweights of a four; its middle main bearing does.
 /// assert!(found.worse().all(|row| row.quantity != Affected::Force && row.quantity != Affected::Couple));

@@ -9,7 +9,7 @@ use lanchester_geometry::crankshaft::CrankshaftError;
 use lanchester_geometry::{
     Design, DesignOutcome, Evolution, Front, GeometryError, Objective, Part, ShapeTask,
 };
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine};
+use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, Fault};
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
@@ -106,6 +106,9 @@ pub struct CounterweightFront {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CounterweightError {
+    /// With it there would be no engine.
+    #[error(transparent)]
+    Engine(Fault),
     /// No weight on any web.
     #[error(
         "no counterweight stands on a web\nhint: {}", match .has_weights {
@@ -367,7 +370,7 @@ pub fn with_counterweights(
     designs: &[(usize, Design)],
     density: f64,
 ) -> Result<Engine, CounterweightError> {
-    let mut fitted = engine.clone();
+    let mut fitted = engine.clone().into_parts();
     for (index, design) in designs {
         if is_fitted(&engine.counterweights[*index], design, density) {
             continue;
@@ -375,7 +378,7 @@ pub fn with_counterweights(
         let (part, weight) = fitted_part(engine, *index, design, density)?;
         fit(&mut fitted, *index, part, weight);
     }
-    Ok(fitted)
+    Engine::new(fitted).map_err(CounterweightError::engine)
 }
 
 /// The engine with an outline of the user's own in the place of the weight of this name.
@@ -401,9 +404,7 @@ pub fn with_outline(
     let angle = old.part.as_ref().map_or(old.angle, |part| part.angle);
     let part = CounterweightPart { form, part, web, z: plane(old), angle, wanted: Some(duty_of(old)) };
     let weight = engine.part_weight(&part).map_err(|fault| refused(engine, index, &fault))?;
-    let mut fitted = engine.clone();
-    fit(&mut fitted, index, part, weight);
-    Ok(fitted)
+    engine.with(|parts| fit(parts, index, part, weight)).map_err(CounterweightError::engine)
 }
 
 /// The unbalance that a weight should have [kg m].
@@ -477,3 +478,10 @@ pub(crate) fn web_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
 
 #[cfg(test)]
 mod tests;
+
+impl CounterweightError {
+    /// The first of the faults of parts that are no engine.
+    pub(crate) fn engine(faults: Vec<Fault>) -> CounterweightError {
+        CounterweightError::Engine(Fault::first_of(faults))
+    }
+}

@@ -5,10 +5,10 @@ use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::simulated_gas::GivenGas;
 use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
-    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, RippleOutcome,
-    TorqueError, bearing_loads, speed_ripple,
+    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque,
+    RippleOutcome, TorqueError, bearing_loads, speed_ripple,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, SimulationInput};
 use lanchester_multibody::{
     Guidance, Instant, LoadLaw, Motion, MultibodyError, Reactions, RotorInertia, RunOutcome, Simulation,
     Train,
@@ -42,11 +42,13 @@ pub struct CrossCheckRequest {
     pub max_order: u32,
     /// Bar of condition A; `None`: 1e-10.
     pub bar: Option<f64>,
+    /// What the file says of a run in time: its torques over the angle count in condition B.
+    pub simulation: Option<Box<SimulationInput>>,
 }
 
 impl Default for CrossCheckRequest {
     fn default() -> Self {
-        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None }
+        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None, simulation: None }
     }
 }
 
@@ -74,8 +76,8 @@ pub enum CrossCheckError {
 /// ```
 /// use lanchester::{CrossCheckRequest, crosscheck};
 ///
-/// let template = lanchester::model::template("v6-90").expect("it is in the gallery");
-/// let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester::file::template("v6-90").expect("it is in the gallery");
+/// let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let check = crosscheck(&engine, &[], &CrossCheckRequest::default())?;
 /// assert!(check.agrees());
 /// # Ok::<(), lanchester::CrossCheckError>(())
@@ -257,12 +259,18 @@ impl Pair<'_> {
 
     /// Condition B: the speed over the cycle against the energy integral; or why it does not apply.
     fn free_speed(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
-        let input = self.engine.simulation.as_deref();
+        let input = self.request.simulation.as_deref();
         let torque = input.map(|input| input.torque.clone()).unwrap_or_default();
         if self.gas.is_none() && torque.is_empty() {
             return Ok(Err("the file has no [gas] that could drive the engine".into()));
         }
-        let ripple = match speed_ripple(self.engine, self.gas, self.speed, known_inertia(self.engine))? {
+        let ripple = match speed_ripple(
+            self.engine,
+            self.gas,
+            self.speed,
+            &OuterTorque::of(input)?,
+            known_inertia(self.engine),
+        )? {
             RippleOutcome::Periodic(ripple) => ripple,
             RippleOutcome::IncompleteInertia(missing) => return Ok(Err(missing.reason)),
             RippleOutcome::Stops(stopped) => return Ok(Err(stopped.reason)),

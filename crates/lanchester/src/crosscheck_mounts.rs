@@ -16,7 +16,7 @@ use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
     GasTrain, Lever, MountSystem, inertia_excitations, merged_orders, rotor_inertia_about_z,
 };
-use lanchester_model::{Block, Engine, MovingParts};
+use lanchester_model::{Block, Engine, EngineParts, MovingParts};
 use lanchester_multibody::{BlockMotion, GasPressure, Load, LoadLaw, Motion, ReactsOn, Simulation, Train};
 use lanchester_report::{CrossRow, CrossVerdict};
 use nalgebra::{Rotation3, Vector3};
@@ -201,22 +201,25 @@ fn with_whole_block(engine: &Engine) -> Option<Engine> {
         moving_parts: MovingParts::Included,
         ..block.clone()
     };
-    Some(Engine { block: Some(block), ..engine.clone() })
+    engine.with(|parts| parts.block = Some(block)).ok()
 }
 
 /// Half the mass of everything that moves in the block.
 fn halved(engine: &Engine) -> Engine {
-    let mut half = engine.clone();
-    for cylinder in &mut half.cylinders {
-        cylinder.piston_mass *= 0.5;
-        cylinder.rod.big_end_mass *= 0.5;
-        cylinder.rod.small_end_mass *= 0.5;
-        cylinder.rod.inertia = cylinder.rod.inertia.map(|inertia| 0.5 * inertia);
-    }
-    half.throws.iter_mut().for_each(|throw| throw.unbalance *= 0.5);
-    half.counterweights.iter_mut().for_each(|weight| weight.unbalance *= 0.5);
-    half.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights).for_each(|weight| weight.unbalance *= 0.5);
-    half
+    let halve = |parts: &mut EngineParts| {
+        for cylinder in &mut parts.cylinders {
+            cylinder.piston_mass *= 0.5;
+            cylinder.rod.big_end_mass *= 0.5;
+            cylinder.rod.small_end_mass *= 0.5;
+            cylinder.rod.inertia = cylinder.rod.inertia.map(|inertia| 0.5 * inertia);
+        }
+        parts.throws.iter_mut().for_each(|throw| throw.unbalance *= 0.5);
+        let of_shafts = parts.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights);
+        let of_shafts = of_shafts.map(|weight| &mut weight.unbalance);
+        let of_crank = parts.counterweights.iter_mut().map(|weight| &mut weight.unbalance);
+        of_shafts.chain(of_crank).for_each(|unbalance| *unbalance *= 0.5);
+    };
+    engine.with(halve).expect("invariant: half of a mass is a mass")
 }
 
 /// What is simulated.

@@ -6,15 +6,17 @@ use crate::pressure::TraceFile;
 use crate::running::{Running, running};
 use crate::web_bounds::optimise_on_webs;
 use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
+use lanchester_file::{Diagnostic, EngineFile};
 use lanchester_mechanism::{
     InternalMoments, InternalRequest, LoadError, LoadRequest, Loads, PeakMode, internal_cases, loads,
 };
-use lanchester_model::{Diagnostic, Engine};
+use lanchester_model::Engine;
 use lanchester_report::{
     CrankshaftInput, Figure, OptimumInput, Provenance, ReportInput, bearings_section_figures,
     consequence_figures, figures, internal_figures, mount_figures, optimum_figures, report,
     simulation_figures, torque_section_figures,
 };
+use lanchester_task::Tasks;
 
 /// The sections of a report, computed.
 #[derive(Debug, Clone)]
@@ -51,19 +53,20 @@ impl<'a> EngineReport<'a> {
     /// # Errors
     /// [`LoadError`] where the engine has no loads at all.
     pub fn new(
-        engine: &'a Engine,
+        file: &'a EngineFile,
         request: &LoadRequest,
         internal: &InternalRequest,
         traces: Result<&[TraceFile], String>,
         warnings: &[Diagnostic],
     ) -> Result<EngineReport<'a>, LoadError> {
+        let EngineFile { engine, tasks } = file;
         let loads = loads(engine, request)?;
         let internal = internal_cases(engine, internal)?;
         let mut warnings: Vec<String> = warnings.iter().map(in_one_line).collect();
         let told = warnings.len();
-        let optimum = optimum(engine, traces.clone(), &mut warnings)?;
+        let optimum = optimum(engine, tasks, traces.clone(), &mut warnings)?;
         let crankshaft = crankshaft(engine, &mut warnings);
-        let running = running(engine, traces, loads.speed);
+        let running = running(file, traces, loads.speed);
         for warning in running.all_warnings() {
             if !warnings.contains(&warning) {
                 warnings.push(warning);
@@ -133,18 +136,25 @@ impl FoundOptimum {
 /// What the section `[balance]` of the file asks, answered; a question without meaning is one more warning.
 fn optimum(
     engine: &Engine,
+    tasks: &Tasks,
     traces: Result<&[TraceFile], String>,
     warnings: &mut Vec<String>,
 ) -> Result<Option<FoundOptimum>, LoadError> {
-    let Some(task) = &engine.balance else { return Ok(None) };
-    let answer =
-        match optimise_on_webs(engine, traces, task, &BalanceSettings::default(), &|_| Next::Continue) {
-            Ok(answer) => answer,
-            Err(error) => {
-                warnings.push(format!("the section [balance] has no answer: {error}"));
-                return Ok(None);
-            }
-        };
+    let Some(task) = &tasks.balance else { return Ok(None) };
+    let answer = match optimise_on_webs(
+        engine,
+        traces,
+        task,
+        tasks.shape_task.as_ref(),
+        &BalanceSettings::default(),
+        &|_| Next::Continue,
+    ) {
+        Ok(answer) => answer,
+        Err(error) => {
+            warnings.push(format!("the section [balance] has no answer: {error}"));
+            return Ok(None);
+        }
+    };
     let fitted = fitted(engine, &answer);
     let (before, after) = (loads(engine, &LoadRequest::default())?, loads(&fitted, &LoadRequest::default())?);
     let consequences = match answer.weights.is_empty() {

@@ -5,7 +5,7 @@ use lanchester_mechanism::{
     BeamModel, InternalRequest, LoadError, LoadRequest, OrderLoads, TorqueError, firing_chart,
     internal_moments, total_loads,
 };
-use lanchester_model::{CrankcasePressure, Engine, Gas, GasSource};
+use lanchester_model::{CrankcasePressure, Engine, EngineParts, Gas, GasSource};
 use lanchester_study::explore::{
     Banks, Constraint, ExploreAnswer, ExploreError, Explorer, GivenEngine, Layout, Objective, Sense,
 };
@@ -251,24 +251,26 @@ fn case(engine: &Engine, explorer: &Explorer, own: &OwnLayout) -> Result<u128, S
 pub fn adopted_layout(engine: &Engine, explorer: &Explorer, case: u128) -> Result<Engine, LayoutSearchError> {
     let parts = &explorer.request().space.parts;
     let layout = explorer.layout(case)?;
-    let mut adopted = layout.engine(parts)?;
-    adopted.name = layout_name(&layout);
     let of = format!("made of the parts of {}: case {case} of {} layouts", engine.name, explorer.size());
-    adopted.note = Some(of);
-    adopted.rotation = engine.rotation;
-    adopted.speed = engine.speed;
-    adopted.friction = engine.friction;
-    adopted.flywheel = engine.flywheel.clone();
-    adopted.gas = engine.gas.as_ref().filter(|gas| holds_for_any_layout(gas)).cloned();
-    if !layout.has_split_pins() {
-        for throw in &mut adopted.throws {
-            throw.webs = Some([-0.5, 0.5].map(|side| throw.z + side * parts.web_distance));
+    let change = |adopted: &mut EngineParts| {
+        adopted.name = layout_name(&layout);
+        adopted.note = Some(of);
+        adopted.rotation = engine.rotation;
+        adopted.speed = engine.speed;
+        adopted.friction = engine.friction;
+        adopted.flywheel = engine.flywheel.clone();
+        adopted.gas = engine.gas.as_ref().filter(|gas| holds_for_any_layout(gas)).cloned();
+        if !layout.has_split_pins() {
+            for throw in &mut adopted.throws {
+                throw.webs = Some([-0.5, 0.5].map(|side| throw.z + side * parts.web_distance));
+            }
         }
-    }
-    if engine.cylinders.iter().any(|cylinder| cylinder.bore.is_none()) {
-        adopted.cylinders.iter_mut().for_each(|cylinder| cylinder.bore = None);
-    }
-    Ok(adopted)
+        if engine.cylinders.iter().any(|cylinder| cylinder.bore.is_none()) {
+            adopted.cylinders.iter_mut().for_each(|cylinder| cylinder.bore = None);
+        }
+    };
+    let adopted = layout.engine(parts)?.with(change);
+    Ok(adopted.expect("invariant: the web distance of a space of layouts is positive"))
 }
 
 /// Measured pressures belong to the cylinders of their engine.

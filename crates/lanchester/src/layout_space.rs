@@ -104,8 +104,8 @@ pub enum LayoutSpaceError {
 /// # Example
 /// ```
 /// use lanchester::{LayoutChoices, layout_space};
-/// let template = lanchester::model::template("in-line-4").expect("it is in the gallery");
-/// let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester::file::template("in-line-4").expect("it is in the gallery");
+/// let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let found = layout_space(&engine, &LayoutChoices::default(), &[])?;
 /// // Three throws at twelve angles, and each of three cylinders fires in one of two revolutions.
 /// assert_eq!(found.space.size(u128::MAX)?, 12 * 12 * 12 * 8);

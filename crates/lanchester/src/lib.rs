@@ -6,8 +6,8 @@
 //! ```
 //! use lanchester::mechanism::{LoadRequest, loads};
 //!
-//! let template = lanchester::model::template("in-line-4").expect("it is in the gallery");
-//! let engine = lanchester::model::read(template.text).engine.expect("the gallery has no mistakes");
+//! let template = lanchester::file::template("in-line-4").expect("it is in the gallery");
+//! let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
 //! let loads = loads(&engine, &LoadRequest::default())?;
 //! let (first, second) = (loads.total.orders[1], loads.total.orders[2]);
 //! // An in-line four is free of first order and shakes at second order.
@@ -18,6 +18,7 @@
 
 mod arrangements;
 mod best_shape;
+mod bond_graph;
 mod clearance;
 mod comparison;
 mod consequences;
@@ -55,6 +56,7 @@ mod weights_as_parts;
 
 pub use arrangements::arrangements;
 pub use best_shape::SharedWithWeb;
+pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_bond_graph, gauge_pressures};
 pub use clearance::{
     EngineClearanceError, ExactRod, clearance_curve, clearance_model, clearances, largest_swept_radius,
 };
@@ -76,6 +78,7 @@ pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
+pub use lanchester_file as file;
 pub use lanchester_geometry as geometry;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
@@ -83,6 +86,8 @@ pub use lanchester_multibody as multibody;
 pub use lanchester_report as report;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
+pub use lanchester_task as task;
+pub use lanchester_units as units;
 pub use lanchester_workshop as workshop;
 pub use layout_search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
 pub use layout_space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};

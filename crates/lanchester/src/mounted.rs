@@ -51,7 +51,7 @@ pub enum MountedError {
 /// use lanchester::{MountSpeeds, mounts};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4-mounts.toml"));
-/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
+/// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");
 /// let study = mounts(&engine, &MountSpeeds::Range(3), 8, Some(&[]), &[])?;
 /// let (idle, top) = (&study.response.speeds[0], &study.response.speeds[2]);
 /// // The torque rod feels the gas at idle far more than the inertia forces at top speed.
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn the_gas_over_speeds_is_that_of_each_speed() {
         let zone = include_str!("../../../examples/single-gas.toml");
-        let single = lanchester_model::read(zone).engine.expect("the example has no mistakes");
+        let single = lanchester_file::read(zone).engine().expect("the example has no mistakes");
         for engine in [example(), single] {
             let speeds = [200.0, 310.0, 450.0];
             let together = gas_at_speeds(&engine, &[], &speeds, 6).expect("it has gas");
@@ -182,7 +182,7 @@ mod tests {
 
     fn example() -> Engine {
         let text = include_str!("../../../examples/in-line-4-mounts.toml");
-        lanchester_model::read(text).engine.expect("the example has no mistakes")
+        lanchester_file::read(text).engine().expect("the example has no mistakes")
     }
 
     #[test]
@@ -192,7 +192,9 @@ mod tests {
         let speeds: Vec<f64> = study.response.speeds.iter().map(|s| s.speed).collect();
         assert_eq!(speeds.len(), 7);
         assert_eq!((speeds[0], speeds[6]), (engine.speed.lowest, engine.speed.highest));
-        let one = Engine { speed: lanchester_model::SpeedRange { lowest: 300.0, highest: 300.0 }, ..engine };
+        let one = engine
+            .with(|parts| parts.speed = lanchester_model::SpeedRange { lowest: 300.0, highest: 300.0 })
+            .unwrap();
         let study = mounts(&one, &MountSpeeds::Range(7), 4, None, &[]).expect("it is held");
         assert_eq!(study.response.speeds.len(), 1);
     }
@@ -219,7 +221,11 @@ mod tests {
     fn a_block_that_is_not_held_is_refused_before_the_gas() {
         // No load is computed at a speed below 0: what is refused first is the block.
         let mut engine = example();
-        engine.mounts.clear();
+        engine = engine
+            .with(|engine| {
+                engine.mounts.clear();
+            })
+            .expect("an engine");
         let speeds = MountSpeeds::List(vec![-1.0]);
         let refused = mounts(&engine, &speeds, 4, Some(&[]), &[]).expect_err("nothing holds it");
         assert!(matches!(refused, MountedError::Mounts(MountError::NoMounts)), "{refused}");
@@ -247,7 +253,11 @@ mod tests {
             mounts(engine, &speeds, 4, gas, &[]).expect("it is held").warnings
         };
         assert_eq!(told(&engine, Some(&[])), Vec::<String>::new());
-        engine.block.as_mut().expect("it has a block").driveline_torque = [0.0; 3];
+        engine = engine
+            .with(|engine| {
+                engine.block.as_mut().expect("it has a block").driveline_torque = [0.0; 3];
+            })
+            .expect("an engine");
         assert_eq!(told(&engine, None), Vec::<String>::new());
         let warnings = told(&engine, Some(&[]));
         assert!(warnings.len() == 1 && warnings[0].contains("N m on average"), "{warnings:?}");
@@ -256,9 +266,15 @@ mod tests {
     #[test]
     fn a_three_of_four_strokes_shakes_its_mounts_at_half_orders() {
         let mut engine = example();
-        let template = lanchester_model::template("in-line-3").expect("the gallery has it");
-        let three = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
-        engine = Engine { gas: engine.gas, block: engine.block, mounts: engine.mounts, ..three };
+        let template = lanchester_file::template("in-line-3").expect("the gallery has it");
+        let three = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
+        engine = three
+            .with(|parts| {
+                parts.gas.clone_from(&engine.gas);
+                parts.block.clone_from(&engine.block);
+                parts.mounts.clone_from(&engine.mounts);
+            })
+            .unwrap();
         let study = mounts(&engine, &MountSpeeds::List(vec![100.0]), 4, Some(&[]), &[]).expect("it is held");
         let at = &study.response.speeds[0];
         let roll =
@@ -279,7 +295,7 @@ mod tests {
             (include_str!("../../../examples/twin-in-line-in-phase.toml"), 8252.0, 0.5),
             (include_str!("../../../examples/twin-boxer-in-phase.toml"), 4126.0, 0.5),
         ] {
-            let mut engine = lanchester_model::read(text).engine.expect("the example has no mistakes");
+            let mut engine = lanchester_file::read(text).engine().expect("the example has no mistakes");
             let block = lanchester_model::Block {
                 mass: 60.0,
                 centre: [0.0; 3],
@@ -289,18 +305,26 @@ mod tests {
                 gravity: [-1.0, 0.0, 0.0],
                 driveline_torque: [0.0; 3],
             };
-            engine.block = Some(block);
-            let places = [(-0.2, -0.088), (0.2, -0.088), (-0.2, 0.088), (0.2, 0.088)];
-            engine.mounts = places
-                .into_iter()
-                .map(|(y, z)| lanchester_model::Mount {
-                    name: format!("{y} {z}"),
-                    x: 0.0,
-                    y,
-                    z,
-                    spring: Some(lanchester_model::MountSpring::along_frame([1e13; 3])),
+            engine = engine
+                .with(|engine| {
+                    engine.block = Some(block);
                 })
-                .collect();
+                .expect("an engine");
+            let places = [(-0.2, -0.088), (0.2, -0.088), (-0.2, 0.088), (0.2, 0.088)];
+            engine = engine
+                .with(|engine| {
+                    engine.mounts = places
+                        .into_iter()
+                        .map(|(y, z)| lanchester_model::Mount {
+                            name: format!("{y} {z}"),
+                            x: 0.0,
+                            y,
+                            z,
+                            spring: Some(lanchester_model::MountSpring::along_frame([1e13; 3])),
+                        })
+                        .collect();
+                })
+                .expect("an engine");
             let speeds = MountSpeeds::List(vec![4000.0 * std::f64::consts::PI / 30.0]);
             let study = mounts(&engine, &speeds, 1, None, &[]).expect("it is held");
             let first =

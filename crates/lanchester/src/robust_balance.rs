@@ -1,8 +1,9 @@
 //! The best weights for engines as the tolerances of the file make them.
 
 use lanchester_balance::{BalanceError, RobustAnswer, RobustMeasure, RobustRequest, optimise_robust};
-use lanchester_model::{BalanceTask, Engine};
+use lanchester_model::Engine;
 use lanchester_study::scatter::{Output, ScatterError, ScatterRequest, Scattering};
+use lanchester_task::{BalanceTask, Tolerance};
 
 /// How many engines are drawn, and what of them counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,13 +36,14 @@ pub enum RobustError {
     Engines(u64),
 }
 
-/// Draws engines within the tolerances of `engine` and finds the weights of `task` that are best for them. What varies of weights
+/// Draws engines within the tolerances and finds the weights of `task` that are best for them. What varies of weights
 /// that the task takes over does not: their places are taken by weights without deviations.
 ///
 /// # Errors
 /// [`RobustError`].
 pub fn robust_balance(
     engine: &Engine,
+    tolerances: &[Tolerance],
     task: &BalanceTask,
     options: &RobustOptions,
 ) -> Result<RobustAnswer, RobustError> {
@@ -52,13 +54,13 @@ pub fn robust_balance(
     let scattering = Scattering::new(ScatterRequest {
         engine: engine.clone(),
         speed: None,
-        tolerances: engine.tolerances.clone(),
+        tolerances: tolerances.to_vec(),
         outputs: vec![Output::Force { order: 1 }],
         limits: Vec::new(),
         percentiles: Vec::new(),
         samples: 2 * engines,
         seed,
     })?;
-    let (samples, second) = (scattering.engines(0..engines), scattering.engines(engines..2 * engines));
+    let (samples, second) = (scattering.engines(0..engines)?, scattering.engines(engines..2 * engines)?);
     Ok(optimise_robust(engine, task, &RobustRequest { samples: &samples, second: &second, measure, seed })?)
 }

@@ -1,11 +1,11 @@
 //! A scatter as a study in blocks, with the samples as rows.
 
 use crate::run::Study;
-use lanchester_model::Tolerance;
 use lanchester_report::measure_unit;
 use lanchester_study::scatter::{Deviation, Drawn, Output, ScatterError, Scattering, Tally};
 use lanchester_study::sensitivity::Quantity;
 use lanchester_table::{Column, Rows, Values};
+use lanchester_task::Tolerance;
 use std::ops::Range;
 
 /// Samples of a block.

@@ -88,13 +88,13 @@ pub fn design_shaft_weights(
 
 /// The engine with `designs` in the place of the weights of balance shafts of these places.
 pub fn with_shaft_weights(engine: &Engine, designs: &[(ShaftWeightPlace, ShaftWeightDesign)]) -> Engine {
-    let mut fitted = engine.clone();
+    let mut fitted = engine.clone().into_parts();
     for ((shaft, weight), design) in designs {
         let weight = &mut fitted.shafts[*shaft].weights[*weight];
         let part = design.part(duty_of(weight));
         (weight.unbalance, weight.part) = (part.unbalance(), Some(part));
     }
-    fitted
+    Engine::new(fitted).expect("invariant: a design has a finite unbalance")
 }
 
 fn places(engine: &Engine) -> impl Iterator<Item = ShaftWeightPlace> {

@@ -6,7 +6,8 @@ use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,
 };
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
-use lanchester_model::{BalanceTask, Engine, GasSource};
+use lanchester_model::{Engine, GasSource};
+use lanchester_task::BalanceTask;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -27,7 +28,7 @@ const STEPS: usize = 12;
 /// use lanchester::model::{BalanceTask, Criterion, Mains, Stage, Statistic};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4-mounts.toml"));
-/// let engine = lanchester::model::read(text).engine.expect("the example has no mistakes");
+/// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");
 /// let peak = Criterion::MainsWithGas(Statistic::Peak, Mains::Largest);
 /// let task = BalanceTask { stages: vec![Stage::of(vec![(1.0, peak)])], ..BalanceTask::default() };
 /// let settings = BalanceSettings::default();
@@ -78,13 +79,13 @@ impl GasOverSpeed for SpeedGas<'_> {
         }
         let place = (speed - lowest) / (highest - lowest) * STEPS as f64;
         let below = (place.floor() as usize).min(STEPS - 1);
-        let of = |step: usize| lowest + (highest - lowest) * step as f64 / STEPS as f64;
         let share = place - below as f64;
         if share == 0.0 || share == 1.0 {
             let step = below + share as usize;
-            return Ok(self.step(step, of(step))?.to_vec());
+            return Ok(self.step(step, self.speed_of(step))?.to_vec());
         }
-        let (first, second) = (self.step(below, of(below))?, self.step(below + 1, of(below + 1))?);
+        let (first, second) =
+            (self.step(below, self.speed_of(below))?, self.step(below + 1, self.speed_of(below + 1))?);
         let between = |a: &PeriodicCurve, b: &PeriodicCurve| {
             PeriodicCurve::sum(&[(1.0 - share, a), (share, b)]).map_err(|error| error.to_string())
         };
@@ -96,12 +97,35 @@ impl GasOverSpeed for SpeedGas<'_> {
         });
         cylinders.collect()
     }
+
+    fn knots(&self) -> Vec<f64> {
+        let Some(gas) = &self.engine.gas else { return Vec::new() };
+        let (lowest, highest) = (self.engine.speed.lowest, self.engine.speed.highest);
+        if !depends_on_speed(gas) || lowest >= highest {
+            return vec![highest];
+        }
+        match &gas.source {
+            GasSource::Traces { traces, .. } => {
+                let speeds = traces.iter().map(|trace| trace.speed).collect::<Option<Vec<f64>>>();
+                let mut speeds = speeds.unwrap_or_default();
+                speeds.sort_by(f64::total_cmp);
+                speeds
+            }
+            GasSource::Cycle(_) => (0..=STEPS).map(|step| self.speed_of(step)).collect(),
+        }
+    }
 }
 
 impl SpeedGas<'_> {
     fn computed(&self, speed: f64) -> Result<Vec<CylinderGas>, String> {
         let traces = self.traces.clone()?;
         cylinder_gas(self.engine, traces, speed).map(|gas| gas.cylinders).map_err(|error| error.to_string())
+    }
+
+    /// Speed of a step of the range [rad/s].
+    fn speed_of(&self, step: usize) -> f64 {
+        let (lowest, highest) = (self.engine.speed.lowest, self.engine.speed.highest);
+        lowest + (highest - lowest) * step as f64 / STEPS as f64
     }
 
     /// The pressures at a step of the range, which is at `speed`.
@@ -123,7 +147,7 @@ mod tests {
     #[test]
     fn a_computed_cycle_is_interpolated_between_its_speeds() {
         let text = include_str!("../../../examples/single-gas.toml");
-        let engine = lanchester_model::read(text).engine.expect("the example has no mistakes");
+        let engine = lanchester_file::read(text).engine().expect("the example has no mistakes");
         let gas = SpeedGas::new(&engine, Ok(&[]));
         let (lowest, highest) = (engine.speed.lowest, engine.speed.highest);
         let step = (highest - lowest) / STEPS as f64;

@@ -5,7 +5,8 @@ use crate::counterweights::{CounterweightError, web_of};
 use crate::pressure::TraceFile;
 use crate::speed_gas::optimised;
 use lanchester_balance::{Answer, BalanceError, BalanceSettings, Next, SearchState, WebBound};
-use lanchester_model::{BalanceTask, Counterweight, Engine, FreeWeight, Phase, Place, Seat, ShapeTask};
+use lanchester_model::{Counterweight, Engine};
+use lanchester_task::{BalanceTask, FreeWeight, Phase, Place, Seat, ShapeTask};
 use std::f64::consts::{PI, TAU};
 
 /// How often the optimum is found anew with bounds of the directions in which its weights stand.
@@ -54,7 +55,7 @@ pub enum WebBoundError {
 }
 
 /// As [`optimised`], with every weight on a web bounded by what fits on it: those that ask for it, and those without a largest amount where
-/// the engine has `[crank.body]` and `[counterweight_design]`. [`Answer::web_bounds`] says which, and by what.
+/// the engine has the body of a crank and `shapes` are given. [`Answer::web_bounds`] says which, and by what.
 ///
 /// What fits depends on the direction of the weight. It is the largest unbalance of the shapes in the direction that the task gives, or else opposite to
 /// the crankpin; where the optimum stands elsewhere and asks for more than fits there, that becomes the bound and the optimum is found anew.
@@ -65,10 +66,11 @@ pub fn optimise_on_webs(
     engine: &Engine,
     traces: Result<&[TraceFile], String>,
     task: &BalanceTask,
+    shapes: Option<&ShapeTask>,
     settings: &BalanceSettings,
     watch: &dyn Fn(&SearchState<'_>) -> Next,
 ) -> Result<Answer, WebBoundError> {
-    let Some(mut webs) = Webs::of(engine, task)? else {
+    let Some(mut webs) = Webs::of(engine, task, shapes)? else {
         return Ok(optimised(engine, traces, task, settings, watch)?);
     };
     let mut bounded = webs.bounded(task)?;
@@ -104,13 +106,17 @@ struct Bounded {
 
 impl<'a> Webs<'a> {
     /// Those of a task; none where no weight is bounded by what fits.
-    fn of(engine: &'a Engine, task: &BalanceTask) -> Result<Option<Webs<'a>>, WebBoundError> {
+    fn of(
+        engine: &'a Engine,
+        task: &BalanceTask,
+        shapes: Option<&ShapeTask>,
+    ) -> Result<Option<Webs<'a>>, WebBoundError> {
         let mut bounds = Vec::new();
         let followers: Vec<usize> = task.ties.iter().map(|tie| tie.second).collect();
         for (index, weight) in task.weights.iter().enumerate() {
             let probe = probe(engine, weight);
             let web = probe.as_ref().and_then(|probe| web_of(probe, &probe.counterweights[0]));
-            let missing = match (&web, engine.crank_body, engine.shape_task) {
+            let missing = match (&web, engine.crank_body, shapes) {
                 (None, ..) => Some("its place on a web that stands free"),
                 (_, None, _) => Some("the section [crank.body]"),
                 (.., None) => Some("the section [counterweight_design]"),
@@ -135,7 +141,7 @@ impl<'a> Webs<'a> {
                 bounds.push(Bounded { index, probe, told });
             }
         }
-        let Some(shapes) = engine.shape_task.filter(|_| !bounds.is_empty()) else { return Ok(None) };
+        let Some(shapes) = shapes.copied().filter(|_| !bounds.is_empty()) else { return Ok(None) };
         let mut webs = Webs { engine, shapes, bounds, known: LargestShapes::default() };
         for at in 0..webs.bounds.len() {
             let (bound, by) = webs.fits(at, None)?;
@@ -148,7 +154,9 @@ impl<'a> Webs<'a> {
     fn fits(&mut self, at: usize, angle: Option<f64>) -> Result<(f64, String), WebBoundError> {
         let probe = &mut self.bounds[at].probe;
         if let Some(angle) = angle {
-            probe.counterweights[0].angle = angle;
+            *probe = probe
+                .with(|parts| parts.counterweights[0].angle = angle)
+                .expect("invariant: a direction is finite");
         }
         Ok(self.known.largest(probe, 0, &self.shapes)?)
     }
@@ -210,5 +218,5 @@ fn probe(engine: &Engine, weight: &FreeWeight) -> Option<Engine> {
         Phase::Direction(angle) | Phase::Line(angle) => angle - engine.crankshafts[crankshaft].phase,
         Phase::Free => engine.throws[web / 2].angle + PI,
     };
-    Some(Engine { counterweights: vec![alone], ..engine.clone() })
+    engine.with(|parts| parts.counterweights = vec![alone]).ok()
 }

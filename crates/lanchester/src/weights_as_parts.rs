@@ -6,7 +6,8 @@ use crate::counterweights::{
 use crate::shaft_weights::design_shaft_weights;
 use lanchester_balance::Answer;
 use lanchester_geometry::{DesignOutcome, ShaftWeightOutcome};
-use lanchester_model::{Engine, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{Seat, Tasks};
 use serde::Serialize;
 
 /// A found weight as a part.
@@ -25,21 +26,24 @@ pub struct WeightAsPart {
 /// Share of the largest found weight below which one is rounding.
 const NOTHING: f64 = 1e-9;
 
-/// The found weights as parts: the best shapes of `[counterweight_design]` for those on webs, of `[shaft_weight_design]` for those on balance
-/// shafts. Weights elsewhere are left out.
+/// The found weights as parts: the best shapes of `tasks` for those on webs, and for those on balance shafts. Weights elsewhere are left out.
 ///
 /// `fitted` is the engine with the answer.
 ///
 /// # Errors
 /// As [`design_counterweights`] and [`design_shaft_weights`].
-pub fn weights_as_parts(answer: &Answer, fitted: &Engine) -> Result<Vec<WeightAsPart>, CounterweightError> {
+pub fn weights_as_parts(
+    answer: &Answer,
+    fitted: &Engine,
+    tasks: &Tasks,
+) -> Result<Vec<WeightAsPart>, CounterweightError> {
     let found = answer.task.weights.iter().zip(&answer.weights);
     let found: Vec<_> = found.filter(|(_, found)| found.used).collect();
     // What the solver leaves of a weight that is not needed is no weight.
     let largest = found.iter().map(|(_, found)| found.unbalance.norm()).fold(0.0, f64::max);
     let is_weight = |unbalance: f64| unbalance > NOTHING * largest;
     let mut parts = Vec::new();
-    if let Some(task) = fitted.shape_task {
+    if let Some(task) = tasks.shape_task {
         let on_webs = found.iter().filter(|(free, found)| {
             matches!(free.seat, Seat::Crankshaft(_))
                 && is_weight(found.unbalance.norm())
@@ -63,7 +67,7 @@ pub fn weights_as_parts(answer: &Answer, fitted: &Engine) -> Result<Vec<WeightAs
             }
         }
     }
-    if let Some(task) = &fitted.shaft_weight_task {
+    if let Some(task) = &tasks.shaft_weight_task {
         for (number, free) in answer.task.shafts.iter().enumerate() {
             let Some(shaft) = fitted.shafts.iter().position(|shaft| shaft.name == free.name) else {
                 continue;

@@ -1,17 +1,22 @@
 //! How long the bearing loads of a V8 take over 720 angles, with its gas and without, and its torque with all that belongs to it.
 use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_file::{read, template};
 use lanchester_mechanism::*;
-use lanchester_model::{Engine, read, template};
+use lanchester_model::Engine;
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
 /// A V8 of the gallery with a bore, and a pressure every degree.
 fn v8() -> (Engine, Vec<CylinderGas>) {
     let text = template("v8-crossplane").expect("it is in the gallery").text;
-    let mut engine = read(text).engine.expect("it is valid");
-    for cylinder in &mut engine.cylinders {
-        cylinder.bore = Some(0.09);
-    }
+    let mut engine = read(text).engine().expect("it is valid");
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.bore = Some(0.09);
+            }
+        })
+        .unwrap();
     let knots: Vec<f64> = (0..720).map(|j| 2.0 * TAU * f64::from(j) / 720.0).collect();
     let values: Vec<f64> = knots.iter().map(|t| 1e5 + 6e6 * (-2.0 * (t - 0.3).powi(2)).exp()).collect();
     let gas = CylinderGas {

@@ -45,7 +45,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         .collect();
     let crankshaft =
         Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None };
-    Engine {
+    Engine::new(EngineParts {
         name: "bench".into(),
         note: None,
         strokes: Strokes::Four,
@@ -60,16 +60,12 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
-        simulation: None,
-    }
+    })
+    .unwrap()
 }
 
 fn bench(criterion: &mut Criterion) {

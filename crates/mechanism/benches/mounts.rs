@@ -1,5 +1,6 @@
 //! How long the block on its mounts takes: four mounts, 200 speeds, 12 orders.
 use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_file::{read, template};
 use lanchester_mechanism::{Excitation, MountSystem, OrderLoads};
 use lanchester_model::*;
 use num_complex::Complex64;
@@ -8,16 +9,20 @@ use std::hint::black_box;
 /// A block of 150 kg on four mounts that stand askew, the rear ones with a table.
 fn engine() -> Engine {
     let template = template("in-line-4").expect("the gallery has it");
-    let mut engine = read(template.text).engine.expect("the gallery's files are valid");
-    engine.block = Some(Block {
-        mass: 150.0,
-        centre: [0.08, 0.01, 0.05],
-        inertia: [9.0, 8.0, 5.0],
-        products: [0.1, -0.2, 0.5],
-        moving_parts: MovingParts::Included,
-        gravity: [-1.0, 0.0, 0.0],
-        driveline_torque: [0.0, 0.0, 120.0],
-    });
+    let mut engine = read(template.text).engine().expect("the gallery's files are valid");
+    engine = engine
+        .with(|engine| {
+            engine.block = Some(Block {
+                mass: 150.0,
+                centre: [0.08, 0.01, 0.05],
+                inertia: [9.0, 8.0, 5.0],
+                products: [0.1, -0.2, 0.5],
+                moving_parts: MovingParts::Included,
+                gravity: [-1.0, 0.0, 0.0],
+                driveline_torque: [0.0, 0.0, 120.0],
+            });
+        })
+        .unwrap();
     let point =
         |f, k| MountPoint { angular_frequency: f, stiffness: [k, 0.5 * k, 0.4 * k], loss_factor: [0.2; 3] };
     let mount = |(k, (y, z)): (usize, (f64, f64))| {
@@ -37,7 +42,11 @@ fn engine() -> Engine {
         Mount { name: format!("mount {}", k + 1), x: -0.05, y, z, spring: Some(spring) }
     };
     let places = [(-0.25, -0.2), (0.25, -0.2), (-0.2, 0.35), (0.2, 0.35)];
-    engine.mounts = places.into_iter().enumerate().map(mount).collect();
+    engine = engine
+        .with(|engine| {
+            engine.mounts = places.into_iter().enumerate().map(mount).collect();
+        })
+        .unwrap();
     engine
 }
 
@@ -67,7 +76,11 @@ fn excitations() -> Vec<Excitation> {
 fn mounts(criterion: &mut Criterion) {
     let tabled = engine();
     let mut plain = tabled.clone();
-    plain.mounts.iter_mut().filter_map(|m| m.spring.as_mut()).for_each(|s| s.table.clear());
+    plain = plain
+        .with(|plain| {
+            plain.mounts.iter_mut().filter_map(|m| m.spring.as_mut()).for_each(|s| s.table.clear());
+        })
+        .unwrap();
     let excitations = excitations();
     let mut group = criterion.benchmark_group("mounts");
     for (name, engine) in [("no table", &plain), ("two mounts with a table", &tabled)] {

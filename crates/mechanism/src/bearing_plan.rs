@@ -189,7 +189,7 @@ impl BearingPlan {
         let turned = if counterweights {
             engine
         } else {
-            bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+            bare = engine.without_counterweights();
             &bare
         };
         let ratio = engine.crankshafts[index].ratio;

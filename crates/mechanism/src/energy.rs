@@ -10,6 +10,7 @@
 
 use crate::extremes::root;
 use crate::result::{Extreme, Extremes};
+use lanchester_numerics::golden_section;
 use serde::Serialize;
 
 /// Stretches of a revolution within which no torque hides an extreme, at least: on one of them the rule of four points is exact to rounding.
@@ -35,9 +36,6 @@ const EQUAL: f64 = 1e-12;
 
 /// Steps of the golden section: a bracket of a degree shrinks to 1e-10 rad, far below what a difference of values can tell.
 const STEPS: usize = 40;
-
-/// Golden section: shrinks a bracket by this share a step.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Accumulated energy of a torque over its period.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
@@ -270,21 +268,10 @@ fn gauss(from: f64, to: f64, function: &impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Largest value within a bracket, and where.
-pub(crate) fn peak([mut from, mut to]: [f64; 2], value: &impl Fn(f64) -> f64) -> (f64, f64) {
-    let (mut left, mut right) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
-    let (mut at_left, mut at_right) = (value(left), value(right));
-    for _ in 0..STEPS {
-        if at_left >= at_right {
-            (to, right, at_right) = (right, left, at_left);
-            left = to - GOLDEN * (to - from);
-            at_left = value(left);
-        } else {
-            (from, left, at_left) = (left, right, at_right);
-            right = from + GOLDEN * (to - from);
-            at_right = value(right);
-        }
-    }
-    if at_left >= at_right { (at_left, left) } else { (at_right, right) }
+pub(crate) fn peak([from, to]: [f64; 2], value: &impl Fn(f64) -> f64) -> (f64, f64) {
+    let Ok((place, largest)) =
+        golden_section(from, to, STEPS, |place| Ok::<f64, std::convert::Infallible>(value(place)));
+    (largest, place)
 }
 
 #[cfg(test)]

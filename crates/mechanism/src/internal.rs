@@ -273,7 +273,7 @@ impl ShaftLoads {
         let turned = match request.counterweights {
             true => engine,
             false => {
-                bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+                bare = engine.without_counterweights();
                 &bare
             }
         };

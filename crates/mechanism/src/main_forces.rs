@@ -127,8 +127,8 @@ mod tests {
     /// The loads are those of the bearings, in peak and at every angle.
     #[test]
     fn as_the_bearings_have_them() {
-        let text = lanchester_model::template("in-line-4").expect("it is in the gallery").text;
-        let engine = lanchester_model::read(text).engine.expect("the gallery has no mistakes");
+        let text = lanchester_file::template("in-line-4").expect("it is in the gallery").text;
+        let engine = lanchester_file::read(text).engine().expect("the gallery has no mistakes");
         let knots: Vec<f64> = (0..720).map(|k| TAU * f64::from(k) / 360.0).collect();
         let values: Vec<f64> = knots.iter().map(|t| 1e5 + 5e6 * (-(t / 0.5 - 1.3).powi(2)).exp()).collect();
         let pressure = PeriodicCurve::through(2.0 * TAU, knots, &values).expect("it is a curve");

@@ -147,11 +147,11 @@ mod tests {
     /// Plain, offset and articulated rods of the gallery.
     fn linkages() -> Vec<(String, RodLinkage, Engine)> {
         let names = ["in-line-4", "v2-90", "radial-9", "vr6-15", "square-4"];
-        let all = lanchester_model::templates();
+        let all = lanchester_file::templates();
         let engines = all.iter().filter(|t| names.contains(&t.name)).map(|template| {
             (
                 template.name,
-                lanchester_model::read(template.text).engine.expect("the gallery has no mistakes"),
+                lanchester_file::read(template.text).engine().expect("the gallery has no mistakes"),
             )
         });
         let of_engine = |(name, engine): (&str, Engine)| {

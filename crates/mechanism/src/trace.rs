@@ -537,7 +537,7 @@ impl TracePlan {
 mod tests {
     use super::*;
     use crate::LoadRequest;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
 
     /// Every variant by itself: `dispatch` would only ever run the best that the machine has.
     #[test]
@@ -545,7 +545,7 @@ mod tests {
     fn every_instruction_set_gives_the_same_trace() {
         for name in ["v6-60", "radial-9", "opposed-piston-3"] {
             let engine =
-                read(template(name).expect("it is in the gallery").text).engine.expect("it is valid");
+                read(template(name).expect("it is in the gallery").text).engine().expect("it is valid");
             let mechanism = Mechanism::new(&engine, &LoadRequest::default()).expect("it is valid");
             let plan = mechanism.trace_plan(mechanism.angle_grid(90));
             let mut portable = Trace::default();

@@ -10,14 +10,14 @@ const ROUNDING: f64 = 5e-13;
 
 /// The angle [rad], or the whole number of millionths of a degree that it misses by rounding alone: sums of "120 deg"
 /// stay multiples of "120 deg".
-pub(crate) fn snapped(angle: f64) -> f64 {
+pub fn snapped(angle: f64) -> f64 {
     let degrees = angle.to_degrees();
     let round = (degrees * STEPS).round() / STEPS;
     if (degrees - round).abs() < ROUNDING { round.to_radians() } else { angle }
 }
 
 /// The direction in [0, 2 pi), snapped.
-pub(crate) fn direction(angle: f64) -> f64 {
+pub fn direction(angle: f64) -> f64 {
     let turned = snapped(angle.rem_euclid(TAU));
     if turned >= TAU { 0.0 } else { turned }
 }

@@ -1,7 +1,8 @@
 //! The general form of an engine: what every short form of the file expands to.
 //!
-//! SI units and radians throughout. An [`Engine`] that the reader returns is *valid*: every index exists, every
-//! linkage turns, every mass is finite and not negative. Nothing downstream checks this again.
+//! SI units and radians throughout. An [`Engine`] is *valid*: every index exists, every linkage turns, every mass is finite and not
+//! negative, no two parts of a kind have one name. Nothing downstream checks this again: [`EngineParts`] are plain data, and become an
+//! engine by [`Engine::new`] alone.
 //!
 //! Frame (book, "Conventions"): z is the crank axis from the free end to the flywheel, the crank turns from +x to
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
@@ -10,21 +11,44 @@
 use crate::bearings::Bearings;
 use crate::block::Block;
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
+use crate::fault::Fault;
 use crate::flywheel::Flywheel;
 use crate::friction::Friction;
 use crate::gas::Gas;
 use crate::mount::Mount;
 use crate::ratio::Ratio;
-use crate::shaft_part::{ShaftWeightPart, ShaftWeightTask};
-use crate::shape_task::ShapeTask;
-use crate::simulation::SimulationInput;
-use crate::task::BalanceTask;
-use crate::tolerance::Tolerance;
+use crate::shaft_part::ShaftWeightPart;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 
-/// A piston engine in its general form.
+/// A piston engine in its general form, known to be valid. Its parts are read as fields: `engine.throws[0].radius`.
+///
+/// # Example
+/// ```
+/// use lanchester_model::{Crankshaft, Cylinder, Engine, EngineParts, Rod, SpeedRange, Throw};
+///
+/// let single = Engine::new(EngineParts {
+///     name: "Single".into(),
+///     speed: SpeedRange { lowest: 100.0, highest: 300.0 },
+///     crankshafts: vec![Crankshaft::default()],
+///     throws: vec![Throw { radius: 0.03, ..Throw::default() }],
+///     cylinders: vec![Cylinder { piston_mass: 0.3, rod: Rod::by_thirds(0.1, 0.3), ..Cylinder::default() }],
+///     ..EngineParts::default()
+/// })
+/// .unwrap();
+/// assert_eq!(single.cylinders[0].reciprocating_mass(), 0.4);
+///
+/// let faults = single.with(|parts| parts.cylinders[0].rod.length = 0.02).unwrap_err();
+/// assert!(faults[0].to_string().starts_with("cylinders[0].rod: length [m] must be more than"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct Engine {
+#[serde(transparent)]
+pub struct Engine(EngineParts);
+
+/// The parts of an engine as plain data, valid or not.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+#[schemars(rename = "Engine")]
+pub struct EngineParts {
     /// What the user calls it.
     pub name: String,
     /// Free text: where the data come from.
@@ -56,9 +80,6 @@ pub struct Engine {
     /// What the crankshaft must stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub envelope: Option<Envelope>,
-    /// Shapes among which counterweights are to be found.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shape_task: Option<ShapeTask>,
     /// Gas in the cylinders, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas: Option<Gas>,
@@ -68,30 +89,19 @@ pub struct Engine {
     /// Its flywheel, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub flywheel: Option<Flywheel>,
-    /// What the file says of a run in time.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub simulation: Option<Box<SimulationInput>>,
-    /// What its parts may be off, from engine to engine of a production; empty if the file does not say.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub tolerances: Vec<Tolerance>,
     /// Sizes of its bearings, if the file gives some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearings: Option<Bearings>,
-    /// Shapes among which the weights of balance shafts are to be found.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shaft_weight_task: Option<ShaftWeightTask>,
-    /// What may be done to balance it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub balance: Option<BalanceTask>,
 }
 
 /// Strokes in a working cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Strokes {
     /// One revolution a cycle.
     Two,
     /// Two revolutions a cycle.
+    #[default]
     Four,
 }
 
@@ -109,17 +119,18 @@ impl Strokes {
 ///
 /// `Reverse` mirrors the y axis, so that the crank still turns from +x to +y: every number stays, the picture is
 /// mirrored.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rotation {
     /// Clockwise with x up (+y to the right).
+    #[default]
     Clockwise,
     /// Anticlockwise with x up (+y to the left).
     Reverse,
 }
 
 /// Speeds of crankshaft 1 [rad/s], `lowest <= highest`; one speed has both equal.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct SpeedRange {
     /// Lowest speed [rad/s].
     pub lowest: f64,
@@ -155,7 +166,7 @@ pub struct Crankshaft {
 }
 
 /// A throw: a crankpin (one pin of a split pair is a throw of its own).
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Throw {
     /// Index of its crankshaft.
     pub crankshaft: usize,
@@ -174,6 +185,13 @@ pub struct Throw {
     pub webs: Option<[f64; 2]>,
 }
 
+impl Default for Crankshaft {
+    /// The first one: on the axis of the frame, at the speed that all speeds count by.
+    fn default() -> Crankshaft {
+        Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None }
+    }
+}
+
 impl Throw {
     /// Plane of the unbalance of the crank itself [m], from the origin.
     pub fn unbalance_plane(&self) -> f64 {
@@ -184,7 +202,7 @@ impl Throw {
 /// A cylinder with its piston and rod.
 ///
 /// Cylinder frame: `u = e^{i angle}` along the axis away from the crankshaft, `v = i u`.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Cylinder {
     /// Index of the throw whose pin drives it (for an articulated rod: the throw of its master).
     pub throw: usize,
@@ -240,7 +258,26 @@ pub struct Rod {
     pub joint: RodJoint,
 }
 
+impl Default for Rod {
+    /// A rod on the crankpin without length and mass: give it both.
+    fn default() -> Rod {
+        Rod::by_thirds(0.0, 0.0)
+    }
+}
+
 impl Rod {
+    /// A rod of this length [m] and mass [kg] on the crankpin, two thirds of the mass at the big end, as point masses.
+    pub fn by_thirds(length: f64, mass: f64) -> Rod {
+        Rod {
+            length,
+            big_end_mass: mass * 2.0 / 3.0,
+            small_end_mass: mass / 3.0,
+            inertia: None,
+            mass_rule: RodMassRule::Thirds,
+            joint: RodJoint::Crankpin,
+        }
+    }
+
     /// Mass of the whole rod [kg].
     pub fn mass(&self) -> f64 {
         self.big_end_mass + self.small_end_mass
@@ -296,7 +333,7 @@ pub enum RodJoint {
 }
 
 /// A weight fixed to a crankshaft.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Counterweight {
     /// Name for tables: "web 1", "throw 2", "flywheel", or the user's.
     pub name: String,
@@ -363,7 +400,57 @@ impl ShaftWeight {
     }
 }
 
+/// Angle of crankshaft 1 [rad] in which a cylinder on a crankshaft of this ratio fires once: a working cycle of its own crankshaft.
+pub fn working_cycle(strokes: Strokes, ratio: Ratio) -> f64 {
+    TAU * f64::from(strokes.revolutions()) / ratio.value().abs()
+}
+
+impl std::ops::Deref for Engine {
+    type Target = EngineParts;
+
+    fn deref(&self) -> &EngineParts {
+        &self.0
+    }
+}
+
 impl Engine {
+    /// The engine of these parts.
+    ///
+    /// # Errors
+    /// All [`Fault`]s at once: a number that is not finite or has the wrong sign, a place in a list that does not exist, a linkage that
+    /// cannot turn, two parts of one name.
+    pub fn new(parts: EngineParts) -> Result<Engine, Vec<Fault>> {
+        let faults = crate::fault::faults(&parts);
+        if faults.is_empty() { Ok(Engine(parts)) } else { Err(faults) }
+    }
+
+    /// A copy with a change.
+    ///
+    /// # Errors
+    /// As [`Engine::new`].
+    pub fn with(&self, change: impl FnOnce(&mut EngineParts)) -> Result<Engine, Vec<Fault>> {
+        let mut parts = self.0.clone();
+        change(&mut parts);
+        Engine::new(parts)
+    }
+
+    /// A copy without the weights on its crankshafts.
+    pub fn without_counterweights(&self) -> Engine {
+        Engine(EngineParts { counterweights: Vec::new(), ..self.0.clone() })
+    }
+
+    /// A copy without balance shafts.
+    pub fn without_shafts(&self) -> Engine {
+        Engine(EngineParts { shafts: Vec::new(), ..self.0.clone() })
+    }
+
+    /// Its parts, to be changed and made an engine again.
+    pub fn into_parts(self) -> EngineParts {
+        self.0
+    }
+}
+
+impl EngineParts {
     /// Indices of the pistons of the chamber of cylinder `index`, rising: one but where pistons share it.
     pub fn chamber_pistons(&self, index: usize) -> Vec<usize> {
         let first = |index: usize| self.cylinders[index].chamber.unwrap_or(index);
@@ -373,7 +460,7 @@ impl Engine {
     /// Angle of crankshaft 1 [rad] in which cylinder `index` fires once: a working cycle of its own crankshaft.
     pub fn working_cycle(&self, index: usize) -> f64 {
         let crankshaft = self.throws[self.cylinders[index].throw].crankshaft;
-        crate::firing::working_cycle(self.strokes, self.crankshafts[crankshaft].ratio)
+        working_cycle(self.strokes, self.crankshafts[crankshaft].ratio)
     }
 
     /// Angle of the pin of throw `throw` [rad] at crank angle `theta` [rad].

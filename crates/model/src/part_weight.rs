@@ -2,7 +2,7 @@
 
 use crate::angle;
 use crate::crank_body::{CounterweightForm, CounterweightPart, CrankBody};
-use crate::engine::{Engine, Throw};
+use crate::engine::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 
@@ -19,7 +19,6 @@ pub struct PartWeight {
 
 /// Why a part is no single weight.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum PartFault {
     /// Its first moments along z do not point where its unbalance does: it makes a couple of its own.
     #[error("the part has a couple of {couple:.3e} kg m2 across its unbalance, which no single weight has")]
@@ -43,9 +42,9 @@ const ROUNDING: f64 = 1e-12;
 /// Couples below this share of mass times swept radius times thickness are none.
 const NO_COUPLE: f64 = 1e-9;
 /// Unbalance [kg m] and place [m] beyond which no engine goes.
-pub(crate) const LARGEST: f64 = 1e12;
+pub const LARGEST_UNBALANCE: f64 = 1e12;
 
-impl Engine {
+impl EngineParts {
     /// What `part` weighs as a counterweight of this engine.
     ///
     /// # Errors
@@ -55,8 +54,8 @@ impl Engine {
     }
 }
 
-/// As [`Engine::part_weight`], while the engine is still being read.
-pub(crate) fn part_weight(
+/// As [`EngineParts::part_weight`], while the engine is still being read.
+pub fn part_weight(
     part: &CounterweightPart,
     throws: &[Throw],
     body: Option<&CrankBody>,
@@ -94,7 +93,7 @@ pub(crate) fn part_weight(
     let along = if unbalance > 0.0 { first * (1.0 / unbalance) } else { Point::new(1.0, 0.0) };
     let couple = if unbalance > 0.0 { along.cross(lever).abs() } else { lever.norm() };
     let offset = if unbalance > 0.0 { along.dot(lever) / unbalance } else { 0.0 };
-    let is_finite = [unbalance, couple, offset].iter().all(|value| value.abs() <= LARGEST);
+    let is_finite = [unbalance, couple, offset].iter().all(|value| value.abs() <= LARGEST_UNBALANCE);
     if !is_finite {
         return Err(PartFault::TooLarge);
     }

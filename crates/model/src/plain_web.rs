@@ -1,12 +1,12 @@
 //! The plain webs of a crankshaft that is a body: each beside its own crankpin, or one between the pins of two throws.
 
 use crate::crank_body::CrankBody;
-use crate::engine::{Engine, Throw};
+use crate::engine::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 
 /// Planes closer than this [m] are one.
-pub(crate) const TOUCH: f64 = 1e-9;
+pub const TOUCH: f64 = 1e-9;
 
 /// A web without counterweights, in the frame of its crankshaft at angle zero.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +32,7 @@ pub struct SharedWeb {
 
 impl SharedWeb {
     /// All of a crankshaft's or of several, along z; throws without a web distance share none.
-    pub(crate) fn all(throws: &[Throw]) -> Vec<SharedWeb> {
+    pub fn all(throws: &[Throw]) -> Vec<SharedWeb> {
         let mut rising: Vec<usize> = (0..throws.len()).filter(|&k| throws[k].webs.is_some()).collect();
         rising.sort_by(|&a, &b| {
             throws[a].crankshaft.cmp(&throws[b].crankshaft).then(throws[a].z.total_cmp(&throws[b].z))
@@ -46,7 +46,7 @@ impl SharedWeb {
     }
 
     /// The one that counts as web `web`, counted through all throws.
-    pub(crate) fn of(throws: &[Throw], web: usize) -> Option<SharedWeb> {
+    pub fn of(throws: &[Throw], web: usize) -> Option<SharedWeb> {
         SharedWeb::all(throws).into_iter().find(|shared| shared.webs().contains(&web))
     }
 
@@ -69,11 +69,11 @@ impl SharedWeb {
 }
 
 /// Where the pin of a throw stands at angle zero of its crankshaft.
-pub(crate) fn pin(throw: &Throw) -> Point {
+pub fn pin(throw: &Throw) -> Point {
     Point::polar(throw.radius, throw.angle)
 }
 
-impl Engine {
+impl EngineParts {
     /// Webs between the pins of two throws, crankshaft by crankshaft along z.
     pub fn shared_webs(&self) -> Vec<SharedWeb> {
         SharedWeb::all(&self.throws)
@@ -101,7 +101,7 @@ impl Engine {
 
 /// Unbalance of the crank itself along a throw.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ThrowUnbalance {
+pub struct ThrowUnbalance {
     /// How large [kg m].
     pub unbalance: f64,
     /// How far behind the plane of the throw it acts [m].
@@ -119,10 +119,7 @@ pub(crate) struct ThrowUnbalance {
 ///
 /// # Errors
 /// As [`CrankBody::web`].
-pub(crate) fn throw_unbalances(
-    body: &CrankBody,
-    throws: &[Throw],
-) -> Result<Vec<ThrowUnbalance>, GeometryError> {
+pub fn throw_unbalances(body: &CrankBody, throws: &[Throw]) -> Result<Vec<ThrowUnbalance>, GeometryError> {
     let section = PI / 4.0 * (body.pin_diameter.powi(2) - body.pin_bore.powi(2));
     let shared = SharedWeb::all(throws);
     let of = |(index, throw): (usize, &Throw)| {

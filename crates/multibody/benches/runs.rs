@@ -1,5 +1,6 @@
 //! How long a run takes: ten revolutions at free speed, tolerance 1e-9, of a single and a V6 with a sealed gas; with every reaction, on mounts, and the periodic motion.
 use criterion::{Criterion, criterion_group, criterion_main};
+use lanchester_file::{read, template};
 use lanchester_model::*;
 use lanchester_multibody::{BlockMotion, GasPressure, LoadLaw, RotorInertia, Simulation, Train};
 use std::f64::consts::TAU;
@@ -32,7 +33,8 @@ impl GasPressure for Sealed {
 /// An engine of the gallery with bores, firing angles and a block on four mounts.
 fn engine(name: &str) -> Engine {
     let template = template(name).expect("the gallery has it");
-    let mut engine = read(template.text).engine.expect("the gallery's files are valid");
+    let file = read(template.text).file.expect("the gallery's files are valid");
+    let mut engine = file.engine.into_parts();
     let count = engine.cylinders.len();
     for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
         cylinder.bore.get_or_insert(0.086);
@@ -51,7 +53,7 @@ fn engine(name: &str) -> Engine {
         let spring = MountSpring { damping: [400.0; 3], ..MountSpring::along_frame([2e5, 1.2e5, 1e5]) };
         engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
     }
-    engine
+    Engine::new(engine).expect("it is valid")
 }
 
 fn runs(c: &mut Criterion) {

@@ -1,4 +1,4 @@
-//! Numerical methods without physics: initial value problems, located events, dense linear algebra.
+//! Numerical methods without physics: initial value problems, located events, dense linear algebra, roots and peaks of one variable.
 //!
 //! Two integrators share one [`System`], one [`Settings`] and one [`Outcome`]:
 //! * [`Dop853`], explicit, order 8 with an interpolant of order 7, for smooth problems that are not stiff;
@@ -25,6 +25,7 @@ mod dense;
 mod dop853;
 mod dop853_table;
 mod event;
+mod golden;
 mod outcome;
 mod radau;
 mod radau_table;
@@ -35,6 +36,7 @@ mod system;
 
 pub use dense::{ComplexLu, Lu};
 pub use dop853::Dop853;
+pub use golden::golden_section;
 pub use outcome::{Outcome, Statistics};
 pub use radau::Radau5;
 pub use root::{Root, bisect};

@@ -16,9 +16,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => return Err("needs an engine file and the name of the page to write".into()),
     };
     let text = fs::read_to_string(input)?;
-    let reading = lanchester_model::read(&text);
-    let Some(engine) = reading.engine else {
-        return Err(lanchester_model::render(&reading.diagnostics, input, &text, false).into());
+    let reading = lanchester_file::read(&text);
+    let Some(engine) = reading.engine() else {
+        return Err(lanchester_file::render(&reading.diagnostics, input, &text, false).into());
     };
     let warnings: Vec<String> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
     let request = LoadRequest::default();

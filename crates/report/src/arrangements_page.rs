@@ -15,7 +15,8 @@ use crate::table::{Cell, Column, Table, column_cells, push_rich};
 use askama::Template;
 use lanchester_balance::{Answer, CrankLoad, CrankSweep, Outcome, SweptCrank, TwinArrangement};
 use lanchester_mechanism::{Loads, Part};
-use lanchester_model::{Criterion, Engine};
+use lanchester_model::Engine;
+use lanchester_task::Criterion;
 
 /// An engine in one arrangement.
 #[derive(Debug, Clone)]

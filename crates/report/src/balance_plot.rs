@@ -6,7 +6,8 @@ use crate::plot::{AnglePlot, Series};
 use crate::share_plot::share_plots;
 use lanchester_balance::{Active, Answer};
 use lanchester_mechanism::{Loads, Trace};
-use lanchester_model::{Criterion, Engine, Load, criterion_name};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, Load, criterion_name};
 
 /// A force or moment below this [N], [N m] is rounding, and no curve is drawn of it.
 const FELT: f64 = 1e-6;
@@ -86,7 +87,7 @@ fn panel(
     let repeated =
         |curve: &[f64]| -> Vec<f64> { (0..theta.len()).map(|k| curve[k % curve.len().max(1)]).collect() };
     let (old, new) = (repeated(old), repeated(new));
-    let unit = lanchester_model::criterion_unit(&criterion);
+    let unit = lanchester_task::criterion_unit(&criterion);
     let active = active.iter().filter(|a| a.criterion == criterion && a.multiplier > 0.0);
     let step = longer.period / theta.len() as f64;
     let marks: Vec<(f64, f64)> = active
@@ -122,6 +123,8 @@ fn amount(load: Load, trace: &Trace) -> Option<Vec<f64>> {
         Load::RollMoment => Some(absolute(&trace.roll_moment)),
         Load::MountForce(_)
         | Load::LargestMountForce
+        | Load::MountForceWithGas(_)
+        | Load::LargestMountForceWithGas
         | Load::MainLoad(_)
         | Load::LargestMainLoad
         | Load::BendingMoment => None,

@@ -126,15 +126,15 @@ pub(crate) fn resultant(shares: &[Share]) -> Turning {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lanchester_file::{read, templates};
     use lanchester_mechanism::{LoadRequest, loads};
-    use lanchester_model::{read, templates};
 
     /// Shares add up to the loads of the whole engine, for every engine of the gallery whose throws all carry rods.
     #[test]
     fn shares_add_up_to_the_whole() {
         let mut compared = 0;
         for template in templates() {
-            let engine = read(template.text).engine.expect("the gallery is valid");
+            let engine = read(template.text).engine().expect("the gallery is valid");
             let loads =
                 loads(&engine, &LoadRequest { samples: 8, ..LoadRequest::default() }).expect("it turns");
             for order in [1, 2] {

@@ -3,7 +3,8 @@
 use crate::number;
 use crate::table::{Cell, Column, Table, column_cells, numbers, words};
 use lanchester_balance::{Answer, Effect, FoundLimit, FoundStage, FoundWeight, LimitSide, Method, WebBound};
-use lanchester_model::{Criterion, Engine, Limit, Seat, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{CatalogueHole, Criterion, Limit, Seat, criterion_name, criterion_unit};
 
 /// What fits on the webs whose weights it bounds; none where no weight is bounded so.
 pub fn web_bounds_table(answer: &Answer) -> Option<Table> {
@@ -27,6 +28,14 @@ pub fn web_bounds_table(answer: &Answer) -> Option<Table> {
             ],
         )
     })
+}
+
+/// A hole in words: "12 mm, 18.0 mm deep".
+fn named(hole: &CatalogueHole) -> String {
+    let slug = if hole.slug_density.is_some() { ", with a slug" } else { "" };
+    let drill = format!("{:.2}", 1e3 * hole.diameter);
+    let drill = drill.trim_end_matches('0').trim_end_matches('.');
+    format!("{drill} mm, {:.1} mm deep{slug}", 1e3 * hole.depth)
 }
 
 /// Every free weight: where it stands, how much it is, in which direction.
@@ -58,6 +67,19 @@ pub fn found_weights_table(answer: &Answer) -> Table {
             w.mass.map_or(Cell::Empty, |mass| Cell::Number { value: 1e3 * mass, decimals: 1 })
         };
         columns.push((Column::numbers("mass", "g"), weights.iter().map(mass).collect()));
+    }
+    if weights.iter().any(|w| w.hole.is_some()) {
+        let hole = |w: &FoundWeight| w.hole.as_ref().map_or(Cell::Empty, |hole| Cell::text(named(hole)));
+        columns.push((Column::words("hole"), weights.iter().map(hole).collect()));
+        // An empty hole lies opposite to the weight that it is as good as.
+        let at = |w: &FoundWeight| match &w.hole {
+            Some(hole) if hole.slug_density.is_none() => {
+                Cell::Number { value: number::phase_degrees((-w.unbalance).arg()), decimals: 2 }
+            }
+            Some(_) => direction(w),
+            None => Cell::Empty,
+        };
+        columns.push((Column::numbers("hole at", "deg"), weights.iter().map(at).collect()));
     }
     let mut table = Table::of_columns(
         "found-weights",
@@ -349,14 +371,14 @@ pub(crate) fn stage_name(engine: &Engine, stage: &FoundStage) -> String {
 }
 
 /// Small SI units are shown in those of the trade.
-fn factor(criterion: &Criterion) -> f64 {
+pub(crate) fn factor(criterion: &Criterion) -> f64 {
     match criterion {
         Criterion::AddedUnbalance => 1e6,
         _ => 1.0,
     }
 }
 
-fn shown_unit(criterion: &Criterion) -> &'static str {
+pub(crate) fn shown_unit(criterion: &Criterion) -> &'static str {
     match criterion {
         Criterion::AddedUnbalance => "g mm",
         _ => criterion_unit(criterion),

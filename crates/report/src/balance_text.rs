@@ -1,11 +1,11 @@
 //! The answer of a balancing question as plain text.
 
 use crate::balance_tables::{
-    closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stage_name, stages_table, web_bounds_table,
+    closest_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stage_name,
+    stages_table, web_bounds_table,
 };
+use crate::before_after::before_and_after_table;
 use crate::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
-use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
 use crate::give_up_text::give_up_words;
 use crate::number;
@@ -13,7 +13,8 @@ use crate::terminal::push_wrapped;
 use lanchester_balance::{
     Answer, BalanceSettings, Consequences, FoundStage, JudgedSpeeds, Method, Outcome, SearchState,
 };
-use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What was found, its proof, its price and its effect, as aligned plain text without colour; `left` is the diagnosis
@@ -26,7 +27,8 @@ pub fn balance_text(
 ) -> String {
     let mut out = String::with_capacity(4096);
     let rpm = number::terminal(number::rpm(answer.speed), 0);
-    let others = answer.mount_speeds.is_some() || answer.gas_speeds.is_some();
+    let others = [&answer.mount_speeds, &answer.mount_gas_speeds, &answer.gas_speeds];
+    let others = others.iter().any(|judged| judged.is_some());
     let of = if others { "inertia loads" } else { "the loads of the range" };
     let _ = writeln!(out, "{} at {rpm} rpm, where {of} are largest", answer.engine);
     let _ = writeln!(out, "{}\n", method_words(answer));
@@ -52,10 +54,7 @@ pub fn balance_text(
     if let Some(cancellation) = &answer.cancellation {
         tables.push(cancelled_orders_table(engine, cancellation));
     }
-    if !answer.effects.is_empty() {
-        tables.push(effects_table(engine, answer));
-    }
-    tables.extend(consequences.map(consequences_table));
+    tables.extend(before_and_after_table(engine, answer, consequences));
     match &answer.cancellation {
         Some(cancellation) => tables.extend(cancellation_proof_table(engine, cancellation)),
         None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),
@@ -85,12 +84,13 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
     match &answer.outcome {
         Outcome::CannotVanish { reason } => format!("{reason}."),
         Outcome::Optimal if answer.stages.first().is_some_and(FoundStage::is_weighted_sum) => {
-            format!("{}.{}{}", number::capital(&reached()), speeds_words(answer), gap_words(answer))
+            let speeds = speeds_words(engine, answer);
+            format!("{}.{speeds}{}", number::capital(&reached()), gap_words(answer))
         }
         Outcome::Optimal => {
             let given = answer.stages.iter().any(|stage| stage.give_up.is_some());
             let with = if given { " with what earlier stages give up" } else { "" };
-            let (speeds, gap) = (speeds_words(answer), gap_words(answer));
+            let (speeds, gap) = (speeds_words(engine, answer), gap_words(answer));
             format!("The least that these devices allow{with}: {}.{speeds}{gap}", reached())
         }
         Outcome::Infeasible { relaxation, closest, .. } => no_answer(engine, answer, *relaxation, closest),
@@ -98,14 +98,14 @@ pub fn headline(engine: &Engine, answer: &Answer) -> String {
             format!("No answer was found: {reason}.")
         }
         Outcome::Stopped { reason, .. } => {
-            let speeds = speeds_words(answer);
+            let speeds = speeds_words(engine, answer);
             format!("The search stopped early ({reason}); the best so far: {}.{speeds}", reached())
         }
     }
 }
 
 /// At which speeds loads were judged that a higher speed need not raise, and where the largest stands.
-fn speeds_words(answer: &Answer) -> String {
+fn speeds_words(engine: &Engine, answer: &Answer) -> String {
     let words = |(name, judged): (&str, &JudgedSpeeds)| {
         let rpm = |speed: f64| number::terminal(number::rpm(speed), 0);
         let (Some(&first), Some(&last)) = (judged.judged.first(), judged.judged.last()) else {
@@ -113,6 +113,11 @@ fn speeds_words(answer: &Answer) -> String {
         };
         let where_to = match (judged.range, judged.judged.len()) {
             (true, _) => "over the whole range of speeds".into(),
+            _ if !judged.weights.is_empty() => {
+                let times = |(speed, weight): (&f64, &f64)| format!("{} rpm times {weight}", rpm(*speed));
+                let all: Vec<String> = judged.judged.iter().zip(&judged.weights).map(times).collect();
+                format!("at weighted speeds: {}", all.join(", "))
+            }
             (false, 1) => format!("at {} rpm", rpm(first)),
             (false, count) => format!("at {count} speeds from {} to {} rpm", rpm(first), rpm(last)),
         };
@@ -126,8 +131,20 @@ fn speeds_words(answer: &Answer) -> String {
         };
         format!(" {name} count {where_to}{worst}{left}.")
     };
-    let all =
-        [("Forces at the mounts", &answer.mount_speeds), ("Main-bearing loads with gas", &answer.gas_speeds)];
+    let of_inertia = match engine.gas {
+        Some(_) => "Forces of inertia at the mounts, without the gas,",
+        None => "Forces at the mounts",
+    };
+    let all = [
+        (of_inertia, &answer.mount_speeds),
+        ("Forces at the mounts with gas", &answer.mount_gas_speeds),
+        ("Main-bearing loads with gas", &answer.gas_speeds),
+    ];
+    if !answer.task.speeds.is_empty() && all.iter().all(|(_, judged)| judged.is_none()) {
+        return " The given speeds decide nothing here: neither a mount force on springs nor a load with gas is minimised or \
+                limited, and all other loads are largest at the highest speed."
+            .into();
+    }
     all.into_iter().filter_map(|(name, judged)| Some(words((name, judged.as_ref()?)))).collect()
 }
 

@@ -3,7 +3,8 @@
 use crate::number;
 use crate::table::{Cell, Column, Table};
 use lanchester_balance::{Answer, Cancellation, CancellationVerdict, Functional, OrderSense};
-use lanchester_model::{Engine, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{criterion_name, criterion_unit};
 
 /// The verdict in a sentence or two.
 pub(crate) fn cancellation_headline(engine: &Engine, answer: &Answer, cancellation: &Cancellation) -> String {

@@ -56,7 +56,7 @@ pub fn consequences_table(consequences: &Consequences) -> Table {
 }
 
 /// Factor and unit in which a quantity is shown.
-fn shown(quantity: Affected) -> (f64, &'static str) {
+pub(crate) fn shown(quantity: Affected) -> (f64, &'static str) {
     match quantity.unit() {
         "kg m" => (1e6, "g mm"),
         "kg" => (1e3, "g"),

@@ -167,13 +167,13 @@ fn draw(
 mod tests {
     use super::*;
     use lanchester_balance::{SweepOptions, sweep};
+    use lanchester_file::{read, template};
     use lanchester_mechanism::Kinematics;
-    use lanchester_model::{read, template};
 
     #[test]
     fn both_optima_are_drawn_and_told() {
         let text = template("single").expect("it is in the gallery").text;
-        let engine = read(text).engine.expect("it is valid");
+        let engine = read(text).engine().expect("it is valid");
         let swept = sweep(&engine, CrankLoad::Force, Kinematics::Exact, &SweepOptions::default());
         let swept = swept.expect("a single can be swept");
         let alone = crank_curve(&swept, None);

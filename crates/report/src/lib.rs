@@ -14,6 +14,7 @@ mod balance_tables;
 mod balance_text;
 mod bearing_tables;
 mod bearings_section;
+mod before_after;
 mod cancellation;
 mod clearance_plot;
 mod comparison;

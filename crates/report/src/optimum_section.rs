@@ -2,13 +2,13 @@
 
 use crate::balance_plot::optimum_figures;
 use crate::balance_tables::{
-    closest_table, effects_table, found_inertias_table, found_shafts_table, found_weights_table,
-    limits_table, stages_table, web_bounds_table,
+    closest_table, found_inertias_table, found_shafts_table, found_weights_table, limits_table, stages_table,
+    web_bounds_table,
 };
 use crate::balance_text::{equals_words, headline, method_words};
+use crate::before_after::before_and_after_table;
 use crate::cancellation::{cancellation_proof_table, cancelled_orders_table};
 use crate::consequence_figures::consequence_figures;
-use crate::consequence_tables::consequences_table;
 use crate::consequence_text::consequence_words;
 use crate::figure::Figure;
 use crate::table::Table;
@@ -65,10 +65,7 @@ impl OptimumSection {
         }
         tables.extend(found_shafts_table(answer));
         tables.extend(found_inertias_table(answer));
-        if !answer.effects.is_empty() {
-            tables.push(effects_table(engine, answer));
-        }
-        tables.extend(input.consequences.map(consequences_table));
+        tables.extend(before_and_after_table(engine, answer, input.consequences));
         match &answer.cancellation {
             Some(cancellation) => {
                 tables.push(cancelled_orders_table(engine, cancellation));

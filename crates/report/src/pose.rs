@@ -64,12 +64,35 @@ mod tests {
     #[test]
     fn links_keep_their_lengths_and_the_piston_its_line() {
         let mut engine = sample::engine(&[(30.0, -30.0), (30.0, 30.0)]);
-        engine.cylinders[0].offset = 0.01;
-        engine.cylinders[0].pin_offset = 0.002;
-        engine.cylinders[1].throw = 0;
-        engine.cylinders[1].rod.length = 0.11;
-        engine.cylinders[1].rod.joint =
-            RodJoint::Articulated { master: 0, knuckle_radius: 0.03, knuckle_angle: 60f64.to_radians() };
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[0].offset = 0.01;
+            })
+            .expect("an engine");
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[0].pin_offset = 0.002;
+            })
+            .expect("an engine");
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[1].throw = 0;
+            })
+            .expect("an engine");
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[1].rod.length = 0.11;
+            })
+            .expect("an engine");
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[1].rod.joint = RodJoint::Articulated {
+                    master: 0,
+                    knuckle_radius: 0.03,
+                    knuckle_angle: 60f64.to_radians(),
+                };
+            })
+            .expect("an engine");
         for theta in [0.0, 1.0, 2.5, 4.0] {
             let (master, slave) = (pose(&engine, 0, theta), pose(&engine, 1, theta));
             assert!(((master.piston_pin - master.crankpin).norm() - 0.144).abs() < 1e-12);

@@ -7,7 +7,8 @@ use lanchester_balance::published::{
     BalancerPhase, Basis, Equilibrium, MatrixBalance, MethodAnswer, MethodFound, MethodWeight as Weight,
     OrderLeft, PrintedV, ShaftOrder, ThreeCylinderBalance,
 };
-use lanchester_model::{Engine, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{criterion_name, criterion_unit};
 use num_complex::Complex64;
 
 /// Every weight of the method, and what the optimum has in its place.

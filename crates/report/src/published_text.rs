@@ -10,7 +10,8 @@ use crate::published_tables::{
 use crate::terminal::push_wrapped;
 use lanchester_balance::Consequences;
 use lanchester_balance::published::{MethodAnswer, MethodFound};
-use lanchester_model::{Criterion, Engine, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, criterion_name, criterion_unit};
 use std::fmt::Write;
 
 /// What the method found, what it leaves, and how much better the same devices could do, as aligned plain text.

@@ -4,7 +4,8 @@ use crate::balance_tables::{effects_table, found_inertias_table, found_shafts_ta
 use crate::number::short;
 use crate::terminal::push_wrapped;
 use lanchester_balance::{RobustAnswer, RobustMeasure};
-use lanchester_model::{Engine, criterion_name};
+use lanchester_model::Engine;
+use lanchester_task::{criterion_name, criterion_unit};
 
 /// What was found, how sure it is, and what it costs the engine as it is meant.
 pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
@@ -23,7 +24,7 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
         "",
         &format!(
             "The least {name} of {of} that these devices allow: {}; no weights bring it below {}. Standard error by resampling: {}.",
-            amount(found.value),
+            amount(found.least),
             amount(found.lower_bound),
             amount(found.standard_error)
         ),
@@ -43,6 +44,38 @@ pub fn robust_text(engine: &Engine, found: &RobustAnswer) -> String {
             amount(found.ordinary_nominal)
         ),
     );
+    if found.value > found.least * (1.0 + 2e-6) {
+        let words = format!("With what it gives up for later stages it is {}.", amount(found.value));
+        push_wrapped(&mut out, "", &words);
+    }
+    for stage in &found.later {
+        let names: Vec<String> = stage.criteria.iter().map(|one| criterion_name(one, engine)).collect();
+        let unit = if let [one] = &stage.criteria[..] { criterion_unit(one) } else { "" };
+        let words = format!(
+            "Then {} of the engine as it is meant: {} {unit}; nothing that keeps what comes before goes below {} {unit}.",
+            names.join(" and "),
+            short(stage.value, 6),
+            short(stage.lower_bound, 6)
+        );
+        push_wrapped(&mut out, "", &words);
+    }
+    for limit in &found.limits {
+        let (name, unit) = (criterion_name(&limit.criterion, engine), criterion_unit(&limit.criterion));
+        let samples = match (limit.worst, limit.beyond) {
+            (Some(worst), Some(beyond)) => format!(
+                "; {beyond} of the {} engines pass it, the worst has {} {unit}",
+                found.samples,
+                short(worst, 6)
+            ),
+            _ => String::new(),
+        };
+        let words = format!(
+            "The limit of {name}, {} {unit}, holds for the engine as it is meant, which has {} {unit}{samples}.",
+            short(limit.most, 6),
+            short(limit.nominal, 6)
+        );
+        push_wrapped(&mut out, "", &words);
+    }
     let answer = &found.answer;
     let tables =
         [Some(found_weights_table(answer)), found_shafts_table(answer), found_inertias_table(answer)];

@@ -38,8 +38,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         firing_angle: Some((cylinders[k].1 - cylinders[k].0).to_radians().rem_euclid(TAU)),
         chamber: None,
     };
-    Engine {
-        simulation: None,
+    Engine::new(EngineParts {
         name: format!("Sample of {count}"),
         note: None,
         strokes: Strokes::Four,
@@ -70,33 +69,42 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
-    }
+    })
+    .expect("the parts of an engine")
 }
 
 /// The twin with pistons in step and a counter-rotating first-order shaft.
 pub fn twin() -> Engine {
     let mut engine = engine(&[(0.0, 0.0), (0.0, 0.0)]);
-    engine.name = "In-line twin".to_owned();
-    engine.shafts.push(BalanceShaft {
-        name: "shaft 1".to_owned(),
-        ratio: Ratio::whole(-1).unwrap(),
-        x: 0.0,
-        y: 0.1,
-        weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
-        inertia: None,
-    });
-    engine.mounts = vec![
-        Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0, spring: None },
-        Mount { name: "right".to_owned(), x: -0.05, y: 0.2, z: 0.0, spring: None },
-    ];
+    engine = engine
+        .with(|engine| {
+            engine.name = "In-line twin".to_owned();
+        })
+        .expect("an engine");
+    engine = engine
+        .with(|engine| {
+            engine.shafts.push(BalanceShaft {
+                name: "shaft 1".to_owned(),
+                ratio: Ratio::whole(-1).unwrap(),
+                x: 0.0,
+                y: 0.1,
+                weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
+                inertia: None,
+            });
+        })
+        .expect("an engine");
+    engine = engine
+        .with(|engine| {
+            engine.mounts = vec![
+                Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0, spring: None },
+                Mount { name: "right".to_owned(), x: -0.05, y: 0.2, z: 0.0, spring: None },
+            ];
+        })
+        .expect("an engine");
     engine
 }
 

@@ -3,9 +3,9 @@
 use crate::number;
 use crate::sensitivity_tables::measure_unit;
 use crate::table::{Cell, Column, Table, column_cells, numbers, words};
-use lanchester_model::{Distribution, Extent, Tolerance};
 use lanchester_study::scatter::{OutputScatter, ScatterStudy, TOLD_SHARES};
 use lanchester_study::sensitivity::Quantity;
+use lanchester_task::{Distribution, Extent, Tolerance};
 
 /// Gains below this are not worth a word.
 const SMALL: f64 = 0.01;

@@ -2,10 +2,10 @@
 
 use crate::number;
 use crate::table::{Cell, Column, Table, push_csv_line, words};
-use lanchester_model::Varied;
 use lanchester_study::sensitivity::{
     Effect, Measure, OutputSensitivity, Quantity, Sensitivity, Slope, VariedInput, Weights,
 };
+use lanchester_task::Varied;
 
 /// Effects below this share of the largest one of an output are none.
 const NOTHING: f64 = 1e-6;

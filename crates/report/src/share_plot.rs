@@ -247,11 +247,11 @@ fn draw_labels(
 mod tests {
     use super::*;
     use crate::crank_view::crank_view;
+    use lanchester_file::{read, template};
     use lanchester_mechanism::{LoadRequest, loads};
-    use lanchester_model::{read, template};
 
     fn engine(name: &str) -> Engine {
-        read(template(name).expect("it is in the gallery").text).engine.expect("it is valid")
+        read(template(name).expect("it is in the gallery").text).engine().expect("it is valid")
     }
 
     fn plots(engine: &Engine) -> Vec<Figure> {
@@ -272,9 +272,13 @@ mod tests {
         for panel in &figures[1].panels {
             assert!(panel.description.contains("; left 0 "), "{}", panel.description);
         }
-        for weight in &mut three.shafts[0].weights {
-            weight.unbalance *= 0.9;
-        }
+        three = three
+            .with(|three| {
+                for weight in &mut three.shafts[0].weights {
+                    weight.unbalance *= 0.9;
+                }
+            })
+            .expect("an engine");
         let couple = &plots(&three)[1].panels[2].description;
         assert!(!couple.contains("; left 0 ") && couple.contains("balance shaft 1"), "{couple}");
     }
@@ -283,7 +287,7 @@ mod tests {
     fn second_order_shafts_have_a_plot_and_an_engine_without_devices_has_none() {
         let four = plots(&engine("in-line-4-lanchester"));
         assert!(ids(&four).contains(&"balance-order-2"), "{:?}", ids(&four));
-        let bare = Engine { counterweights: Vec::new(), shafts: Vec::new(), ..engine("in-line-4") };
+        let bare = engine("in-line-4").without_counterweights().without_shafts();
         assert!(plots(&bare).is_empty() && crank_view(&bare).is_none());
     }
 }

@@ -47,10 +47,10 @@ mod tests {
 
     #[test]
     fn half_the_speed_a_quarter_of_the_load() {
-        let mut engine = sample::twin();
+        let engine = sample::twin();
         let loads = sample::loads(&engine);
         assert!(speed_table(&engine, &loads).is_none(), "one speed needs no table");
-        (engine.speed.lowest, engine.speed.highest) = (0.5 * loads.speed, loads.speed);
+        let engine = engine.with(|parts| parts.speed.lowest = 0.5 * loads.speed).expect("a range");
         let table = speed_table(&engine, &loads).expect("a range has a table");
         let force = |row: usize| match table.rows[row][1] {
             Cell::Number { value, .. } => value,

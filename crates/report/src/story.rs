@@ -347,7 +347,11 @@ mod tests {
     #[test]
     fn the_arrows_of_a_story_add_up_to_the_loads_of_the_engine() {
         let mut engine = sample::engine(&[(0.0, -30.0), (120.0, 30.0), (240.0, -30.0)]);
-        engine.shafts = sample::twin().shafts;
+        engine = engine
+            .with(|engine| {
+                engine.shafts.clone_from(&sample::twin().shafts);
+            })
+            .expect("an engine");
         let loads = sample::loads(&engine);
         for theta in positions(&engine) {
             let pulls = pulls(&engine, &loads, Told::Whole, theta);
@@ -373,7 +377,11 @@ mod tests {
         assert_eq!(direction(Complex64::new(1.0, 0.1), &engine), "up");
         assert_eq!(direction(Complex64::new(0.0, 1.0), &engine), "to the right");
         assert_eq!(direction(Complex64::new(-1.0, -1.0), &engine), "down and left");
-        engine.rotation = lanchester_model::Rotation::Reverse;
+        engine = engine
+            .with(|engine| {
+                engine.rotation = lanchester_model::Rotation::Reverse;
+            })
+            .expect("an engine");
         assert_eq!(direction(Complex64::new(0.0, 1.0), &engine), "to the left");
     }
 }

@@ -122,12 +122,13 @@ pub fn sweep_steps_table(sweep: &CrankSweep) -> Table {
 mod tests {
     use super::*;
     use lanchester_balance::{SweepOptions, consequences, swept, with_even_crank};
+    use lanchester_file::{read, template};
     use lanchester_mechanism::Kinematics;
-    use lanchester_model::{Engine, read, template};
+    use lanchester_model::Engine;
 
     fn engine(name: &str) -> Engine {
         let text = template(name).expect("it is in the gallery").text;
-        read(text).engine.expect("it is valid")
+        read(text).engine().expect("it is valid")
     }
 
     fn text(name: &str) -> String {

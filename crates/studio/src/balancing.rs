@@ -3,18 +3,20 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::{NewText, engine};
+use crate::reading::{NewText, engine, engine_file};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
     Next, Outcome, SearchState, Target, arrangements, fitted, searched_engine,
 };
+use lanchester::file::{EngineFile, write_back};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
-use lanchester::model::{
-    BalanceTask, ChangedTask, CrankWeightPlaces, Engine, FreeShaft, FreeWeight, Place, RoomFault, Seat,
-    TaskOptions, crank_weights, default_task, option, write_back,
-};
+use lanchester::model::Engine;
 use lanchester::report::{consequence_words, headline};
+use lanchester::task::{
+    BalanceTask, ChangedTask, CrankWeightPlaces, FreeShaft, FreeWeight, Place, RoomFault, Seat, TaskOptions,
+    crank_weights, default_task, option,
+};
 use lanchester::{WebBoundError, optimise_on_webs};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -187,8 +189,8 @@ fn effect(_: &Asker, question: TwoTexts) -> Result<WeightEffect, Problem> {
 }
 
 fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, Problem> {
-    let engine = engine(&question.text)?;
-    let ChangedTask { task, warnings } = task(&engine, &question)?;
+    let EngineFile { engine, tasks } = engine_file(&question.text)?;
+    let ChangedTask { task, warnings } = task(&engine, tasks.balance, &question)?;
     let warning = |fault: RoomFault| Warning { message: fault.message, hint: fault.hint.into() };
     let warnings = warnings.into_iter().map(warning).collect();
     let settings = settings(&question)?;
@@ -201,8 +203,8 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => asker.studio.folder.traces(&engine)?,
         false => Vec::new(),
     };
-    let answer =
-        optimise_on_webs(&engine, Ok(&traces), &task, &settings, &watch).map_err(|error| match error {
+    let answer = optimise_on_webs(&engine, Ok(&traces), &task, tasks.shape_task.as_ref(), &settings, &watch)
+        .map_err(|error| match error {
             WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
             error => Problem::refused(error),
         })?;
@@ -235,7 +237,11 @@ fn settings(question: &BalanceQuestion) -> Result<BalanceSettings, Problem> {
 }
 
 /// The free devices, changed by what is wanted.
-fn task(engine: &Engine, question: &BalanceQuestion) -> Result<ChangedTask, Problem> {
+fn task(
+    engine: &Engine,
+    of_file: Option<BalanceTask>,
+    question: &BalanceQuestion,
+) -> Result<ChangedTask, Problem> {
     if !question.locked.is_empty() && question.free != Free::Devices {
         return Err(Problem::refused(
             "`locked` names devices of the file that stay, and others are free\nhint: leave it out, or ask with free = \"devices\"",
@@ -250,7 +256,7 @@ fn task(engine: &Engine, question: &BalanceQuestion) -> Result<ChangedTask, Prob
     };
     let free = match question.free {
         Free::Devices => device_task(engine, &question.locked)?,
-        Free::Balance => engine.balance.clone().unwrap_or_else(|| default_task(engine)),
+        Free::Balance => of_file.unwrap_or_else(|| default_task(engine)),
         _ => BalanceTask::default(),
     };
     let options = TaskOptions {
@@ -279,8 +285,9 @@ fn device_task(engine: &Engine, locked: &[String]) -> Result<BalanceTask, Proble
         )));
     }
     // Weights in one plane are one: those that are free, under a name of theirs.
-    let mut free = engine.clone();
-    free.counterweights.retain(|weight| !locked.contains(&weight.name));
+    let free = engine
+        .with(|parts| parts.counterweights.retain(|weight| !locked.contains(&weight.name)))
+        .expect("invariant: an engine with fewer weights is one");
     let weights = crank_weights(&free, CrankWeightPlaces::File);
     let mut task = BalanceTask { weights, ..BalanceTask::default() };
     for shaft in engine.shafts.iter().filter(|shaft| !locked.contains(&shaft.name)) {
@@ -329,7 +336,7 @@ fn adopted(_: &Asker, question: ChosenArrangement) -> Result<NewText, Problem> {
             chosen.label
         )));
     }
-    let bare = searched_engine(&engine, &request, spacing.scale);
+    let bare = searched_engine(&engine, &request, spacing.scale).map_err(Problem::refused)?;
     let text = write_back(text, &fitted(&bare, &chosen.answer)).map_err(Problem::refused)?;
     Ok(NewText { text })
 }

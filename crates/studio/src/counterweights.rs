@@ -4,11 +4,12 @@ use crate::api::{Api, Made};
 use crate::asker::Asker;
 use crate::design_choice::{Aim, design_request};
 use crate::problem::Problem;
-use crate::reading::{EngineText, NewText, engine};
+use crate::reading::{EngineText, NewText, engine, engine_file};
+use lanchester::file::{EngineFile, write_back};
 use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{StepHeader, glb, solids, step, stl};
 use lanchester::geometry::{Design, DesignOutcome};
-use lanchester::model::{Engine, write_back};
+use lanchester::model::Engine;
 use lanchester::{
     CounterweightCheck, CounterweightDesigns, CounterweightFront, adopted, check_counterweights,
     counterweight_front, crankshaft_parts, design_counterweights, engine_parts, with_counterweights,
@@ -121,8 +122,8 @@ fn check(_: &Asker, question: EngineText) -> Result<CounterweightCheck, Problem>
 }
 
 fn design(_: &Asker, question: DesignQuestion) -> Result<Designed, Problem> {
-    let engine = engine(&question.text)?;
-    let request = design_request(&engine, question.weights, question.minimise)?;
+    let EngineFile { engine, tasks } = engine_file(&question.text)?;
+    let request = design_request(&tasks, question.weights, question.minimise)?;
     let designs = design_counterweights(&engine, &request).map_err(Problem::refused)?;
     let found: Vec<(usize, Design)> = designs
         .weights
@@ -147,8 +148,8 @@ fn fitted(text: &str, engine: &Engine, designs: &[(usize, Design)], density: f64
 }
 
 fn front(_: &Asker, question: FrontQuestion) -> Result<CounterweightFront, Problem> {
-    let engine = engine(&question.text)?;
-    let request = design_request(&engine, question.weight.clone().into_iter().collect(), question.minimise)?;
+    let EngineFile { engine, tasks } = engine_file(&question.text)?;
+    let request = design_request(&tasks, question.weight.clone().into_iter().collect(), question.minimise)?;
     counterweight_front(&engine, &request, question.against.into(), counted(&question)?)
         .map_err(Problem::refused)
 }
@@ -164,8 +165,8 @@ fn counted(question: &FrontQuestion) -> Result<usize, Problem> {
 
 fn adopt(_: &Asker, question: ChosenDesign) -> Result<NewText, Problem> {
     let ask = &question.front;
-    let engine = engine(&ask.text)?;
-    let request = design_request(&engine, ask.weight.clone().into_iter().collect(), ask.minimise)?;
+    let EngineFile { engine, tasks } = engine_file(&ask.text)?;
+    let request = design_request(&tasks, ask.weight.clone().into_iter().collect(), ask.minimise)?;
     let found = counterweight_front(&engine, &request, ask.against.into(), counted(ask)?)
         .map_err(Problem::refused)?;
     let designs = &found.front.designs;

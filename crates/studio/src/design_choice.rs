@@ -3,7 +3,7 @@
 use crate::problem::Problem;
 use lanchester::CounterweightRequest;
 use lanchester::geometry::{Objective, ShapeTask};
-use lanchester::model::Engine;
+use lanchester::task::Tasks;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -30,8 +30,8 @@ impl From<Aim> for Objective {
 }
 
 /// The shapes of the file's `[counterweight_design]`.
-pub(crate) fn shape_task(engine: &Engine, aim: Option<Aim>) -> Result<ShapeTask, Problem> {
-    let task = engine.shape_task.ok_or_else(|| {
+pub(crate) fn shape_task(tasks: &Tasks, aim: Option<Aim>) -> Result<ShapeTask, Problem> {
+    let task = tasks.shape_task.ok_or_else(|| {
         Problem::refused(
             "the shapes to search are not given\nhint: add a section [counterweight_design] with ranges of the dimensions",
         )
@@ -40,9 +40,9 @@ pub(crate) fn shape_task(engine: &Engine, aim: Option<Aim>) -> Result<ShapeTask,
 }
 
 pub(crate) fn design_request(
-    engine: &Engine,
+    tasks: &Tasks,
     weights: Vec<String>,
     aim: Option<Aim>,
 ) -> Result<CounterweightRequest, Problem> {
-    Ok(CounterweightRequest { weights, unbalance: None, task: shape_task(engine, aim)?, evolution: None })
+    Ok(CounterweightRequest { weights, unbalance: None, task: shape_task(tasks, aim)?, evolution: None })
 }

@@ -3,10 +3,10 @@
 use crate::api::{Api, Made};
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::{EngineText, engine};
+use crate::reading::{EngineText, engine, engine_file};
 use crate::server::Studio;
+use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{InternalRequest, LoadRequest};
-use lanchester::model::{Engine, read};
 use lanchester::{EngineReport, Scene, is_running, provenance, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,21 +42,21 @@ fn in_space(_: &Asker, question: EngineText) -> Result<Scene, Problem> {
     Ok(scene(&engine(&question.text)?))
 }
 
-fn report_of<'a>(studio: &Studio, engine: &'a Engine, text: &str) -> Result<EngineReport<'a>, Problem> {
-    let traces = match is_running(engine) {
-        true => studio.folder.traces(engine),
+fn report_of<'a>(studio: &Studio, file: &'a EngineFile, text: &str) -> Result<EngineReport<'a>, Problem> {
+    let traces = match is_running(file) {
+        true => studio.folder.traces(&file.engine),
         false => Ok(Vec::new()),
     };
     let traces = traces.as_deref().map_err(|problem| problem.message.clone());
     let warnings = read(text).diagnostics;
     let request = LoadRequest::default();
     let internal = InternalRequest { samples: request.samples, ..InternalRequest::default() };
-    EngineReport::new(engine, &request, &internal, traces, &warnings).map_err(Problem::refused)
+    EngineReport::new(file, &request, &internal, traces, &warnings).map_err(Problem::refused)
 }
 
 fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Problem> {
-    let engine = engine(&question.text)?;
-    let figures = report_of(&asker.studio, &engine, &question.text)?.figures();
+    let file = engine_file(&question.text)?;
+    let figures = report_of(&asker.studio, &file, &question.text)?.figures();
     let svg = |figure: &lanchester::report::Figure| FigureSvg {
         id: figure.id.clone(),
         title: figure.title.clone(),
@@ -67,8 +67,8 @@ fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Proble
 }
 
 fn report(asker: &Asker, question: ReportQuestion) -> Result<Made, Problem> {
-    let engine = engine(&question.text)?;
-    let report = report_of(&asker.studio, &engine, &question.text)?;
+    let file = engine_file(&question.text)?;
+    let report = report_of(&asker.studio, &file, &question.text)?;
     let request = LoadRequest::default();
     let provenance =
         provenance(&asker.studio.program, &question.name, &question.text, &report.loads, &request);

@@ -3,8 +3,8 @@
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
-use lanchester::model::Diagnostic;
-use lanchester::model::option::BadQuantity;
+use lanchester::file::Diagnostic;
+use lanchester::task::option::BadQuantity;
 use schemars::JsonSchema;
 use serde::Serialize;
 

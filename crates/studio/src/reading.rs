@@ -4,7 +4,8 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::summary::{EngineSummary, summary};
-use lanchester::model::{self, Diagnostic, Edit, FileEntry, Related, file_entries};
+use lanchester::file::{self, Diagnostic, Edit, EngineFile, FileEntry, Related, file_entries};
+use lanchester::model::Engine;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -68,9 +69,9 @@ pub(crate) fn questions(api: Api) -> Api {
 fn reading(_: &Asker, question: EditedText) -> Result<Reading, Problem> {
     let text = match question.edits[..] {
         [] => question.text,
-        _ => model::edit(&question.text, &question.edits).map_err(Problem::refused)?,
+        _ => file::edit(&question.text, &question.edits).map_err(Problem::refused)?,
     };
-    let read = model::read(&text);
+    let read = file::read(&text);
     let mut places = Utf16::new(&text);
     let entries = file_entries(&text);
     let diagnostics = read.diagnostics.into_iter().map(|diagnostic| {
@@ -80,12 +81,7 @@ fn reading(_: &Asker, question: EditedText) -> Result<Reading, Problem> {
     let diagnostics = diagnostics.collect();
     let entries =
         entries.into_iter().map(|entry| FileEntry { span: places.span(&entry.span), ..entry }).collect();
-    Ok(Reading {
-        diagnostics,
-        entries,
-        engine: read.engine.as_ref().map(|engine| summary(engine, &text)),
-        text,
-    })
+    Ok(Reading { diagnostics, entries, engine: read.file.as_ref().map(|file| summary(file, &text)), text })
 }
 
 /// The innermost value that holds the place, or begins there.
@@ -102,13 +98,18 @@ fn at(text: &str, entries: &[FileEntry], span: &Range<usize>) -> Option<String> 
 }
 
 fn expanded(_: &Asker, question: EngineText) -> Result<NewText, Problem> {
-    Ok(NewText { text: model::expanded(&engine(&question.text)?) })
+    Ok(NewText { text: file::expanded(&engine_file(&question.text)?) })
 }
 
 /// The engine of a text, or its mistakes.
-pub(crate) fn engine(text: &str) -> Result<model::Engine, Problem> {
-    let read = model::read(text);
-    read.engine.ok_or_else(|| {
+pub(crate) fn engine(text: &str) -> Result<Engine, Problem> {
+    engine_file(text).map(|file| file.engine)
+}
+
+/// The engine of a text and what is asked of it, or its mistakes.
+pub(crate) fn engine_file(text: &str) -> Result<EngineFile, Problem> {
+    let read = file::read(text);
+    read.file.ok_or_else(|| {
         let mut places = Utf16::new(text);
         Problem::mistakes(
             read.diagnostics.into_iter().map(|diagnostic| places.diagnostic(diagnostic)).collect(),
@@ -169,7 +170,7 @@ mod tests {
     fn a_mistake_tells_its_key() {
         let text = "name = \"A\"\nspeed = \"3 kg\"\n[crank]\nstroke = 3\n";
         let entries = file_entries(text);
-        let read = model::read(text);
+        let read = file::read(text);
         let paths: Vec<_> = read.diagnostics.iter().filter_map(|d| at(text, &entries, &d.span)).collect();
         assert!(
             paths.contains(&"speed".to_string()) && paths.contains(&"crank.stroke".to_string()),

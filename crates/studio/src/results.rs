@@ -3,7 +3,7 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::engine;
+use crate::reading::{engine, engine_file};
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
     MotionTrace, MountStudy, TorqueRequest, Trace, internal_cases, loads,
@@ -235,10 +235,13 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
         )));
     }
     let entry = |named: &NamedEngine| {
-        let mut engine = engine(&named.text)?;
-        let traces = asker.studio.folder.traces(&engine)?;
-        engine.name = named.name.clone();
-        Ok(CompareEntry { engine, traces, with: ComparedWith::OwnDevices })
+        let mut file = engine_file(&named.text)?;
+        let traces = asker.studio.folder.traces(&file.engine)?;
+        file.engine = file
+            .engine
+            .with(|parts| parts.name.clone_from(&named.name))
+            .expect("invariant: an engine may have any name");
+        Ok(CompareEntry { file, traces, with: ComparedWith::OwnDevices })
     };
     let entries = question.engines.iter().map(entry).collect::<Result<Vec<_>, Problem>>()?;
     let request = CompareRequest {

@@ -5,7 +5,7 @@ use crate::asker::Asker;
 use crate::folder::FileState;
 use crate::openapi::openapi;
 use crate::problem::Problem;
-use lanchester::model::{KeyTable, key_tables, templates};
+use lanchester::file::{KeyTable, key_tables, templates};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::PoisonError;
@@ -47,7 +47,7 @@ pub(crate) fn questions(api: Api) -> Api {
 
 fn session(asker: &Asker) -> Result<Session, Problem> {
     let open = asker.studio.open.lock().unwrap_or_else(PoisonError::into_inner).clone();
-    let info = |template: &lanchester::model::Template| TemplateInfo {
+    let info = |template: &lanchester::file::Template| TemplateInfo {
         name: template.name,
         title: template.title,
         text: template.text,

@@ -4,12 +4,13 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::design_choice::shape_task;
 use crate::problem::Problem;
-use crate::reading::engine;
+use crate::reading::engine_file;
+use lanchester::file::{EngineFile, write_back};
 use lanchester::geometry::clearance::Clearances;
 use lanchester::geometry::{
     CounterweightShape, Edge, Outline, Part, Range, ShapeTask, Shoulder, counterweight_properties, plain_web,
 };
-use lanchester::model::{Counterweight, CounterweightForm, Engine, write_back};
+use lanchester::model::{Counterweight, CounterweightForm, Engine};
 use lanchester::{clearances, with_outline};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -126,14 +127,14 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 fn preview(_: &Asker, question: ShapeQuestion) -> Result<ShapePreview, Problem> {
-    let engine = engine(&question.text)?;
+    let EngineFile { engine, tasks } = engine_file(&question.text)?;
     let weight = named(&engine, &question.weight)?;
     let of_file = weight.part.as_deref();
     let drawn = question.dimensions.is_some() || of_file.is_some();
-    let task = engine.shape_task;
+    let task = tasks.shape_task;
     let start = || match task {
         Some(task) => Ok(start_within(&task)),
-        None => shape_task(&engine, None).map(|task| start_within(&task)),
+        None => shape_task(&tasks, None).map(|task| start_within(&task)),
     };
     let family = of_file.and_then(|part| match part.form {
         CounterweightForm::Family(shape) => Some(Dimensions::of(shape, part.part.thickness())),

@@ -1,7 +1,8 @@
 //! The engine in short: what the page shows always, and its devices with the keys that say them.
 
+use lanchester::file::{EngineFile, file_entries};
 use lanchester::mechanism::{LoadRequest, motion};
-use lanchester::model::{Engine, file_entries};
+use lanchester::model::Engine;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -64,7 +65,8 @@ struct ShaftSummary {
     weights: Vec<DeviceSummary>,
 }
 
-pub(crate) fn summary(engine: &Engine, text: &str) -> EngineSummary {
+pub(crate) fn summary(file: &EngineFile, text: &str) -> EngineSummary {
+    let EngineFile { engine, tasks } = file;
     let entries = file_entries(text);
     let word = |path: &str| {
         let entry = entries.iter().find(|entry| entry.path == path)?;
@@ -124,8 +126,8 @@ pub(crate) fn summary(engine: &Engine, text: &str) -> EngineSummary {
         has_mounts: engine.block.is_some() && engine.is_on_springs(),
         has_bearings: engine.bearings.is_some(),
         has_crank_body: engine.crank_body.is_some(),
-        has_shape_task: engine.shape_task.is_some(),
-        has_balance: engine.balance.is_some(),
+        has_shape_task: tasks.shape_task.is_some(),
+        has_balance: tasks.balance.is_some(),
         has_envelope: engine.envelope.is_some(),
     }
 }

@@ -1,8 +1,8 @@
 //! How long a million samples of a V6 take on all cores: orders 1 and 2, and with true peaks over the continuous angle.
 use criterion::{Criterion, criterion_group, criterion_main};
-use lanchester_model::{Distribution, Extent, Tolerance, Varied};
-use lanchester_model::{read, template};
+use lanchester_file::{read, template};
 use lanchester_study::scatter::*;
+use lanchester_task::{Distribution, Extent, Tolerance, Varied};
 use std::hint::black_box;
 
 fn tolerance(quantity: Varied, half_width: f64) -> Tolerance {
@@ -11,7 +11,7 @@ fn tolerance(quantity: Varied, half_width: f64) -> Tolerance {
 }
 
 fn bench(criterion: &mut Criterion) {
-    let engine = read(template("v6-60").expect("it is in the gallery").text).engine.expect("it is valid");
+    let engine = read(template("v6-60").expect("it is in the gallery").text).engine().expect("it is valid");
     let request = |outputs: Vec<Output>| ScatterRequest {
         engine: engine.clone(),
         speed: None,

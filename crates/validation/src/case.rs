@@ -6,9 +6,11 @@ use crate::gas::GasRun;
 use crate::inputs::inputs;
 use crate::shape::ShapeFit;
 use crate::source::{Change, Edit, KinematicsName, NewValue};
+use lanchester::file::read;
+use lanchester::file::workshop::read_sheet;
 use lanchester::mechanism::{Kinematics, LoadRequest, Loads, PeakMode, loads};
-use lanchester::model::workshop::{Sheet, read_sheet};
-use lanchester::model::{Engine, read};
+use lanchester::model::Engine;
+use lanchester::task::workshop::Sheet;
 use std::cell::OnceCell;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -54,7 +56,7 @@ impl Bench {
             return Ok(run.clone());
         }
         let reading = read(&text);
-        let Some(engine) = reading.engine else {
+        let Some(engine) = reading.engine() else {
             let messages: Vec<_> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
             return Err(messages.join("; "));
         };

@@ -106,8 +106,8 @@ mod tests {
 
     #[test]
     fn amounts_without_an_arrangement_are_refused() {
-        let template = lanchester::model::template("single").unwrap();
-        let engine = lanchester::model::read(template.text).engine.unwrap();
+        let template = lanchester::file::template("single").unwrap();
+        let engine = lanchester::file::read(template.text).engine().unwrap();
         let mut fitting = Fitting::default();
         assert_eq!(fitting.fitted(engine.clone(), &LoadRequest::default()), Ok(engine.clone()));
         fitting.take("arrangement.crank", &NewValue::Text("1 kg m".into())).unwrap();

@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn choices_without_a_method_or_a_method_without_choices_are_refused() {
         let engine =
-            lanchester::model::read(lanchester::model::template("in-line-3").unwrap().text).engine.unwrap();
+            lanchester::file::read(lanchester::file::template("in-line-3").unwrap().text).engine().unwrap();
         let fit = MethodFit { shaft_length: Some(0.4), ..MethodFit::default() };
         assert!(fit.fitted(engine.clone()).is_err());
         let fit = MethodFit { kind: Some(Kind::Three), ..MethodFit::default() };

@@ -7,7 +7,7 @@
 //! | `workshop influence of PLANE on SENSOR` | change of the reading for each kilogram at the radius of the plane |
 //! | `workshop correction mass of PLANE`, `workshop correction angle of PLANE` | to add at the radius of the plane; its angle on the rotor, within a turn [deg] |
 
-use lanchester::model::workshop::Sheet;
+use lanchester::task::workshop::Sheet;
 use lanchester::workshop::{Correction, bobweights, correction, grade};
 
 /// A quantity of a workshop sheet.

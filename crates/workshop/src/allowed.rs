@@ -1,6 +1,6 @@
 //! A weight among the angles that may be used.
 
-use lanchester_model::workshop::Allowed;
+use lanchester_task::workshop::Allowed;
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

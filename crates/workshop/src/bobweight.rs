@@ -11,7 +11,7 @@
 //! The sums run over the rods on the pin. Which `f` is right is not a matter of taste: see [`crate::FactorEffect`].
 
 use crate::error::WorkshopError;
-use lanchester_model::workshop::{BobweightSheet, CylinderParts, PinParts};
+use lanchester_task::workshop::{BobweightSheet, CylinderParts, PinParts};
 use serde::Serialize;
 
 /// The bobweight of one pin.

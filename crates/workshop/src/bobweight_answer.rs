@@ -6,8 +6,9 @@ use crate::error::WorkshopError;
 use crate::plane::end_planes;
 use lanchester_balance::{BalanceError, Outcome, optimise};
 use lanchester_mechanism::{LoadError, LoadRequest, total_loads};
-use lanchester_model::workshop::{BobweightSheet, PinParts, Sheet};
-use lanchester_model::{BalanceTask, Counterweight, Engine, FreeWeight, Place, Seat};
+use lanchester_model::{Counterweight, Engine};
+use lanchester_task::workshop::{BobweightSheet, PinParts, Sheet};
+use lanchester_task::{BalanceTask, FreeWeight, Place, Seat};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -125,7 +126,7 @@ pub fn bobweight_answer(sheet: &Sheet, engine: Option<&Engine>) -> Result<Bobwei
 /// # Errors
 /// [`WorkshopError`] where pins and rods of the sheet are not those of the engine.
 pub fn weighed(engine: &Engine, sheet: &BobweightSheet) -> Result<Engine, WorkshopError> {
-    let mut engine = engine.clone();
+    let mut engine = engine.clone().into_parts();
     let impossible = |what: String, hint| Err(WorkshopError::Impossible { what, hint });
     for index in 0..engine.throws.len() {
         let number = index + 1;
@@ -167,7 +168,10 @@ pub fn weighed(engine: &Engine, sheet: &BobweightSheet) -> Result<Engine, Worksh
             "count throws from 1, as `lanchester show` does",
         );
     }
-    Ok(engine)
+    Engine::new(engine).map_err(|faults| WorkshopError::Impossible {
+        what: faults[0].to_string(),
+        hint: "check the masses of the sheet",
+    })
 }
 
 /// Throws whose unbalances cancel but for this share of their sum are thought to cancel: parts of a set differ by less.
@@ -220,8 +224,7 @@ fn choices(share: f64, sheet: &BobweightSheet, effect: &FactorEffect) -> Vec<Fac
 /// The engine with a crank that is in balance on the machine with these bobweights: what is missing stands opposite
 /// every throw.
 fn machine_balanced(engine: &Engine, bobs: &[Bobweight]) -> Engine {
-    let mut engine = engine.clone();
-    engine.counterweights = bobs
+    let counterweights = bobs
         .iter()
         .filter_map(|bob| Some((bob, bob.throw? - 1)))
         .map(|(bob, index)| {
@@ -239,6 +242,8 @@ fn machine_balanced(engine: &Engine, bobs: &[Bobweight]) -> Engine {
         })
         .collect();
     engine
+        .with(|parts| parts.counterweights = counterweights)
+        .expect("invariant: a throw has one bobweight at most, of finite mass")
 }
 
 fn peaks(engine: &Engine, how: &str) -> Result<ComparedBalance, LoadError> {
@@ -260,9 +265,7 @@ fn compare(
     if let Some(best) = derived.filter(|best| (best - share).abs() > 1e-9) {
         ways.push(peaks(&balanced(best)?, "in balance with those of the least peak")?);
     }
-    let mut without = engine.clone();
-    without.counterweights.clear();
-    without.balance = None;
+    let without = engine.without_counterweights();
     let task = BalanceTask { weights: end_weights(engine), ..BalanceTask::default() };
     let answer = optimise(&without, &task).map_err(|error| match error {
         BalanceError::Loads(error) => WorkshopError::Loads(error),
@@ -274,7 +277,7 @@ fn compare(
             hint: "check the engine file with `lanchester balance`",
         });
     }
-    without.counterweights = answer
+    let counterweights = answer
         .weights
         .iter()
         .zip(&task.weights)
@@ -290,7 +293,9 @@ fn compare(
             Seat::Shaft(_) => None,
         })
         .collect();
-    ways.push(peaks(&without, "optimum: two weights at the ends of the crank")?);
+    let best = without.with(|parts| parts.counterweights = counterweights);
+    let best = best.expect("invariant: amounts that are found are finite");
+    ways.push(peaks(&best, "optimum: two weights at the ends of the crank")?);
     // Rounding may put a bound a hair below nothing.
     let bound = |stage: usize| answer.stages.get(stage).map_or(0.0, |stage| stage.lower_bound.max(0.0));
     Ok(BobweightComparison {

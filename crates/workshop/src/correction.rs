@@ -9,7 +9,7 @@ use crate::least_squares::Decomposition;
 use crate::plane::{Plane as NamedPlane, PlaneUnbalance, in_two_planes};
 use crate::remark::{ILL_CONDITIONED, Remark, remarks};
 use crate::run_log::{RunEntry, ShownVibration, run_log, shown};
-use lanchester_model::workshop::{Action, Plane, Sheet, VibrationQuantity};
+use lanchester_task::workshop::{Action, Plane, Sheet, VibrationQuantity};
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! What a balancing machine shows, plane by plane.
 
 use crate::plane::PlaneUnbalance;
-use lanchester_model::workshop::{Display, DisplayKind};
+use lanchester_task::workshop::{Display, DisplayKind};
 use num_complex::Complex64;
 
 /// The heavy spots that a balancing machine shows; a couple is its two opposed unbalances.

@@ -6,7 +6,7 @@ use crate::grade::Grade;
 use crate::hole::Hole;
 use crate::hole_search::{Search, search};
 use crate::plane::PlaneUnbalance;
-use lanchester_model::workshop::{Drill, Sheet};
+use lanchester_task::workshop::{Drill, Sheet};
 use num_complex::Complex64;
 use serde::Serialize;
 

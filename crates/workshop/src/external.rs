@@ -7,7 +7,7 @@
 use crate::crank_unbalance::crank_parts;
 use crate::error::WorkshopError;
 use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -75,11 +75,13 @@ pub fn external_balance(
             });
         }
     }
-    let mut engine = engine.clone();
-    for weight in &mut engine.counterweights {
-        weight.unbalance *= kept_share;
-        weight.part = None;
-    }
+    let keep = |parts: &mut EngineParts| {
+        for weight in &mut parts.counterweights {
+            weight.unbalance *= kept_share;
+            weight.part = None;
+        }
+    };
+    let engine = engine.with(keep).expect("invariant: a share of a weight is a weight");
     let parts = crank_parts(&engine, crankshaft, bobweights)?.concat();
     let size: f64 = parts.iter().map(|p| p.unbalance.norm()).sum();
     let mut weights = in_two_planes(&parts, planes)?;
@@ -108,7 +110,8 @@ pub fn external_balance(
 mod tests {
     use super::*;
     use crate::{FactorRequest, balance_factors, crank_unbalance};
-    use lanchester_model::{Counterweight, read, template};
+    use lanchester_file::{read, template};
+    use lanchester_model::Counterweight;
 
     fn planes() -> [Plane; 2] {
         [Plane { name: "damper".into(), z: -0.26 }, Plane { name: "flywheel".into(), z: 0.31 }]
@@ -118,7 +121,7 @@ mod tests {
     #[test]
     fn the_crank_is_in_balance_with_its_weights_outside() {
         for name in ["v8-crossplane", "in-line-3", "single"] {
-            let mut engine = read(template(name).unwrap().text).engine.unwrap();
+            let mut engine = read(template(name).unwrap().text).engine().unwrap();
             let factors = balance_factors(&engine, &FactorRequest::default()).unwrap();
             let bobs: Vec<f64> = factors.iter().map(|f| f.bobweight).collect();
             let all = external_balance(&engine, 0, &bobs, &planes(), [None; 2], 1.0).unwrap();
@@ -130,18 +133,26 @@ mod tests {
                 let [Some(damper), None] = external.masses else { panic!("{:?}", external.masses) };
                 assert!((damper.mass - missing * 0.31 / 0.57 / 0.08).abs() < 1e-13);
             }
-            for weight in &mut engine.counterweights {
-                weight.unbalance *= 0.7;
-            }
+            engine = engine
+                .with(|engine| {
+                    for weight in &mut engine.counterweights {
+                        weight.unbalance *= 0.7;
+                    }
+                })
+                .expect("an engine");
             for weight in &external.weights {
-                engine.counterweights.push(Counterweight {
-                    name: weight.name.clone(),
-                    crankshaft: 0,
-                    z: weight.z,
-                    unbalance: weight.unbalance.norm(),
-                    angle: weight.unbalance.arg(),
-                    part: None,
-                });
+                engine = engine
+                    .with(|engine| {
+                        engine.counterweights.push(Counterweight {
+                            name: weight.name.clone(),
+                            crankshaft: 0,
+                            z: weight.z,
+                            unbalance: weight.unbalance.norm(),
+                            angle: weight.unbalance.arg(),
+                            part: None,
+                        });
+                    })
+                    .expect("an engine");
             }
             let inside = [Plane { name: "a".into(), z: -0.1 }, Plane { name: "b".into(), z: 0.1 }];
             let left = crank_unbalance(&engine, 0, &bobs, &inside, None).unwrap();
@@ -152,7 +163,7 @@ mod tests {
 
     #[test]
     fn a_share_beyond_all_is_refused() {
-        let engine = read(template("single").unwrap().text).engine.unwrap();
+        let engine = read(template("single").unwrap().text).engine().unwrap();
         let error = external_balance(&engine, 0, &[0.5], &planes(), [None; 2], 1.4).unwrap_err().to_string();
         assert!(error.contains("from 0 to 1, got 1.4"), "{error}");
         let error =

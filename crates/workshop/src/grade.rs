@@ -2,7 +2,7 @@
 
 use crate::error::WorkshopError;
 use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
-use lanchester_model::workshop::{Rotor, Sheet};
+use lanchester_task::workshop::{Rotor, Sheet};
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -1,7 +1,7 @@
 //! What was on the rotor in every run, and which runs belong together.
 
 use crate::phasor::Convention;
-use lanchester_model::workshop::{Action, Reading, Run, Sheet, VibrationQuantity};
+use lanchester_task::workshop::{Action, Reading, Run, Sheet, VibrationQuantity};
 use num_complex::Complex64;
 
 /// Speeds that differ by no more than this share are one speed: machines hardly hold theirs better, and away from

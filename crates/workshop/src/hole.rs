@@ -1,18 +1,9 @@
 //! What a drilled hole takes away.
 //!
-//! Drill of radius a, depth h to the end of the full diameter, point of height `c = a/tan(point/2)` below it,
-//! density rho; R is the radius of the drilled surface (radial) or of the circle of holes (axial):
-//!
-//! ```text
-//! radial, flat     U = rho pi a^2 ( R h - h^2/2           + (c/3)(R - h - c/4) )
-//! radial, round    U = rho pi a^2 ( R h - h^2/2 - a^2/8   + (c/3)(R - h - c/4) )
-//! axial            U = rho pi a^2 ( h + c/3 ) R
-//! ```
-//! The centre of what a radial hole removes moves towards the axis as the hole gets deeper: that is the `h^2/2`. The round
-//! surface drops away beside the crown, from which the depth is counted: that is the `a^2/8`, exact for a cylinder, as the
-//! static moment of its part above the bottom is `rho/2 INTEGRAL (R^2 - y^2 - (R - h)^2) dA` over the disc of the hole.
+//! Its first moment about the axis is that of [`lanchester_task::DrillBit`].
 
-use lanchester_model::workshop::{Drill, DrillDirection, Surface};
+use lanchester_task::DrillBit;
+use lanchester_task::workshop::{Drill, DrillDirection, Surface};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -33,110 +24,62 @@ pub struct Hole {
     pub unbalance: f64,
 }
 
-/// A drill on a surface.
+/// A drill on a surface of a material.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bit {
-    pub(crate) diameter: f64,
-    /// Height of its point [m].
-    point: f64,
-    /// Radius of surface or circle of holes [m].
-    radius: f64,
+    bit: DrillBit,
     density: f64,
-    direction: DrillDirection,
-    surface: Surface,
-    /// Least and largest depth to the end of the full diameter [m].
-    range: [f64; 2],
 }
 
 impl Bit {
     /// The drill of this diameter; `None` where it cannot make any hole there.
     pub(crate) fn of(drill: &Drill, radius: f64, diameter: f64) -> Option<Bit> {
-        let a = diameter / 2.0;
-        let point = if drill.point >= PI { 0.0 } else { a / (drill.point / 2.0).tan() };
-        let radial = drill.direction == DrillDirection::Radial;
-        // Shallower than this, a round surface is not cut over the whole width.
-        let least = match drill.surface {
-            Surface::Round if radial && a >= radius => return None,
-            Surface::Round if radial => radius - (radius * radius - a * a).sqrt(),
-            _ => 0.0,
-        };
-        let deepest = if radial { drill.max_depth.min(radius) } else { drill.max_depth };
-        let range = [least, deepest - point];
-        (range[0] <= range[1]).then_some(Bit {
-            diameter,
-            point,
-            radius,
-            density: drill.density,
-            direction: drill.direction,
-            surface: drill.surface,
-            range,
-        })
-    }
-
-    fn area(&self) -> f64 {
-        PI * self.diameter * self.diameter / 4.0
-    }
-
-    /// What a round surface lacks beside its crown [m^2].
-    fn drop(&self) -> f64 {
-        match self.surface {
-            Surface::Round => self.diameter * self.diameter / 32.0,
-            Surface::Flat => 0.0,
-        }
+        let on = (drill.direction, drill.surface);
+        let bit = DrillBit::new(on, radius, diameter, (drill.point, drill.max_depth))?;
+        Some(Bit { bit, density: drill.density })
     }
 
     /// Unbalance that a hole of this depth removes [kg m].
     pub(crate) fn unbalance(&self, depth: f64) -> f64 {
-        let (r, c) = (self.radius, self.point);
-        let volume_lever = match self.direction {
-            DrillDirection::Radial => {
-                r * depth - depth * depth / 2.0 - self.drop() + c / 3.0 * (r - depth - c / 4.0)
-            }
-            DrillDirection::Axial => (depth + c / 3.0) * r,
-        };
-        self.density * self.area() * volume_lever
+        self.density * self.bit.moment(depth)
     }
 
     /// Depth of the hole that removes this unbalance, held within what may be drilled [m].
     pub(crate) fn depth(&self, unbalance: f64) -> f64 {
-        let (r, c) = (self.radius, self.point);
-        let lever = unbalance / (self.density * self.area());
-        let depth = match self.direction {
+        let (r, c) = (self.bit.radius, self.bit.point);
+        let lever = unbalance / (self.density * self.bit.area());
+        let depth = match self.bit.direction {
             DrillDirection::Axial => lever / r - c / 3.0,
             DrillDirection::Radial => {
                 let slope = r - c / 3.0;
-                let wanted = lever + self.drop() - c / 3.0 * (r - c / 4.0);
+                let wanted = lever + self.bit.drop() - c / 3.0 * (r - c / 4.0);
                 let root = slope * slope - 2.0 * wanted;
-                if root < 0.0 { self.range[1] } else { 2.0 * wanted / (slope + root.sqrt()) }
+                if root < 0.0 { self.bit.range[1] } else { 2.0 * wanted / (slope + root.sqrt()) }
             }
         };
-        depth.clamp(self.range[0], self.range[1])
+        depth.clamp(self.bit.range[0], self.bit.range[1])
     }
 
     /// Least and largest unbalance that one hole can remove [kg m].
     pub(crate) fn bounds(&self) -> [f64; 2] {
-        self.range.map(|depth| self.unbalance(depth))
+        self.bit.range.map(|depth| self.unbalance(depth))
     }
 
     /// Every depth that is a multiple of the step and may be drilled, rising [m].
     pub(crate) fn depths(&self, step: f64) -> Vec<f64> {
-        let first = (self.range[0] / step - 1e-9).ceil().max(0.0);
-        let last = (self.range[1] / step + 1e-9).floor();
-        // A step that small is no step: a file may say anything.
-        let count = ((last - first).max(-1.0) + 1.0).min(10_000.0) as usize;
-        (0..count).map(|k| (first + k as f64) * step).collect()
+        self.bit.depths(step)
     }
 
     /// Depths from the least to the largest, so many and evenly apart [m].
     pub(crate) fn even_depths(&self, count: usize) -> Vec<f64> {
-        let [least, most] = self.range;
+        let [least, most] = self.bit.range;
         (0..count).map(|k| least + (most - least) * k as f64 / (count - 1) as f64).collect()
     }
 
     /// Mass that a hole of this depth removes [kg].
     pub(crate) fn mass(&self, depth: f64) -> f64 {
-        let (a, r) = (self.diameter / 2.0, self.radius);
-        let full = match (self.direction, self.surface) {
+        let (a, r) = (self.bit.diameter / 2.0, self.bit.radius);
+        let full = match (self.bit.direction, self.bit.surface) {
             (DrillDirection::Radial, Surface::Round) => {
                 // Mean height of the surface over the disc, y = a sin t; the trapezoidal rule is exact to rounding for a
                 // smooth periodic integrand.
@@ -152,16 +95,16 @@ impl Bit {
             }
             _ => depth,
         };
-        self.density * self.area() * (full + self.point / 3.0)
+        self.density * self.bit.area() * (full + self.bit.point / 3.0)
     }
 
     /// The hole.
     pub(crate) fn hole(&self, angle: f64, depth: f64) -> Hole {
         Hole {
             angle,
-            diameter: self.diameter,
+            diameter: self.bit.diameter,
             depth,
-            tip: depth + self.point,
+            tip: depth + self.bit.point,
             mass: self.mass(depth),
             unbalance: self.unbalance(depth),
         }
@@ -212,7 +155,7 @@ mod tests {
 
     /// Mass and static moment of what is removed, summed over thin slices across and along the hole.
     fn brute(bit: &Bit, depth: f64) -> (f64, f64) {
-        let (a, r, c) = (bit.diameter / 2.0, bit.radius, bit.point);
+        let (a, r, c) = (bit.bit.diameter / 2.0, bit.bit.radius, bit.bit.point);
         let (n, m) = (1200, 240);
         let (mut volume, mut moment) = (0.0, 0.0);
         for i in 0..n {
@@ -224,14 +167,14 @@ mod tests {
                     continue;
                 }
                 let cell = (2.0 * a / n as f64) * (2.0 * a / m as f64);
-                let top = match (bit.direction, bit.surface) {
+                let top = match (bit.bit.direction, bit.bit.surface) {
                     (DrillDirection::Radial, Surface::Round) => (r * r - y * y).sqrt(),
                     _ => r,
                 };
                 let bottom = r - depth - c * (1.0 - rho / a);
                 volume += cell * (top - bottom);
                 moment += cell
-                    * match bit.direction {
+                    * match bit.bit.direction {
                         DrillDirection::Radial => (top * top - bottom * bottom) / 2.0,
                         DrillDirection::Axial => (top - bottom) * r,
                     };
@@ -270,8 +213,8 @@ mod tests {
                 for depth in [0.001, 0.01, 0.02] {
                     assert!((bit.depth(bit.unbalance(depth)) - depth).abs() < 1e-15, "{direction:?}");
                 }
-                assert_eq!(bit.depth(1.0), bit.range[1], "held at the deepest");
-                assert_eq!(bit.depth(0.0), bit.range[0]);
+                assert_eq!(bit.depth(1.0), bit.bit.range[1], "held at the deepest");
+                assert_eq!(bit.depth(0.0), bit.bit.range[0]);
             }
         }
     }

@@ -9,7 +9,7 @@
 
 use crate::allowed::is_allowed;
 use crate::hole::{Bit, Hole, wall};
-use lanchester_model::workshop::{Allowed, Drill, DrillDirection};
+use lanchester_task::workshop::{Allowed, Drill, DrillDirection};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};
 

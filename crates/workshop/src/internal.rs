@@ -3,7 +3,7 @@
 use crate::error::WorkshopError;
 use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
 use crate::slug::{Slug, SlugPlan, slug_plan};
-use lanchester_model::workshop::Sheet;
+use lanchester_task::workshop::Sheet;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -58,7 +58,7 @@ pub fn internal_balance(sheet: &Sheet) -> Result<InternalBalance, WorkshopError>
             hint: "give exactly two [[plane]] with name, z and radius",
         });
     };
-    let place = |plane: &lanchester_model::workshop::Plane| match (plane.z, plane.radius) {
+    let place = |plane: &lanchester_task::workshop::Plane| match (plane.z, plane.radius) {
         (Some(z), Some(radius)) => Ok((Plane { name: plane.name.clone(), z }, radius)),
         _ => Err(WorkshopError::missing(
             format!("z and radius of plane \"{}\"", plane.name),
@@ -114,7 +114,7 @@ pub fn internal_balance(sheet: &Sheet) -> Result<InternalBalance, WorkshopError>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::workshop::read_sheet;
+    use lanchester_file::workshop::read_sheet;
 
     const SHEET: &str = "name = \"to inside\"\n\
         [[external]]\nname = \"damper\"\nz = \"-300 mm\"\nunbalance = \"6 kg mm\"\nangle = \"150 deg\"\n\

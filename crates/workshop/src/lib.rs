@@ -1,6 +1,6 @@
 //! The workshop: balance factors, bobweights, the unbalance of a crank with its bobweights, weights outside and inside
 //! the crankcase; and the balancing of a real rotor, crank or engine from the measurements of a
-//! [`Sheet`](lanchester_model::workshop::Sheet).
+//! [`Sheet`](lanchester_task::workshop::Sheet).
 //!
 //! Unbalances are complex [kg m]: modulus = mass times radius, argument = direction. A throw's own frame has its real
 //! axis along the throw; the frame of a crankshaft is the engine's at the crankshaft angle 0; that of a rotor is the

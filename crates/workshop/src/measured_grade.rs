@@ -4,7 +4,7 @@ use crate::correction::correction;
 use crate::displayed::displayed;
 use crate::error::WorkshopError;
 use crate::grade::{Grade, of_unbalances};
-use lanchester_model::workshop::Sheet;
+use lanchester_task::workshop::Sheet;
 
 /// What the grade of the sheet allows, and whether the measured unbalance keeps it: the displayed one, or that which the
 /// runs show in the planes with trial weights. Runs that do not tell it yet leave it unmeasured; [`correction`]

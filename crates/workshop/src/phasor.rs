@@ -10,7 +10,7 @@
 //! factor `exp(-i s (k - b))` taken off, v/u is the response of the machine alone, and its argument is the angle by
 //! which the peak of the velocity leads the passing of the heavy spot at the sensor.
 
-use lanchester_model::workshop::{
+use lanchester_task::workshop::{
     Detector, PhaseConvention, Rotor, Sense, Sensor, Vibration, VibrationQuantity,
 };
 use num_complex::Complex64;

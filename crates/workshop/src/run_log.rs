@@ -2,7 +2,7 @@
 
 use crate::history::History;
 use crate::influence::sensor_fit;
-use lanchester_model::workshop::VibrationQuantity;
+use lanchester_task::workshop::VibrationQuantity;
 use num_complex::Complex64;
 use serde::Serialize;
 

@@ -12,7 +12,7 @@
 
 use crate::allowed::is_allowed;
 use crate::error::WorkshopError;
-use lanchester_model::workshop::Allowed;
+use lanchester_task::workshop::Allowed;
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_4, PI};

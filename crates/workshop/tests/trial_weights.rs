@@ -5,7 +5,7 @@
 #[path = "support/rotor.rs"]
 mod rotor;
 
-use lanchester_model::workshop::read_sheet;
+use lanchester_file::workshop::read_sheet;
 use lanchester_workshop::{Correction, NextStep, RemarkKind, WorkshopError, correction};
 use num_complex::Complex64;
 use rotor::{Bench, ROTOR};

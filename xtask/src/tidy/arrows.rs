@@ -4,23 +4,43 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 19] = [
+const ARROWS: [(&str, &[&str]); 23] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
+    ("lanchester-units", &[]),
+    ("lanchester-diagnostic", &[]),
     ("lanchester-model", &["lanchester-shape"]),
-    ("lanchester-mechanism", &["lanchester-model"]),
-    ("lanchester-bondgraph", &["lanchester-model", "lanchester-numerics"]),
-    ("lanchester-cycle", &["lanchester-model", "lanchester-mechanism"]),
-    ("lanchester-geometry", &["lanchester-model", "lanchester-shape"]),
-    ("lanchester-balance", &["lanchester-model", "lanchester-mechanism"]),
-    ("lanchester-workshop", &["lanchester-model", "lanchester-mechanism", "lanchester-balance"]),
-    ("lanchester-study", &["lanchester-model", "lanchester-mechanism"]),
+    ("lanchester-task", &["lanchester-model", "lanchester-shape", "lanchester-units"]),
+    (
+        "lanchester-file",
+        &[
+            "lanchester-model",
+            "lanchester-task",
+            "lanchester-shape",
+            "lanchester-units",
+            "lanchester-diagnostic",
+        ],
+    ),
+    ("lanchester-mechanism", &["lanchester-model", "lanchester-numerics"]),
+    ("lanchester-bondgraph", &["lanchester-diagnostic", "lanchester-model", "lanchester-numerics"]),
+    ("lanchester-cycle", &["lanchester-model", "lanchester-units", "lanchester-mechanism"]),
+    ("lanchester-geometry", &["lanchester-model", "lanchester-task", "lanchester-shape"]),
+    (
+        "lanchester-balance",
+        &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-numerics"],
+    ),
+    (
+        "lanchester-workshop",
+        &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],
+    ),
+    ("lanchester-study", &["lanchester-model", "lanchester-task", "lanchester-mechanism"]),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",
         &[
             "lanchester-model",
+            "lanchester-task",
             "lanchester-mechanism",
             "lanchester-multibody",
             "lanchester-geometry",
@@ -33,6 +53,9 @@ const ARROWS: [(&str, &[&str]); 19] = [
         "lanchester",
         &[
             "lanchester-model",
+            "lanchester-task",
+            "lanchester-file",
+            "lanchester-units",
             "lanchester-mechanism",
             "lanchester-multibody",
             "lanchester-cycle",

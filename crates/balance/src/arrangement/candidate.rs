@@ -5,9 +5,8 @@ use crate::arrangement::request::{ArrangementRequest, CrankWeights, Judged};
 use crate::arrangement::result::ShaftLayout;
 use crate::arrangement::spacing::extent;
 use lanchester_mechanism::{LoadRequest, Mechanism};
-use lanchester_model::{
-    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Place, Ratio, Seat, Stage, Tie,
-};
+use lanchester_model::{Engine, Ratio};
+use lanchester_task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Load, Place, Seat, Stage, Tie};
 use num_complex::Complex64;
 
 /// Below this share of all moving masses at their largest acceleration an order is not there.

@@ -233,7 +233,11 @@ mod tests {
         let engine = twin();
         let parts = PartSizes { crank_sweep: Some(1e-6), ..PartSizes::default() };
         let mut engine = engine;
-        engine.cylinders.iter_mut().for_each(|c| c.bore = None);
+        engine = engine
+            .with(|engine| {
+                engine.cylinders.iter_mut().for_each(|c| c.bore = None);
+            })
+            .expect("an engine");
         let envelope = Envelope::of(&engine, &parts);
         let radius = engine.throws[0].radius;
         // Straight below, the big end at bottom dead centre is the farthest part.

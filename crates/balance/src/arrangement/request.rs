@@ -1,7 +1,8 @@
 //! What the search over arrangements is asked.
 
 use crate::BalanceError;
-use lanchester_model::{Criterion, Engine, Limit, Load};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, Limit, Load};
 use serde::Serialize;
 use std::f64::consts::TAU;
 

@@ -33,7 +33,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         firing_angle: None,
         chamber: None,
     });
-    Engine {
+    Engine::new(EngineParts {
         name: "sample".to_owned(),
         note: None,
         strokes: Strokes::Four,
@@ -55,16 +55,12 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
-        simulation: None,
-    }
+    })
+    .expect("the parts of an engine")
 }
 
 /// The in-line twin with pistons in step.

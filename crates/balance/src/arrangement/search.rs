@@ -13,7 +13,8 @@ use crate::arrangement::spacing::extent;
 use crate::arrangement::wording;
 use crate::consequences::inside_the_crank;
 use crate::{Answer, BalanceError, Outcome, as_it_stands, fitted, optimise};
-use lanchester_model::{BalanceTask, Criterion, Engine, Limit, Load, Mount, Place, Seat, Stage};
+use lanchester_model::{Engine, EngineParts, Mount};
+use lanchester_task::{BalanceTask, Criterion, Limit, Load, Place, Seat, Stage};
 use num_complex::Complex64;
 
 /// A residual this share above the limit still reaches it.
@@ -47,7 +48,7 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
     let own_spacing = engine.spacing();
     let mut spacings = Vec::new();
     for scale in scales(request, own_spacing)? {
-        let searched = searched_engine(engine, request, scale);
+        let searched = searched_engine(engine, request, scale)?;
         spacings.push(Search::new(&searched, request, limit).run(scale, own_spacing.map(|s| s * scale))?);
     }
     let nearest = limit.and_then(|limit| nearest(&spacings, request, limit));
@@ -66,12 +67,21 @@ pub fn arrangements(engine: &Engine, request: &ArrangementRequest) -> Result<Arr
 
 /// The engine that arrangements are fitted to: no balance shafts, the mounts of the request, and every z of throws,
 /// cylinders and counterweights times `scale` ([`SpacingArrangements::scale`]).
-pub fn searched_engine(engine: &Engine, request: &ArrangementRequest, scale: f64) -> Engine {
-    let mut searched = engine.stretched(scale);
-    searched.shafts.clear();
-    searched.counterweights.retain(|weight| !is_searched(&weight.name));
-    searched.mounts = mounts(engine, request);
-    searched
+///
+/// # Errors
+/// [`BalanceError::Engine`] where there is no such engine: a scale that is not positive, a mount that stands nowhere.
+pub fn searched_engine(
+    engine: &Engine,
+    request: &ArrangementRequest,
+    scale: f64,
+) -> Result<Engine, BalanceError> {
+    let searched = engine.stretched(scale).map_err(BalanceError::engine)?;
+    let change = |parts: &mut EngineParts| {
+        parts.shafts.clear();
+        parts.counterweights.retain(|weight| !is_searched(&weight.name));
+        parts.mounts = mounts(engine, request);
+    };
+    searched.with(change).map_err(BalanceError::engine)
 }
 
 /// Scales of all z for the spacings of the request.
@@ -112,8 +122,8 @@ fn limit(request: &ArrangementRequest) -> Result<(Option<f64>, Option<String>), 
         Target::None => Ok((None, None)),
         Target::Limit { most } => Ok((Some(*most), Some("as asked for".to_owned()))),
         Target::Reference { engine, share } => {
-            let mut reference = engine.as_ref().clone();
-            reference.mounts = mounts(engine, request);
+            let reference =
+                engine.with(|parts| parts.mounts = mounts(engine, request)).map_err(BalanceError::engine)?;
             let value = share * as_it_stands(&reference, request.criterion.criterion())?;
             // Below this share of its moving masses' largest load it does not shake at all.
             let scale = load_scale(&reference);
@@ -203,9 +213,7 @@ impl<'a> Search<'a> {
         match criterion {
             Criterion::Peak(load) | Criterion::Order(load, _) => match load {
                 Load::RollMoment => true,
-                Load::MountForce(_) | Load::LargestMountForce => {
-                    self.engine.mounts.iter().any(|m| m.x.hypot(m.y) > 1e-9)
-                }
+                load if load.is_at_mounts() => self.engine.mounts.iter().any(|m| m.x.hypot(m.y) > 1e-9),
                 _ => false,
             },
             Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,

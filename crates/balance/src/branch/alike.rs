@@ -1,7 +1,7 @@
 //! Devices that may change places: of all orders of them one is enough.
 
 use super::choices::{Choices, Heading, Use, on_shaft};
-use lanchester_model::{BalanceTask, FreeWeight, Phase, Place};
+use lanchester_task::{BalanceTask, FreeWeight, Phase, Place};
 
 /// Pairs of devices, the first before the second, that are the same but for their names.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

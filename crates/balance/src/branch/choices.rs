@@ -1,6 +1,6 @@
 //! Boxes of choices: which devices are used, in what stretch each stands, in what sector its phase lies.
 
-use lanchester_model::{BalanceTask, Phase, Place, Seat};
+use lanchester_task::{BalanceTask, Phase, Place, Seat};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Stretches shorter than this are one place [m].

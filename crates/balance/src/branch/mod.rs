@@ -22,14 +22,15 @@ mod search;
 
 use crate::error::BalanceError;
 use crate::fitted::bare;
-use crate::gas_places::GasPlaces;
 use crate::operator::EngineLoads;
 use crate::problem::{Problem, has_free_axis, implied, is_of_crank, stages};
 use crate::settings::{BalanceSettings, StopCause, Watch};
+use crate::speed_places::SpeedPlaces;
 use crate::stages::{Held, Reached, Walk};
 use choices::{Choices, stretch};
 use lanchester_mechanism::Kinematics;
-use lanchester_model::{BalanceTask, Criterion, Engine, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, FreeWeight, Limit, Load, Phase, Place, Seat, Stage};
 use relaxed::Ground;
 use search::{Effort, Found, Goal, Search};
 use std::rc::Rc;
@@ -122,12 +123,12 @@ pub(crate) fn search(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
-    gas: &Rc<GasPlaces>,
+    places: &Rc<SpeedPlaces>,
     settings: &BalanceSettings,
     watch: &Watch,
 ) -> Result<Searched, BalanceError> {
     let bare = bare(engine, task);
-    let loads = EngineLoads::of(&bare, kinematics)?.with_gas(gas);
+    let loads = EngineLoads::of(&bare, kinematics)?.judged_at(places);
     let asked = stages(task);
     let asked_count = asked.len();
     // An axis that is to be found is not left to chance by those who do not name the roll moment. The bearings of a crankshaft
@@ -158,9 +159,7 @@ pub(crate) fn search(
 fn sees_axes(task: &BalanceTask) -> bool {
     let stages = task.stages.iter().flat_map(|stage| &stage.terms).map(|term| term.1);
     stages.chain(task.limits.iter().map(|limit| limit.criterion)).any(|criterion| match criterion {
-        Criterion::Peak(load) | Criterion::Order(load, _) => {
-            matches!(load, Load::RollMoment | Load::MountForce(_) | Load::LargestMountForce)
-        }
+        Criterion::Peak(load) | Criterion::Order(load, _) => load == Load::RollMoment || load.is_at_mounts(),
         Criterion::MainRms(_) | Criterion::MainMean(_) | Criterion::MainsWithGas(..) => false,
         Criterion::AddedMass | Criterion::AddedUnbalance | Criterion::Cost => false,
     })

@@ -3,7 +3,7 @@
 use super::choices::{Choices, Heading, Looked, ONE_PLACE, Split, Use, on_shaft, open};
 use super::relaxed::corners;
 use crate::problem::Problem;
-use lanchester_model::BalanceTask;
+use lanchester_task::BalanceTask;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 

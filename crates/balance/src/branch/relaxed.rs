@@ -23,7 +23,8 @@ use crate::error::BalanceError;
 use crate::operator::{AxisArea, Corner, EngineLoads, Operator};
 use crate::problem::{Problem, Rule};
 use crate::settings::{BalanceSettings, Watch};
-use lanchester_model::{BalanceTask, Engine, Phase, Place, Seat};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Phase, Place, Seat};
 use num_complex::Complex64;
 
 /// Equations that contradict one another by more than this have no solution.

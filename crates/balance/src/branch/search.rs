@@ -11,7 +11,7 @@ use crate::infeasible::relaxation;
 use crate::problem::Problem;
 use crate::settings::{BalanceSettings, Next, SearchState, StopCause};
 use crate::stages::{GAP, Held, Walk};
-use lanchester_model::GiveUp;
+use lanchester_task::GiveUp;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

@@ -1,6 +1,6 @@
 //! What exact cancellation answers beside the weights: plain data, SI units and radians.
 
-use lanchester_model::Criterion;
+use lanchester_task::Criterion;
 use num_complex::Complex64;
 use serde::Serialize;
 

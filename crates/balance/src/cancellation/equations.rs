@@ -10,11 +10,12 @@
 
 use super::answer::OrderSense;
 use crate::convex::dense::Matrix;
-use crate::criterion::vectors;
+use crate::criterion::{order_key, vectors};
 use crate::error::BalanceError;
 use crate::operator::Operator;
 use crate::wave::Wave;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, Phase, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, Phase, criterion_unit};
 use num_complex::Complex64;
 
 /// Share of all moving masses' loads below which a load is rounding.
@@ -154,12 +155,17 @@ pub(super) fn parts_of(
             hint: "make it small with `minimise`",
         });
     }
+    if load.counts_gas() {
+        return Err(BalanceError::Unsuited {
+            method: "exact cancellation",
+            needed: "loads of inertia",
+            got: "a force at mounts with gas".into(),
+            hint: "leave \"with gas\" out, or make it small with `minimise`",
+        });
+    }
     let (vectors, force) = vectors(engine, operator, load)?;
     let scale = if force { operator.natural_force } else { operator.natural_moment };
-    let key = order * f64::from(operator.grid.revolutions);
-    // An order between those that the engine and its devices have is not there.
-    let whole = (key - key.round()).abs() < 1e-6 && key < 1e9;
-    let key = if whole { key.round() as u32 } else { u32::MAX };
+    let key = order_key(order, operator.grid.revolutions);
     let mut parts = Vec::new();
     for (index, waves) in vectors.iter().enumerate() {
         let load = if load == Load::LargestMountForce { Load::MountForce(index) } else { load };

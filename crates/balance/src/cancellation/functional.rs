@@ -11,7 +11,7 @@
 use super::answer::{Functional, FunctionalTerm};
 use super::equations::{Device, Equations};
 use crate::convex::dense::{Matrix, RowFactors, dot, norm};
-use lanchester_model::BalanceTask;
+use lanchester_task::BalanceTask;
 use num_complex::Complex64;
 
 /// Terms below this share of the largest are rounding.

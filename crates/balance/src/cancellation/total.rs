@@ -5,7 +5,7 @@ use super::equations::Equations;
 use super::lightest::Lightest;
 use crate::answer::{FoundLimit, FoundStage, LimitSide};
 use crate::operator::{inertia_of, share_of};
-use lanchester_model::{BalanceTask, Criterion, criterion_unit};
+use lanchester_task::{BalanceTask, Criterion, criterion_unit};
 
 /// The total as a cost of every device.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,8 @@ use super::answer::{CancelledOrder, OrderSense};
 use super::equations::{Equations, Part};
 use super::functional::Weighed;
 use crate::operator::ratio_of;
-use lanchester_model::{BalanceTask, Criterion, Engine, Load, criterion_name, criterion_unit};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, Load, criterion_name, criterion_unit};
 use num_complex::Complex64;
 
 /// Terms below this share of the largest say nothing.
@@ -59,7 +60,7 @@ fn nothing_acts(engine: &Engine, task: &BalanceTask, equations: &Equations, part
     let stays =
         format!("{} of {} stay as they are", amount(part.amount.norm(), part), part_name(engine, part));
     let turning = |sense: f64| {
-        let ratio = |w: &lanchester_model::FreeWeight| ratio_of(engine, task, w.seat).value();
+        let ratio = |w: &lanchester_task::FreeWeight| ratio_of(engine, task, w.seat).value();
         task.weights.iter().any(|w| (ratio(w) - sense * order).abs() < 1e-9)
     };
     let why = match part.sense {

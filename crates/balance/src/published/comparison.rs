@@ -12,9 +12,8 @@ use crate::error::BalanceError;
 use crate::fitted::fitted;
 use crate::optimum::optimise;
 use lanchester_mechanism::{LoadRequest, OrderLoads, loads};
-use lanchester_model::{
-    BalanceTask, Criterion, Engine, FreeShaft, FreeWeight, Load, Place, Seat, Stage, Tie,
-};
+use lanchester_model::Engine;
+use lanchester_task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Load, Place, Seat, Stage, Tie};
 use num_complex::Complex64;
 use serde::Serialize;
 

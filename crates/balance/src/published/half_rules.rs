@@ -70,7 +70,9 @@ impl BalanceFactor {
                 }
             })
             .collect();
-        Engine { counterweights, balance: None, ..engine.clone() }
+        engine
+            .with(|parts| parts.counterweights = counterweights)
+            .expect("invariant: amounts of a finite share are finite")
     }
 }
 
@@ -143,7 +145,7 @@ impl ThreeCylinderRule {
 
         let crank = rotating.moment + first.forward.moment;
         let pair = -crank / distance;
-        let mut fitted = bare(engine);
+        let mut fitted = bare(engine).into_parts();
         for (throw, unbalance) in [(front, -pair), (rear, pair)] {
             let place = &engine.throws[throw];
             let webs = place.webs.unwrap_or([place.z; 2]);
@@ -180,6 +182,7 @@ impl ThreeCylinderRule {
             inertia: None,
         });
 
+        let fitted = Engine::new(fitted).map_err(BalanceError::engine)?;
         let direction = engine.pin_angle(front, 0.0) + PI;
         Ok(ThreeCylinderBalance {
             rotating_moment: rotating.moment.norm(),
@@ -240,7 +243,8 @@ impl FourCylinderRule {
         })?;
         let second = reciprocating(engine, 2, Motion::Published)?;
         let exact = reciprocating(engine, 2, Motion::Exact)?;
-        let mut fitted = Engine { shafts: Vec::new(), balance: None, ..engine.clone() };
+        let mut fitted = engine.clone().into_parts();
+        fitted.shafts.clear();
         let senses = [(1, second.forward, self.forward_at), (-1, second.backward, self.backward_at)];
         for (sense, resultant, [x, y]) in senses {
             let unbalance = -resultant.force;
@@ -255,6 +259,7 @@ impl FourCylinderRule {
         }
         // Unbalances at twice crank speed: over w^2 they are four times as large.
         let (force, moment) = second.peak();
+        let fitted = Engine::new(fitted).map_err(BalanceError::engine)?;
         Ok(FourCylinderBalance {
             rotating: all_throws(engine),
             first: reciprocating(engine, 1, Motion::Published)?,

@@ -269,7 +269,7 @@ impl MatrixMethod {
             0.0
         };
 
-        let mut fitted = bare(engine);
+        let mut fitted = bare(engine).into_parts();
         let mut matrices = MethodMatrices::default();
         for &throw in &order {
             matrices.crank.push(engine.pin_angle(throw, 0.0), engine.throws[throw].z);
@@ -305,6 +305,7 @@ impl MatrixMethod {
                 Some(pair.fit(2, pistons, &scale, &mut fitted, columns))
             }
         };
+        let fitted = Engine::new(fitted).map_err(BalanceError::engine)?;
         let residual = EngineResidual::of(&fitted)?;
         let mut balance = MatrixBalance {
             equations: equations(&rotating, &webs, alpha, unbalance, self.counterweight_radius),
@@ -426,7 +427,7 @@ impl MatrixBalance {
 
 /// The engine without counterweights, shafts and task.
 pub(crate) fn bare(engine: &Engine) -> Engine {
-    Engine { counterweights: Vec::new(), shafts: Vec::new(), balance: None, ..engine.clone() }
+    engine.without_counterweights().without_shafts()
 }
 
 /// Throws from the free end to the flywheel, by index.

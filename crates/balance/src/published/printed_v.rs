@@ -4,11 +4,11 @@
 //! digits of its Table 5 follow if that maximum is taken among the angles 0, 1, .., 6 **radians** (an inference: a range
 //! "0 to 2 pi" in whole steps). For what is right, [`MatrixMethod::fit`] treats each sense for itself.
 
-use super::matrix_method::{MatrixBalance, MatrixMethod};
+use super::matrix_method::MatrixMethod;
 use super::resultant::{EngineResidual, Motion, reciprocating};
 use super::shaft_pair::shaft_name;
 use crate::error::BalanceError;
-use lanchester_model::{BalanceShaft, Engine, Ratio, ShaftWeight};
+use lanchester_model::{BalanceShaft, Engine, EngineParts, Ratio, ShaftWeight};
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -63,7 +63,7 @@ impl MatrixMethod {
                 hint: "give both pairs",
             });
         };
-        let MatrixBalance { engine: mut fitted, .. } = without_shafts.fit(engine)?;
+        let mut fitted = without_shafts.fit(engine)?.engine.into_parts();
         // Checks radii and lengths of the shafts too.
         self.fit(engine)?;
         let (mut moment, mut force) = (Complex64::ZERO, Complex64::ZERO);
@@ -91,6 +91,7 @@ impl MatrixMethod {
         // Along the cylinders' bisector, x: Re(Q_f e^{i theta} + Q_b e^{-i theta}).
         let vertical = pistons.forward.moment + pistons.backward.moment.conj();
         let horizontal = pistons.forward.moment - pistons.backward.moment.conj();
+        let fitted = Engine::new(fitted).map_err(BalanceError::engine)?;
         Ok(PrintedV {
             first_mass: first_unbalance / first.radius,
             second_mass: second_unbalance / second.radius,
@@ -115,7 +116,12 @@ impl AngleRule {
 }
 
 /// Adds one shaft for each sense, with weights (z, unbalance, phase).
-fn add_pair(engine: &mut Engine, order: i32, y: [f64; 2], weights: impl Fn(i32) -> Vec<(f64, f64, f64)>) {
+fn add_pair(
+    engine: &mut EngineParts,
+    order: i32,
+    y: [f64; 2],
+    weights: impl Fn(i32) -> Vec<(f64, f64, f64)>,
+) {
     for (sense, y) in [1, -1].into_iter().zip(y) {
         engine.shafts.push(BalanceShaft {
             name: shaft_name(order, sense),

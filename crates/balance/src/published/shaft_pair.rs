@@ -3,7 +3,7 @@
 use super::basis::Basis;
 use super::matrices::Matrix;
 use super::resultant::{OrderResultant, Resultant, Scale};
-use lanchester_model::{BalanceShaft, Engine, Ratio, ShaftWeight};
+use lanchester_model::{BalanceShaft, EngineParts, Ratio, ShaftWeight};
 use serde::Serialize;
 
 /// A pair of shafts of one order, one with the crank and one against it, at the height of the crank axis.
@@ -39,7 +39,7 @@ impl ShaftPair {
         order: i32,
         wanted: OrderResultant,
         scale: &Scale,
-        engine: &mut Engine,
+        engine: &mut EngineParts,
         columns: (&mut Matrix, &mut Matrix),
     ) -> ShaftOrder {
         let force = [wanted.forward, wanted.backward].iter().any(|r| r.force.norm() > scale.force);

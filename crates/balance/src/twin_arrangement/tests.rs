@@ -1,11 +1,11 @@
 //! Devices against the thesis's formulas, and residuals against first principles.
 
 use super::*;
+use lanchester_file::{read, template};
 use lanchester_mechanism::{PeakMode, loads, series_coefficients};
-use lanchester_model::{read, template};
 
 fn engine(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 fn fitted(name: &str, arrangement: TwinArrangement) -> Engine {

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Method, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 use std::f64::consts::TAU;
 
 /// The best over directions of one weight, by the convex optimum in each.

@@ -2,7 +2,7 @@
 
 use crate::support::*;
 use lanchester_balance::{Method, optimise};
-use lanchester_model::*;
+use lanchester_task::*;
 use proptest::prelude::*;
 
 fn on_shaft(shaft: usize, z: f64, most: f64) -> FreeWeight {

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Answer, Outcome, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
     let answer = optimise(engine, task).expect("a valid task");
@@ -166,14 +167,18 @@ fn costs_go_with_steps_and_optional_devices() {
             };
             let angle = phase - engine.crankshafts[0].phase;
             let name = weight.name.clone();
-            fitted.counterweights.push(Counterweight {
-                name,
-                crankshaft: 0,
-                z,
-                unbalance: *amount,
-                angle,
-                part: None,
-            });
+            fitted = fitted
+                .with(|fitted| {
+                    fitted.counterweights.push(Counterweight {
+                        name,
+                        crankshaft: 0,
+                        z,
+                        unbalance: *amount,
+                        angle,
+                        part: None,
+                    });
+                })
+                .unwrap();
         }
         let couple = Criterion::Peak(Load::Couple);
         best = best.min(lanchester_balance::as_it_stands(&fitted, couple).expect("a load"));

@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{Answer, BalanceError, Method, Outcome, optimise, optimise_watched};
 use lanchester_balance::{BalanceSettings, Next, StopCause};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
     let answer = optimise(engine, task).expect("a valid task");
@@ -58,14 +59,18 @@ fn enumerated(engine: &Engine, task: &BalanceTask, allowed: impl Fn(&[f64]) -> b
             let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else {
                 panic!("{weight:?}")
             };
-            engine.counterweights.push(Counterweight {
-                name: weight.name.clone(),
-                crankshaft: 0,
-                z,
-                unbalance: *amount,
-                angle: phase - engine.crankshafts[0].phase,
-                part: None,
-            });
+            engine = engine
+                .with(|engine| {
+                    engine.counterweights.push(Counterweight {
+                        name: weight.name.clone(),
+                        crankshaft: 0,
+                        z,
+                        unbalance: *amount,
+                        angle: phase - engine.crankshafts[0].phase,
+                        part: None,
+                    });
+                })
+                .unwrap();
         }
         let value = lanchester_balance::as_it_stands(&engine, task.stages[0].terms[0].1).expect("a load");
         if value < best.0 {
@@ -250,14 +255,18 @@ fn enumerated_one(engine: &Engine, task: &BalanceTask, amounts: &[f64]) -> f64 {
     let mut engine = engine.clone();
     for (weight, amount) in task.weights.iter().zip(amounts) {
         let (Place::At(z), Phase::Direction(phase)) = (weight.z, weight.phase) else { panic!("{weight:?}") };
-        engine.counterweights.push(Counterweight {
-            name: weight.name.clone(),
-            crankshaft: 0,
-            z,
-            unbalance: *amount,
-            angle: phase - engine.crankshafts[0].phase,
-            part: None,
-        });
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.push(Counterweight {
+                    name: weight.name.clone(),
+                    crankshaft: 0,
+                    z,
+                    unbalance: *amount,
+                    angle: phase - engine.crankshafts[0].phase,
+                    part: None,
+                });
+            })
+            .unwrap();
     }
     lanchester_balance::as_it_stands(&engine, task.stages[0].terms[0].1).expect("a load")
 }
@@ -283,4 +292,48 @@ fn what_is_no_catalogue_is_refused() {
         let error = refused(change);
         assert!(matches!(error, BalanceError::Unsuited { .. }), "{error}");
     }
+}
+
+/// Holes towards the axis in a counterweight of steel, or slugs of heavy metal in them.
+fn drills(slug_density: Option<f64>) -> DrillCatalogue {
+    DrillCatalogue {
+        direction: workshop::DrillDirection::Radial,
+        surface: workshop::Surface::Round,
+        radius: 0.07,
+        diameters: vec![0.012, 0.016, 0.02],
+        max_depth: 0.03,
+        depth_step: 0.006,
+        point: 118_f64.to_radians(),
+        density: 7850.0,
+        slug_density,
+    }
+}
+
+/// The best of all holes and slugs, by given amounts alone; the answer names drill and depth of each.
+#[test]
+fn drilled_weights_are_the_best_of_all_holes() {
+    for load in [Load::Couple, Load::BendingMoment] {
+        let (engine, mut task) = three(&vec![Catalogue::Steps(1.0); 3], &[load]);
+        let slugs = [None, Some(18_000.0), Some(18_000.0)];
+        for (weight, slug) in task.weights.iter_mut().zip(slugs) {
+            let own = FreeWeight { most: None, ..weight.clone() };
+            *weight = own.drilled(drills(slug));
+        }
+        let answer = solved(&engine, &task);
+        assert_same(&answer, &enumerated(&engine, &task, |_| true));
+        assert!(answer.weights.iter().any(|weight| weight.used));
+        for (weight, slug) in answer.weights.iter().zip(slugs) {
+            let Some(hole) = weight.hole else {
+                assert!(!weight.used, "{weight:?}");
+                continue;
+            };
+            assert_eq!((hole.unbalance - weight.unbalance.norm()).abs() < 1e-12, weight.used, "{weight:?}");
+            assert_eq!(hole.slug_density, slug);
+            assert!(hole.tip <= 0.03 + 1e-12 && drills(slug).holes().contains(&hole), "{hole:?}");
+        }
+    }
+    // A catalogue that is not that of the holes is refused.
+    let (engine, mut task) = three(&vec![Catalogue::Steps(0.001); 3], &[Load::Couple]);
+    task.weights[0].drill = Some(drills(None));
+    assert!(matches!(optimise(&engine, &task), Err(BalanceError::Unsuited { .. })));
 }

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Outcome, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 /// Subsets of `0..count` with at most `most` members.
 fn subsets(count: usize, most: usize) -> Vec<Vec<usize>> {

@@ -2,14 +2,15 @@
 
 use crate::support::*;
 use lanchester_balance::{Method, optimise};
-use lanchester_model::*;
+use lanchester_file::{EngineFile, read};
+use lanchester_task::*;
 
 const EXAMPLE: &str = include_str!("../../../../examples/twin-270-choices.toml");
 
 #[test]
 fn one_of_two_shafts_and_a_plane() {
-    let engine = read(EXAMPLE).engine.expect("the example is valid");
-    let task = engine.balance.clone().expect("it has a section [balance]");
+    let EngineFile { engine, tasks } = read(EXAMPLE).file.expect("the example is valid");
+    let task = tasks.balance.expect("it has a section [balance]");
     let answer = optimise(&engine, &task).unwrap();
     assert_proved(&engine, &answer);
     assert!(matches!(answer.method, Method::BranchAndBound { .. }));

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{BalanceError, Method, Outcome, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn found(name: &str, most: f64) -> FreeWeight {
     FreeWeight { z: Place::Between(-0.12, 0.12), most: Some(most), ..on_crank(name, 0.0) }

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Method, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn somewhere(name: &str, seat: Seat, z: (f64, f64), most: f64) -> FreeWeight {
     FreeWeight { z: Place::Between(z.0, z.1), most: Some(most), ..weight(name, seat, 0.0) }
@@ -24,12 +25,20 @@ fn best_plane(engine: &Engine, task: &BalanceTask, weight: usize, count: usize) 
 #[test]
 fn the_cylinders_own_plane_is_found() {
     let mut engine = stripped("single");
-    for throw in &mut engine.throws {
-        throw.z += 0.0371;
-    }
-    for cylinder in &mut engine.cylinders {
-        cylinder.z += 0.0371;
-    }
+    engine = engine
+        .with(|engine| {
+            for throw in &mut engine.throws {
+                throw.z += 0.0371;
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.z += 0.0371;
+            }
+        })
+        .unwrap();
     let task = BalanceTask {
         weights: vec![somewhere("crank", Seat::Crankshaft(0), (-0.1, 0.15), 0.5)],
         ..Default::default()

@@ -4,6 +4,7 @@
 use crate::support::*;
 use lanchester_balance::{Answer, FoundLimit, LimitSide, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 /// Share of a limit that it is moved by for a difference.
 const STEP: f64 = 1e-5;

@@ -4,6 +4,7 @@
 use crate::support::*;
 use lanchester_balance::{Answer, Outcome, fitted, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 

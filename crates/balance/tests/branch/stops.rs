@@ -5,6 +5,7 @@ use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, Method, Next, Outcome, StopCause, optimise, optimise_watched,
 };
 use lanchester_model::*;
+use lanchester_task::*;
 use std::cell::RefCell;
 
 const FULL: BalanceSettings = BalanceSettings { gap: 1e-8, max_nodes: 2000, time_limit: None };

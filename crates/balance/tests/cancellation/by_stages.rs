@@ -2,7 +2,8 @@
 
 use crate::support::*;
 use lanchester_balance::*;
-use lanchester_model::*;
+use lanchester_file::{read, template};
+use lanchester_task::*;
 
 fn effect(answer: &Answer, criterion: Criterion) -> Effect {
     *answer.effects.iter().find(|e| e.criterion == criterion).expect("it is always told")
@@ -15,7 +16,7 @@ const LARGEST: Criterion = Criterion::Peak(Load::LargestMainLoad);
 #[test]
 fn an_in_line_four_keeps_the_counterweights_that_its_bearings_need() {
     let text = template("in-line-4").expect("a template").text;
-    let engine = read(text).engine.expect("a valid template");
+    let engine = read(text).engine().expect("a valid template");
     let plain = default_task(&engine);
     assert_eq!(plain.weights.len(), engine.counterweights.len(), "all of its counterweights are free");
     let cancel = vec![(Load::Force, 1.0), (Load::Couple, 1.0)];

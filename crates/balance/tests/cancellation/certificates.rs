@@ -2,7 +2,9 @@
 
 use crate::support::*;
 use lanchester_balance::*;
+use lanchester_file::{Template, templates};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -38,7 +40,7 @@ fn any_task() -> impl Strategy<Value = BalanceTask> {
 /// answer to what it adds.
 fn repaired(engine: &Engine, task: &BalanceTask, change: &[Complex64]) -> Option<f64> {
     // The engine with the change fitted; the weights that cancel it then have the names of the free ones.
-    let mut carrier = engine.clone();
+    let mut carrier = engine.clone().into_parts();
     let mut shafts: Vec<BalanceShaft> = task
         .shafts
         .iter()
@@ -70,6 +72,7 @@ fn repaired(engine: &Engine, task: &BalanceTask, change: &[Complex64]) -> Option
         }
     }
     carrier.shafts.extend(shafts.into_iter().filter(|s| !s.weights.is_empty()));
+    let carrier = Engine::new(carrier).unwrap();
     let answer = optimise(&carrier, task).ok()?;
     let CancellationVerdict::Vanish { .. } = cancellation(&answer).verdict else { return None };
     // Change and answer together cancel the orders of the engine.

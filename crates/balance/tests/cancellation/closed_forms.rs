@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::*;
 use lanchester_model::*;
+use lanchester_task::*;
 
 const FORCE_1: (Load, f64) = (Load::Force, 1.0);
 const COUPLE_1: (Load, f64) = (Load::Couple, 1.0);

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::*;
 use lanchester_model::*;
+use lanchester_task::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const FORCE_1: (Load, f64) = (Load::Force, 1.0);
@@ -49,7 +50,11 @@ fn equations_said_twice_change_nothing() {
 #[test]
 fn more_planes_than_needed_take_the_longest_lever() {
     let mut engine = stripped("v2-90");
-    engine.cylinders.iter_mut().for_each(|c| c.z = engine.throws[c.throw].z);
+    engine = engine
+        .with(|engine| {
+            engine.cylinders.iter_mut().for_each(|c| c.z = engine.throws[c.throw].z);
+        })
+        .unwrap();
     // A couple from a weight that is set 10 mm off: only the farthest planes carry it.
     let mut off = engine.clone();
     let weight = |z| Counterweight {
@@ -60,7 +65,11 @@ fn more_planes_than_needed_take_the_longest_lever() {
         angle: 0.3,
         part: None,
     };
-    off.counterweights.extend([weight(0.01), Counterweight { angle: 0.3 + PI, ..weight(-0.01) }]);
+    off = off
+        .with(|off| {
+            off.counterweights.extend([weight(0.01), Counterweight { angle: 0.3 + PI, ..weight(-0.01) }]);
+        })
+        .unwrap();
     let planes = [-0.05, -0.02, 0.0, 0.03, 0.08];
     let answer = optimise(&off, &task(on_crank(&planes), &[COUPLE_1])).unwrap();
     let total = assert_vanishes(&off, &answer);
@@ -69,14 +78,18 @@ fn more_planes_than_needed_take_the_longest_lever() {
     let mut engine_forward = off.clone();
     let crank =
         masses(&engine).0 + 2.0 * masses(&engine).1 + engine.throws.iter().map(|t| t.unbalance).sum::<f64>();
-    engine_forward.counterweights.push(Counterweight {
-        name: "classical".into(),
-        crankshaft: 0,
-        z: 0.0,
-        unbalance: crank,
-        angle: engine.throws[0].angle + PI,
-        part: None,
-    });
+    engine_forward = engine_forward
+        .with(|engine_forward| {
+            engine_forward.counterweights.push(Counterweight {
+                name: "classical".into(),
+                crankshaft: 0,
+                z: 0.0,
+                unbalance: crank,
+                angle: engine.throws[0].angle + PI,
+                part: None,
+            });
+        })
+        .unwrap();
     let answer = optimise(&engine_forward, &task(on_crank(&planes), &[FORCE_1, COUPLE_1])).unwrap();
     let total = assert_vanishes(&engine_forward, &answer);
     close(total, 2.0 * 0.01 * 0.02 / 0.13, 1e-8, "the ends");

@@ -1,16 +1,26 @@
 //! Engines of the gallery, tasks for them, and what an answer must hold.
 
 use lanchester_balance::*;
+use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 
 /// The engine of the gallery without counterweights and shafts.
 pub fn stripped(name: &str) -> Engine {
     let text = template(name).expect("a template of the gallery").text;
-    let mut engine = read(text).engine.expect("a valid template");
-    engine.counterweights.clear();
-    engine.shafts.clear();
+    let mut engine = read(text).engine().expect("a valid template");
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.shafts.clear();
+        })
+        .unwrap();
     engine
 }
 

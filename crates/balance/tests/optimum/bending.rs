@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{fitted, optimise};
 use lanchester_mechanism::{InternalRequest, internal_moments};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 
 /// Largest bending moment along crankshaft 1 as a free beam under all that turns, by the mechanism's own walk along it.
@@ -32,20 +33,18 @@ fn rotating(engine: &Engine, throw: usize) -> f64 {
 
 /// The engine where each web takes half of its own throw.
 fn each_web_its_own_half(engine: &Engine, distance: f64) -> Engine {
-    let mut engine = engine.clone();
-    for (k, throw) in engine.throws.iter().enumerate() {
-        for side in [-0.5, 0.5] {
-            engine.counterweights.push(Counterweight {
-                name: String::new(),
-                crankshaft: 0,
-                z: throw.z + side * distance,
-                unbalance: 0.5 * (throw.unbalance + engine.rod_unbalance(k)),
-                angle: throw.angle + std::f64::consts::PI,
-                part: None,
-            });
-        }
-    }
-    engine
+    let half = |(k, throw): (usize, &Throw)| {
+        [-0.5, 0.5].map(|side| Counterweight {
+            name: format!("throw {} {side}", k + 1),
+            crankshaft: 0,
+            z: throw.z + side * distance,
+            unbalance: 0.5 * (throw.unbalance + engine.rod_unbalance(k)),
+            angle: throw.angle + std::f64::consts::PI,
+            part: None,
+        })
+    };
+    let halves: Vec<Counterweight> = engine.throws.iter().enumerate().flat_map(half).collect();
+    engine.with(|parts| parts.counterweights.extend(halves)).unwrap()
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{fitted, optimise, optimise_with};
 use lanchester_mechanism::Kinematics;
-use lanchester_model::*;
+use lanchester_task::*;
 
 /// Of a piston's first order half turns with the crank: with orders above left out the best counterweight takes exactly
 /// that half and all that rotates, and what is left turns against the crank with a constant amount.

@@ -4,6 +4,7 @@ use crate::support::*;
 use lanchester_balance::{Answer, fitted, optimise};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::*;
+use lanchester_task::*;
 use num_complex::Complex64;
 use proptest::prelude::*;
 
@@ -12,14 +13,18 @@ fn peak_with(engine: &Engine, weights: &[(f64, Complex64)], which: usize, count:
     let mut engine = engine.clone();
     for &(z, unbalance) in weights {
         let (unbalance, angle) = unbalance.to_polar();
-        engine.counterweights.push(Counterweight {
-            name: "w".into(),
-            crankshaft: 0,
-            z,
-            unbalance,
-            angle,
-            part: None,
-        });
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.push(Counterweight {
+                    name: "w".into(),
+                    crankshaft: 0,
+                    z,
+                    unbalance,
+                    angle,
+                    part: None,
+                });
+            })
+            .unwrap();
     }
     grid_peak(&engine, which, count)
 }
@@ -68,14 +73,18 @@ fn one_weight_agrees_with_golden_section() {
             let mut fit = engine.clone();
             for (z, u) in weights {
                 let (unbalance, angle) = u.to_polar();
-                fit.counterweights.push(Counterweight {
-                    name: "w".into(),
-                    crankshaft: 0,
-                    z,
-                    unbalance,
-                    angle,
-                    part: None,
-                });
+                fit = fit
+                    .with(|fit| {
+                        fit.counterweights.push(Counterweight {
+                            name: "w".into(),
+                            crankshaft: 0,
+                            z,
+                            unbalance,
+                            angle,
+                            part: None,
+                        });
+                    })
+                    .unwrap();
             }
             let peaks = lanchester_mechanism::loads(&fit, &LoadRequest::default()).unwrap().total.peaks;
             [peaks.force, peaks.couple][which].max.value
@@ -173,21 +182,29 @@ fn scale_changes_nothing() {
         let plain = optimise(&engine, &task(0.1)).unwrap();
         for (length, mass) in [(1e-3, 1.0), (1e3, 1e-6), (10.0, 1e3)] {
             let mut other = engine.clone();
-            for throw in &mut other.throws {
-                throw.z *= length;
-                throw.radius *= length;
-                throw.unbalance *= mass * length;
-            }
-            for cylinder in &mut other.cylinders {
-                cylinder.z *= length;
-                cylinder.offset *= length;
-                cylinder.pin_offset *= length;
-                cylinder.piston_mass *= mass;
-                cylinder.rod.length *= length;
-                cylinder.rod.big_end_mass *= mass;
-                cylinder.rod.small_end_mass *= mass;
-                cylinder.rod.inertia = cylinder.rod.inertia.map(|i| i * mass * length * length);
-            }
+            other = other
+                .with(|other| {
+                    for throw in &mut other.throws {
+                        throw.z *= length;
+                        throw.radius *= length;
+                        throw.unbalance *= mass * length;
+                    }
+                })
+                .unwrap();
+            other = other
+                .with(|other| {
+                    for cylinder in &mut other.cylinders {
+                        cylinder.z *= length;
+                        cylinder.offset *= length;
+                        cylinder.pin_offset *= length;
+                        cylinder.piston_mass *= mass;
+                        cylinder.rod.length *= length;
+                        cylinder.rod.big_end_mass *= mass;
+                        cylinder.rod.small_end_mass *= mass;
+                        cylinder.rod.inertia = cylinder.rod.inertia.map(|i| i * mass * length * length);
+                    }
+                })
+                .unwrap();
             let scaled = optimise(&other, &task(0.1 * length)).unwrap();
             assert_proved(&other, &scaled);
             let unit = all_masses(&engine) * mass * length;

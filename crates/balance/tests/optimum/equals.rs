@@ -2,7 +2,8 @@
 
 use crate::support::*;
 use lanchester_balance::{Answer, Effect, optimise};
-use lanchester_model::*;
+use lanchester_file::read;
+use lanchester_task::*;
 
 fn effect(answer: &Answer, load: Load) -> Effect {
     *answer.effects.iter().find(|e| e.criterion == Criterion::Peak(load)).expect("always there")
@@ -143,7 +144,7 @@ fn what_changes_no_load_is_decided_by_the_weights() {
 #[test]
 fn leftovers_of_the_solver_are_no_weights() {
     let text = include_str!("../../../../examples/in-line-3-counterweights.toml");
-    let engine = read(text).engine.expect("a valid example");
+    let engine = read(text).engine().expect("a valid example");
     let mut task = default_task(&engine);
     // Bearings have a use for all four: the lightest are asked for.
     task.stages = [Criterion::Peak(Load::Force), Criterion::Peak(Load::Couple), Criterion::AddedUnbalance]

@@ -2,7 +2,9 @@
 
 use crate::support::*;
 use lanchester_balance::{Outcome, optimise};
+use lanchester_file::templates;
 use lanchester_model::*;
+use lanchester_task::*;
 
 /// Weights on the crank ends and middle, and four shafts with two weights each.
 fn shafts_and_weights(engine: &Engine) -> BalanceTask {

@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Answer, BalanceError, FoundStage, Outcome, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
     let answer = optimise(engine, task).expect("a valid task");

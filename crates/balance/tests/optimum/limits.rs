@@ -3,6 +3,7 @@
 use crate::support::*;
 use lanchester_balance::{Answer, BalanceError, Outcome, optimise};
 use lanchester_model::*;
+use lanchester_task::*;
 
 fn value(engine: &Engine, task: &BalanceTask) -> f64 {
     let answer = optimise(engine, task).expect("a valid task");
@@ -168,7 +169,7 @@ fn limits_that_contradict_one_another() {
 
 #[test]
 fn largest_mount_force_is_below_each_single_choice() {
-    let engine = Engine { mounts: mounts(), ..stripped("in-line-3") };
+    let engine = stripped("in-line-3").with(|parts| parts.mounts = mounts()).unwrap();
     let task = |load| BalanceTask {
         weights: vec![on_crank("front", -0.1), on_crank("rear", 0.1)],
         stages: vec![stage(load)],

@@ -3,8 +3,9 @@
 use crate::support::{engine, stage};
 use lanchester_balance::{Answer, Outcome, as_it_stands, fitted, optimise};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads};
-use lanchester_model::{
-    BalanceTask, CrankWeightPlaces, Criterion, Engine, Limit, Load, Mains, Stage, crank_weights, default_task,
+use lanchester_model::Engine;
+use lanchester_task::{
+    BalanceTask, CrankWeightPlaces, Criterion, Limit, Load, Mains, Stage, crank_weights, default_task,
 };
 
 const RMS: Criterion = Criterion::MainRms(Mains::All);
@@ -81,7 +82,11 @@ fn the_least_root_mean_square_is_that_of_least_squares() {
     for name in ["in-line-3", "in-line-4", "v8-crossplane"] {
         let engine = engine(name);
         let mut bare = engine.clone();
-        bare.counterweights.clear();
+        bare = bare
+            .with(|bare| {
+                bare.counterweights.clear();
+            })
+            .unwrap();
         let task = BalanceTask {
             weights: crank_weights(&engine, CrankWeightPlaces::Webs),
             stages: vec![Stage { terms: vec![(1.0, RMS)] }],

@@ -3,9 +3,8 @@
 use crate::support::{assert_proved, on_crank, shaft, stage, stripped, weight};
 use lanchester_balance::{Answer, BalanceError, fitted, optimise};
 use lanchester_mechanism::{MountError, MountSystem, inertia_excitations, vector_amplitude};
-use lanchester_model::{
-    BalanceTask, Block, Criterion, Engine, Load, Mount, MountPoint, MountSpring, MovingParts, Seat, Stage,
-};
+use lanchester_model::{Block, Engine, Mount, MountPoint, MountSpring, MovingParts};
+use lanchester_task::{BalanceTask, Criterion, Load, Seat, Stage};
 
 /// An in-line three on three mounts, of which one has a table and one stands askew.
 pub fn engine(stiffness: f64, mass: f64) -> Engine {
@@ -41,15 +40,16 @@ pub fn engine(stiffness: f64, mass: f64) -> Engine {
         gravity: [-1.0, 0.0, 0.0],
         driveline_torque: [0.0; 3],
     };
-    Engine {
-        block: Some(block),
-        mounts: vec![
-            mount("left", [-0.08, -0.24, -0.15], spring(1.0)),
-            mount("right", [-0.08, 0.24, -0.15], tabled),
-            mount("rear", [-0.06, 0.0, 0.62], askew),
-        ],
-        ..stripped("in-line-3")
-    }
+    stripped("in-line-3")
+        .with(|parts| {
+            parts.block = Some(block);
+            parts.mounts = vec![
+                mount("left", [-0.08, -0.24, -0.15], spring(1.0)),
+                mount("right", [-0.08, 0.24, -0.15], tabled),
+                mount("rear", [-0.06, 0.0, 0.62], askew),
+            ];
+        })
+        .unwrap()
 }
 
 pub fn task(load: Load) -> BalanceTask {
@@ -122,12 +122,24 @@ fn one_order_at_a_mount_vanishes_where_the_weights_suffice() {
 #[test]
 fn very_stiff_equal_springs_are_the_rigid_share() {
     let mut elastic = engine(1e15, 90.0);
-    for spring in elastic.mounts.iter_mut().filter_map(|m| m.spring.as_mut()) {
-        *spring = MountSpring::along_frame([1e15; 3]);
-    }
+    elastic = elastic
+        .with(|elastic| {
+            for spring in elastic.mounts.iter_mut().filter_map(|m| m.spring.as_mut()) {
+                *spring = MountSpring::along_frame([1e15; 3]);
+            }
+        })
+        .unwrap();
     let mut rigid = elastic.clone();
-    rigid.block = None;
-    rigid.mounts.iter_mut().for_each(|m| m.spring = None);
+    rigid = rigid
+        .with(|rigid| {
+            rigid.block = None;
+        })
+        .unwrap();
+    rigid = rigid
+        .with(|rigid| {
+            rigid.mounts.iter_mut().for_each(|m| m.spring = None);
+        })
+        .unwrap();
     let [elastic, rigid] = [&elastic, &rigid]
         .map(|engine| optimise(engine, &task(Load::LargestMountForce)).unwrap().stages[0].value);
     // What is left of the block's motion is (order times speed)^2 m / k, 1e-7.
@@ -137,7 +149,11 @@ fn very_stiff_equal_springs_are_the_rigid_share() {
 #[test]
 fn mounts_that_do_not_hold_the_block_are_told() {
     let mut engine = engine(2e5, 90.0);
-    engine.mounts.truncate(2);
+    engine = engine
+        .with(|engine| {
+            engine.mounts.truncate(2);
+        })
+        .unwrap();
     let told = optimise(&engine, &task(Load::LargestMountForce));
     assert!(matches!(told, Err(BalanceError::Mounts(MountError::Free { .. }))), "{told:?}");
 }

@@ -5,6 +5,7 @@ use lanchester_balance::{
     BalanceError, RobustAnswer, RobustMeasure, RobustRequest, as_it_stands, fitted, optimise, optimise_robust,
 };
 use lanchester_model::*;
+use lanchester_task::*;
 
 const FORCE: Criterion = Criterion::Peak(Load::Force);
 
@@ -14,14 +15,22 @@ fn samples(engine: &Engine, from: u32, to: u32) -> Vec<Engine> {
         .map(|k| {
             let mut one = engine.clone();
             let wave = |factor: f64, part: usize| ((f64::from(k) + 0.37) * factor + part as f64 * 2.3).sin();
-            for (part, cylinder) in one.cylinders.iter_mut().enumerate() {
-                cylinder.piston_mass *= 1.0 + 0.04 * wave(1.7, part);
-                cylinder.rod.big_end_mass *= 1.0 + 0.06 * wave(2.9, part);
-            }
-            for (part, throw) in one.throws.iter_mut().enumerate() {
-                throw.unbalance *= 1.0 + 0.05 * wave(0.71, part);
-                throw.angle += 0.01 * wave(3.3, part);
-            }
+            one = one
+                .with(|one| {
+                    for (part, cylinder) in one.cylinders.iter_mut().enumerate() {
+                        cylinder.piston_mass *= 1.0 + 0.04 * wave(1.7, part);
+                        cylinder.rod.big_end_mass *= 1.0 + 0.06 * wave(2.9, part);
+                    }
+                })
+                .unwrap();
+            one = one
+                .with(|one| {
+                    for (part, throw) in one.throws.iter_mut().enumerate() {
+                        throw.unbalance *= 1.0 + 0.05 * wave(0.71, part);
+                        throw.angle += 0.01 * wave(3.3, part);
+                    }
+                })
+                .unwrap();
             one
         })
         .collect()
@@ -143,6 +152,92 @@ fn errors_of_sampling_are_told() {
     assert!((told - of_second).abs() < 1e-7 * told && answer.second_samples == 60);
     // The same seed draws the same error.
     assert_eq!(optimise_robust(&engine, &task, &request).unwrap().standard_error, answer.standard_error);
+}
+
+/// A limit holds for the engine as it is meant: the optimum is the best of those weights that hold it, by brute force along a line.
+#[test]
+fn a_limit_holds_for_the_engine_as_it_is_meant() {
+    let (engine, free) = twin();
+    let all = samples(&engine, 0, 30);
+    let couple = Criterion::Peak(Load::Couple);
+    let loose = solved(&engine, &free, &all, RobustMeasure::Worst);
+    let has = |answer: &RobustAnswer| as_it_stands(&fitted(&engine, &answer.answer), couple).unwrap();
+    let own = has(&loose);
+    let least =
+        optimise(&engine, &BalanceTask { stages: vec![stage(Load::Couple)], ..free.clone() }).unwrap();
+    let most = 0.5 * (own + least.stages[0].value);
+    assert!(most < 0.999 * own, "{own} {most}");
+    let limits = vec![Limit { criterion: couple, most }];
+    let task = BalanceTask { limits, ..free.clone() };
+    for measure in [RobustMeasure::Worst, RobustMeasure::MeanOfWorst(0.2)] {
+        let held = solved(&engine, &task, &all, measure);
+        assert!(has(&held) <= most * (1.0 + 1e-7), "{} {most}", has(&held));
+        let unlimited = solved(&engine, &free, &all, measure);
+        assert!(held.value >= unlimited.value * (1.0 - 1e-7));
+        let told = held.limits[0];
+        let couples: Vec<f64> =
+            all.iter().map(|one| as_it_stands(&fitted(one, &held.answer), couple).unwrap()).collect();
+        let worst = couples.iter().copied().fold(0.0, f64::max);
+        assert!((told.worst.unwrap() - worst).abs() < 1e-6 * worst, "{told:?} {worst}");
+        assert_eq!(told.beyond, Some(couples.iter().filter(|one| **one > most * (1.0 + 1e-6)).count()));
+        // Random changes that hold the limit are no better.
+        let averaged = held.averaged;
+        let mut tried = 0;
+        for k in 0..200 {
+            let mut other = held.clone();
+            let turn = f64::from(k) * 2.399;
+            let size = 10f64.powi(-1 - k % 4) * held.answer.weights[0].unbalance.norm();
+            for (weight, share) in other.answer.weights.iter_mut().zip([0.7, -0.3 + 0.01 * f64::from(k)]) {
+                weight.unbalance += share * num_complex::Complex64::from_polar(size, turn);
+            }
+            if has(&other) <= most {
+                tried += 1;
+                let changed = peaks(&other, &all)[..averaged].iter().sum::<f64>() / averaged as f64;
+                assert!(changed >= held.value * (1.0 - 1e-6), "{k}: {changed} {}", held.value);
+            }
+        }
+        assert!(tried > 20, "{tried}");
+    }
+}
+
+/// What comes behind is minimised on the engine as it is meant, and takes what the measure gives up.
+#[test]
+fn later_stages_take_what_the_measure_gives_up() {
+    let (engine, free) = twin();
+    let all = samples(&engine, 0, 30);
+    let amount = Stage { terms: vec![(1.0, Criterion::AddedUnbalance)] };
+    let answer = |give_up: GiveUp, measure| {
+        let stages = vec![stage(Load::Force), amount.clone()];
+        let task = BalanceTask { stages, give_up: vec![give_up], ..free.clone() };
+        let request = RobustRequest { samples: &all, second: &[], measure, seed: 1 };
+        optimise_robust(&engine, &task, &request).expect("a valid task")
+    };
+    for measure in [RobustMeasure::Worst, RobustMeasure::MeanOfWorst(0.2)] {
+        let alone = solved(&engine, &free, &all, measure);
+        let mut before = f64::INFINITY;
+        for share in [0.0, 0.02, 0.1] {
+            let found = answer(GiveUp::Share(share), measure);
+            assert!((found.least - alone.value).abs() < 1e-6 * alone.value);
+            assert!(
+                found.value <= found.least * (1.0 + share + 3e-6),
+                "{share}: {} {}",
+                found.value,
+                found.least
+            );
+            let own = peaks(&found, &all)[..found.averaged].iter().sum::<f64>() / found.averaged as f64;
+            assert!((own - found.value).abs() < 1e-6 * own);
+            let later = &found.later[0];
+            let nominal: f64 = found.answer.weights.iter().map(|weight| weight.unbalance.norm()).sum();
+            assert!((later.value - nominal).abs() < 1e-6 * nominal, "{later:?} {nominal}");
+            assert!(later.value - later.lower_bound <= 1e-4 * later.value, "{share}: {later:?}");
+            assert!(later.value <= before * (1.0 + 1e-6), "{share}: {later:?} {before}");
+            before = later.value;
+        }
+        // All of what is given up is used where it helps.
+        let much = answer(GiveUp::Share(0.1), measure);
+        assert!(much.later[0].value < 0.999 * answer(GiveUp::Nothing, measure).later[0].value);
+        assert!(much.value > 1.09 * much.least, "{} {}", much.value, much.least);
+    }
 }
 
 #[test]

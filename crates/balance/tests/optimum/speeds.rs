@@ -3,11 +3,12 @@
 use super::mounts::{engine, task};
 use lanchester_balance::{Answer, Outcome, fitted, optimise};
 use lanchester_mechanism::{MountSystem, inertia_excitations};
-use lanchester_model::{BalanceTask, Criterion, Engine, Limit, Load, SpeedRange, Stage};
+use lanchester_model::{Engine, SpeedRange};
+use lanchester_task::{BalanceTask, Criterion, Limit, Load, Stage};
 
 /// The three on its mounts, whose resonances lie within its range.
 fn soft() -> Engine {
-    Engine { speed: SpeedRange { lowest: 50.0, highest: 420.0 }, ..engine(1.5e6, 90.0) }
+    engine(1.5e6, 90.0).with(|parts| parts.speed = SpeedRange { lowest: 50.0, highest: 420.0 }).unwrap()
 }
 
 fn largest() -> BalanceTask {
@@ -114,4 +115,46 @@ fn given_speeds_are_the_ones_that_count() {
     let there = response(&fitted(&engine, &answer), &speeds).into_iter().fold(0.0, f64::max);
     assert!((there - answer.stages[0].value).abs() < 1e-7 * there, "{there}");
     assert_eq!(answer.task, asked);
+}
+
+/// With a weight the judged value is the largest of weight times force: what one speed may have more, the other gets less.
+#[test]
+fn a_weight_of_a_speed_multiplies_its_force() {
+    let engine = soft();
+    let speeds = vec![150.0, 300.0];
+    let at_speeds = |weights: &[f64]| {
+        let asked = BalanceTask { speeds: speeds.clone(), speed_weights: weights.to_vec(), ..largest() };
+        let answer = optimise(&engine, &asked).expect("the engine is valid");
+        assert_proved(&answer);
+        let forces = response(&fitted(&engine, &answer), &speeds);
+        (answer, forces)
+    };
+    let (equal, plain) = at_speeds(&[]);
+    assert!(equal.mount_speeds.expect("they are judged").weights.is_empty());
+    for weights in [[4.0, 1.0], [1.0, 4.0], [0.25, 1.0]] {
+        let (answer, forces) = at_speeds(&weights);
+        let worst = forces.iter().zip(weights).map(|(force, weight)| weight * force).fold(0.0, f64::max);
+        let stage = &answer.stages[0];
+        assert!((worst - stage.value).abs() < 1e-7 * worst, "{weights:?}: {worst} N beside {stage:?}");
+        let of_equal = plain.iter().zip(weights).map(|(force, weight)| weight * force).fold(0.0, f64::max);
+        assert!(stage.lower_bound <= of_equal * (1.0 + 1e-9), "{weights:?}");
+        let told = answer.mount_speeds.as_ref().expect("they are judged");
+        assert_eq!(
+            (told.judged.as_slice(), told.weights.as_slice()),
+            (speeds.as_slice(), weights.as_slice())
+        );
+        let effect = answer.effects.iter().find(|e| e.criterion == Criterion::Peak(Load::LargestMountForce));
+        let standing = response(&engine, &speeds);
+        let before = standing.iter().zip(weights).map(|(force, weight)| weight * force).fold(0.0, f64::max);
+        assert!((effect.expect("it is told").before - before).abs() < 1e-7 * before);
+    }
+    // All weights times the same change nothing but the value.
+    let (double, forces) = at_speeds(&[2.0, 2.0]);
+    assert!((double.stages[0].value - 2.0 * equal.stages[0].value).abs() < 1e-6 * double.stages[0].value);
+    assert!(forces.iter().zip(&plain).all(|(one, other)| (one - other).abs() < 1e-3 * other));
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let asked = BalanceTask { speeds: speeds.clone(), speed_weights: vec![1.0, bad], ..largest() };
+        let refused = optimise(&engine, &asked).expect_err("no weight").to_string();
+        assert!(refused.contains("weight"), "{refused}");
+    }
 }

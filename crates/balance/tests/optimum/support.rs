@@ -1,19 +1,18 @@
 //! Engines of the gallery and tasks for them.
 
 use lanchester_balance::{Answer, Outcome};
+use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::*;
+use lanchester_task::*;
 
 pub fn engine(name: &str) -> Engine {
-    read(template(name).expect("a template of the gallery").text).engine.expect("a valid template")
+    read(template(name).expect("a template of the gallery").text).engine().expect("a valid template")
 }
 
 /// The engine without counterweights and shafts.
 pub fn stripped(name: &str) -> Engine {
-    let mut engine = engine(name);
-    engine.counterweights.clear();
-    engine.shafts.clear();
-    engine
+    engine(name).without_counterweights().without_shafts()
 }
 
 pub fn on_crank(name: &str, z: f64) -> FreeWeight {

@@ -17,7 +17,7 @@ impl Checker<'_> {
             Kind::Sf => (&["flow"], &[]),
             Kind::R => (&["resistance", "effort", "flow"], &[]),
             Kind::C => (&["capacitance", "stiffness", "law", "energy"], &["effort", "displacement"]),
-            Kind::I => (&["inertia", "law", "energy"], &["flow", "momentum"]),
+            Kind::I => (&["inertia", "law", "energy", "coenergy"], &["flow", "momentum"]),
             Kind::IC => (&["energy"], &["displacement", "momentum"]),
             Kind::TF => (&["ratio", "matrix"], &[]),
             Kind::GY => (&["ratio"], &[]),
@@ -59,6 +59,7 @@ impl Checker<'_> {
                 self.of_unit(text, first.effort().over(second.flow()), &element.name).map(Law::Ratio)
             }
             (_, Some(("energy", text))) => self.field(index, text),
+            (_, Some(("coenergy", text))) => self.following_field(index, text),
             (_, Some((key, text))) => self.store(index, key, text),
         };
         if let Some(law) = law {
@@ -293,6 +294,43 @@ impl Checker<'_> {
                 self.start(given(&momenta).as_ref(), domain.effort().times(Unit::SECOND), &element.name);
             let start = [start_q.unwrap_or(0.0), start_p.unwrap_or(0.0)];
             ports.push(StorePort { effort, flow, inverse: None, start });
+        }
+        Some(Law::Store(ports))
+    }
+
+    /// A field of inertias by its co-energy: momenta are derivatives by the flows, so every port follows.
+    fn following_field(&mut self, index: usize, text: &Text) -> Option<Law> {
+        let element = self.elements[index].clone();
+        let entry = self.entry(index).clone();
+        for key in ["flow", "momentum"] {
+            if let Some(given) = entry.get(key) {
+                let message = format!("`{}` follows the flows of its bonds: it has no start", element.name);
+                self.mistakes.push("E1709", &given.span, message, format!("take `{key}` out"));
+            }
+        }
+        let mut local = HashMap::new();
+        for (port, bond) in element.ports.iter().enumerate() {
+            let unit = Some(self.bonds[*bond].domain.flow());
+            let parsed = Parsed { id: self.pool.var(Var::Flow(*bond as u32)), unit };
+            local.insert(format!("f{}", port + 1), parsed);
+            if element.ports.len() == 1 {
+                local.insert("f".to_owned(), parsed);
+            }
+        }
+        self.local = local;
+        let coenergy = self.of_unit(text, Unit::JOULE, &element.name);
+        self.local.clear();
+        let coenergy = coenergy?;
+        let mut ports = Vec::new();
+        for (port, bond) in element.ports.iter().enumerate() {
+            let momentum = self.pool.derivative(coenergy, Var::Flow(*bond as u32), &mut HashMap::new());
+            if self.pool.is_zero(momentum) {
+                let message =
+                    format!("the co-energy of `{}` does not depend on port {}", element.name, port + 1);
+                let hint = format!("name f{} in it, or leave the port out", port + 1);
+                self.mistakes.push("E1709", &text.span, message, hint);
+            }
+            ports.push(StorePort { effort: None, flow: None, inverse: Some(momentum), start: [0.0; 2] });
         }
         Some(Law::Store(ports))
     }

@@ -56,6 +56,15 @@ impl Pool {
                 let g = self.difference(a, b);
                 self.choice(g, da, db)
             }
+            Node::Table(curve, order, a) => {
+                let da = self.derivative(a, by, known);
+                if self.is_zero(da) {
+                    da
+                } else {
+                    let slope = self.table(curve, order + 1, a);
+                    self.product(slope, da)
+                }
+            }
             Node::If(g, a, b) => {
                 let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
                 self.choice(g, da, db)

@@ -22,6 +22,8 @@ pub(crate) trait Scope {
     /// What a name stands for; the error says what is wrong with it and what helps.
     fn name(&mut self, name: &str) -> Result<Parsed, Option<(String, String)>>;
     fn mistakes(&mut self) -> &mut Mistakes;
+    /// Place of a table among the curves, with the units of argument and value.
+    fn table(&mut self, name: &str) -> Option<(u32, [Unit; 2])>;
 }
 
 /// Reads a text; mistakes are noted and give `None`.
@@ -228,14 +230,14 @@ impl<S: Scope> Reader<'_, S> {
             return None;
         };
         self.at += end;
-        let (factor, unit) = match leading_unit(self.rest()) {
+        let (factor, unit, named) = match leading_unit(self.rest()) {
             Some((length, factor, unit)) => {
                 self.at += length;
-                (factor, unit)
+                (factor, unit, true)
             }
-            None => (1.0, Unit::NONE),
+            None => (1.0, Unit::NONE, false),
         };
-        let unit = (value != 0.0 || unit != Unit::NONE).then_some(unit);
+        let unit = (value != 0.0 || named).then_some(unit);
         // Division by a whole number rounds once: "144 mm" is the double of 0.144.
         let whole = (1.0 / factor).round();
         let exact = factor < 1.0 && (1.0 / whole - factor).abs() <= f64::EPSILON * factor;
@@ -266,7 +268,44 @@ impl<S: Scope> Reader<'_, S> {
         }
     }
 
+    /// `table(pressure, phi)` or `table("pressure.csv", phi)` behind its first bracket.
+    fn table(&mut self) -> Option<Parsed> {
+        self.blanks();
+        let rest = self.rest().to_owned();
+        let quoted = rest.strip_prefix('"').and_then(|rest| rest.split_once('"')).map(|(name, _)| name);
+        let (name, used) = match quoted {
+            Some(name) => (name, name.len() + 2),
+            None => {
+                let name = rest.split([',', ')']).next().unwrap_or("").trim_end();
+                (name, name.len())
+            }
+        };
+        self.at += used;
+        if !self.take(',') {
+            self.refuse(format!("`{}` has a table without argument", self.text.text), "write table(name, x)");
+            return None;
+        }
+        let argument = self.sum()?;
+        if !self.take(')') {
+            self.refuse("`table` lacks a closing bracket", "write table(name, x)");
+            return None;
+        }
+        let Some((curve, [x, y])) = self.scope.table(name) else {
+            let span = self.text.span.clone();
+            let message = format!("there is no table `{name}`");
+            self.scope.mistakes().push("E1706", &span, message, "add it to [tables]");
+            return None;
+        };
+        if let Some(unit) = argument.unit.filter(|unit| *unit != x) {
+            self.wrong_unit(format!("table `{name}` is read at a value in {unit}, it needs {x}"));
+        }
+        Some(Parsed { id: self.scope.pool().table(curve, 0, argument.id), unit: Some(y) })
+    }
+
     fn function(&mut self, name: &str) -> Option<Parsed> {
+        if name == "table" {
+            return self.table();
+        }
         let mut arguments = Vec::new();
         loop {
             arguments.push(if name == "if" && arguments.is_empty() {
@@ -292,7 +331,7 @@ impl<S: Scope> Reader<'_, S> {
             let known: Vec<&str> = Function::ALL.iter().map(|(name, _)| *name).collect();
             self.refuse(
                 format!("`{name}` is no function"),
-                format!("there are {}, atan2, min, max, if", known.join(", ")),
+                format!("there are {}, atan2, min, max, if, table", known.join(", ")),
             );
             return None;
         }

@@ -1,6 +1,7 @@
 //! Expressions as a textbook writes them: plain text, LaTeX, Modelica.
 
 use super::{Function, Id, Node, Pool, Var};
+use crate::shown::identifier;
 
 /// How an expression is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,6 +30,11 @@ pub(crate) fn number(value: f64) -> String {
     } else {
         format!("{value:e}")
     }
+}
+
+/// A name as an operator of LaTeX.
+fn operator(name: &str) -> String {
+    format!("\\operatorname{{{}}}", name.replace('_', "\\_"))
 }
 
 /// How strongly an operation binds.
@@ -133,6 +139,17 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
             }
             Node::Min(a, b) => self.call(if latex { "\\min" } else { "min" }, &[a, b], out),
             Node::Max(a, b) => self.call(if latex { "\\max" } else { "max" }, &[a, b], out),
+            Node::Table(curve, order, a) => {
+                let name = identifier(&self.pool.curves[curve as usize].0);
+                let name = match self.style {
+                    Style::Text => format!("{name}{}", "'".repeat(usize::from(order))),
+                    Style::Latex if order > 0 => format!("{}^{{({order})}}", operator(&name)),
+                    Style::Latex => operator(&name),
+                    Style::Modelica if order > 0 => format!("{name}_{order}"),
+                    Style::Modelica => name,
+                };
+                self.call(&name, &[a], out);
+            }
             Node::If(g, a, b) => match self.style {
                 Style::Modelica => {
                     *out += "(if ";

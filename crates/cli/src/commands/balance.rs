@@ -15,6 +15,7 @@ use lanchester::model::Engine;
 use lanchester::report::{
     PartMass, Table, balance_text, consequence_figures, headline, optimum_figures, part_masses_table,
 };
+use lanchester::task::Tasks;
 use lanchester::{WeightAsPart, optimise_on_webs, weights_as_parts};
 use serde::Serialize;
 use std::path::Path;
@@ -46,7 +47,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     }
     sweep::check(arguments)?;
     let opened = open(&arguments.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     if published::asked_for(arguments)? {
         let answer = published::fit(engine, arguments)?;
         let effect = consequences(engine, &answer.fitted, None)?;
@@ -58,7 +59,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if arguments.method == BalanceMethod::Sweep {
         return sweep::run(arguments, &opened, colour);
     }
-    let task = balance_task(engine, arguments)?;
+    let task = balance_task(&opened.file, arguments)?;
     if matches!(arguments.table, Some(BalanceTable::Orders | BalanceTable::Proof)) && task.cancel.is_empty() {
         return Err(Failure::input(
             "this table tells of orders that must vanish, and none is asked for",
@@ -74,7 +75,14 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
         true => trace_files(engine, &arguments.file)?,
         false => Vec::new(),
     };
-    let answer = optimise_on_webs(engine, Ok(&traces), &task, &settings, &|state| watch.look(state));
+    let answer = optimise_on_webs(
+        engine,
+        Ok(&traces),
+        &task,
+        opened.file.tasks.shape_task.as_ref(),
+        &settings,
+        &|state| watch.look(state),
+    );
     drop(watch);
     let answer = answer.map_err(Failure::refused)?;
     if let Outcome::Stopped { cause, .. } = &answer.outcome {
@@ -107,7 +115,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if status(&answer) != DONE && arguments.format != Format::Text {
         tell(headline(engine, &answer));
     }
-    let as_parts = if found { as_parts(&answer, &after) } else { Vec::new() };
+    let as_parts = if found { as_parts(&answer, &after, &opened.file.tasks) } else { Vec::new() };
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => {
             let text = balance_text(engine, &answer, effect.as_ref(), &loads_after.diagnosis.summary);
@@ -133,8 +141,8 @@ struct Found<'a> {
 }
 
 /// The found weights as parts; what is in the way of that is a warning.
-fn as_parts(answer: &Answer, after: &Engine) -> Vec<WeightAsPart> {
-    weights_as_parts(answer, after).unwrap_or_else(|error| {
+fn as_parts(answer: &Answer, after: &Engine, tasks: &Tasks) -> Vec<WeightAsPart> {
+    weights_as_parts(answer, after, tasks).unwrap_or_else(|error| {
         let message = error.to_string().replace("\nhint:", ";");
         tell(format_args!("warning: the mass of the weights as parts is left out: {message}"));
         Vec::new()

@@ -7,8 +7,8 @@ use crate::format::Format;
 use crate::torque_arguments::{BearingsArguments, PartOption};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
-use lanchester::model::option;
 use lanchester::report::{bearing_figures, bearings_csv, bearings_text};
+use lanchester::task::option;
 use lanchester::{bearing_report, bearing_sizes};
 use serde::Serialize;
 
@@ -24,7 +24,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed").map_err(Failure::from));
     let speed = speed.transpose()?;
     let opened = open(&arguments.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let traces = trace_files(engine, &arguments.file)?;
     let part = match (engine.gas.is_some(), arguments.part) {
         (false, PartOption::Gas) => {

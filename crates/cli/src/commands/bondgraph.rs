@@ -12,7 +12,7 @@ use lanchester::bondgraph::{
     drawing, equations, equations_latex, equations_text, graphml, is_graph_file, linear_text, modelica,
     simulation_csv, simulation_text,
 };
-use lanchester::model::{Diagnostic, render};
+use lanchester::file::{Diagnostic, render};
 use std::path::Path;
 
 /// What the command shows.

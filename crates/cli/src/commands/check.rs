@@ -7,7 +7,8 @@ use crate::files::{print, read_source, tell};
 use crate::format::Format;
 use crate::trace_files::trace_files;
 use lanchester::cylinder_gas;
-use lanchester::model::{Diagnostic, Engine, Severity, read, render};
+use lanchester::file::{Diagnostic, Severity, read, render};
+use lanchester::model::Engine;
 use lanchester::report::csv_text;
 use serde::Serialize;
 use std::path::Path;
@@ -41,11 +42,11 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         if arguments.format == Format::Text && !reading.diagnostics.is_empty() {
             eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
         }
-        if reading.engine.is_none() {
+        if reading.file.is_none() {
             status = WRONG_INPUT;
         }
-        let (gas, has_gas_error) = match &reading.engine {
-            Some(engine) => gas(engine, path),
+        let (gas, has_gas_error) = match &reading.file {
+            Some(file) => gas(&file.engine, path),
             None => (Vec::new(), false),
         };
         if has_gas_error {
@@ -58,8 +59,8 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         }
         checked.push(Checked {
             file: source.name,
-            valid: reading.engine.is_some() && !has_gas_error,
-            engine: reading.engine.map(|engine| engine.name),
+            valid: reading.file.is_some() && !has_gas_error,
+            engine: reading.file.map(|file| file.engine.name.clone()),
             diagnostics: reading.diagnostics,
             gas,
         });

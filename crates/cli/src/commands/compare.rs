@@ -8,9 +8,9 @@ use crate::format::Format;
 use crate::share_option::share;
 use crate::trace_files::trace_files;
 use lanchester::balance::TwinArrangement;
-use lanchester::model::option;
 use lanchester::report::{comparison_figure, comparison_table, comparison_text};
 use lanchester::study::compare::{Equal, Held};
+use lanchester::task::option;
 use lanchester::{CompareEntry, CompareRequest, ComparedWith, compare};
 use std::path::Path;
 
@@ -20,9 +20,9 @@ pub fn run(arguments: &CompareArguments, colour: bool) -> Result<u8, Failure> {
     let mut entries = Vec::with_capacity(arguments.files.len() * with.len() + 1);
     let mut take = |file: &Path, with: &[ComparedWith]| -> Result<(), Failure> {
         let opened = open(file, colour)?;
-        let traces = trace_files(&opened.engine, file)?;
+        let traces = trace_files(&opened.file.engine, file)?;
         entries.extend(with.iter().map(|&with| CompareEntry {
-            engine: opened.engine.clone(),
+            file: opened.file.clone(),
             traces: traces.clone(),
             with,
         }));

@@ -39,10 +39,12 @@ fn room_words(room: Option<&SweptRoom>, envelope: Option<&RadialEnvelope>) -> Op
     let [least, most] =
         [envelope.smallest(), envelope.largest()].map(|radius| format!("{:.2} mm", 1e3 * radius));
     let radii = if least == most { least } else { format!("{least} to {most}, depending on the direction,") };
-    let round = room.map(|room| {
-        let limit = obstacle_name(room.limit);
-        format!("; {:.2} mm whatever the shape, by {limit}", 1e3 * room.radius)
-    });
+    // Where the circle bounds the shape, it is told once.
+    let round =
+        room.filter(|room| !(envelope.is_round() && envelope.smallest() == room.radius)).map(|room| {
+            let limit = obstacle_name(room.limit);
+            format!("; {:.2} mm whatever the shape, by {limit}", 1e3 * room.radius)
+        });
     Some(format!(
         "over the cycle a radius of {radii} keeps {:.2} mm of clearance, bounded first by {}{}.",
         1e3 * envelope.least,

@@ -6,8 +6,8 @@ use crate::files::print;
 use crate::format::Format;
 use crate::simulation_arguments::{ConditionOption, CrosscheckArguments};
 use crate::trace_files::trace_files;
-use lanchester::model::option;
 use lanchester::report::{Condition, crosscheck_csv, crosscheck_text};
+use lanchester::task::option;
 use lanchester::{CrossCheckRequest, crosscheck};
 
 pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure> {
@@ -24,15 +24,16 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
         ConditionOption::C => Condition::MovingBlock,
         ConditionOption::D => Condition::AllFree,
     });
+    let opened = open(&arguments.file, colour)?;
     let request = CrossCheckRequest {
         speed,
         conditions: conditions.collect(),
         max_order: arguments.order,
         bar: arguments.bar,
+        simulation: opened.file.tasks.simulation.clone(),
     };
-    let opened = open(&arguments.file, colour)?;
-    let traces = trace_files(&opened.engine, &arguments.file)?;
-    let check = crosscheck(&opened.engine, &traces, &request).map_err(Failure::refused)?;
+    let traces = trace_files(&opened.file.engine, &arguments.file)?;
+    let check = crosscheck(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
     print(&match arguments.format {
         Format::Text => crosscheck_text(&check),
         Format::Json => json(&check)?,

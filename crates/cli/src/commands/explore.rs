@@ -7,7 +7,8 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_new};
 use crate::format::Format;
 use crate::run::{Head, run_alone, run_into};
-use lanchester::model::{Engine, expanded, read, render};
+use lanchester::file::{expanded, read, render};
+use lanchester::model::Engine;
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
 use lanchester::study::explore::{Exploration, ExploreAnswer, ExploreRequest, Explorer};
 use lanchester::{LayoutRows, LayoutStudy, adopted_layout, given_engine};
@@ -25,7 +26,7 @@ pub struct SavedSearch {
 
 pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
-    let LayoutSearch { explorer, notes } = layout_search(&opened.engine, arguments)?;
+    let LayoutSearch { explorer, notes } = layout_search(&opened.file.engine, arguments)?;
     arguments.run.set_threads();
     let rows = match (&arguments.run.save, arguments.front_only) {
         (None, _) => LayoutRows::Nothing,
@@ -41,7 +42,7 @@ pub fn run(arguments: &ExploreArguments, colour: bool) -> Result<u8, Failure> {
             run_into(&study, &Head::new("explore", &saved, &opened.source.text)?, path, arguments.run.part)?
         }
     };
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let answer = answer_of(engine, &study.explorer, &found, notes)?;
     if let Some(folder) = arguments.figures.as_deref().filter(|_| !answer.front.is_empty()) {
         write_figures(folder, &arguments.file, &[layout_front_figure(&answer)])?;
@@ -91,10 +92,11 @@ fn adopt(
             "leave --adopt out to see them",
         )
     })?;
-    let engine = adopted_layout(&opened.engine, explorer, found.layout.case).map_err(Failure::refused)?;
-    let text = expanded(&engine);
+    let engine =
+        adopted_layout(&opened.file.engine, explorer, found.layout.case).map_err(Failure::refused)?;
+    let text = expanded(&engine.into());
     let reading = read(&text);
-    if reading.engine.is_none() {
+    if reading.file.is_none() {
         eprint!("{}", render(&reading.diagnostics, "the engine file of the layout", &text, colour));
         return Err(Failure::input(
             format_args!("layout {number} cannot be written as an engine file"),

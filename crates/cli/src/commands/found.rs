@@ -6,11 +6,12 @@ use crate::commands::put_back::PutBack;
 use crate::failure::Failure;
 use lanchester::balance::{Answer, Consequences};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
-use lanchester::model::{BalanceTask, Engine};
+use lanchester::model::Engine;
 use lanchester::report::{
     cancellation_proof_table, cancelled_orders_table, consequence_words, consequences_table, effects_table,
     found_weights_table, limits_table, stages_table,
 };
+use lanchester::task::BalanceTask;
 use serde::Serialize;
 
 pub fn loads_of(engine: &Engine) -> Result<Loads, Failure> {

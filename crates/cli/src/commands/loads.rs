@@ -32,13 +32,13 @@ pub fn run(arguments: &LoadsArguments, colour: bool) -> Result<u8, Failure> {
     let samples = arguments.samples as usize;
     let request = LoadRequest { samples, ..load_request(&arguments.request)? };
     let opened = open(&arguments.file, colour)?;
-    let loads = loads(&opened.engine, &request).map_err(refused)?;
+    let loads = loads(&opened.file.engine, &request).map_err(refused)?;
     let internal = internal_request(&arguments.request, samples.min(ANGLES))?;
-    let internal = internal_cases(&opened.engine, &internal).map_err(refused)?;
+    let internal = internal_cases(&opened.file.engine, &internal).map_err(refused)?;
     print(&match (arguments.format, arguments.table) {
-        (Format::Text, _) => loads_text(&loads) + &internal_text(&opened.engine, &internal),
+        (Format::Text, _) => loads_text(&loads) + &internal_text(&opened.file.engine, &internal),
         (Format::Json, _) => json(&LoadsWithInternal { loads: &loads, internal: &internal })?,
-        (Format::Csv, Some(LoadsTable::Internal)) => internal_csv(&opened.engine, &internal),
+        (Format::Csv, Some(LoadsTable::Internal)) => internal_csv(&opened.file.engine, &internal),
         (Format::Csv, Some(LoadsTable::Trace)) => trace_csv(&loads),
         (Format::Csv, Some(LoadsTable::Motion)) => motion_csv(&loads),
         (Format::Csv, _) => orders_csv(&loads),

@@ -8,7 +8,7 @@ use crate::format::Format;
 use crate::run::{Head, Held, is_free, join_tables, read_held};
 use clap::Args;
 use lanchester::LayoutStudy;
-use lanchester::model::{Engine, read};
+use lanchester::file::{EngineFile, read};
 use lanchester::study::explore::Explorer;
 use lanchester_files::shown;
 use serde::de::DeserializeOwned;
@@ -50,10 +50,10 @@ pub fn run(arguments: &MergeArguments) -> Result<u8, Failure> {
     }
     all_there(&parts, of)?;
     is_free(&arguments.output)?;
-    let engine = read(&head.engine).engine.ok_or_else(|| {
+    let file = read(&head.engine).file.ok_or_else(|| {
         Failure::input("the engine file that the parts hold is not valid for this version", "run them again")
     })?;
-    let parts = Parts { paths: parts.into_iter().map(|(_, path)| path).collect(), head, of, engine };
+    let parts = Parts { paths: parts.into_iter().map(|(_, path)| path).collect(), head, of, file };
     match parts.head.study.as_str() {
         "explore" => parts.explored(arguments),
         "scatter" => parts.scattered(arguments),
@@ -70,7 +70,7 @@ struct Parts {
     head: Head,
     /// Blocks of the run.
     of: u64,
-    engine: Engine,
+    file: EngineFile,
 }
 
 impl Parts {
@@ -85,14 +85,14 @@ impl Parts {
         let explorer = Explorer::new(saved.request).map_err(Failure::refused)?;
         let study = LayoutStudy { explorer, rows: saved.rows };
         let kept = join_tables(&study, &self.head, &self.paths, 0..self.of, &arguments.output)?;
-        let answer = answer_of(&self.engine, &study.explorer, &kept, saved.notes)?;
+        let answer = answer_of(&self.file.engine, &study.explorer, &kept, saved.notes)?;
         print(&explore::said(&answer, arguments.format, arguments.rows, false)?)?;
         Ok(DONE)
     }
 
     fn scattered(&self, arguments: &MergeArguments) -> Result<u8, Failure> {
         let saved: SavedScatter = self.request()?;
-        let study = saved.study(&self.engine, true)?;
+        let study = saved.study(&self.file, true)?;
         let tally = join_tables(&study, &self.head, &self.paths, 0..self.of, &arguments.output)?;
         let Some(answer) = saved.answer(&study, &tally)? else {
             return Err(Failure::input("the parts hold no sample", "run them again"));

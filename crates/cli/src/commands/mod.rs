@@ -32,15 +32,15 @@ pub mod workshop;
 
 use crate::failure::Failure;
 use crate::files::{Source, read_source, write_result};
+use lanchester::file::{Diagnostic, EngineFile, read, render};
 use lanchester::mechanism::LoadError;
-use lanchester::model::{Diagnostic, Engine, read, render};
 use lanchester::report::Figure;
 use std::path::Path;
 
-/// An engine with the text it was read from.
+/// An engine file with the text it was read from.
 pub struct Opened {
     pub source: Source,
-    pub engine: Engine,
+    pub file: EngineFile,
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -51,8 +51,8 @@ pub fn open(path: &Path, colour: bool) -> Result<Opened, Failure> {
     if !reading.diagnostics.is_empty() {
         eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
     }
-    match reading.engine {
-        Some(engine) => Ok(Opened { source, engine, warnings: reading.diagnostics }),
+    match reading.file {
+        Some(file) => Ok(Opened { source, file, warnings: reading.diagnostics }),
         None => Err(Failure::diagnosed()),
     }
 }

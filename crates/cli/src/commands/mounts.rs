@@ -7,8 +7,8 @@ use crate::format::Format;
 use crate::mounts_arguments::{MountsArguments, MountsTable};
 use crate::request::point;
 use crate::trace_files::trace_files;
-use lanchester::model::option;
 use lanchester::report::{mount_figures, mount_forces_csv, mount_modes_csv, mount_motion_csv, mounts_text};
+use lanchester::task::option;
 use lanchester::{MountSpeeds, mounts};
 
 pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
@@ -31,15 +31,15 @@ pub fn run(arguments: &MountsArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let traces = match arguments.inertia_only {
         true => None,
-        false => Some(trace_files(&opened.engine, &arguments.file)?),
+        false => Some(trace_files(&opened.file.engine, &arguments.file)?),
     };
-    let study = mounts(&opened.engine, &speeds, arguments.orders, traces.as_deref(), &points)
+    let study = mounts(&opened.file.engine, &speeds, arguments.orders, traces.as_deref(), &points)
         .map_err(Failure::refused)?;
     for warning in &study.warnings {
         tell(format_args!("warning: {warning}"));
     }
     if let Some(folder) = &arguments.figures {
-        write_figures(folder, &arguments.file, &mount_figures(&opened.engine, &study))?;
+        write_figures(folder, &arguments.file, &mount_figures(&opened.file.engine, &study))?;
     }
     print(&match (arguments.format, arguments.table) {
         (Format::Text, _) => mounts_text(&study),

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_new};
 use crate::format::Format;
-use lanchester::model::{nearest_template, template, templates};
+use lanchester::file::{nearest_template, template, templates};
 use lanchester::report::csv_text;
 use lanchester_files::shown;
 

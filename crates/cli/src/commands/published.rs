@@ -14,11 +14,11 @@ use lanchester::balance::published::{
 use lanchester::balance::{BalanceError, Consequences};
 use lanchester::mechanism::{LoadRequest, loads};
 use lanchester::model::Engine;
-use lanchester::model::option;
 use lanchester::report::{
     consequence_figures, consequences_table, crank_view, method_effects_table, method_orders_table,
     method_text, method_weights_table, share_plots, stages_table,
 };
+use lanchester::task::option;
 
 /// Distance of first-order shafts from the crank axis [m], Table 1 of the tool paper.
 const SHAFT_DISTANCE: f64 = 0.1;
@@ -89,7 +89,7 @@ pub fn tell(
     answer: &MethodAnswer,
     effect: &Consequences,
 ) -> Result<u8, Failure> {
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     if let Some(folder) = &arguments.figures {
         let of_method = loads(&answer.fitted, &LoadRequest::default()).map_err(super::refused)?;
         let figures = crank_view(&answer.fitted).into_iter().chain(share_plots(&answer.fitted, &of_method));

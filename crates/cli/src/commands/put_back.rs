@@ -3,7 +3,8 @@
 use crate::commands::Opened;
 use crate::failure::Failure;
 use crate::files::{print, rewrite};
-use lanchester::model::{Engine, WriteBackError, difference, render, write_back};
+use lanchester::file::{WriteBackError, difference, render, write_back};
+use lanchester::model::Engine;
 use std::path::Path;
 
 /// What `--write` and `--dry-run` ask of a file.

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     let request = load_request(&arguments.request)?;
     let opened = open(&arguments.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let internal = internal_request(&arguments.request, request.samples)?;
     let (page, figures) = if arguments.all_arrangements {
         let loads = loads(engine, &request).map_err(refused)?;
@@ -35,10 +35,11 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         all.extend(internal_figures(engine, &internal));
         (page, all)
     } else {
-        let traces = if is_running(engine) { trace_files(engine, &arguments.file) } else { Ok(Vec::new()) };
+        let traces =
+            if is_running(&opened.file) { trace_files(engine, &arguments.file) } else { Ok(Vec::new()) };
         let traces = traces.as_deref().map_err(|failure| failure.message.clone());
-        let report =
-            EngineReport::new(engine, &request, &internal, traces, &opened.warnings).map_err(refused)?;
+        let report = EngineReport::new(&opened.file, &request, &internal, traces, &opened.warnings)
+            .map_err(refused)?;
         for warning in &report.warnings[report.told..] {
             tell(format_args!("warning: {warning}"));
         }

@@ -7,8 +7,8 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use lanchester::balance::fitted;
-use lanchester::model::BalanceTask;
 use lanchester::report::robust_text;
+use lanchester::task::BalanceTask;
 use lanchester::{RobustOptions, robust_balance};
 
 pub fn run(
@@ -21,8 +21,9 @@ pub fn run(
     if arguments.format == Format::Csv {
         return Err(Failure::input("--robust has no table as CSV", "take --format json, or text"));
     }
-    let engine = &opened.engine;
-    let found = robust_balance(engine, task, options).map_err(Failure::refused)?;
+    let engine = &opened.file.engine;
+    let found =
+        robust_balance(engine, &opened.file.tasks.tolerances, task, options).map_err(Failure::refused)?;
     let after = fitted(engine, &found.answer);
     let effect = consequences(engine, &after, Some(task))?;
     if put_into_file(opened, arguments, &after, Some(&effect), colour)? {

@@ -7,9 +7,10 @@ use crate::format::Format;
 use crate::run::{Head, run_alone, run_into};
 use crate::scatter_arguments::ScatterArguments;
 use lanchester::SampleStudy;
-use lanchester::model::{Engine, option};
+use lanchester::file::EngineFile;
 use lanchester::report::{scatter_figure, scatter_table, scatter_text};
 use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, Tally, scatter_study_of};
+use lanchester::task::option;
 use serde::{Deserialize, Serialize};
 
 /// The request as a table keeps it: the options of the command.
@@ -38,8 +39,8 @@ impl SavedScatter {
     }
 
     /// The run for an engine, its samples being rows or not.
-    pub fn study(&self, engine: &Engine, keeps_samples: bool) -> Result<SampleStudy, Failure> {
-        let limit = |text: &String| option::limit(text, engine, "--limit");
+    pub fn study(&self, file: &EngineFile, keeps_samples: bool) -> Result<SampleStudy, Failure> {
+        let limit = |text: &String| option::limit(text, &file.engine, "--limit");
         let options = ScatterOptions {
             speed: self.speed,
             samples: self.samples,
@@ -48,7 +49,7 @@ impl SavedScatter {
             limits: self.limits.iter().map(limit).collect::<Result<_, _>>()?,
             capability: self.capability,
         };
-        let request = options.request(engine).map_err(Failure::refused)?;
+        let request = options.request(&file.engine, &file.tasks.tolerances).map_err(Failure::refused)?;
         let scattering = Scattering::new(request).map_err(Failure::refused)?;
         Ok(SampleStudy { scattering, keeps_samples })
     }
@@ -63,7 +64,7 @@ pub fn run(arguments: &ScatterArguments, colour: bool) -> Result<u8, Failure> {
     let saved = SavedScatter::of(arguments)?;
     let opened = open(&arguments.file, colour)?;
     arguments.run.set_threads();
-    let study = saved.study(&opened.engine, arguments.run.save.is_some())?;
+    let study = saved.study(&opened.file, arguments.run.save.is_some())?;
     let tally = match &arguments.run.save {
         None => run_alone(&study)?,
         Some(path) => {

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use lanchester::cycle::trace_codes;
-use lanchester::model::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
+use lanchester::file::{json_schema, reference_markdown, sheet_reference_markdown, sheet_schema};
 
 pub fn run(arguments: &SchemaArguments) -> Result<u8, Failure> {
     print(&match (arguments.sheet, arguments.markdown) {

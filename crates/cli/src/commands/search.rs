@@ -10,7 +10,7 @@ use crate::search_request::arrangement_request;
 use lanchester::balance::{
     Arrangement, ArrangementRequest, Arrangements, SpacingArrangements, arrangements, fitted, searched_engine,
 };
-use lanchester::model::Engine;
+use lanchester::model::{Engine, Fault};
 use lanchester::report::{
     Figure, arrangement_figure, arrangement_parts, arrangements_text, balance_text, drive_sketches,
     front_table, narrowest_place,
@@ -19,11 +19,11 @@ use lanchester::report::{
 pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     fits_together(arguments)?;
     let opened = open(&arguments.file, colour)?;
-    let request = arrangement_request(&opened.engine, arguments, colour)?;
-    let found = arrangements(&opened.engine, &request).map_err(Failure::refused)?;
+    let request = arrangement_request(&opened.file.engine, arguments, colour)?;
+    let found = arrangements(&opened.file.engine, &request).map_err(Failure::refused)?;
     let choice = arguments.search.choose.as_deref().map(|text| choice(&found, text)).transpose()?;
     if let Some(folder) = &arguments.figures {
-        for figure in figures(&opened.engine, &request, &found, choice) {
+        for figure in figures(&opened.file.engine, &request, &found, choice) {
             write_result(&folder.join(format!("{}.svg", figure.id)), &arguments.file, &figure.svg())?;
         }
     }
@@ -142,14 +142,15 @@ fn one(
 ) -> Result<u8, Failure> {
     let spacing = &found.spacings[0];
     let chosen = &spacing.arrangements[choice];
-    let bare = searched_engine(&opened.engine, request, spacing.scale);
+    let bare = searched_engine(&opened.file.engine, request, spacing.scale).map_err(Failure::refused)?;
     let adopted = arguments.write || arguments.dry_run;
     if adopted {
         may_be_written(spacing, chosen)?;
     }
     let after = fitted(&bare, &chosen.answer);
     // The file's own devices on the mounts that the search judges.
-    let before = Engine { mounts: bare.mounts.clone(), ..opened.engine.clone() };
+    let before = opened.file.engine.with(|parts| parts.mounts.clone_from(&bare.mounts));
+    let before = before.map_err(|faults| Failure::refused(Fault::first_of(faults)))?;
     let effect = consequences(&before, &after, Some(&chosen.answer.task))?;
     let good = chosen.possible && chosen.reaches_limit != Some(false);
     if adopted && put_into_file(opened, arguments, &after, Some(&effect), colour)? {

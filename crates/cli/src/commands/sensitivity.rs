@@ -6,17 +6,17 @@ use crate::files::{print, tell};
 use crate::format::Format;
 use crate::sensitivity_arguments::{SensitivityArguments, WeightsOption};
 use crate::trace_files::trace_files;
-use lanchester::model::option;
 use lanchester::operating_point;
 use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
 use lanchester::study::sensitivity::{
     Amount, Measure, Output, Quantity, SensitivityRequest, Weights, sensitivity,
 };
+use lanchester::task::option;
 
 pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     let amounts = arguments.vary.iter().map(|text| amount(text)).collect::<Result<_, _>>()?;
-    let engine = open(&arguments.file, colour)?.engine;
+    let engine = open(&arguments.file, colour)?.file.engine;
     let named = |text: &String| Output::named(text, &engine).map_err(Failure::refused);
     let outputs: Vec<Output> = arguments.output.iter().map(named).collect::<Result<_, Failure>>()?;
     let outputs = if outputs.is_empty() { Output::peaks() } else { outputs };

@@ -5,13 +5,14 @@ use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
+use lanchester::file::expanded;
 use lanchester::mechanism::{LoadRequest, Loads, loads};
-use lanchester::model::{Engine, Rotation, expanded};
+use lanchester::model::{Engine, Rotation};
 use lanchester::report::{articulation_table, drawing, motion_table, rod_inertia_table};
 
 pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     if let Some(path) = &arguments.drawing {
         write_result(path, &arguments.file, &drawing(engine).svg())?;
     }
@@ -25,9 +26,9 @@ pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
                 out += format!("# {line}").trim_end();
                 out.push('\n');
             }
-            out + "\n" + &expanded(engine)
+            out + "\n" + &expanded(&opened.file)
         }
-        Format::Json => json(engine)?,
+        Format::Json => json(&opened.file)?,
         Format::Csv => motion_table(&loads(engine, &request).map_err(refused)?).csv(),
     })?;
     Ok(DONE)

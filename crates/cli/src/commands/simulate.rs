@@ -7,12 +7,12 @@ use crate::format::Format;
 use crate::simulation_arguments::{BlockOption, SimulateArguments, SimulationTable};
 use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
-use lanchester::model::option;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
     simulation_energy_csv, simulation_events_csv, simulation_figures, simulation_reactions_csv,
     simulation_text, simulation_trace_csv,
 };
+use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate_watched};
 
 pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
@@ -25,20 +25,20 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
     let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
     for &number in &arguments.misfire {
-        let count = opened.engine.cylinders.len();
+        let count = opened.file.engine.cylinders.len();
         if !(1..=count).contains(&number) {
             let needed = format!("--misfire needs a number of a cylinder, from 1 to {count}, got {number}");
             return Err(Failure::input(needed, "cylinders are numbered as in the file"));
         }
         request.misfire.push(number - 1);
     }
-    let in_file = opened.engine.simulation.as_ref().and_then(|input| input.gas);
+    let in_file = opened.file.tasks.simulation.as_ref().and_then(|input| input.gas);
     let traces = match request.gas.or(in_file) {
         Some(false) => Vec::new(),
-        _ => trace_files(&opened.engine, &arguments.file)?,
+        _ => trace_files(&opened.file.engine, &arguments.file)?,
     };
     let goes_on = GoesOn::until_interrupted();
-    let result = simulate_watched(&opened.engine, &traces, &request, &|_| goes_on.now());
+    let result = simulate_watched(&opened.file, &traces, &request, &|_| goes_on.now());
     let result = result.map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &simulation_figures(&result))?;

@@ -9,10 +9,11 @@ use crate::format::Format;
 use crate::request::series;
 use lanchester::balance::{Answer, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
 use lanchester::mechanism::Kinematics;
-use lanchester::model::{Criterion, Engine, Load, option};
+use lanchester::model::Engine;
 use lanchester::report::{
     Figure, consequence_figures, consequences_table, crank_curve, sweep_steps_table, swept_text,
 };
+use lanchester::task::{Criterion, Load, option};
 
 /// The options of one method do not go with the other.
 pub fn check(arguments: &BalanceArguments) -> Result<(), Failure> {
@@ -46,7 +47,7 @@ pub fn check(arguments: &BalanceArguments) -> Result<(), Failure> {
 
 /// Sweeps, writes the crank into the file if asked for, and prints what was found.
 pub fn run(arguments: &BalanceArguments, opened: &Opened, colour: bool) -> Result<u8, Failure> {
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let mut options = SweepOptions::fitting(engine);
     if let Some(step) = &arguments.published.step {
         options.step =

@@ -7,18 +7,20 @@ use crate::format::Format;
 use crate::torque_arguments::{LeverOption, TorqueArguments, TorqueTable};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{Lever, TorqueRequest};
-use lanchester::model::{Friction, option};
+use lanchester::model::Friction;
 use lanchester::report::{
     Figure, Table, cycle_angle_table, cycle_figures, cycle_table, flywheel_table, power_figure, power_table,
     ripple_figure, ripple_table, torque_csv, torque_figures, torque_speeds_table, torque_text,
 };
+use lanchester::task::option;
 use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
 
 pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
-    let request = request(arguments)?;
+    let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
-    let traces = trace_files(&opened.engine, &arguments.file)?;
-    let report = torque_report(&opened.engine, &traces, &request).map_err(Failure::refused)?;
+    request.simulation.clone_from(&opened.file.tasks.simulation);
+    let traces = trace_files(&opened.file.engine, &arguments.file)?;
+    let report = torque_report(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
     for warning in &report.warnings {
         tell(format_args!("warning: {warning}"));
     }
@@ -56,6 +58,7 @@ fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> 
         .as_deref()
         .map(|text| option::share(text, "--fluctuation").map_err(Failure::from));
     Ok(TorqueReportRequest {
+        simulation: None,
         torque: TorqueRequest {
             speed: arguments.speed.as_deref().map(|text| speed(text, "--speed")).transpose()?,
             lever: match arguments.lever {

@@ -15,8 +15,9 @@ mod internal;
 use crate::failure::Failure;
 use crate::files::read_source;
 use crate::workshop_arguments::{WorkshopArguments, WorkshopCommand};
-use lanchester::model::render;
-use lanchester::model::workshop::{Sheet, read_sheet};
+use lanchester::file::render;
+use lanchester::file::workshop::read_sheet;
+use lanchester::task::workshop::Sheet;
 use std::path::Path;
 
 pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {

@@ -4,6 +4,7 @@
 
 mod bad_runs;
 mod balance;
+mod balance_speeds;
 mod compare;
 mod consequences;
 mod counterweight;

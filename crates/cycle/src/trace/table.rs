@@ -2,7 +2,7 @@
 
 use super::fault::TraceFault;
 use csv::{ReaderBuilder, StringRecord, Trim};
-use lanchester_model::option;
+use lanchester_units::option;
 
 /// Angles and pressures as the file has them, in SI.
 #[derive(Debug)]

@@ -191,8 +191,8 @@ fn tables_that_cannot_be_are_refused() {
             "name = \"single\"\nspeed = \"3000 rpm\"\n[layout]\ntype = \"in-line\"\ncylinders = 1\n[crank]\nstroke = \"85 mm\"\n\
              [piston]\nmass = \"0.4 kg\"\nbore = \"86 mm\"\n[rod]\nlength = \"150 mm\"\nmass = \"0.5 kg\"\n{REST}[gas.walls]\n{walls}"
         );
-        let reading = lanchester_model::read(&text);
-        let shown = lanchester_model::render(&reading.diagnostics, "single.toml", &text, false);
-        assert!(reading.engine.is_none() && shown.contains(says), "{shown}");
+        let reading = lanchester_file::read(&text);
+        let shown = lanchester_file::render(&reading.diagnostics, "single.toml", &text, false);
+        assert!(reading.file.is_none() && shown.contains(says), "{shown}");
     }
 }

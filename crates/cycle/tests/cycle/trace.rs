@@ -269,7 +269,7 @@ fn between_speeds_pressures_are_interpolated_beyond_held() {
 
 #[test]
 fn every_code_has_one_meaning_in_files_of_all_kinds() {
-    let all = lanchester_model::diagnostic_codes().iter().chain(trace_codes());
+    let all = lanchester_file::diagnostic_codes().iter().chain(trace_codes());
     let mut codes: Vec<&str> = all.map(|(code, _)| *code).collect();
     let count = codes.len();
     codes.sort_unstable();
@@ -279,9 +279,9 @@ fn every_code_has_one_meaning_in_files_of_all_kinds() {
 
 #[test]
 fn every_code_has_a_family_and_every_family_a_code() {
-    let all = lanchester_model::diagnostic_codes().iter().chain(trace_codes());
+    let all = lanchester_file::diagnostic_codes().iter().chain(trace_codes());
     let of_codes: BTreeSet<&str> = all.map(|(code, _)| &code[1..3]).collect();
     let named: BTreeSet<&str> =
-        lanchester_model::diagnostic_families().iter().map(|(digits, _)| *digits).collect();
+        lanchester_file::diagnostic_families().iter().map(|(digits, _)| *digits).collect();
     assert_eq!(of_codes, named);
 }

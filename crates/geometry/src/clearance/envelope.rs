@@ -7,7 +7,7 @@
 use crate::clearance::clearance_model::ClearanceModel;
 use crate::clearance::error::ClearanceError;
 use crate::clearance::motion::RodMotion;
-use crate::clearance::result::Obstacle;
+use crate::clearance::result::{Obstacle, SweptRoom};
 use crate::clearance::search::nearest;
 use crate::clearance::turning_body::Plate;
 use lanchester_shape::Point;
@@ -50,10 +50,17 @@ impl RadialEnvelope {
         RadialEnvelope { radii, ..self.clone() }
     }
 
-    /// The same radius [m] in all directions.
+    /// The radius [m] that keeps clear whatever the shape, in all directions; nothing keeps clear where none is known.
     #[must_use]
-    pub fn rounded(&self, radius: f64) -> RadialEnvelope {
-        RadialEnvelope { radii: vec![radius; self.radii.len()], ..self.clone() }
+    pub fn rounded(&self, room: Option<&SweptRoom>) -> RadialEnvelope {
+        let radius = room.map_or(0.0, |room| room.radius);
+        let limit = room.map_or(self.limit, |room| Some(room.limit));
+        RadialEnvelope { radii: vec![radius; self.radii.len()], limit, ..self.clone() }
+    }
+
+    /// Whether it is the same radius in all directions.
+    pub fn is_round(&self) -> bool {
+        self.smallest() == self.largest()
     }
 
     /// Least radius [m].

@@ -74,44 +74,8 @@ impl Bend {
 
     /// Lower bound of `1/2 SUM H_jk s_j s_k` and of `slope . s + 1/2 SUM H_jk s_j s_k` for `|s_k| <= half_k`, by the whole
     /// matrix: the first is zero where it is positive definite over the box.
-    ///
-    /// What makes the matrix positive is lost, since `|s_k| <= 1` in units of the half widths. What is then convex is followed down
-    /// variable by variable; its tangent there is the bound, however far that came.
     pub fn least(&self, slope: &[f64; SHAPE], half: &[f64; SHAPE]) -> [f64; 2] {
-        let (matrix, added) = self.convex(half);
-        let start: [f64; SHAPE] = std::array::from_fn(|k| slope[k] * half[k]);
-        let (mut point, mut rise) = ([0.0f64; SHAPE], start);
-        for _ in 0..SWEEPS {
-            let mut moved = 0.0f64;
-            for k in 0..SHAPE {
-                let curve = matrix[k][k];
-                let step = if curve > 0.0 {
-                    (point[k] - rise[k] / curve).clamp(-1.0, 1.0) - point[k]
-                } else {
-                    // Straight: to the end that lies lower, which the tangent reaches anyway.
-                    0.0
-                };
-                point[k] += step;
-                for (rise, entry) in rise.iter_mut().zip(&matrix[k]) {
-                    *rise += entry * step;
-                }
-                moved = moved.max(step.abs());
-            }
-            if moved < 1e-2 {
-                break;
-            }
-        }
-        let mut least = -0.5 * added;
-        for k in 0..SHAPE {
-            // The value 1/2 (start + rise) . point, and from there the tangent's fall to the corner.
-            least += 0.5 * (start[k] - rise[k]) * point[k] - rise[k].abs();
-        }
-        [-0.5 * added, least]
-    }
-
-    /// The matrix in units of the half widths: its middle, less the sum of the radii of each row on the diagonal. Its
-    /// factorisation `L D L^T` is made positive by adding to `D`, which adds as much to its diagonal; with it the sum of what was added.
-    fn convex(&self, half: &[f64; SHAPE]) -> ([[f64; SHAPE]; SHAPE], f64) {
+        // The matrix in units of the half widths: its middle, less the sum of the radii of each row on the diagonal.
         let mut m = [[0.0; SHAPE]; SHAPE];
         for j in 0..SHAPE {
             for k in 0..=j {
@@ -127,46 +91,128 @@ impl Bend {
                 }
             }
         }
-        let mut whole = m;
-        let mut added = 0.0;
-        let mut open = [true; SHAPE];
-        for _ in 0..SHAPE {
-            let mut pivot = SHAPE;
-            for k in 0..SHAPE {
-                if open[k] && (pivot == SHAPE || m[k][k] > m[pivot][pivot]) {
-                    pivot = k;
+        least(m, std::array::from_fn(|k| slope[k] * half[k]))
+    }
+
+    /// Lower bound of `slope . s + 1/2 SUM H_jk s_j s_k` for `s = centre + SUM edge_i z_i` with `|z_i| <= 1`, in a box of half widths
+    /// with these `products`; or one below `asked`, if it does not come so far.
+    pub fn least_within<const N: usize>(
+        &self,
+        slope: &[f64; SHAPE],
+        products: &[f64; PAIRS],
+        centre: &[f64; SHAPE],
+        edges: &[[f64; SHAPE]; N],
+        asked: f64,
+    ) -> f64 {
+        let times = |s: &[f64; SHAPE]| -> [f64; SHAPE] {
+            let mut out = [0.0; SHAPE];
+            for j in 0..SHAPE {
+                for k in 0..SHAPE {
+                    out[j] += self.middle[pair(j, k)] * s[k];
                 }
             }
-            open[pivot] = false;
-            let mut beside = 0.0;
-            for k in 0..SHAPE {
-                if open[k] {
-                    beside += m[k][pivot] * m[k][pivot];
-                }
+            out
+        };
+        let dot = |a: &[f64; SHAPE], b: &[f64; SHAPE]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        let mut uncertain = 0.0;
+        for j in 0..SHAPE {
+            for k in 0..=j {
+                let at = pair(j, k);
+                uncertain += if j == k { 0.5 } else { 1.0 } * self.radius[at] * products[at];
             }
-            let floor = f64::sqrt(beside);
-            if m[pivot][pivot] < floor {
-                added += floor - m[pivot][pivot];
-                whole[pivot][pivot] += floor - m[pivot][pivot];
-                m[pivot][pivot] = floor;
+        }
+        let of_centre = times(centre);
+        let at_centre = dot(slope, centre) + 0.5 * dot(centre, &of_centre) - uncertain;
+        // No bound lies above the value at the centre.
+        if at_centre < asked {
+            return at_centre;
+        }
+        let rise: [f64; SHAPE] = std::array::from_fn(|k| slope[k] + of_centre[k]);
+        let bent = edges.map(|edge| times(&edge));
+        let matrix: [[f64; N]; N] =
+            std::array::from_fn(|j| std::array::from_fn(|k| dot(&edges[j], &bent[k])));
+        let start = edges.map(|edge| dot(&edge, &rise));
+        at_centre + least(matrix, start)[1]
+    }
+}
+
+/// Lower bound of `1/2 z.M z` and of `start . z + 1/2 z.M z` for `|z_k| <= 1`.
+///
+/// What makes the matrix positive is lost, since `|z_k| <= 1`. What is then convex is followed down
+/// variable by variable; its tangent there is the bound, however far that came.
+fn least<const N: usize>(matrix: [[f64; N]; N], start: [f64; N]) -> [f64; 2] {
+    let (matrix, added) = convex(matrix);
+    let (mut point, mut rise) = ([0.0f64; N], start);
+    for _ in 0..SWEEPS {
+        let mut moved = 0.0f64;
+        for k in 0..N {
+            let curve = matrix[k][k];
+            let step = if curve > 0.0 {
+                (point[k] - rise[k] / curve).clamp(-1.0, 1.0) - point[k]
+            } else {
+                // Straight: to the end that lies lower, which the tangent reaches anyway.
+                0.0
+            };
+            point[k] += step;
+            for (rise, entry) in rise.iter_mut().zip(&matrix[k]) {
+                *rise += entry * step;
             }
-            if beside == 0.0 {
+            moved = moved.max(step.abs());
+        }
+        if moved < 1e-2 {
+            break;
+        }
+    }
+    let mut least = -0.5 * added;
+    for k in 0..N {
+        // The value 1/2 (start + rise) . point, and from there the tangent's fall to the corner.
+        least += 0.5 * (start[k] - rise[k]) * point[k] - rise[k].abs();
+    }
+    [-0.5 * added, least]
+}
+
+/// The matrix with its factorisation `L D L^T` made positive by adding to `D`, which adds as much to its diagonal; with it the sum of
+/// what was added.
+fn convex<const N: usize>(mut m: [[f64; N]; N]) -> ([[f64; N]; N], f64) {
+    let mut whole = m;
+    let mut added = 0.0;
+    let mut open = [true; N];
+    for _ in 0..N {
+        let mut pivot = N;
+        for k in 0..N {
+            if open[k] && (pivot == N || m[k][k] > m[pivot][pivot]) {
+                pivot = k;
+            }
+        }
+        open[pivot] = false;
+        let mut beside = 0.0;
+        for k in 0..N {
+            if open[k] {
+                beside += m[k][pivot] * m[k][pivot];
+            }
+        }
+        let floor = f64::sqrt(beside);
+        if m[pivot][pivot] < floor {
+            added += floor - m[pivot][pivot];
+            whole[pivot][pivot] += floor - m[pivot][pivot];
+            m[pivot][pivot] = floor;
+        }
+        if beside == 0.0 {
+            continue;
+        }
+        for j in 0..N {
+            if !open[j] {
                 continue;
             }
-            for j in 0..SHAPE {
-                if !open[j] {
-                    continue;
-                }
-                let factor = m[j][pivot] / m[pivot][pivot];
-                for k in 0..SHAPE {
-                    if open[k] {
-                        m[j][k] -= factor * m[pivot][k];
-                    }
+            let factor = m[j][pivot] / m[pivot][pivot];
+            for k in 0..N {
+                if open[k] {
+                    m[j][k] -= factor * m[pivot][k];
                 }
             }
         }
-        (whole, added)
     }
+    (whole, added)
 }
 
 #[cfg(test)]
@@ -216,6 +262,28 @@ mod tests {
                 let sloped = value + slope.iter().zip(&s).map(|(slope, s)| slope * s).sum::<f64>();
                 assert!(sloped >= least - 1e-12, "{sloped} {least}");
                 assert!(value >= by_entry - 1e-12 && value >= whole - 1e-12, "{value} {by_entry} {whole}");
+            }
+            // In a parallelepiped of the box, which is thin along its last edges.
+            let edges: [[f64; SHAPE]; 6] = std::array::from_fn(|i| {
+                std::array::from_fn(|k| next() * half[k] * if i < 2 { 0.2 } else { 1e-3 })
+            });
+            let centre: [f64; SHAPE] = std::array::from_fn(|k| 0.5 * next() * half[k]);
+            let least = bend.least_within(&slope, &products(&half), &centre, &edges, f64::NEG_INFINITY);
+            for _ in 0..100 {
+                let mut s = centre;
+                for edge in &edges {
+                    let z = next();
+                    for (s, edge) in s.iter_mut().zip(edge) {
+                        *s += z * edge;
+                    }
+                }
+                let mut value: f64 = slope.iter().zip(&s).map(|(slope, s)| slope * s).sum();
+                for j in 0..SHAPE {
+                    for k in 0..SHAPE {
+                        value += 0.5 * (entries[j][k] - 0.01) * s[j] * s[k];
+                    }
+                }
+                assert!(value >= least - 1e-12, "{value} {least}");
             }
         }
         assert!(convex > 50, "some matrices must be seen as positive definite, {convex} were");

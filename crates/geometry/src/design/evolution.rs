@@ -7,8 +7,8 @@
 use super::optimum::{DESIGN_VERSION, Design};
 use super::task::DesignTask;
 use fcmaes_core::{De, DeParams, Fitness};
-use lanchester_model::{Objective, Range, Shoulder};
 use lanchester_shape::{CounterweightShape, GeometryError};
+use lanchester_task::{Objective, Range, Shoulder};
 use serde::Serialize;
 
 /// A limit is met within this part of it: rounding.

@@ -5,8 +5,8 @@ use super::problem::{Kind, Problem};
 use super::refute::ROUNDING;
 use super::task::DesignTask;
 use crate::clearance::RadialEnvelope;
-use lanchester_model::Objective;
 use lanchester_shape::GeometryError;
+use lanchester_task::Objective;
 use serde::Serialize;
 
 /// The front between two objectives, from the least of the first to the least of the second.

@@ -21,7 +21,7 @@ mod task;
 
 pub use evolution::{Evolution, Evolved, evolve};
 pub use front::{Front, front, front_within};
-pub use lanchester_model::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
+pub use lanchester_task::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 pub use optimum::{
     DESIGN_VERSION, Design, DesignOutcome, Infeasible, Limit, NearestLimit, Optimum, PROVED_GAP, design,
     design_within, largest_balance,

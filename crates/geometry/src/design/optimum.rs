@@ -5,9 +5,9 @@ use super::problem::{Kind, Problem, SHAPE};
 use super::refute::{Refutation, Refuter};
 use super::task::DesignTask;
 use crate::clearance::RadialEnvelope;
-use lanchester_model::Objective;
 use lanchester_shape::CounterweightShape;
 use lanchester_shape::GeometryError;
+use lanchester_task::Objective;
 use serde::Serialize;
 
 /// Version of the results of counterweight design; raised when a field changes its meaning or goes.

@@ -11,8 +11,8 @@ use super::number::Number;
 use super::sector::Sector;
 use super::task::DesignTask;
 use crate::clearance::RadialEnvelope;
-use lanchester_model::{Objective, Range, Shoulder};
 use lanchester_shape::CounterweightShape;
+use lanchester_task::{Objective, Range, Shoulder};
 use std::f64::consts::PI;
 
 /// Variables of the shape.

@@ -17,6 +17,8 @@ use std::rc::Rc;
 
 /// What rounding may make of a scaled term.
 pub(super) const ROUNDING: f64 = 1e-12;
+/// What rounding may make of the tableau.
+const OF_TABLEAU: f64 = 1e-9;
 /// A box smaller than this part of the ranges in every variable is left as it is.
 const SMALLEST: f64 = 1e-7;
 const MOST_BOXES: usize = 200_000;
@@ -253,12 +255,20 @@ impl Refuter {
                     let width = cell.high[*k] - cell.low[*k];
                     point[*k] = cell.low[*k] + least[column].clamp(0.0, 1.0) * width;
                     // A little wider, for the rounding of the tableau.
-                    let [low, high] = [tightened[column][0] - 1e-9, tightened[column][1] + 1e-9];
+                    let [low, high] = [tightened[column][0] - OF_TABLEAU, tightened[column][1] + OF_TABLEAU];
                     if low > high {
                         return Verdict::Refuted;
                     }
                     cut.low[*k] = (cell.low[*k] + low.max(0.0) * width).min(cell.high[*k]);
                     cut.high[*k] = (cell.low[*k] + high.min(1.0) * width).max(cut.low[*k]);
+                }
+                // Across the rows that hold there what is left is thin, however the box lies: there the sum may bend down.
+                let reach: [f64; SHAPE] =
+                    std::array::from_fn(|k| (cut.high[k] - middle[k]).max(middle[k] - cut.low[k]));
+                let (centre, edges) = self.left(free, &half, limit);
+                let asked = OF_TABLEAU * sum - value;
+                if whole.least_within(&slope, &self::products(&reach), &centre, &edges, asked) > asked {
+                    return Verdict::Refuted;
                 }
                 // Without their drops the sum of the terms would refute the box, or one that the point breaks must be known better.
                 self.open = if self.simplex.least() - drops > limit {
@@ -269,6 +279,25 @@ impl Refuter {
                 Verdict::Left(cut, point)
             }
         }
+    }
+
+    /// What the programme leaves, from the middle of the box: a parallelepiped by its centre and its half edges.
+    fn left(
+        &self,
+        free: &[usize],
+        half: &[f64; SHAPE],
+        limit: f64,
+    ) -> ([f64; SHAPE], [[f64; SHAPE]; COLUMNS]) {
+        let (corner, edges) = self.simplex.parallelepiped(&self.rows, limit);
+        let (mut centre, mut scaled) = ([0.0; SHAPE], [[0.0; SHAPE]; COLUMNS]);
+        for (column, k) in free.iter().enumerate() {
+            centre[*k] = half[*k] * (2.0 * corner[column] - 1.0);
+            for (scaled, edge) in scaled.iter_mut().zip(&edges) {
+                scaled[*k] = half[*k] * edge[column];
+                centre[*k] += scaled[*k];
+            }
+        }
+        (centre, scaled)
     }
 
     /// The term that a shape breaks most, if it breaks any.

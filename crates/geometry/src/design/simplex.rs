@@ -175,6 +175,43 @@ impl Simplex {
             .map(|(variable, cost)| (variable - self.columns, *cost))
     }
 
+    /// Where the variables can lie with `v <= limit`: from a corner along edges, one for each variable outside the basis, of which a
+    /// point takes parts from 0 to 1. `rows` are those of the programme.
+    pub fn parallelepiped(&self, rows: &[Row], limit: f64) -> ([f64; COLUMNS], [[f64; COLUMNS]; COLUMNS]) {
+        let room = (limit - self.least).max(0.0);
+        let mut edges = [[0.0; COLUMNS]; COLUMNS];
+        let mut most = [0.0; COLUMNS];
+        for j in 0..self.columns {
+            let variable = self.outside[j];
+            let far = if variable < self.columns {
+                self.upper[variable]
+            } else {
+                let row = &rows[variable - self.columns];
+                let fall: f64 = row.a[..self.columns - 1].iter().map(|a| a.min(0.0)).sum();
+                row.b - fall - row.a[self.columns - 1] * limit
+            };
+            most[j] = if self.cost[j] > TINY { far.min(room / self.cost[j]) } else { far };
+            if variable < self.columns {
+                edges[j][variable] = most[j];
+            }
+        }
+        for (row, variable) in self.rows.iter().zip(&self.basic) {
+            if *variable < self.columns {
+                for j in 0..self.columns {
+                    edges[j][*variable] = -row[j] * most[j];
+                }
+            }
+        }
+        for edge in &mut edges {
+            for (entry, flipped) in edge.iter_mut().zip(&self.flipped) {
+                if *flipped {
+                    *entry = -*entry;
+                }
+            }
+        }
+        (self.point(), edges)
+    }
+
     /// Bounds on each variable that no point with `v <= limit` leaves, from the reduced costs and the rows of the tableau;
     /// `gain` is what is known of the sum of the rows with their multipliers beyond this programme.
     pub fn tightened(&self, limit: f64, gain: f64) -> [[f64; 2]; COLUMNS] {

@@ -1,7 +1,7 @@
 //! What a counterweight is asked for.
 
-use lanchester_model::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 use lanchester_shape::GeometryError;
+use lanchester_task::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 use serde::{Deserialize, Serialize};
 
 /// A counterweight to be found: its duty, the range of each dimension, limits.

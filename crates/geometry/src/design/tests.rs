@@ -6,8 +6,8 @@ use super::jet::Jet;
 use super::number::Number;
 use super::problem::{Kind, Problem, SHAPE};
 use super::task::DesignTask;
-use lanchester_model::{DesignLimits, Range, Shoulder};
 use lanchester_shape::Point;
+use lanchester_task::{DesignLimits, Range, Shoulder};
 
 fn task() -> DesignTask {
     DesignTask {

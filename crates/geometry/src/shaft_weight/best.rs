@@ -9,8 +9,8 @@ use super::design::{ShaftWeightDesign, ShaftWeightOutcome};
 use super::inertia::least_inertia;
 use super::nearest::{for_less, for_more};
 use super::{FirstMoment, halving};
-use lanchester_model::{Range, ShaftWeightAim, ShaftWeightTask};
 use lanchester_shape::GeometryError;
+use lanchester_task::{Range, ShaftWeightAim, ShaftWeightTask};
 
 /// The best weight of `task` with this unbalance [kg m].
 ///

@@ -5,7 +5,7 @@
 //! cannot hold a better weight is dropped, until nothing is left.
 
 use super::{FirstMoment, halving};
-use lanchester_model::Range;
+use lanchester_task::Range;
 
 /// No weight has less inertia than the one found by more than this part of it.
 const GAP: f64 = 1e-6;

@@ -11,8 +11,8 @@ pub use design::{ShaftWeightDesign, ShaftWeightOutcome};
 pub use nearest::{NearestShaftWeight, ShaftWeightLimit};
 pub use solids::shaft_solids;
 
-use lanchester_model::ShaftWeightTask;
 use lanchester_shape::ShaftWeightShape;
+use lanchester_task::ShaftWeightTask;
 
 /// First moments of area [m^3] of weights whose dimensions follow one another.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,8 @@
 //! What stands in the way of a shaft's weight: for each limit alone, the nearest value with which there is one.
 
 use super::{FirstMoment, halving};
-use lanchester_model::ShaftWeightTask;
 use lanchester_shape::plausible_density;
+use lanchester_task::ShaftWeightTask;
 use serde::Serialize;
 
 /// A limit of a task that would have to give way.

@@ -41,7 +41,7 @@ fn near(quantity: &str, got: f64, wanted: f64, tolerance: f64) {
 /// One cylinder with a sector against its crankpin beside the rod.
 fn single(radius: f64, envelope: Envelope) -> Engine {
     let weight = counterweight(sector(radius, 1.2), [0.012, 0.028], Some(1));
-    Engine { envelope: Some(envelope), ..engine(vec![cylinder(0, 0.0, 0.0)], vec![weight]) }
+    engine(vec![cylinder(0, 0.0, 0.0)], vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap()
 }
 
 #[test]
@@ -65,8 +65,16 @@ fn a_round_counterweight_is_nearest_to_the_skirt_at_bottom_dead_centre() {
 fn an_offset_moves_the_nearest_place_to_the_true_bottom_dead_centre() {
     let envelope = Envelope { skirt: skirt(0.03, None), ..Envelope::default() };
     let mut engine = single(0.065, envelope);
-    engine.cylinders[0].offset = 0.008;
-    engine.cylinders[0].pin_offset = -0.002;
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].offset = 0.008;
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].pin_offset = -0.002;
+        })
+        .unwrap();
     let found = to(&all(&engine), PISTON);
     let bottom = ((LENGTH - RADIUS).powi(2) - 0.006f64.powi(2)).sqrt();
     // The crown passes straight below the lower edge, since the skirt reaches over the axis.
@@ -97,10 +105,18 @@ fn the_own_rod_passes_beside_the_web() {
     near("smallest", found.smallest.unwrap().clearance.distance, 0.005, GAP);
     // With a whole disc for a web, the big end lies within its outline.
     let disc: Outline = Contour::circle(Point::ORIGIN, 0.08).unwrap().into();
-    engine.counterweights[0] = counterweight(disc.clone(), [0.012, 0.028], Some(1));
+    engine = engine
+        .with(|engine| {
+            engine.counterweights[0] = counterweight(disc.clone(), [0.012, 0.028], Some(1));
+        })
+        .unwrap();
     near("side of a disc", to(&all(&engine), SIDE).distance, 0.002, GAP);
     // Nearer than the big end is wide, it is in the way at every angle.
-    engine.counterweights[0] = counterweight(disc, [0.009, 0.028], Some(1));
+    engine = engine
+        .with(|engine| {
+            engine.counterweights[0] = counterweight(disc, [0.009, 0.028], Some(1));
+        })
+        .unwrap();
     let found = all(&engine);
     let overlap = to(&found, SIDE).overlap.unwrap();
     near("depth", overlap.depth, 0.001, 1e-12);
@@ -123,17 +139,21 @@ fn webs_and_big_ends_turn_within_the_crankcase() {
     near("big end", found.big_ends[0].clearance.distance, 0.002, 1e-15);
     assert!(found.is_kept && to(&found, Obstacle::Crankcase).theta.is_none());
     // The web's round end about the crankpin reaches farther than the counterweight.
-    engine.crank_body = Some(CrankBody {
-        density: 7850.0,
-        journal_diameter: 0.05,
-        journal_bore: 0.0,
-        pin_diameter: 0.045,
-        pin_bore: 0.0,
-        web_thickness: 0.016,
-        web_radius: 0.035,
-        pin_end_radius: 0.034,
-        end_journals: [0.02; 2],
-    });
+    engine = engine
+        .with(|engine| {
+            engine.crank_body = Some(CrankBody {
+                density: 7850.0,
+                journal_diameter: 0.05,
+                journal_bore: 0.0,
+                pin_diameter: 0.045,
+                pin_bore: 0.0,
+                web_thickness: 0.016,
+                web_radius: 0.035,
+                pin_end_radius: 0.034,
+                end_journals: [0.02; 2],
+            });
+        })
+        .unwrap();
     let found = all(&engine);
     let names: Vec<&str> = found.bodies.iter().map(|body| body.name.as_str()).collect();
     assert_eq!(names, ["counterweight", "web 1"]);
@@ -150,7 +170,9 @@ fn a_plate_through_the_wall_of_the_liner_meets_its_lower_end() {
     // The plate reaches from within the tube through its wall, so that the tube's end is straight above the crank.
     let envelope = Envelope { liner: liner(0.07, 0.005), ..Envelope::default() };
     let weight = counterweight(sector(0.065, 1.2), [0.03, 0.05], None);
-    let engine = Engine { envelope: Some(envelope), ..engine(vec![cylinder(0, 0.0, 0.0)], vec![weight]) };
+    let engine = engine(vec![cylinder(0, 0.0, 0.0)], vec![weight])
+        .with(|parts| parts.envelope = Some(envelope))
+        .unwrap();
     let found = to(&all(&engine), LINER);
     near("distance", found.distance, 0.005, GAP);
 }
@@ -179,7 +201,9 @@ fn a_skirt_in_the_way_is_told_with_angles_and_depth() {
 fn a_liner_in_the_way_is_told_with_angles_and_depth() {
     let envelope = Envelope { liner: liner(0.06, 0.005), ..Envelope::default() };
     let weight = counterweight(sector(0.065, 1.2), [0.03, 0.05], None);
-    let engine = Engine { envelope: Some(envelope), ..engine(vec![cylinder(0, 0.0, 0.0)], vec![weight]) };
+    let engine = engine(vec![cylinder(0, 0.0, 0.0)], vec![weight])
+        .with(|parts| parts.envelope = Some(envelope))
+        .unwrap();
     let overlap = to(&all(&engine), LINER).overlap.unwrap();
     near("depth", overlap.depth, 0.005, GAP);
     // Some part of the arc is above the end while its middle is within 1.2 rad and acos(60/65) of the cylinder axis.
@@ -189,7 +213,11 @@ fn a_liner_in_the_way_is_told_with_angles_and_depth() {
     near("last angle", overlap.angles[0][1], PI + half, 2e-6);
     // Turned half a turn, the same range runs over the end of the period.
     let mut turned = engine.clone();
-    turned.counterweights[0].part.as_mut().unwrap().angle = 0.0;
+    turned = turned
+        .with(|turned| {
+            turned.counterweights[0].part.as_mut().unwrap().angle = 0.0;
+        })
+        .unwrap();
     let overlap = to(&all(&turned), LINER).overlap.unwrap();
     assert_eq!(overlap.angles.len(), 1);
     near("first angle", overlap.angles[0][0], TURN - half, 2e-6);
@@ -201,7 +229,7 @@ fn both_pistons_of_a_v_engine_are_seen() {
     let banks = vec![cylinder(0, -PI / 4.0, -0.012), cylinder(0, PI / 4.0, 0.012)];
     let weight = counterweight(sector(0.065, 1.2), [0.024, 0.04], Some(1));
     let envelope = Envelope { skirt: skirt(0.03, None), ..Envelope::default() };
-    let engine = Engine { envelope: Some(envelope), ..engine(banks, vec![weight]) };
+    let engine = engine(banks, vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap();
     let found = all(&engine);
     // The plate's near face is 36 mm and 12 mm from the two cylinder axes: both within the bore's radius.
     for (number, angle) in [(1, PI - PI / 4.0), (2, PI + PI / 4.0)] {
@@ -216,8 +244,12 @@ fn an_obstacle_farther_along_the_crank_than_another_of_its_kind_is_left_out() {
     let envelope = Envelope { skirt: skirt(0.03, None), rod: rod_envelope(), ..Envelope::default() };
     let weight = counterweight(sector(0.065, 1.2), [0.012, 0.028], Some(1));
     let row = vec![cylinder(0, 0.0, 0.0), cylinder(1, 0.0, 0.095)];
-    let mut engine = Engine { envelope: Some(envelope), ..engine(row, vec![weight]) };
-    engine.throws.push(throw(0, PI, 0.095));
+    let mut engine = engine(row, vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.throws.push(throw(0, PI, 0.095));
+        })
+        .unwrap();
     let found = all(&engine);
     let seen: Vec<Obstacle> = found.bodies[0].clearances.iter().map(|c| c.obstacle).collect();
     // The second piston begins 27 mm off, the neighbour's rod is of another kind than the own one.
@@ -235,10 +267,12 @@ fn chamfers_are_ignored_and_that_is_said() {
     let envelope = Envelope { crankcase_radius: Some(0.07), ..Envelope::default() };
     let mut engine = single(0.065, envelope);
     assert!(!all(&engine).bodies[0].chamfers_ignored);
-    let part = engine.counterweights[0].part.as_mut().unwrap();
+    let mut weight = engine.counterweights[0].clone();
+    let part = weight.part.as_mut().unwrap();
     let cut = Cut::Turned { radius: 0.062 };
     let chamfer = Chamfer { cut, angle: FRAC_PI_2 / 2.0, face: Face::Front };
     part.part = part.part.clone().with_chamfer(chamfer).unwrap();
+    engine = engine.with(|parts| parts.counterweights[0] = weight).unwrap();
     assert!(all(&engine).bodies[0].chamfers_ignored);
 }
 
@@ -260,10 +294,12 @@ fn a_swept_radius_with_room_keeps_the_wanted_clearance() {
     for (more, is_kept) in [(0.0, true), (1e-5, false)] {
         let disc: Outline = Contour::circle(Point::ORIGIN, room.radius + more).unwrap().into();
         let weight = counterweight(disc, faces, Some(1));
-        let with = Engine { counterweights: vec![weight], ..engine.clone() };
+        let with = engine.with(|parts| parts.counterweights = vec![weight]).unwrap();
         assert_eq!(all(&with).is_kept, is_kept, "{more}");
     }
-    let wide = Engine { envelope: Some(Envelope { skirt: None, liner: None, ..envelope }), ..engine };
+    let wide = engine
+        .with(|parts| parts.envelope = Some(Envelope { skirt: None, liner: None, ..envelope }))
+        .unwrap();
     let room = model(&wide).largest_swept_radius(0, faces).unwrap().unwrap();
     assert_eq!((room.radius, room.limit), (0.08 - 0.0015, Obstacle::Crankcase));
     assert!(matches!(model(&wide).largest_swept_radius(1, faces), Err(ClearanceError::Unknown { .. })));
@@ -278,18 +314,31 @@ fn what_is_missing_is_told() {
     let mut engine = single(0.065, Envelope { skirt: skirt(0.03, None), ..Envelope::default() });
     let short = ClearanceModel::new(&engine, Vec::<Slider>::new()).err();
     assert_eq!(short, Some(ClearanceError::Motions { needed: 1, got: 0 }));
-    engine.cylinders[0].bore = None;
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].bore = None;
+        })
+        .unwrap();
     let refused = ClearanceModel::new(&engine, Slider::all(&engine)).err();
     assert_eq!(refused, Some(ClearanceError::NoBore { cylinder: 1 }));
-    engine.cylinders[0].bore = Some(BORE);
-    engine.counterweights.clear();
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].bore = Some(BORE);
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
     assert_eq!(model(&engine).clearances().err(), Some(ClearanceError::NoShape));
-    let long = Engine {
-        crankshafts: vec![crankshaft((1, 1), 0.0, 0.0), crankshaft((997, 991), 0.0, 0.3)],
-        throws: vec![throw(0, 0.0, 0.0), throw(1, 0.0, 0.0)],
-        cylinders: vec![cylinder(0, 0.0, 0.0), cylinder(1, 0.0, 0.0)],
-        ..single(0.065, Envelope { rod: rod_envelope(), ..Envelope::default() })
-    };
+    let long = single(0.065, Envelope { rod: rod_envelope(), ..Envelope::default() })
+        .with(|parts| {
+            parts.crankshafts = vec![crankshaft((1, 1), 0.0, 0.0), crankshaft((997, 991), 0.0, 0.3)];
+            parts.throws = vec![throw(0, 0.0, 0.0), throw(1, 0.0, 0.0)];
+            parts.cylinders = vec![cylinder(0, 0.0, 0.0), cylinder(1, 0.0, 0.0)];
+        })
+        .unwrap();
     assert!(matches!(model(&long).clearances(), Err(ClearanceError::PeriodTooLong { .. })));
 }
 
@@ -374,7 +423,7 @@ proptest! {
             rod: rod_envelope(),
             ..Envelope::default()
         };
-        let engine = Engine { envelope: Some(envelope), ..engine(vec![one], vec![weight]) };
+        let engine = engine(vec![one], vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap();
         for obstacle in [PISTON, LINER, ROD] {
             check(&engine, obstacle, TURN);
         }
@@ -392,10 +441,10 @@ proptest! {
         let weight = counterweight(star, [face, face + 0.012], None);
         let cylinders = vec![cylinder(0, 0.0, 0.2), cylinder(1, angle, 0.0)];
         let envelope = Envelope { skirt: skirt(0.03, None), rod: rod_envelope(), ..Envelope::default() };
-        let mut engine = Engine { envelope: Some(envelope), ..engine(cylinders, vec![weight]) };
-        engine.throws = vec![throw(0, 0.0, 0.2), throw(1, 0.4, 0.0)];
-        engine.crankshafts.push(crankshaft((numerator, denominator), place.0, place.1));
-        engine.crankshafts[1].phase = 0.3;
+        let mut engine = engine(cylinders, vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap();
+        engine = engine.with(|engine| { engine.throws = vec![throw(0, 0.0, 0.2), throw(1, 0.4, 0.0)]; }).unwrap();
+        engine = engine.with(|engine| { engine.crankshafts.push(crankshaft((numerator, denominator), place.0, place.1)); }).unwrap();
+        engine = engine.with(|engine| { engine.crankshafts[1].phase = 0.3; }).unwrap();
         for obstacle in [Obstacle::Piston { cylinder: 2 }, Obstacle::Rod { cylinder: 2 }] {
             // A piston that stands behind another one along the crank alone is left out.
             if all(&engine).bodies[0].clearances.iter().any(|c| c.obstacle == obstacle) {

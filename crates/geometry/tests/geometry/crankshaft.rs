@@ -6,6 +6,7 @@ use crate::support::random_crank;
 
 use crate::support::random_crank::{any_body, any_wish, engine, engine_balance, plain_wish};
 use crate::support::step_reader::StepFile;
+use lanchester_file::{expanded, read, render};
 use lanchester_geometry::crankshaft::{CrankshaftBody, CrankshaftError, SectionKind, crankshaft};
 use lanchester_geometry::export::{RESOLUTION, StepHeader, glb, solids, step, stl};
 use lanchester_geometry::{Contour, GeometryError, Insert, MassMoments, Outline, Part, Point};
@@ -51,14 +52,14 @@ proptest! {
         flywheel in (0.0..0.02f64, -PI..PI),
     ) {
         let mut engine = engine(body, &throws, gap, &wishes);
-        engine.counterweights.push(Counterweight {
+        engine = engine.with(|engine| { engine.counterweights.push(Counterweight {
             name: "flywheel".to_owned(),
             crankshaft: 0,
             z: 0.3,
             unbalance: flywheel.0,
             angle: flywheel.1,
             part: None,
-        });
+        }); }).unwrap();
         let crank = crankshaft(&engine, 0).unwrap();
         let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
         prop_assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
@@ -122,7 +123,7 @@ proptest! {
     ) {
         let text = with_shared_webs(&angles, &radii, &shares, numbers);
         let reading = read(&text);
-        let engine = reading.engine.unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", &text, false)));
+        let engine = reading.engine().unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", &text, false)));
         let shared = shares.iter().take(angles.len() - 1).filter(|(is_shared, _)| *is_shared).count();
         prop_assert_eq!(engine.shared_webs().len(), shared);
         let crank = crankshaft(&engine, 0).unwrap();
@@ -130,7 +131,7 @@ proptest! {
         prop_assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);
         prop_assert!((crank.unbalance.unbalance - unbalance).norm() < 1e-12 * u);
         prop_assert!((crank.unbalance.couple - couple).norm() < 1e-12 * v);
-        let again = read(&expanded(&engine)).engine;
+        let again = read(&expanded(&engine.clone().into())).engine();
         prop_assert_eq!(again.as_ref(), Some(&engine));
         assert_sums(&crank);
         // Of each shared web both halves, a journal beside every other web.
@@ -239,14 +240,18 @@ fn with_part(mut engine: Engine, part: Part, web: Option<usize>, form: Counterwe
     let unbalance = part.moments().unbalance();
     let part = Some(Box::new(CounterweightPart { form, part, web, z, angle: 0.0, wanted: None }));
     let (name, angle) = ("hub".to_owned(), unbalance.y.atan2(unbalance.x));
-    engine.counterweights.push(Counterweight {
-        name,
-        crankshaft: 0,
-        z,
-        unbalance: unbalance.norm(),
-        angle,
-        part,
-    });
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.push(Counterweight {
+                name,
+                crankshaft: 0,
+                z,
+                unbalance: unbalance.norm(),
+                angle,
+                part,
+            });
+        })
+        .unwrap();
     engine
 }
 
@@ -328,19 +333,35 @@ fn meshes_of_a_crankshaft_are_written() {
 fn an_engine_without_a_body_is_told_what_the_file_needs() {
     let good = engine(plain_body(), &[(0.0, 0.06)], 0.03, &[]);
     let mut bare = good.clone();
-    bare.crank_body = None;
+    bare = bare
+        .with(|bare| {
+            bare.crank_body = None;
+        })
+        .unwrap();
     let error = crankshaft(&bare, 0).unwrap_err();
     assert_eq!(error, CrankshaftError::NoBody);
     assert!(error.to_string().contains("add [crank.body]"));
     assert_eq!(crankshaft(&good, 1).unwrap_err(), CrankshaftError::NoCrankshaft { index: 1, count: 1 });
     let mut without = good.clone();
-    without.throws[0].webs = None;
+    without = without
+        .with(|without| {
+            without.throws[0].webs = None;
+        })
+        .unwrap();
     assert_eq!(crankshaft(&without, 0).unwrap_err(), CrankshaftError::NoWebs { throw: 0 });
     let mut narrow = good.clone();
-    narrow.throws[0].webs = Some([-0.01, 0.01]);
+    narrow = narrow
+        .with(|narrow| {
+            narrow.throws[0].webs = Some([-0.01, 0.01]);
+        })
+        .unwrap();
     assert!(matches!(crankshaft(&narrow, 0), Err(CrankshaftError::NoPin { throw: 0, .. })));
     let mut bored = good;
-    bored.crank_body = Some(CrankBody { journal_bore: 0.06, ..plain_body() });
+    bored = bored
+        .with(|bored| {
+            bored.crank_body = Some(CrankBody { journal_bore: 0.06, ..plain_body() });
+        })
+        .unwrap();
     assert!(crankshaft(&bored, 0).unwrap_err().to_string().starts_with("journal 1: "));
 }
 
@@ -348,8 +369,20 @@ fn an_engine_without_a_body_is_told_what_the_file_needs() {
 fn every_crankshaft_has_its_own_throws_and_weights() {
     let both = engine(plain_body(), &[(0.0, 0.06), (2.0, 0.05)], 0.03, &[]);
     let mut apart = both.clone();
-    apart.crankshafts.push(Crankshaft { name: "second".to_owned(), x: 0.2, ..apart.crankshafts[0].clone() });
-    apart.throws[1].crankshaft = 1;
+    apart = apart
+        .with(|apart| {
+            apart.crankshafts.push(Crankshaft {
+                name: "second".to_owned(),
+                x: 0.2,
+                ..apart.crankshafts[0].clone()
+            });
+        })
+        .unwrap();
+    apart = apart
+        .with(|apart| {
+            apart.throws[1].crankshaft = 1;
+        })
+        .unwrap();
     let weight = |crankshaft| Counterweight {
         name: "pulley".to_owned(),
         crankshaft,
@@ -358,7 +391,11 @@ fn every_crankshaft_has_its_own_throws_and_weights() {
         angle: 1.0,
         part: None,
     };
-    apart.counterweights.push(weight(1));
+    apart = apart
+        .with(|apart| {
+            apart.counterweights.push(weight(1));
+        })
+        .unwrap();
     let [first, second] = [0, 1].map(|index| crankshaft(&apart, index).unwrap());
     assert_eq!((first.sections.len(), second.name.as_str()), (5, "second"));
     assert_eq!(second.sections[1].name, "web 3");
@@ -369,7 +406,11 @@ fn every_crankshaft_has_its_own_throws_and_weights() {
     let journal = 7850.0 * PI * 0.025f64.powi(2) * 0.08;
     let together = crankshaft(&both, 0).unwrap().mass.mass - 7850.0 * PI * 0.025f64.powi(2) * 0.03;
     assert!((first.mass.mass + second.mass.mass - journal - together).abs() < 1e-13 * together);
-    apart.throws[1].crankshaft = 0;
+    apart = apart
+        .with(|apart| {
+            apart.throws[1].crankshaft = 0;
+        })
+        .unwrap();
     assert_eq!(crankshaft(&apart, 1).unwrap_err(), CrankshaftError::NoThrow { index: 1 });
 }
 
@@ -431,7 +472,7 @@ angle = "20 deg"
 fn the_crankshaft_of_a_file_balances_as_its_loads_do() {
     let reading = read(FILE);
     let engine =
-        reading.engine.unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", FILE, false)));
+        reading.engine().unwrap_or_else(|| panic!("{}", render(&reading.diagnostics, "file", FILE, false)));
     let crank = crankshaft(&engine, 0).unwrap();
     let ([unbalance, couple], [u, v]) = (engine_balance(&engine), amounts(&crank));
     assert!(crank.counted_twice.unbalance.norm() < 1e-12 * u);

@@ -80,7 +80,7 @@ fn weights_without_a_shape_are_left_out() {
 
 fn with_shafts(shafts: Vec<BalanceShaft>) -> Engine {
     let counterweight = counterweight(sector(0.06, 0.5), [-0.03, -0.01], None);
-    Engine { shafts, ..engine(vec![cylinder(0, 0.0, 0.0)], vec![counterweight]) }
+    engine(vec![cylinder(0, 0.0, 0.0)], vec![counterweight]).with(|parts| parts.shafts = shafts).unwrap()
 }
 
 fn found(engine: &Engine) -> Vec<(String, String, f64, [f64; 2])> {
@@ -107,7 +107,11 @@ fn swept_circles_overlap_only_in_one_plane() {
     // And the big end where its envelope is known.
     let mut with_rod = at(0.015, RADIUS + 0.055);
     assert_eq!(found(&with_rod), []);
-    with_rod.envelope.as_mut().unwrap().rod = rod_envelope();
+    with_rod = with_rod
+        .with(|with_rod| {
+            with_rod.envelope.as_mut().unwrap().rod = rod_envelope();
+        })
+        .unwrap();
     let big_end = found(&with_rod);
     assert_eq!(big_end, [("left".to_string(), "big end 1".to_string(), 0.005, [0.005, 0.01])]);
 }

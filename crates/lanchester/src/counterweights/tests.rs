@@ -30,7 +30,7 @@ unbalance = "1 kg mm"
 "#;
 
 fn engine() -> Engine {
-    lanchester_model::read(SINGLE).engine.expect("the file has no mistakes")
+    lanchester_file::read(SINGLE).engine().expect("the file has no mistakes")
 }
 
 fn task() -> ShapeTask {
@@ -88,7 +88,7 @@ fn what_cannot_be_designed_is_told() {
     let engine = engine();
     let error = design_counterweights(&engine, &request(&["web 3"])).unwrap_err().to_string();
     assert!(error.contains("\"web 3\"") && error.contains("\"web 1\", \"web 2\", \"flywheel\""), "{error}");
-    let bare = Engine { counterweights: Vec::new(), ..engine.clone() };
+    let bare = engine.without_counterweights();
     let error = design_counterweights(&bare, &request(&[])).unwrap_err().to_string();
     assert!(error.contains("--counterweights webs"), "{error}");
     let both = request(&["web 1", "flywheel"]);

@@ -55,7 +55,7 @@ impl Proportions {
     /// Crankshaft `index` of an engine whose file gives no body for it: with a body, and with planes of webs where the
     /// file gives none.
     pub fn with_body(&self, engine: &Engine, index: usize) -> Engine {
-        let mut drawn = engine.clone();
+        let mut drawn = engine.clone().into_parts();
         let mains = engine.main_planes(index);
         let own: Vec<usize> =
             (0..engine.throws.len()).filter(|&throw| engine.throws[throw].crankshaft == index).collect();
@@ -96,7 +96,7 @@ impl Proportions {
             pin_end_radius: 1.26 * self.pin_radius,
             end_journals: ends.map(|length| length.max(least)),
         });
-        drawn
+        Engine::new(drawn).expect("invariant: the proportions of an engine that turns are positive")
     }
 
     /// Half of a pin, no longer than its neighbours and mains leave it.

@@ -11,13 +11,13 @@ mod textbook;
 use compare::{firing_mismatches, mismatches};
 use evidence::Evidence;
 use lanchester_mechanism::{LoadRequest, Loads, loads};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, EngineParts};
 
 fn engine(template: &str) -> Engine {
-    let text = lanchester_model::template(template).expect("a template of the list").text;
-    let reading = lanchester_model::read(text);
+    let text = lanchester_file::template(template).expect("a template of the list").text;
+    let reading = lanchester_file::read(text);
     assert!(reading.diagnostics.is_empty(), "{template}: {:?}", reading.diagnostics);
-    reading.engine.expect("a file without a mistake has an engine")
+    reading.engine().expect("a file without a mistake has an engine")
 }
 
 fn exact(engine: &Engine) -> Loads {
@@ -26,7 +26,7 @@ fn exact(engine: &Engine) -> Loads {
 
 /// Every template with its evidence and its loads.
 fn gallery() -> Vec<(Evidence, Engine, Loads)> {
-    let all = lanchester_model::templates().iter().map(|template| {
+    let all = lanchester_file::templates().iter().map(|template| {
         let evidence = evidence::read(template.name).unwrap_or_else(|missing| panic!("{missing}"));
         let engine = engine(template.name);
         let loads = exact(&engine);
@@ -38,7 +38,7 @@ fn gallery() -> Vec<(Evidence, Engine, Loads)> {
 #[test]
 fn gallery_has_at_least_24_layouts_each_with_evidence_and_no_evidence_without_a_layout() {
     let templates: std::collections::BTreeSet<String> =
-        lanchester_model::templates().iter().map(|t| t.name.to_string()).collect();
+        lanchester_file::templates().iter().map(|t| t.name.to_string()).collect();
     assert!(templates.len() >= 24, "{} templates", templates.len());
     assert_eq!(templates, evidence::names());
     for (evidence, _, _) in gallery() {
@@ -60,13 +60,13 @@ fn ext_derive_offsets_rod_inertia_articulation_and_half_speed_at_once() {
     let folder = evidence::folder().join("extra");
     let text = std::fs::read_to_string(folder.join("everything-at-once.toml")).expect("the file is there");
     let evidence = evidence::read("extra/everything-at-once").unwrap_or_else(|missing| panic!("{missing}"));
-    let mut engine = lanchester_model::read(&text).engine.expect("the file has no mistake");
+    let engine = lanchester_file::read(&text).engine().expect("the file has no mistake");
     assert_eq!(evidence.period_revolutions, 2);
     let found = mismatches(&evidence, &exact(&engine));
     assert!(found.is_empty(), "{}", found.join("\n"));
 
     // Each of them is felt: without it the comparison fails.
-    let without: [fn(&mut Engine); 5] = [
+    let without: [fn(&mut EngineParts); 5] = [
         |e| e.cylinders[0].pin_offset = 0.0,
         |e| e.cylinders[1].offset = 0.0,
         |e| e.cylinders[0].rod.inertia = None,
@@ -74,13 +74,11 @@ fn ext_derive_offsets_rod_inertia_articulation_and_half_speed_at_once() {
         |e| e.shafts[0].x = 0.0,
     ];
     for (which, take) in without.into_iter().enumerate() {
-        let keep = engine.clone();
-        take(&mut engine);
+        let changed = engine.with(take).expect("it is an engine");
         assert!(
-            !mismatches(&evidence, &exact(&engine)).is_empty(),
+            !mismatches(&evidence, &exact(&changed)).is_empty(),
             "taking away number {which} is not noticed"
         );
-        engine = keep;
     }
 }
 
@@ -144,8 +142,16 @@ fn comparison_fails_where_two_throws_are_swapped() {
         else {
             continue;
         };
-        engine.throws[0].angle = engine.throws[other].angle;
-        engine.throws[other].angle = first;
+        engine = engine
+            .with(|engine| {
+                engine.throws[0].angle = engine.throws[other].angle;
+            })
+            .unwrap();
+        engine = engine
+            .with(|engine| {
+                engine.throws[other].angle = first;
+            })
+            .unwrap();
         assert!(
             !mismatches(&evidence, &exact(&engine)).is_empty(),
             "{}: throws 1 and {} swapped, and nothing noticed",
@@ -167,8 +173,16 @@ fn comparison_fails_where_two_cylinders_fire_in_the_other_order() {
         }
         let (a, b) = (a.cylinder - 1, b.cylinder - 1);
         let keep = engine.cylinders[a].firing_angle;
-        engine.cylinders[a].firing_angle = engine.cylinders[b].firing_angle;
-        engine.cylinders[b].firing_angle = keep;
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[a].firing_angle = engine.cylinders[b].firing_angle;
+            })
+            .unwrap();
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[b].firing_angle = keep;
+            })
+            .unwrap();
         assert!(!firing_mismatches(&evidence, &engine, &loads).is_empty(), "{}", evidence.template);
     }
 }

@@ -77,13 +77,17 @@ fn table() -> Vec<Row> {
 fn idealised(engine: &Engine) -> Engine {
     let mut engine = engine.clone();
     let rod = engine.cylinders[0].rod.clone();
-    for cylinder in &mut engine.cylinders {
-        cylinder.z = engine.throws[cylinder.throw].z;
-        cylinder.rod = rod.clone();
-        cylinder.rod.joint = RodJoint::Crankpin;
-        cylinder.offset = 0.0;
-        cylinder.pin_offset = 0.0;
-    }
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.z = engine.throws[cylinder.throw].z;
+                cylinder.rod = rod.clone();
+                cylinder.rod.joint = RodJoint::Crankpin;
+                cylinder.offset = 0.0;
+                cylinder.pin_offset = 0.0;
+            }
+        })
+        .unwrap();
     engine
 }
 

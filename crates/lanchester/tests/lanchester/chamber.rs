@@ -21,11 +21,11 @@ const PORTS: &str = "[gas]\ncompression_ratio = 12\n[gas.cycle]\ntype = \"single
     [gas.walls]\nmodel = \"hohenberg\"\npiston_temperature = \"280 degC\"\nhead_temperature = \"200 degC\"\nliner_temperature = \"150 degC\"\n";
 
 fn engine(phase: &str, gas: &str) -> Engine {
-    let template = lanchester::model::template("opposed-piston-3").expect("it is in the gallery");
+    let template = lanchester::file::template("opposed-piston-3").expect("it is in the gallery");
     let text = format!("{}\n{gas}", template.text.replace("169 deg", phase));
-    let reading = lanchester::model::read(&text);
-    let shown = lanchester::model::render(&reading.diagnostics, "engine.toml", &text, false);
-    reading.engine.unwrap_or_else(|| panic!("{shown}"))
+    let reading = lanchester::file::read(&text);
+    let shown = lanchester::file::render(&reading.diagnostics, "engine.toml", &text, false);
+    reading.engine().unwrap_or_else(|| panic!("{shown}"))
 }
 
 /// Volume of the first chamber but for its clearance and a constant, by plane geometry.
@@ -160,7 +160,7 @@ fn a_trace_has_a_column_for_each_chamber_or_that_of_its_first_piston() {
 
 #[test]
 fn a_chamber_that_cannot_be_is_refused() {
-    let template = lanchester::model::template("opposed-piston-3").expect("it is in the gallery").text;
+    let template = lanchester::file::template("opposed-piston-3").expect("it is in the gallery").text;
     for (from, to, says) in [
         ("chamber = 1", "chamber = 4", "lower number"),
         ("chamber = 1", "chamber = 9", "does not exist"),
@@ -169,9 +169,9 @@ fn a_chamber_that_cannot_be_is_refused() {
     ] {
         let text = template.replace(from, to);
         assert_ne!(text, template);
-        let reading = lanchester::model::read(&text);
-        let shown = lanchester::model::render(&reading.diagnostics, "engine.toml", &text, false);
-        assert!(reading.engine.is_none() && shown.contains(says), "{shown}");
+        let reading = lanchester::file::read(&text);
+        let shown = lanchester::file::render(&reading.diagnostics, "engine.toml", &text, false);
+        assert!(reading.file.is_none() && shown.contains(says), "{shown}");
     }
 }
 

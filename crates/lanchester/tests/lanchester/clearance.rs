@@ -13,12 +13,20 @@ use std::f64::consts::{PI, TAU};
 
 /// An engine of the gallery without its counterweights, every cylinder with a bore.
 fn gallery(name: &str) -> Engine {
-    let template = lanchester::model::template(name).unwrap();
-    let mut engine = lanchester::model::read(template.text).engine.unwrap();
-    engine.counterweights.clear();
-    for cylinder in &mut engine.cylinders {
-        cylinder.bore = Some(0.1);
-    }
+    let template = lanchester::file::template(name).unwrap();
+    let mut engine = lanchester::file::read(template.text).engine().unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.bore = Some(0.1);
+            }
+        })
+        .unwrap();
     engine
 }
 
@@ -44,9 +52,19 @@ fn pistons_come_down_to_their_own_dead_centres() {
             let bottom = moved.top - moved.stroke;
             let (skirt, radius) = (0.2 * bottom, 0.3 * bottom);
             let mut engine = base.clone();
-            engine.counterweights = vec![disc(Point::ORIGIN, radius, shaft, cylinder.z, 0.3)];
-            engine.envelope =
-                Some(Envelope { skirt: Some(Skirt { length: skirt, width: None }), ..Envelope::default() });
+            engine = engine
+                .with(|engine| {
+                    engine.counterweights = vec![disc(Point::ORIGIN, radius, shaft, cylinder.z, 0.3)];
+                })
+                .unwrap();
+            engine = engine
+                .with(|engine| {
+                    engine.envelope = Some(Envelope {
+                        skirt: Some(Skirt { length: skirt, width: None }),
+                        ..Envelope::default()
+                    });
+                })
+                .unwrap();
             let found = clearances(&engine).unwrap();
             let obstacle = Obstacle::Piston { cylinder: moved.cylinder };
             let one = found.bodies[0].clearances.iter().find(|c| c.obstacle == obstacle).unwrap();
@@ -117,11 +135,19 @@ fn articulated_rods_stand_where_their_knuckle_pins_do() {
     let pin = engine.throws[cylinder.throw].angle;
     // Against the crankpin, far out, where rods pass it.
     let (far, radius) = (1.5 * engine.throws[cylinder.throw].radius, 0.004);
-    engine.counterweights = vec![disc(Point::new(far, 0.0), radius, 0, cylinder.z, pin + PI)];
+    engine = engine
+        .with(|engine| {
+            engine.counterweights = vec![disc(Point::new(far, 0.0), radius, 0, cylinder.z, pin + PI)];
+        })
+        .unwrap();
     let width = 0.02;
     let rod =
         RodEnvelope { big_end_radius: 1e-3, big_end_width: 0.01, shank_width: width, shank_thickness: 0.01 };
-    engine.envelope = Some(Envelope { rod: Some(rod), ..Envelope::default() });
+    engine = engine
+        .with(|engine| {
+            engine.envelope = Some(Envelope { rod: Some(rod), ..Envelope::default() });
+        })
+        .unwrap();
     for index in [1, 3, 6] {
         let at = |theta: f64| {
             let angle = theta + pin + PI;
@@ -141,7 +167,7 @@ fn articulated_rods_stand_where_their_knuckle_pins_do() {
 
 #[test]
 fn an_engine_that_names_nothing_to_stay_clear_of_is_told_so() {
-    let engine = Engine { envelope: None, ..gallery("in-line-4") };
+    let engine = gallery("in-line-4").with(|parts| parts.envelope = None).unwrap();
     let error = clearances(&engine).unwrap_err();
     assert_eq!(error, EngineClearanceError::Clearance(ClearanceError::NoEnvelope));
     assert!(error.to_string().contains("hint: add a section [clearance]"));

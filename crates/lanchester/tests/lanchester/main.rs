@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod bond_graph_engine;
 mod chamber;
 #[path = "../../../../fuzz/checks.rs"]
 mod checks;
@@ -9,6 +10,7 @@ mod clearance;
 mod corpus;
 mod crosscheck;
 mod main_loads_with_gas;
+mod mounts_with_gas;
 mod optima;
 mod pressure;
 mod scene;

@@ -1,9 +1,9 @@
 //! Optima held against another solver on loads that share no code with ours: `validation/optima/derive.py`.
 
 use lanchester::balance::{Outcome, optimise};
-use lanchester::model::{
-    BalanceTask, Criterion, FreeShaft, FreeWeight, Limit, Load, Place, Ratio, Seat, Stage, read, template,
-};
+use lanchester::file::{read, template};
+use lanchester::model::Ratio;
+use lanchester::task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Limit, Load, Place, Seat, Stage};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -64,7 +64,7 @@ fn ext_ecos_optima_of_the_gallery() {
     for case in cases {
         let name = case["template"].as_str().expect("a template");
         let said = format!("{name}, {} under {}", case["minimise"], case["limits"]);
-        let engine = read(template(name).expect("in the gallery").text).engine.expect("no mistakes");
+        let engine = read(template(name).expect("in the gallery").text).engine().expect("no mistakes");
         let answer = optimise(&engine, &task(case)).unwrap_or_else(|error| panic!("{said}: {error}"));
         if case["found"].is_null() {
             if !matches!(answer.outcome, Outcome::Infeasible { .. }) {

@@ -12,14 +12,14 @@ fn rpm(speed: f64) -> f64 {
 }
 
 fn engine(text: &str) -> Engine {
-    let reading = lanchester::model::read(text);
-    let shown = lanchester::model::render(&reading.diagnostics, "engine.toml", text, false);
-    reading.engine.unwrap_or_else(|| panic!("{shown}"))
+    let reading = lanchester::file::read(text);
+    let shown = lanchester::file::render(&reading.diagnostics, "engine.toml", text, false);
+    reading.engine().unwrap_or_else(|| panic!("{shown}"))
 }
 
 /// A template of the gallery with this `[gas]`.
 fn with_gas(template: &str, gas: &str) -> Engine {
-    let template = lanchester::model::template(template).expect("it is in the gallery");
+    let template = lanchester::file::template(template).expect("it is in the gallery");
     engine(&format!("{}\n{gas}", template.text))
 }
 

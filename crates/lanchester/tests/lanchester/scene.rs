@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use lanchester::file::{read, templates};
 use lanchester::geometry::crankshaft::crankshaft_pieces;
 use lanchester::mechanism::RodLinkage;
-use lanchester::model::{Engine, read, templates};
+use lanchester::model::Engine;
 use lanchester::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -25,7 +26,7 @@ fn engines() -> Vec<(String, Engine)> {
         }
     }
     texts.sort();
-    let engines = texts.into_iter().filter_map(|(name, text)| Some((name, read(&text).engine?)));
+    let engines = texts.into_iter().filter_map(|(name, text)| Some((name, read(&text).engine()?)));
     engines.collect()
 }
 
@@ -223,6 +224,10 @@ fn symbolic_weights_grow_with_their_unbalance() {
         volume(&scene.meshes[part.mesh])
     };
     let before = size(&engine);
-    engine.counterweights[0].unbalance *= 0.5;
+    engine = engine
+        .with(|engine| {
+            engine.counterweights[0].unbalance *= 0.5;
+        })
+        .unwrap();
     assert!(size(&engine) < 0.9 * before, "half of the unbalance is smaller");
 }

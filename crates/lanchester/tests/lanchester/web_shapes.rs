@@ -2,8 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use lanchester::file::{EngineFile, read, write_back};
 use lanchester::geometry::{Design, DesignOutcome, Objective};
-use lanchester::model::{Engine, read, write_back};
+use lanchester::model::Engine;
 use lanchester::{
     CounterweightRequest, adopted, check_counterweights, counterweight_front, crankshaft_parts,
     design_counterweights, with_counterweights,
@@ -11,18 +12,23 @@ use lanchester::{
 
 const EXAMPLE: &str = include_str!("../../../../examples/in-line-3-counterweights.toml");
 
-fn engine(text: &str) -> Engine {
-    let read = read(text);
-    read.engine.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+/// The example with its counterweights as they are.
+fn example() -> EngineFile {
+    let read = read(EXAMPLE);
+    read.file.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
 }
 
-fn request(engine: &Engine) -> CounterweightRequest {
-    let task = engine.shape_task.unwrap();
+fn engine(text: &str) -> Engine {
+    read(text).engine().unwrap()
+}
+
+fn request() -> CounterweightRequest {
+    let task = example().tasks.shape_task.unwrap();
     CounterweightRequest { weights: Vec::new(), unbalance: None, task, evolution: None }
 }
 
 fn designs(engine: &Engine) -> Vec<(usize, Design)> {
-    let designs = design_counterweights(engine, &request(engine)).unwrap();
+    let designs = design_counterweights(engine, &request()).unwrap();
     let found = designs.weights.iter().map(|weight| match &weight.outcome {
         DesignOutcome::Found(best) => {
             assert!(best.proved);
@@ -40,14 +46,14 @@ fn is_near(a: f64, b: f64, relative: f64, what: &str) {
 /// The same number from the optimum, the front, the check of the fitted engine, its file read again, and the solids less what they cover of the web.
 #[test]
 fn xcheck_design_front_check_and_solid_have_one_mass() {
-    let before = engine(EXAMPLE);
+    let before = example().engine;
     let found = designs(&before);
-    let front = counterweight_front(&before, &request(&before), Objective::SweptRadius, 5).unwrap();
-    let fitted = with_counterweights(&before, &found, before.shape_task.unwrap().density).unwrap();
+    let front = counterweight_front(&before, &request(), Objective::SweptRadius, 5).unwrap();
+    let fitted = with_counterweights(&before, &found, request().task.density).unwrap();
     let again = engine(&write_back(EXAMPLE, &fitted).unwrap());
     let checked = check_counterweights(&fitted).unwrap();
     let read_again = check_counterweights(&again).unwrap();
-    let bare = Engine { counterweights: Vec::new(), ..before.clone() };
+    let bare = before.without_counterweights();
     let bodies = [&bare, &fitted].map(|engine| check_counterweights(engine).unwrap());
     let [plain, whole] = bodies.map(|body| body.crankshafts[0].mass.mass);
     let mut sum = 0.0;
@@ -70,7 +76,7 @@ fn xcheck_design_front_check_and_solid_have_one_mass() {
     }
     // What the whole crankshaft gains, from its own integration.
     is_near(whole - plain, sum, 1e-9, "crankshaft");
-    for (_, design) in adopted(&before, &request(&before), &front, &front.front.designs[0]).unwrap() {
+    for (_, design) in adopted(&before, &request(), &front, &front.front.designs[0]).unwrap() {
         is_near(design.mass, found[0].1.mass, 1e-5, "adopted");
     }
 }
@@ -78,15 +84,15 @@ fn xcheck_design_front_check_and_solid_have_one_mass() {
 /// What is returned keeps the clearance; it is lighter than what a circle allows, and no lighter than the best of all.
 #[test]
 fn the_true_envelope_bounds_design_and_front() {
-    let before = engine(EXAMPLE);
-    let designs = design_counterweights(&before, &request(&before)).unwrap();
+    let before = example().engine;
+    let designs = design_counterweights(&before, &request()).unwrap();
     for weight in &designs.weights {
         let DesignOutcome::Found(best) = &weight.outcome else { panic!("{weight:?}") };
         let envelope = weight.envelope.as_ref().unwrap();
         let circle = weight.room.as_ref().unwrap().radius;
         assert!(envelope.smallest() > circle - 2e-6, "{} {circle}", envelope.smallest());
         assert!(best.value >= weight.without_room.unwrap());
-        let mut round = request(&before);
+        let mut round = request();
         round.weights = vec![weight.name.clone()];
         round.task.limits.swept_radius = Some(circle);
         let round = design_counterweights(&before, &round).unwrap();
@@ -94,12 +100,12 @@ fn the_true_envelope_bounds_design_and_front() {
         // The piston comes down thirty degrees beside the middle of the shape, where no circle but one about the axis gains much.
         assert!(best.value < round.value * (1.0 - 5e-4), "{} {}", best.value, round.value);
     }
-    let density = before.shape_task.unwrap().density;
+    let density = request().task.density;
     let fitted = with_counterweights(&before, &self::designs(&before), density).unwrap();
     let checked = check_counterweights(&fitted).unwrap();
     assert!(checked.is_kept, "{:?}", checked.clearances.unwrap().smallest);
     for against in [Objective::SweptRadius, Objective::Inertia, Objective::Thickness] {
-        let mut wide = request(&before);
+        let mut wide = request();
         wide.task.thickness.least = 0.022;
         let front = counterweight_front(&before, &wide, against, 6).unwrap();
         assert!(front.front.proved && !front.front.designs.is_empty(), "{against:?}");
@@ -122,12 +128,12 @@ fn what_cannot_keep_clear_is_no_design() {
         ("shank_thickness = \"18 mm\"", "shank_thickness = \"28 mm\""),
     ] {
         let engine = engine(&EXAMPLE.replace(change.0, change.1));
-        let designs = design_counterweights(&engine, &request(&engine)).unwrap();
+        let designs = design_counterweights(&engine, &request()).unwrap();
         for weight in &designs.weights {
             assert!(matches!(weight.outcome, DesignOutcome::Infeasible(_)), "{change:?} {weight:?}");
             assert!(weight.envelope.as_ref().unwrap().limit.is_some());
         }
-        let front = counterweight_front(&engine, &request(&engine), Objective::Inertia, 4).unwrap();
+        let front = counterweight_front(&engine, &request(), Objective::Inertia, 4).unwrap();
         assert!(front.front.designs.is_empty(), "{change:?}");
     }
 }

@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use lanchester::balance::{Answer, BalanceSettings, Next, Outcome, fitted};
+use lanchester::file::{EngineFile, read, write_back};
 use lanchester::geometry::DesignOutcome;
-use lanchester::model::{
-    BalanceTask, CrankWeightPlaces, Engine, TaskOptions, default_task, read, write_back,
-};
+use lanchester::model::Engine;
+use lanchester::task::{BalanceTask, CrankWeightPlaces, TaskOptions, default_task};
 use lanchester::{
     CounterweightRequest, WebBoundError, check_counterweights, design_counterweights, optimise_on_webs,
     with_counterweights,
@@ -14,13 +14,15 @@ use lanchester::{
 
 const EXAMPLE: &str = include_str!("../../../../examples/in-line-3-counterweights.toml");
 
-fn engine(text: &str) -> Engine {
+fn file(text: &str) -> EngineFile {
     let read = read(text);
-    read.engine.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+    read.file.unwrap_or_else(|| panic!("{:?}", read.diagnostics))
 }
 
-fn on_webs(engine: &Engine, task: &BalanceTask) -> Result<Answer, WebBoundError> {
-    optimise_on_webs(engine, Ok(&[]), task, &BalanceSettings::default(), &|_| Next::Continue)
+fn on_webs(file: &EngineFile, task: &BalanceTask) -> Result<Answer, WebBoundError> {
+    let EngineFile { engine, tasks } = file;
+    let shapes = tasks.shape_task.as_ref();
+    optimise_on_webs(engine, Ok(&[]), task, shapes, &BalanceSettings::default(), &|_| Next::Continue)
 }
 
 fn every_web(engine: &Engine, most: Option<&str>) -> BalanceTask {
@@ -34,16 +36,16 @@ fn every_web(engine: &Engine, most: Option<&str>) -> BalanceTask {
 
 /// Balances, writes the answer into the file, designs the weights that the file now asks for, and checks the engine with them.
 fn is_built(text: &str, task: impl Fn(&Engine) -> BalanceTask) -> Answer {
-    let before = engine(text);
-    let answer = on_webs(&before, &task(&before)).unwrap();
+    let before = file(text);
+    let answer = on_webs(&before, &task(&before.engine)).unwrap();
     assert_eq!(answer.outcome, Outcome::Optimal);
     for bound in &answer.web_bounds {
         let found = answer.weights.iter().find(|weight| weight.name == bound.name).unwrap();
         assert!(found.unbalance.norm() <= bound.bound * (1.0 + 1e-6), "{bound:?} {found:?}");
     }
-    let written = write_back(text, &fitted(&before, &answer)).unwrap();
-    let after = engine(&written);
-    let shapes = after.shape_task.unwrap();
+    let written = write_back(text, &fitted(&before.engine, &answer)).unwrap();
+    let EngineFile { engine: after, tasks } = file(&written);
+    let shapes = tasks.shape_task.unwrap();
     let heavy = after.counterweights.iter().filter(|weight| weight.unbalance > 1e-6);
     let weights: Vec<String> = heavy.map(|weight| weight.name.clone()).collect();
     assert!(!weights.is_empty());
@@ -70,8 +72,8 @@ fn what_balance_asks_for_can_be_built() {
     let answer = is_built(EXAMPLE, |engine| every_web(engine, Some("what fits")));
     assert_eq!(answer.web_bounds.len(), 6);
     // Without bounds the optimum asks for more than fits on some web.
-    let before = engine(EXAMPLE);
-    let free = lanchester::balance::optimise(&before, &every_web(&before, None)).unwrap();
+    let before = file(EXAMPLE);
+    let free = lanchester::balance::optimise(&before.engine, &every_web(&before.engine, None)).unwrap();
     let exceeds = |bound: &lanchester::balance::WebBound| {
         let found = free.weights.iter().find(|weight| weight.name == bound.name).unwrap();
         found.unbalance.norm() > bound.bound
@@ -89,12 +91,12 @@ fn what_balance_asks_for_can_be_built() {
 /// With a body and shapes in the file it is the default; an amount in its place counts.
 #[test]
 fn it_is_the_default_where_shapes_are_known() {
-    let before = engine(EXAMPLE);
-    let asked = on_webs(&before, &every_web(&before, Some("what fits"))).unwrap();
-    let usual = on_webs(&before, &every_web(&before, None)).unwrap();
+    let before = file(EXAMPLE);
+    let asked = on_webs(&before, &every_web(&before.engine, Some("what fits"))).unwrap();
+    let usual = on_webs(&before, &every_web(&before.engine, None)).unwrap();
     assert_eq!(asked.web_bounds, usual.web_bounds);
     assert_eq!(asked.weights, usual.weights);
-    let given = on_webs(&before, &every_web(&before, Some("10 kg mm"))).unwrap();
+    let given = on_webs(&before, &every_web(&before.engine, Some("10 kg mm"))).unwrap();
     assert!(given.web_bounds.is_empty());
     assert!(given.weights.iter().all(|weight| weight.unbalance.norm() < 10.001e-3));
 }
@@ -102,15 +104,26 @@ fn it_is_the_default_where_shapes_are_known() {
 #[test]
 fn the_file_says_it_and_what_is_missing_is_told() {
     let asks = "\n[balance]\n[[balance.counterweight]]\nwebs = \"all\"\nmost = \"what fits\"\n";
-    let before = engine(&format!("{EXAMPLE}{asks}"));
-    let task = before.balance.clone().unwrap();
+    let before = file(&format!("{EXAMPLE}{asks}"));
+    let task = before.tasks.balance.clone().unwrap();
     assert!(task.weights.iter().all(|weight| weight.fits && weight.most.is_none()));
     assert_eq!(on_webs(&before, &task).unwrap().web_bounds.len(), 6);
     let start = EXAMPLE.find("# Among these shapes").unwrap();
     let end = EXAMPLE.find("# What the turning").unwrap();
-    let bare = engine(&format!("{}{}{asks}", &EXAMPLE[..start], &EXAMPLE[end..]));
-    let error = on_webs(&bare, bare.balance.as_ref().unwrap()).unwrap_err().to_string();
+    let bare = file(&format!("{}{}{asks}", &EXAMPLE[..start], &EXAMPLE[end..]));
+    let error = on_webs(&bare, bare.tasks.balance.as_ref().unwrap()).unwrap_err().to_string();
     assert!(error.contains("[counterweight_design]") && error.contains("hint:"), "{error}");
     let wrong = format!("{EXAMPLE}{}", asks.replace("what fits", "what fit"));
-    assert!(read(&wrong).engine.is_none());
+    let told = read(&wrong);
+    assert!(told.file.is_none());
+    assert!(
+        told.diagnostics
+            .iter()
+            .any(|one| one.hint.as_ref().is_some_and(|hint| hint.contains("did you mean \"what fits\"?"))),
+        "{:?}",
+        told.diagnostics
+    );
+    let options = TaskOptions { prefix: "--", most: Some("what fit".into()), ..TaskOptions::default() };
+    let refused = options.change(&before.engine, task).unwrap_err();
+    assert!(refused.hint.contains("did you mean --most 'what fits'?"), "{refused:?}");
 }

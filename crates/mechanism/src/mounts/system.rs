@@ -100,6 +100,11 @@ impl MountSystem {
         &self.body
     }
 
+    /// Number of mounts.
+    pub fn mount_count(&self) -> usize {
+        self.mounts.len()
+    }
+
     /// What the file says of it.
     pub(crate) fn block(&self) -> &Block {
         &self.block

@@ -15,7 +15,11 @@ fn any_fired() -> impl Strategy<Value = (Engine, Vec<CylinderGas>)> {
         let mut engine = fired(engine, 0.07, if two { Strokes::Two } else { Strokes::Four });
         // A crankshaft without throws has no bearings that could carry its weights.
         let used: Vec<usize> = engine.throws.iter().map(|throw| throw.crankshaft).collect();
-        engine.counterweights.retain(|weight| used.contains(&weight.crankshaft));
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.retain(|weight| used.contains(&weight.crankshaft));
+            })
+            .unwrap();
         let gas = prop::collection::vec(any_gas(cycle(&engine)), engine.cylinders.len());
         (Just(engine), gas)
     })
@@ -37,7 +41,7 @@ proptest! {
         let request = BearingRequest { samples: 23, ..BearingRequest::default() };
         let bearings = bearing_loads(&engine, Some(&gas), &request).unwrap();
         let train = GasTrain::new(&engine, &gas, Lever::Exact).unwrap();
-        let bare = Engine { shafts: Vec::new(), ..engine.clone() };
+        let bare = engine.without_shafts();
         let inertia = Mechanism::new(&bare, &LoadRequest::default()).unwrap();
         let motion = motion(&engine, &LoadRequest { samples: 1, ..LoadRequest::default() }).unwrap();
         let scale = scale(&bearings);
@@ -129,10 +133,14 @@ proptest! {
 #[test]
 fn the_rod_carries_the_piston() {
     let mut engine = fired(vee(90.0, &[0.0, 90.0, 270.0, 180.0]), 0.09, Strokes::Four);
-    for (k, cylinder) in engine.cylinders.iter_mut().enumerate() {
-        cylinder.offset = 0.002 * k as f64 - 0.005;
-        cylinder.rod.inertia = Some(0.001);
-    }
+    engine = engine
+        .with(|engine| {
+            for (k, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.offset = 0.002 * k as f64 - 0.005;
+                cylinder.rod.inertia = Some(0.001);
+            }
+        })
+        .unwrap();
     let gas: Vec<CylinderGas> = (0..8).map(|k| diesel_like(&engine, 2.0 + 0.1 * f64::from(k))).collect();
     let loads =
         bearing_loads(&engine, Some(&gas), &BearingRequest { samples: 91, ..BearingRequest::default() })
@@ -158,7 +166,11 @@ fn the_rod_carries_the_piston() {
 fn a_slow_engine_has_the_textbook_triangle() {
     let mut engine =
         fired(engine("single", vec![throw(0.0, 0.0)], vec![cylinder(0, 0.0, 0.0)]), 0.08, Strokes::Four);
-    engine.cylinders[0].firing_angle = Some(0.0);
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].firing_angle = Some(0.0);
+        })
+        .unwrap();
     let gas = [block(&engine, 2e6, PI)];
     let request = BearingRequest { part: BearingPart::Gas, samples: 360, ..BearingRequest::default() };
     let loads = bearing_loads(&engine, Some(&gas), &request).unwrap();
@@ -225,29 +237,37 @@ fn counterweights_unload_the_mains() {
         let loads = bearing_loads(engine, None, &request).unwrap();
         loads.mains.iter().map(|m| m.load.mean).collect::<Vec<_>>()
     };
-    engine.counterweights = engine
-        .throws
-        .iter()
-        .enumerate()
-        .map(|(k, throw)| Counterweight {
-            name: format!("weight {k}"),
-            crankshaft: 0,
-            z: throw.z,
-            unbalance: engine.rotating_unbalance(k),
-            angle: throw.angle + PI,
-            part: None,
+    engine = engine
+        .with(|engine| {
+            engine.counterweights = engine
+                .throws
+                .iter()
+                .enumerate()
+                .map(|(k, throw)| Counterweight {
+                    name: format!("weight {k}"),
+                    crankshaft: 0,
+                    z: throw.z,
+                    unbalance: engine.rotating_unbalance(k),
+                    angle: throw.angle + PI,
+                    part: None,
+                })
+                .collect();
         })
-        .collect();
+        .unwrap();
     let (with, without) = (forces(&engine, true), forces(&engine, false));
     for (with, without) in with.iter().zip(&without) {
         assert!(with <= without, "{with} {without}");
     }
     assert!(with[2] < 0.7 * without[2], "{with:?} {without:?}");
     // With only what turns: nothing is left.
-    for cylinder in &mut engine.cylinders {
-        cylinder.piston_mass = 0.0;
-        cylinder.rod.small_end_mass = 0.0;
-    }
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.piston_mass = 0.0;
+                cylinder.rod.small_end_mass = 0.0;
+            }
+        })
+        .unwrap();
     assert!(forces(&engine, true).iter().all(|force| *force < 1e-9), "{:?}", forces(&engine, true));
 }
 

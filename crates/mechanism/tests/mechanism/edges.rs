@@ -25,7 +25,11 @@ fn an_engine_without_masses_has_no_loads() {
 #[test]
 fn fast_shafts_are_followed_to_their_peaks() {
     let mut engine = engine("shaft", Vec::new(), Vec::new());
-    engine.shafts.push(shaft(-1001, 1));
+    engine = engine
+        .with(|engine| {
+            engine.shafts.push(shaft(-1001, 1));
+        })
+        .unwrap();
     let loads = loads(&engine, &LoadRequest::default()).unwrap();
     let force = 0.01 * (1001.0f64 * 300.0).powi(2);
     let peaks = &loads.total.peaks;
@@ -38,26 +42,42 @@ fn fast_shafts_are_followed_to_their_peaks() {
 fn ratios_beyond_reason_do_not_panic() {
     for (numerator, denominator) in [(i32::MIN, 1), (i32::MAX, 1), (1, 120), (-119, 120)] {
         let mut engine = in_line(&[0.0, 180.0]);
-        engine.shafts.push(shaft(numerator, denominator));
+        engine = engine
+            .with(|engine| {
+                engine.shafts.push(shaft(numerator, denominator));
+            })
+            .unwrap();
         let request = LoadRequest { samples: 8, ..LoadRequest::default() };
         let loads = loads(&engine, &request).unwrap();
         assert!(loads.total.peaks.force.max.value.is_finite());
     }
     let mut engine = in_line(&[0.0]);
-    engine.shafts.push(shaft(1, 121));
+    engine = engine
+        .with(|engine| {
+            engine.shafts.push(shaft(1, 121));
+        })
+        .unwrap();
     assert_eq!(loads(&engine, &LoadRequest::default()), Err(LoadError::PeriodTooLong { limit: 120 }));
 }
 
 #[test]
 fn a_slow_crankshaft_brings_fractional_orders() {
     let mut engine = in_line(&[0.0, 90.0]);
-    engine.crankshafts.push(Crankshaft {
-        ratio: Ratio::new(-1, 2).unwrap(),
-        phase: 0.4,
-        y: 0.3,
-        ..crankshaft()
-    });
-    engine.throws[1].crankshaft = 1;
+    engine = engine
+        .with(|engine| {
+            engine.crankshafts.push(Crankshaft {
+                ratio: Ratio::new(-1, 2).unwrap(),
+                phase: 0.4,
+                y: 0.3,
+                ..crankshaft()
+            });
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.throws[1].crankshaft = 1;
+        })
+        .unwrap();
     let loads = loads(&engine, &LoadRequest::default()).unwrap();
     let half = loads.total.orders.iter().find(|o| o.order == 0.5).unwrap();
     assert!(half.force_backward.norm() > half.force_forward.norm() && half.force_forward.norm() > 1.0);
@@ -67,7 +87,11 @@ fn a_slow_crankshaft_brings_fractional_orders() {
 #[test]
 fn the_power_series_refuses_offsets() {
     let mut engine = in_line(&[0.0]);
-    engine.cylinders[0].offset = 0.01;
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].offset = 0.01;
+        })
+        .unwrap();
     let kinematics = Kinematics::PowerSeries { max_order: 4, max_power: 5 };
     let error = loads(&engine, &LoadRequest { kinematics, ..LoadRequest::default() }).unwrap_err();
     assert!(error.to_string().starts_with("the power series needs a centred plain rod"), "{error}");

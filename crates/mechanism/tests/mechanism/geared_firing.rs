@@ -107,13 +107,13 @@ fn every_cylinder_fires_once_in_the_cycle_of_its_own_crankshaft() {
 fn the_effective_file_has_the_same_firing() {
     for (ratio, fires) in [("1/2", 720.0), ("3/2", 480.0), ("-2/3", 540.0), ("-2/3", 1080.0)] {
         let engine = read(&file(4, ratio, 0.0, fires));
-        let again = read(&expanded(&engine));
+        let again = read(&lanchester_file::expanded(&engine.clone().into()));
         let angles = |engine: &Engine| engine.cylinders.iter().map(|c| c.firing_angle).collect::<Vec<_>>();
         assert_eq!(angles(&engine), angles(&again), "{ratio}");
     }
 }
 
 fn read(text: &str) -> Engine {
-    let reading = lanchester_model::read(text);
-    reading.engine.unwrap_or_else(|| panic!("{text}\n{:?}", reading.diagnostics))
+    let reading = lanchester_file::read(text);
+    reading.engine().unwrap_or_else(|| panic!("{text}\n{:?}", reading.diagnostics))
 }

@@ -23,7 +23,7 @@ fn throw_force(engine: &Engine, throw: usize) -> f64 {
 
 fn weight(engine: &Engine, throw: usize, z: f64, share: f64) -> Counterweight {
     Counterweight {
-        name: "weight".into(),
+        name: format!("weight {} at {z}", throw + 1),
         crankshaft: 0,
         z,
         unbalance: share * (engine.throws[throw].unbalance + engine.rod_unbalance(throw)),
@@ -33,21 +33,19 @@ fn weight(engine: &Engine, throw: usize, z: f64, share: f64) -> Counterweight {
 }
 
 /// The engine with a weight opposite every throw that holds all of it in balance.
-fn balanced_at_throws(mut engine: Engine) -> Engine {
-    engine.counterweights =
-        (0..engine.throws.len()).map(|k| weight(&engine, k, engine.throws[k].z, 1.0)).collect();
-    engine
+fn balanced_at_throws(engine: &Engine) -> Engine {
+    let weights = (0..engine.throws.len()).map(|k| weight(engine, k, engine.throws[k].z, 1.0)).collect();
+    engine.with(|parts| parts.counterweights = weights).unwrap()
 }
 
 /// The engine with half such a weight on each of the two webs of every throw, `distance` apart.
-fn balanced_on_webs(mut engine: Engine, distance: f64) -> Engine {
-    engine.counterweights = (0..engine.throws.len())
-        .flat_map(|k| {
-            let z = engine.throws[k].z;
-            [z - 0.5 * distance, z + 0.5 * distance].map(|z| weight(&engine, k, z, 0.5))
-        })
-        .collect();
-    engine
+fn balanced_on_webs(engine: &Engine, distance: f64) -> Engine {
+    let of_throw = |k: usize| {
+        let z = engine.throws[k].z;
+        [z - 0.5 * distance, z + 0.5 * distance].map(|z| weight(engine, k, z, 0.5))
+    };
+    let weights = (0..engine.throws.len()).flat_map(of_throw).collect();
+    engine.with(|parts| parts.counterweights = weights).unwrap()
 }
 
 fn at(stations: &[Station], z: f64) -> &Station {
@@ -84,7 +82,7 @@ fn an_in_line_four_bends_in_the_middle_by_throw_force_times_spacing() {
 #[test]
 fn counterweights_in_the_throw_planes_take_all_of_it() {
     for angles in [&[0.0, 180.0, 180.0, 0.0][..], &[0.0, 120.0, 240.0, 240.0, 120.0, 0.0]] {
-        let engine = balanced_at_throws(in_line(angles));
+        let engine = balanced_at_throws(&in_line(angles));
         let scale = throw_force(&engine, 0) * SPACING;
         let shaft = &moments(&engine).crankshafts[0];
         for beam in BeamModel::ALL.map(|model| shaft.of(model)) {
@@ -96,7 +94,7 @@ fn counterweights_in_the_throw_planes_take_all_of_it() {
 
 #[test]
 fn counterweights_on_webs_leave_a_quarter_of_force_times_web_distance() {
-    let engine = balanced_on_webs(in_line(&[0.0, 180.0, 180.0, 0.0]), 0.04);
+    let engine = balanced_on_webs(&in_line(&[0.0, 180.0, 180.0, 0.0]), 0.04);
     let force = throw_force(&engine, 0);
     let shaft = &moments(&engine).crankshafts[0];
     for beam in BeamModel::ALL.map(|model| shaft.of(model)) {
@@ -157,21 +155,33 @@ fn a_crossplane_v8_hands_its_couple_to_the_end_mains() {
 #[test]
 fn a_flywheel_weight_overhangs() {
     let mut engine = in_line(&[0.0, 180.0, 180.0, 0.0]);
-    for throw in &mut engine.throws {
-        throw.unbalance = 0.0;
-    }
-    for cylinder in &mut engine.cylinders {
-        cylinder.rod.big_end_mass = 0.0;
-    }
+    engine = engine
+        .with(|engine| {
+            for throw in &mut engine.throws {
+                throw.unbalance = 0.0;
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.rod.big_end_mass = 0.0;
+            }
+        })
+        .unwrap();
     let z = 2.5 * SPACING;
-    engine.counterweights = vec![Counterweight {
-        name: "flywheel".into(),
-        crankshaft: 0,
-        z,
-        unbalance: 0.01,
-        angle: 0.0,
-        part: None,
-    }];
+    engine = engine
+        .with(|engine| {
+            engine.counterweights = vec![Counterweight {
+                name: "flywheel".into(),
+                crankshaft: 0,
+                z,
+                unbalance: 0.01,
+                angle: 0.0,
+                part: None,
+            }];
+        })
+        .unwrap();
     let force = 0.01 * 300.0f64.powi(2);
     let shaft = &moments(&engine).crankshafts[0];
     for beam in BeamModel::ALL.map(|model| shaft.of(model)) {
@@ -187,8 +197,16 @@ fn a_flywheel_weight_overhangs() {
 #[test]
 fn a_single_presses_its_mains_by_halves() {
     let mut single = engine("single", vec![throw(0.0, 0.0)], vec![support::cylinder(0, 0.0, 0.0)]);
-    single.cylinders[0].rod.big_end_mass = 0.0;
-    single.throws[0].unbalance = 0.0;
+    single = single
+        .with(|single| {
+            single.cylinders[0].rod.big_end_mass = 0.0;
+        })
+        .unwrap();
+    single = single
+        .with(|single| {
+            single.throws[0].unbalance = 0.0;
+        })
+        .unwrap();
     let request = InternalRequest { reciprocating_share: 1.0, ..InternalRequest::default() };
     let result = internal_moments(&single, &request).expect("the engine is valid");
     let beam = &result.crankshafts[0].free_beam;
@@ -222,7 +240,7 @@ fn all_cases_are_there_to_compare() {
     };
     assert_eq!(kinds(&bare, 0.0), [(true, 0.0), (true, 1.0)]);
     assert_eq!(kinds(&bare, 1.0), [(true, 1.0)]);
-    let weighted = balanced_at_throws(bare);
+    let weighted = balanced_at_throws(&bare);
     assert_eq!(kinds(&weighted, 0.5), [(true, 0.5), (false, 0.5), (true, 1.0), (false, 1.0)]);
 }
 
@@ -235,7 +253,12 @@ fn impossible_requests_are_refused() {
     }
     let request = InternalRequest { samples: 0, ..InternalRequest::default() };
     assert!(matches!(internal_moments(&engine, &request), Err(LoadError::Request { .. })));
-    let idle = Engine { throws: Vec::new(), cylinders: Vec::new(), ..engine };
+    let idle = engine
+        .with(|parts| {
+            parts.throws = Vec::new();
+            parts.cylinders = Vec::new();
+        })
+        .unwrap();
     assert!(moments(&idle).crankshafts.is_empty());
     let zero = Complex64::ZERO;
     assert_eq!(moments(&in_line(&[0.0])).crankshafts[0].free_beam.stations[0].moment[0], zero);

@@ -163,11 +163,23 @@ fn compare(engine: &Engine) {
 fn rods_press_their_pins_as_virtual_power_says() {
     compare(&in_line(&[0.0, 90.0, 200.0]));
     let mut leaning = in_line(&[0.0, 140.0]);
-    leaning.cylinders[0].offset = 0.012;
-    leaning.cylinders[1].pin_offset = -0.004;
-    for cylinder in &mut leaning.cylinders {
-        cylinder.rod.inertia = Some(0.004);
-    }
+    leaning = leaning
+        .with(|leaning| {
+            leaning.cylinders[0].offset = 0.012;
+        })
+        .unwrap();
+    leaning = leaning
+        .with(|leaning| {
+            leaning.cylinders[1].pin_offset = -0.004;
+        })
+        .unwrap();
+    leaning = leaning
+        .with(|leaning| {
+            for cylinder in &mut leaning.cylinders {
+                cylinder.rod.inertia = Some(0.004);
+            }
+        })
+        .unwrap();
     compare(&leaning);
     compare(&radial(5, 0.06));
 }

@@ -48,8 +48,16 @@ proptest! {
 #[test]
 fn radial_nine_with_articulated_rods() {
     let mut engine = radial(9, 0.06);
-    engine.cylinders[0].rod.inertia = Some(0.05);
-    engine.cylinders[4].rod.inertia = Some(0.01);
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].rod.inertia = Some(0.05);
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[4].rod.inertia = Some(0.01);
+        })
+        .unwrap();
     compare(&engine, [0.0; 3]);
     compare(&engine, [0.03, -0.11, 0.2]);
 }

@@ -35,8 +35,16 @@ fn centred_cylinder() {
 #[test]
 fn offset_lengthens_the_stroke_and_moves_the_dead_centres() {
     let mut engine = in_line(&[0.0]);
-    engine.cylinders[0].offset = 0.02;
-    engine.cylinders[0].firing_angle = Some(TAU);
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].offset = 0.02;
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].firing_angle = Some(TAU);
+        })
+        .unwrap();
     let motion = &of(&engine)[0];
     let (r, l, e) = (0.045f64, 0.15f64, 0.02f64);
     let stroke = ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt();
@@ -102,11 +110,11 @@ proptest! {
     ) {
         let mut engine = engine;
         let (length, mass) = (10f64.powi(lengths), 10f64.powi(masses));
-        for throw in &mut engine.throws {
+        engine = engine.with(|engine| { for throw in &mut engine.throws {
             throw.radius *= length;
             throw.unbalance *= mass;
-        }
-        for cylinder in &mut engine.cylinders {
+        } }).unwrap();
+        engine = engine.with(|engine| { for cylinder in &mut engine.cylinders {
             for value in [&mut cylinder.offset, &mut cylinder.pin_offset, &mut cylinder.rod.length] {
                 *value *= length;
             }
@@ -115,7 +123,7 @@ proptest! {
             }
             cylinder.piston_mass *= mass;
             cylinder.rod.inertia = None;
-        }
+        } }).unwrap();
         let kinematics = if cap == 0 { Kinematics::Exact } else { Kinematics::Orders(cap) };
         let request = LoadRequest {
             speed: Some(10f64.powi(speed)),
@@ -141,12 +149,20 @@ proptest! {
 #[test]
 fn a_locked_rod_is_an_error_and_a_nearly_locked_one_is_not() {
     let mut engine = in_line(&[0.0]);
-    engine.cylinders[0].rod.length = engine.throws[0].radius;
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].rod.length = engine.throws[0].radius;
+        })
+        .unwrap();
     assert!(matches!(
         loads(&engine, &LoadRequest::default()),
         Err(LoadError::RodTooShort { cylinder: 1, .. })
     ));
-    engine.cylinders[0].rod.length = engine.throws[0].radius * (1.0 + 1e-9);
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].rod.length = engine.throws[0].radius * (1.0 + 1e-9);
+        })
+        .unwrap();
     let loads = loads(&engine, &LoadRequest::default()).unwrap();
     assert!(loads.total.peaks.force.max.value.is_finite());
     assert!(

@@ -4,13 +4,13 @@ use crate::support::{assert_close, in_line, vee};
 use lanchester_mechanism::{
     Excitation, LoadRequest, MountError, MountSystem, inertia_excitations, loads, vector_amplitude,
 };
-use lanchester_model::{Block, Engine, MAX_LOSS_FACTOR, Mount, MountPoint, MovingParts};
+use lanchester_model::{Block, Engine, EngineParts, MAX_LOSS_FACTOR, Mount, MountPoint, MovingParts};
 use nalgebra::{Matrix3, Vector3};
 use num_complex::Complex64;
 
 /// A single cylinder on these mounts.
 fn on(block: Block, mounts: Vec<Mount>) -> Engine {
-    Engine { block: Some(block), mounts, ..in_line(&[0.0]) }
+    in_line(&[0.0]).with(|parts| (parts.block, parts.mounts) = (Some(block), mounts)).unwrap()
 }
 
 fn system(engine: &Engine) -> MountSystem {
@@ -176,10 +176,12 @@ fn a_preload_of_its_share_of_weight_leaves_a_mount_where_it_is() {
 #[test]
 fn very_stiff_mounts_pass_on_the_loads_as_they_are() {
     // Every crank angle: the sum of the orders' forces is the load of the trace, signs and phases included.
-    let mut engine = vee(60.0, &[0.0, 240.0, 120.0]);
+    let engine = vee(60.0, &[0.0, 240.0, 120.0]);
     let mut body = block(150.0, [8.0, 7.0, 4.0]);
     body.centre = [0.1, 0.02, 0.05];
-    (engine.block, engine.mounts) = (Some(body.clone()), table(0.2, 0.3, [1e15; 3]));
+    let engine = engine
+        .with(|parts| (parts.block, parts.mounts) = (Some(body.clone()), table(0.2, 0.3, [1e15; 3])))
+        .unwrap();
     let excitations = inertia_excitations(&engine, &[300.0], 24).expect("the engine is valid");
     let found = system(&engine).response(&excitations).expect("there is a response");
     let request = LoadRequest { speed: Some(300.0), reference: body.centre, ..LoadRequest::default() };
@@ -216,9 +218,11 @@ fn very_stiff_mounts_pass_on_the_loads_as_they_are() {
 
 #[test]
 fn very_soft_mounts_leave_the_block_to_its_inertia() {
-    let mut engine = in_line(&[0.0, 180.0]);
+    let engine = in_line(&[0.0, 180.0]);
     let body = block(80.0, [5.0, 4.0, 3.0]);
-    (engine.block, engine.mounts) = (Some(body.clone()), table(0.2, 0.3, [1e-3; 3]));
+    let engine = engine
+        .with(|parts| (parts.block, parts.mounts) = (Some(body.clone()), table(0.2, 0.3, [1e-3; 3])))
+        .unwrap();
     let excitations = inertia_excitations(&engine, &[400.0], 4).expect("the engine is valid");
     let found = system(&engine).response(&excitations).expect("there is a response");
     for order in &found.speeds[0].orders {
@@ -233,10 +237,12 @@ fn very_soft_mounts_leave_the_block_to_its_inertia() {
 
 #[test]
 fn a_point_of_the_block_moves_with_it() {
-    let mut engine = in_line(&[0.0, 180.0]);
+    let engine = in_line(&[0.0, 180.0]);
     let mut body = block(80.0, [5.0, 4.0, 3.0]);
     body.centre = [0.1, -0.03, 0.04];
-    (engine.block, engine.mounts) = (Some(body), table(0.2, 0.3, [2e5, 1e5, 3e5]));
+    let engine = engine
+        .with(|parts| (parts.block, parts.mounts) = (Some(body), table(0.2, 0.3, [2e5, 1e5, 3e5])))
+        .unwrap();
     let excitations = inertia_excitations(&engine, &[200.0], 4).expect("the engine is valid");
     let found = system(&engine).response(&excitations).expect("there is a response");
     let order = &found.speeds[0].orders[1];
@@ -325,13 +331,16 @@ fn a_mode_takes_the_stiffness_of_its_own_frequency() {
 
 #[test]
 fn pistons_and_rods_are_added_where_they_are_on_average() {
-    let plain = Engine {
-        block: Some(Block { centre: [0.05, 0.0, 0.0], ..block(100.0, [6.0, 5.0, 4.0]) }),
-        mounts: table(0.2, 0.3, [1e5; 3]),
-        ..in_line(&[0.0, 180.0])
+    let plain = in_line(&[0.0, 180.0])
+        .with(|parts| {
+            parts.block = Some(Block { centre: [0.05, 0.0, 0.0], ..block(100.0, [6.0, 5.0, 4.0]) });
+            parts.mounts = table(0.2, 0.3, [1e5; 3]);
+        })
+        .unwrap();
+    let moved = |parts: &mut EngineParts| {
+        parts.block.as_mut().expect("it has a block").moving_parts = MovingParts::Added;
     };
-    let mut added = plain.clone();
-    added.block.as_mut().expect("it has a block").moving_parts = MovingParts::Added;
+    let added = plain.with(moved).unwrap();
     let [plain, added] = [&plain, &added].map(|engine| (system(engine), engine));
     let (upper, lower): (f64, f64) = added.1.cylinders.iter().fold((0.0, 0.0), |sum, c| {
         (sum.0 + c.piston_mass + c.rod.small_end_mass, sum.1 + c.rod.big_end_mass)
@@ -444,7 +453,7 @@ fn impossible_numbers_are_refused_by_name() {
     });
     says(unsorted, "must rise in frequency, got 20 rad/s after 50 rad/s");
     let (_, mounts) = good();
-    let bare = Engine { mounts, ..in_line(&[0.0]) };
+    let bare = in_line(&[0.0]).with(|parts| parts.mounts = mounts).unwrap();
     assert_eq!(MountSystem::new(&bare).expect_err("no block"), MountError::NoBlock);
     let (block, mounts) = good();
     let system = system(&on(block, mounts));

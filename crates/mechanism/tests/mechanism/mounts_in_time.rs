@@ -28,19 +28,20 @@ fn on_dampers(engine: Engine) -> Engine {
         };
         Mount { spring: Some(spring), ..mount(name, place, [0.0; 3]) }
     };
-    Engine {
-        block: Some(Block {
-            centre: [0.11, -0.04, 0.07],
-            products: [0.5, -0.4, 0.9],
-            ..block(130.0, [8.0, 7.0, 4.5])
-        }),
-        mounts: vec![
-            damper("left", [-0.1, -0.3, -0.2], [3e5, 1.5e5, 1e5], 0.4),
-            damper("right", [-0.05, 0.28, -0.15], [2e5, 2.5e5, 1.2e5], -0.7),
-            damper("rear", [0.03, 0.05, 0.5], [4e5, 2e5, 1.4e5], 1.1),
-        ],
-        ..engine
-    }
+    engine
+        .with(|parts| {
+            parts.block = Some(Block {
+                centre: [0.11, -0.04, 0.07],
+                products: [0.5, -0.4, 0.9],
+                ..block(130.0, [8.0, 7.0, 4.5])
+            });
+            parts.mounts = vec![
+                damper("left", [-0.1, -0.3, -0.2], [3e5, 1.5e5, 1e5], 0.4),
+                damper("right", [-0.05, 0.28, -0.15], [2e5, 2.5e5, 1.2e5], -0.7),
+                damper("rear", [0.03, 0.05, 0.5], [4e5, 2e5, 1.4e5], 1.1),
+            ];
+        })
+        .unwrap()
 }
 
 /// Load on the block about its centre at so many half steps: inertia, and the reaction to the gas torque.

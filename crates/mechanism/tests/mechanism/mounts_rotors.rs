@@ -17,22 +17,23 @@ const J: f64 = 0.8;
 fn engine() -> Engine {
     let spring = MountSpring { damping: [500.0; 3], ..MountSpring::along_frame([2e5, 1.3e5, 1e5]) };
     let place = |name: &str, at| Mount { spring: Some(spring.clone()), ..mount(name, at, [0.0; 3]) };
-    Engine {
-        block: Some(Block { centre: [0.05, 0.01, 0.02], ..block(150.0, [9.0, 8.0, 4.0]) }),
-        mounts: vec![
-            place("a", [-0.1, 0.25, 0.3]),
-            place("b", [-0.1, -0.25, 0.28]),
-            place("c", [-0.1, 0.22, -0.25]),
-            place("d", [-0.1, -0.25, -0.27]),
-        ],
-        flywheel: Some(Flywheel {
-            inertia: Some(J),
-            crankshaft_inertia: None,
-            fluctuation: None,
-            speeds: Vec::new(),
-        }),
-        ..in_line(&[0.0, TAU / 3.0, 2.0 * TAU / 3.0])
-    }
+    in_line(&[0.0, TAU / 3.0, 2.0 * TAU / 3.0])
+        .with(|parts| {
+            parts.block = Some(Block { centre: [0.05, 0.01, 0.02], ..block(150.0, [9.0, 8.0, 4.0]) });
+            parts.mounts = vec![
+                place("a", [-0.1, 0.25, 0.3]),
+                place("b", [-0.1, -0.25, 0.28]),
+                place("c", [-0.1, 0.22, -0.25]),
+                place("d", [-0.1, -0.25, -0.27]),
+            ];
+            parts.flywheel = Some(Flywheel {
+                inertia: Some(J),
+                crankshaft_inertia: None,
+                fluctuation: None,
+                speeds: Vec::new(),
+            });
+        })
+        .unwrap()
 }
 
 /// The motion of each order is put into a block that turns in space with its rotor: angular momentum, from rotation matrices alone, changes as load, mounts and
@@ -87,7 +88,7 @@ fn the_response_obeys_the_angular_momentum_in_space() {
 #[test]
 fn the_rotors_matter_and_can_be_left_out() {
     let engine = engine();
-    let bare = Engine { flywheel: None, ..engine.clone() };
+    let bare = engine.with(|parts| parts.flywheel = None).unwrap();
     let excitations = inertia_excitations(&engine, &[SPEED], 4).expect("it turns");
     let [with, left_out, without] = [
         MountSystem::new(&engine).expect("it is held"),
@@ -108,9 +109,13 @@ fn the_rotors_matter_and_can_be_left_out() {
 fn every_rotor_counts_with_its_sense() {
     let mut engine = engine();
     assert_eq!(rotor_inertia_about_z(&engine, Some(0.02)), J + 0.02);
-    if let Some(flywheel) = &mut engine.flywheel {
-        flywheel.crankshaft_inertia = Some(0.03);
-    }
+    engine = engine
+        .with(|engine| {
+            if let Some(flywheel) = &mut engine.flywheel {
+                flywheel.crankshaft_inertia = Some(0.03);
+            }
+        })
+        .unwrap();
     assert_eq!(rotor_inertia_about_z(&engine, None), J + 0.03);
     let mut shaft = lanchester_model::BalanceShaft {
         name: "shaft".into(),
@@ -120,9 +125,17 @@ fn every_rotor_counts_with_its_sense() {
         weights: Vec::new(),
         inertia: Some(0.001),
     };
-    engine.shafts.push(shaft.clone());
+    engine = engine
+        .with(|engine| {
+            engine.shafts.push(shaft.clone());
+        })
+        .unwrap();
     assert!((rotor_inertia_about_z(&engine, None) - (J + 0.03 - 0.002)).abs() < 1e-15);
     shaft.inertia = None;
-    engine.shafts.push(shaft);
+    engine = engine
+        .with(|engine| {
+            engine.shafts.push(shaft);
+        })
+        .unwrap();
     assert!((rotor_inertia_about_z(&engine, None) - (J + 0.03 - 0.002)).abs() < 1e-15);
 }

@@ -84,9 +84,9 @@ proptest! {
         engine in any_engine(PLAIN), max_order in 1..9u32, max_power in 1..9u32,
     ) {
         let mut engine = engine;
-        for cylinder in &mut engine.cylinders {
+        engine = engine.with(|engine| { for cylinder in &mut engine.cylinders {
             (cylinder.offset, cylinder.pin_offset) = (0.0, 0.0);
-        }
+        } }).unwrap();
         let kinematics = Kinematics::PowerSeries { max_order, max_power };
         compare(&engine, &LoadRequest { kinematics, ..LoadRequest::default() }, 1e-12);
     }

@@ -25,7 +25,11 @@ fn a_perturbed_mass_is_seen_by_the_momentum_balance() {
     let engine = support::radial(5, 0.05);
     let request = lanchester_mechanism::LoadRequest::default();
     let mut other = engine.clone();
-    other.cylinders[2].rod.big_end_mass *= 1.0 + 1e-4;
+    other = other
+        .with(|other| {
+            other.cylinders[2].rod.big_end_mass *= 1.0 + 1e-4;
+        })
+        .unwrap();
     let got = lanchester_mechanism::Mechanism::new(&other, &request).unwrap().components(0.7);
     let wanted = support::brute::loads(&engine, [0.0; 3], 0.7, 300.0);
     let scale = got.force_x.hypot(got.force_y);

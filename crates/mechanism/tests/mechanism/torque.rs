@@ -4,6 +4,7 @@ use crate::support;
 use crate::support::pressure::{any_gas, block, cycle, diesel_like, fired};
 use crate::support::random::{ALL_SHAPES, any_engine};
 use crate::support::{assert_close, brute, cylinder, engine, in_line, radial, throw, vee};
+use lanchester_file::{read, template};
 use lanchester_mechanism::*;
 use lanchester_model::*;
 use proptest::prelude::*;
@@ -124,7 +125,11 @@ fn orders_are_those_of_the_torque() {
 fn a_constant_pressure_over_the_stroke_does_its_pressure_times_the_swept_volume() {
     let mut engine =
         fired(engine("single", vec![throw(0.0, 0.0)], vec![cylinder(0, 0.0, 0.0)]), 0.08, Strokes::Four);
-    engine.cylinders[0].firing_angle = Some(0.0);
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].firing_angle = Some(0.0);
+        })
+        .unwrap();
     // Centred: bottom dead centre half a turn after top dead centre.
     let gas = block(&engine, 2e6, PI);
     let torque = torque(&engine, &[gas], &TorqueRequest::default()).unwrap();
@@ -150,9 +155,13 @@ fn a_constant_pressure_over_the_stroke_does_its_pressure_times_the_swept_volume(
 fn the_sine_lever_is_that_of_a_long_rod() {
     let build = |length: f64| {
         let mut engine = fired(in_line(&[0.0, 180.0, 180.0, 0.0]), 0.08, Strokes::Four);
-        for cylinder in &mut engine.cylinders {
-            cylinder.rod.length = length;
-        }
+        engine = engine
+            .with(|engine| {
+                for cylinder in &mut engine.cylinders {
+                    cylinder.rod.length = length;
+                }
+            })
+            .unwrap();
         engine
     };
     let mean = |engine: &Engine, lever| {
@@ -215,13 +224,25 @@ fn what_is_missing_is_named() {
         |engine: &Engine, gas: &[CylinderGas]| torque(engine, gas, &TorqueRequest::default()).unwrap_err();
     assert_eq!(ask(&whole, &gas[..1]), TorqueError::CylinderCount { needed: 2, got: 1 });
     let mut engine = whole.clone();
-    engine.cylinders[1].bore = None;
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[1].bore = None;
+        })
+        .unwrap();
     assert_eq!(ask(&engine, &gas), TorqueError::NoBore { cylinder: 2 });
     let mut engine = whole.clone();
-    engine.cylinders[0].firing_angle = None;
+    engine = engine
+        .with(|engine| {
+            engine.cylinders[0].firing_angle = None;
+        })
+        .unwrap();
     assert_eq!(ask(&engine, &gas), TorqueError::NoFiring { cylinder: 1 });
     let mut engine = whole.clone();
-    engine.strokes = Strokes::Two;
+    engine = engine
+        .with(|engine| {
+            engine.strokes = Strokes::Two;
+        })
+        .unwrap();
     assert_eq!(ask(&engine, &gas), TorqueError::Period { cylinder: 1, needed: TAU, got: 2.0 * TAU });
 }
 
@@ -229,7 +250,7 @@ fn what_is_missing_is_named() {
 #[test]
 fn lit_power_strokes_of_an_in_line_four() {
     let text = template("in-line-4").unwrap().text;
-    let chart = firing_chart(&read(text).engine.unwrap()).unwrap();
+    let chart = firing_chart(&read(text).engine().unwrap()).unwrap();
     assert_eq!(chart.order(), [1, 3, 4, 2]);
     let changes = chart.changes();
     assert_eq!(changes.len(), 4);
@@ -253,17 +274,29 @@ fn lit_power_strokes_of_an_in_line_four() {
 fn uneven_and_simultaneous_firing() {
     // Cranks 180 deg apart: 180 and 540 deg. In phase, fired together: 0 and 720 deg.
     let mut twin = fired(in_line(&[0.0, 180.0]), 0.08, Strokes::Four);
-    twin.cylinders[1].firing_angle = Some(PI);
-    twin.cylinders[0].firing_angle = Some(0.0);
+    twin = twin
+        .with(|twin| {
+            twin.cylinders[1].firing_angle = Some(PI);
+        })
+        .unwrap();
+    twin = twin
+        .with(|twin| {
+            twin.cylinders[0].firing_angle = Some(0.0);
+        })
+        .unwrap();
     let chart = firing_chart(&twin).unwrap();
     let intervals: Vec<f64> = chart.firings.iter().map(|f| f.interval / PI).collect();
     assert_close("first", intervals[0], 1.0, 1e-12, 0.0, "half turns");
     assert_close("second", intervals[1], 3.0, 1e-12, 0.0, "half turns");
     assert_close("unevenness", chart.unevenness, 0.5, 1e-12, 0.0, "540 against 360");
     let mut together = fired(in_line(&[0.0, 0.0]), 0.08, Strokes::Four);
-    for cylinder in &mut together.cylinders {
-        cylinder.firing_angle = Some(0.0);
-    }
+    together = together
+        .with(|together| {
+            for cylinder in &mut together.cylinders {
+                cylinder.firing_angle = Some(0.0);
+            }
+        })
+        .unwrap();
     let chart = firing_chart(&together).unwrap();
     assert_eq!(chart.firings.iter().map(|f| f.cylinder).collect::<Vec<_>>(), [1, 2]);
     assert_eq!(chart.firings[0].interval, 0.0);
@@ -274,9 +307,21 @@ fn uneven_and_simultaneous_firing() {
 fn a_twin_in_phase_repeats_every_turn() {
     let build = |second: f64, firing: f64| {
         let mut engine = fired(in_line(&[0.0, second]), 0.08, Strokes::Four);
-        engine.cylinders[1].bore = engine.cylinders[0].bore;
-        engine.cylinders[0].firing_angle = Some(0.0);
-        engine.cylinders[1].firing_angle = Some(firing);
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[1].bore = engine.cylinders[0].bore;
+            })
+            .unwrap();
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[0].firing_angle = Some(0.0);
+            })
+            .unwrap();
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[1].firing_angle = Some(firing);
+            })
+            .unwrap();
         let gas = vec![diesel_like(&engine, 2.5); 2];
         torque(&engine, &gas, &TorqueRequest::default()).unwrap()
     };
@@ -304,9 +349,17 @@ fn power_passes_through_the_gears() {
             vec![cylinder(0, 0.0, 0.0), cylinder(1, 0.2, 0.0)],
         );
         let ratio = Ratio::new(ratio.0, ratio.1).unwrap();
-        engine.crankshafts.push(Crankshaft { ratio, x: 0.3, ..support::crankshaft() });
+        engine = engine
+            .with(|engine| {
+                engine.crankshafts.push(Crankshaft { ratio, x: 0.3, ..support::crankshaft() });
+            })
+            .unwrap();
         let mut engine = fired(engine, 0.08, Strokes::Four);
-        engine.cylinders[1].bore = Some(0.08);
+        engine = engine
+            .with(|engine| {
+                engine.cylinders[1].bore = Some(0.08);
+            })
+            .unwrap();
         let gas = vec![diesel_like(&engine, 2.5); 2];
         let torque = torque(&engine, &gas, &TorqueRequest::default()).unwrap();
         assert_close("period", torque.period, TAU * revolutions, 0.0, 1e-14, "whole cycles of both");

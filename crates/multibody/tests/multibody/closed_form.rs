@@ -1,9 +1,10 @@
 //! Imposed speed, fixed block, no gravity: every load against the closed form, for every engine of the gallery.
 
+use lanchester_file::{read, templates};
 use lanchester_mechanism::{
     BearingRequest, CylinderGas, LoadRequest, Mechanism, PeriodicCurve, bearing_loads, motion,
 };
-use lanchester_model::{Engine, read, templates};
+use lanchester_model::Engine;
 use lanchester_multibody::{Guidance, Instant, Motion, Place, Reactions, RotorInertia, Train};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -14,12 +15,16 @@ const AGREES: f64 = 1e-10;
 /// The gallery and what its engines need to be fired: a bore, and an angle for each cylinder.
 fn gallery() -> Vec<Engine> {
     let engine = |text: &str| {
-        let mut engine = read(text).engine.expect("the gallery has no mistakes");
+        let mut engine = read(text).engine().expect("the gallery has no mistakes");
         let moved = motion(&engine, &LoadRequest::default()).expect("the gallery turns");
-        for (cylinder, motion) in engine.cylinders.iter_mut().zip(moved) {
-            cylinder.bore = cylinder.bore.or(Some(0.08));
-            cylinder.firing_angle = cylinder.firing_angle.or(Some(motion.top_dead_centre));
-        }
+        engine = engine
+            .with(|engine| {
+                for (cylinder, motion) in engine.cylinders.iter_mut().zip(moved) {
+                    cylinder.bore = cylinder.bore.or(Some(0.08));
+                    cylinder.firing_angle = cylinder.firing_angle.or(Some(motion.top_dead_centre));
+                }
+            })
+            .unwrap();
         engine
     };
     templates().iter().map(|template| engine(template.text)).collect()

@@ -11,28 +11,52 @@ use std::f64::consts::TAU;
 /// A three-cylinder engine, which shakes by couples and forces of a few orders, in a block on four soft mounts; its pistons and rods are a share of their mass.
 fn engine(share: f64) -> Engine {
     let mut engine = support::in_line(&[0.0, TAU / 3.0, 2.0 * TAU / 3.0]);
-    for cylinder in &mut engine.cylinders {
-        cylinder.piston_mass *= share;
-        cylinder.rod.big_end_mass *= share;
-        cylinder.rod.small_end_mass *= share;
-    }
-    for throw in &mut engine.throws {
-        throw.unbalance *= share;
-    }
-    engine.speed.lowest = 120.0;
-    engine.speed.highest = 120.0;
-    engine.block = Some(Block {
-        mass: 150.0,
-        centre: [0.05, 0.01, 0.02],
-        inertia: [9.0, 8.0, 4.0],
-        products: [0.1, -0.2, 0.15],
-        moving_parts: MovingParts::Included,
-        gravity: [-1.0, 0.0, 0.0],
-        driveline_torque: [0.0; 3],
-    });
+    engine = engine
+        .with(|engine| {
+            for cylinder in &mut engine.cylinders {
+                cylinder.piston_mass *= share;
+                cylinder.rod.big_end_mass *= share;
+                cylinder.rod.small_end_mass *= share;
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            for throw in &mut engine.throws {
+                throw.unbalance *= share;
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.speed.lowest = 120.0;
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.speed.highest = 120.0;
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.block = Some(Block {
+                mass: 150.0,
+                centre: [0.05, 0.01, 0.02],
+                inertia: [9.0, 8.0, 4.0],
+                products: [0.1, -0.2, 0.15],
+                moving_parts: MovingParts::Included,
+                gravity: [-1.0, 0.0, 0.0],
+                driveline_torque: [0.0; 3],
+            });
+        })
+        .unwrap();
     for (y, z) in [(0.25, 0.3), (-0.25, 0.28), (0.22, -0.25), (-0.25, -0.27)] {
         let spring = MountSpring { damping: [400.0; 3], ..MountSpring::along_frame([2e5, 1.2e5, 1e5]) };
-        engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+        engine = engine
+            .with(|engine| {
+                engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+            })
+            .unwrap();
     }
     engine
 }

@@ -73,7 +73,11 @@ fn train(
         ..cylinder(index, place[0], 0.0)
     });
     let mut engine = engine("published", throws.collect(), cylinders.collect());
-    engine.strokes = Strokes::Two;
+    engine = engine
+        .with(|engine| {
+            engine.strokes = Strokes::Two;
+        })
+        .unwrap();
     let inertia = RotorInertia { crankshafts: vec![Some(inertia)], ..RotorInertia::default() };
     let train = Train::new(&engine, &inertia).expect("it turns");
     (engine, train)

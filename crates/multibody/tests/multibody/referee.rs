@@ -59,7 +59,11 @@ fn any_case() -> impl Strategy<Value = Case> {
             piston,
             axial,
         )| {
-            engine.block = Some(block(centre, skew));
+            engine = engine
+                .with(|engine| {
+                    engine.block = Some(block(centre, skew));
+                })
+                .unwrap();
             let mut inertia = inertia.into_iter().map(Some);
             let inertia = RotorInertia {
                 crankshafts: engine.crankshafts.iter().map(|_| inertia.next().flatten()).collect(),

@@ -55,24 +55,40 @@ fn fired(count: usize) -> Engine {
         _ => vec![0.0, PI, PI, 0.0],
     };
     let mut engine = in_line(&angles);
-    engine.strokes = Strokes::Four;
+    engine = engine
+        .with(|engine| {
+            engine.strokes = Strokes::Four;
+        })
+        .unwrap();
     let firings = [0.0, 3.0 * PI, PI, TAU];
-    for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
-        cylinder.bore = Some(0.08);
-        cylinder.firing_angle = Some(if count == 1 { 0.0 } else { firings[index] });
-    }
-    engine.block = Some(Block {
-        mass: 120.0,
-        centre: [0.06, 0.01, 0.02],
-        inertia: [9.0, 8.0, 4.0],
-        products: [0.1, -0.2, 0.15],
-        moving_parts: MovingParts::Included,
-        gravity: [-1.0, 0.0, 0.0],
-        driveline_torque: [0.0; 3],
-    });
+    engine = engine
+        .with(|engine| {
+            for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.bore = Some(0.08);
+                cylinder.firing_angle = Some(if count == 1 { 0.0 } else { firings[index] });
+            }
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.block = Some(Block {
+                mass: 120.0,
+                centre: [0.06, 0.01, 0.02],
+                inertia: [9.0, 8.0, 4.0],
+                products: [0.1, -0.2, 0.15],
+                moving_parts: MovingParts::Included,
+                gravity: [-1.0, 0.0, 0.0],
+                driveline_torque: [0.0; 3],
+            });
+        })
+        .unwrap();
     for (y, z) in [(0.25, 0.3), (-0.25, 0.3), (0.25, -0.25), (-0.25, -0.25)] {
         let spring = MountSpring { damping: [300.0; 3], ..MountSpring::along_frame([9e4, 5e4, 6e4]) };
-        engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+        engine = engine
+            .with(|engine| {
+                engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+            })
+            .unwrap();
     }
     engine
 }
@@ -112,7 +128,11 @@ fn prop_energy_of_a_sealed_engine_stays_for_a_hundred_revolutions() {
 #[test]
 fn prop_momenta_in_space_stay_without_outside_loads() {
     let mut engine = fired(2);
-    engine.mounts.clear();
+    engine = engine
+        .with(|engine| {
+            engine.mounts.clear();
+        })
+        .unwrap();
     let train = train(&engine);
     let start = BlockStart::Moving { velocity: [0.1, -0.2, 0.05], spin: [0.3, 0.2, -0.4] };
     let mut simulation =
@@ -435,7 +455,11 @@ fn what_is_missing_is_named() {
     assert!(refused.to_string().contains("[block]"), "{refused}");
     let refused = train.run(&Simulation::imposed(100.0, 1.0), Some(&gas(1.0))).expect_err("no bore");
     assert!(refused.to_string().contains("bore"), "{refused}");
-    engine.block = fired(1).block.map(|block| Block { mass: 1.0, ..block });
+    engine = engine
+        .with(|engine| {
+            engine.block = fired(1).block.clone().map(|block| Block { mass: 1.0, ..block });
+        })
+        .unwrap();
     let refused = Train::new(&engine, &RotorInertia::of(&engine)).expect_err("too small");
     assert!(refused.to_string().contains("cylinder 1"), "{refused}");
     let few = Simulation { most_evaluations: 500, ..Simulation::imposed(100.0, 1000.0) };

@@ -141,7 +141,7 @@ fn draw_shafts(svg: &mut Svg, view: &View, arrangement: &Arrangement, shaft_radi
         let weights = arrangement.answer.task.weights.iter().zip(&arrangement.answer.weights);
         let own: Vec<Complex64> = weights
             .filter(|(free, found)| {
-                free.seat == lanchester_model::Seat::Shaft(index) && found.unbalance.norm() > 0.0
+                free.seat == lanchester_task::Seat::Shaft(index) && found.unbalance.norm() > 0.0
             })
             .map(|(_, found)| found.unbalance)
             .collect();

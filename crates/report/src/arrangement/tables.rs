@@ -175,7 +175,7 @@ fn shafts_table(arrangement: &Arrangement) -> Table {
     };
     let largest = |index: usize| {
         let on_shaft = arrangement.answer.task.weights.iter().zip(&arrangement.answer.weights);
-        let on_shaft = on_shaft.filter(|(free, _)| free.seat == lanchester_model::Seat::Shaft(index));
+        let on_shaft = on_shaft.filter(|(free, _)| free.seat == lanchester_task::Seat::Shaft(index));
         on_shaft.map(|(_, found)| found.unbalance.norm()).fold(0.0, f64::max)
     };
     let columns = vec![

@@ -2,12 +2,13 @@ use super::*;
 use lanchester_balance::{
     ArrangementOptions, arranged, arrangement_task, crank_load, crank_task, optimise, swept_crank,
 };
+use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, loads};
-use lanchester_model::{BalanceTask, read, template};
+use lanchester_task::BalanceTask;
 
 fn results(name: &str) -> (Engine, Vec<ArrangementResult>) {
     let text = template(name).expect("it is in the gallery").text;
-    let engine = read(text).engine.expect("it is valid");
+    let engine = read(text).engine().expect("it is valid");
     let options = ArrangementOptions::default();
     let result = |arrangement: TwinArrangement| {
         let fitted = arranged(&engine, arrangement, &options).expect("it has one crankshaft");

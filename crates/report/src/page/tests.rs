@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::sample;
+use lanchester_file::templates;
 use lanchester_mechanism::{LoadRequest, OrderLoads};
-use lanchester_model::{BalanceShaft, Mount, Ratio, ShaftWeight, templates};
+use lanchester_model::{BalanceShaft, Engine, Mount, Ratio, ShaftWeight};
 use num_complex::Complex64;
 
 /// Checks that a text is well-formed XML: tags nest, attributes are quoted and unique, entities are known.
@@ -128,8 +129,8 @@ fn check_with_sample_loads(engine: &Engine) -> Vec<Figure> {
 #[test]
 fn every_layout_of_the_gallery_has_a_page() {
     for template in templates() {
-        let reading = lanchester_model::read(template.text);
-        let engine = reading.engine.unwrap();
+        let reading = lanchester_file::read(template.text);
+        let engine = reading.engine().unwrap();
         let loads = lanchester_mechanism::loads(&engine, &LoadRequest::default()).unwrap();
         check(&engine, &loads);
     }
@@ -145,7 +146,7 @@ fn one_cylinder_and_eighteen() {
 
 #[test]
 fn an_engine_without_any_load() {
-    let mut engine = sample::engine(&[(0.0, 0.0), (180.0, 0.0)]);
+    let mut engine = sample::engine(&[(0.0, 0.0), (180.0, 0.0)]).into_parts();
     for cylinder in &mut engine.cylinders {
         cylinder.piston_mass = 0.0;
         cylinder.rod.big_end_mass = 0.0;
@@ -157,7 +158,7 @@ fn an_engine_without_any_load() {
         throw.unbalance = 0.0;
     }
     engine.counterweights.clear();
-    let figures = check_with_sample_loads(&engine);
+    let figures = check_with_sample_loads(&Engine::new(engine).unwrap());
     let spectrum = figures.iter().find(|f| f.id == "force-spectrum").unwrap();
     assert!(spectrum.svg().contains("zero at every order"));
     assert!(
@@ -169,7 +170,7 @@ fn an_engine_without_any_load() {
 
 #[test]
 fn fractional_orders_stand_where_they_belong() {
-    let mut engine = sample::engine(&[(0.0, 0.0), (0.0, 0.0)]);
+    let mut engine = sample::engine(&[(0.0, 0.0), (0.0, 0.0)]).into_parts();
     engine.crankshafts.push(lanchester_model::Crankshaft {
         name: "half speed".to_owned(),
         ratio: Ratio::new(-1, 2).unwrap(),
@@ -179,7 +180,7 @@ fn fractional_orders_stand_where_they_belong() {
         mains: None,
     });
     engine.throws[1].crankshaft = 1;
-    let figures = check_with_sample_loads(&engine);
+    let figures = check_with_sample_loads(&Engine::new(engine).unwrap());
     let spectrum = figures.iter().find(|f| f.id == "force-spectrum").unwrap();
     assert!(
         spectrum.panels[0].description.contains("order 0.5 with the crank"),
@@ -216,11 +217,12 @@ fn what_is_not_a_number_is_never_printed() {
 
 #[test]
 fn names_of_the_user_are_escaped_and_keep_their_underscores() {
-    let mut engine = sample::twin();
+    let mut engine = sample::twin().into_parts();
     engine.name = "R&D <b>\"my_engine\"</b>".to_owned();
     engine.note = Some("<script>alert('x')</script>".to_owned());
     engine.shafts[0].name = "shaft_a <left>".to_owned();
     engine.mounts[0].name = "m_1 & \u{1}".to_owned();
+    let engine = Engine::new(engine).unwrap();
     let loads = sample::loads(&engine);
     check(&engine, &loads);
     let html = page(&engine, &loads, &["no <unit> in \"speed\"".to_owned()]);
@@ -230,7 +232,7 @@ fn names_of_the_user_are_escaped_and_keep_their_underscores() {
 
 #[test]
 fn a_reverse_engine_with_far_shafts_and_mounts_is_drawn_mirrored() {
-    let mut engine = sample::twin();
+    let mut engine = sample::twin().into_parts();
     engine.shafts.push(BalanceShaft {
         name: "second order".to_owned(),
         ratio: Ratio::whole(2).unwrap(),
@@ -240,8 +242,9 @@ fn a_reverse_engine_with_far_shafts_and_mounts_is_drawn_mirrored() {
         inertia: None,
     });
     engine.mounts.push(Mount { name: "far".to_owned(), x: 1.0, y: 1.0, z: 2.0, spring: None });
+    let engine = Engine::new(engine).unwrap();
     let straight = check_with_sample_loads(&engine);
-    engine.rotation = Rotation::Reverse;
+    let engine = engine.with(|parts| parts.rotation = Rotation::Reverse).unwrap();
     let mirrored = check_with_sample_loads(&engine);
     let of = |figures: &[Figure], id: &str| figures.iter().find(|f| f.id == id).unwrap().svg();
     assert_ne!(of(&straight, "front-view"), of(&mirrored, "front-view"));

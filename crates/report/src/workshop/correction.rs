@@ -4,7 +4,7 @@ use super::grade::{grade_tables, plain};
 use super::mass::{grams, on_rotor, rotor_angle, rotor_degrees};
 use crate::number;
 use crate::table::{Cell, Column, Table};
-use lanchester_model::workshop::{Action, VibrationQuantity};
+use lanchester_task::workshop::{Action, VibrationQuantity};
 use lanchester_workshop::{Correction, NextStep, PlaneCorrection, Remark, RunFindings, ShownVibration};
 use std::f64::consts::{FRAC_PI_2, TAU};
 

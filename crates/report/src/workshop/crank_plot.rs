@@ -179,11 +179,11 @@ fn amount(unbalance: Complex64, noise: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_model::{read, template};
+    use lanchester_file::{read, template};
     use lanchester_workshop::{Plane, crank_unbalance};
 
     fn figure(bobweight: f64) -> Figure {
-        let engine = read(template("v8-crossplane").unwrap().text).engine.unwrap();
+        let engine = read(template("v8-crossplane").unwrap().text).engine().unwrap();
         let planes = [("front", -0.2), ("rear", 0.2)].map(|(name, z)| Plane { name: name.into(), z });
         let bobs = vec![bobweight; 4];
         crank_figure(&crank_unbalance(&engine, 0, &bobs, &planes, None).unwrap())

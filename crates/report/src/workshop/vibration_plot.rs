@@ -6,7 +6,7 @@ use crate::axis::Axis;
 use crate::figure::{Figure, Panel};
 use crate::number;
 use crate::svg::{Anchor, Path, Svg, text_width, wrap};
-use lanchester_model::workshop::{Action, Allowed, Plane, Sense, Sheet};
+use lanchester_task::workshop::{Action, Allowed, Plane, Sense, Sheet};
 use lanchester_workshop::{Correction, PlaneCorrection, RunFindings, SAME_SPEED, SensorPrediction};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

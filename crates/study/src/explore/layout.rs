@@ -5,8 +5,8 @@ use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
 use crate::explore::space::CounterweightPattern;
 use lanchester_model::{
-    BalanceShaft, Counterweight, Crankshaft, Cylinder, Engine, Ratio, Rod, RodJoint, RodMassRule, Rotation,
-    SpeedRange, Strokes, Throw,
+    BalanceShaft, Counterweight, Crankshaft, Cylinder, Engine, EngineParts, Ratio, Rod, RodJoint,
+    RodMassRule, Rotation, SpeedRange, Strokes, Throw,
 };
 use num_complex::Complex64;
 use serde::Serialize;
@@ -190,9 +190,9 @@ impl Layout {
 
     /// The layout as an engine. Its loads are those of the search to rounding.
     pub fn engine(&self, parts: &Parts) -> Result<Engine, lanchester_mechanism::LoadError> {
-        let mut engine = self.bare_engine(parts);
-        engine.shafts = self.shafts(parts)?;
-        Ok(engine)
+        let shafts = self.shafts(parts)?;
+        let engine = self.bare_engine(parts).with(|engine| engine.shafts = shafts);
+        Ok(engine.expect("invariant: shafts that are found have finite weights and names of their own"))
     }
 
     /// Its balance shafts.
@@ -242,7 +242,7 @@ pub(crate) fn engine(
     counterweights: Vec<Counterweight>,
     mains: Vec<f64>,
 ) -> Engine {
-    Engine {
+    let parts = EngineParts {
         name: "layout".to_string(),
         note: None,
         strokes: parts.strokes,
@@ -264,14 +264,10 @@ pub(crate) fn engine(
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
-        shaft_weight_task: None,
-        balance: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        simulation: None,
-    }
+    };
+    Engine::new(parts).expect("invariant: the space of layouts holds engines that turn")
 }

@@ -14,7 +14,7 @@
 
 use crate::scatter::error::ScatterError;
 use lanchester_mechanism::{LoadRequest, Mechanism, Part, Selection};
-use lanchester_model::{Engine, RodJoint};
+use lanchester_model::{Engine, EngineParts, Fault, RodJoint};
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -176,13 +176,16 @@ impl Task {
             }
             Ok(std::array::from_fn(|k| if k % 2 == 0 { all[k / 2].re } else { all[k / 2].im }))
         };
-        let mut bare = request.engine.clone();
-        for cylinder in &mut bare.cylinders {
-            cylinder.piston_mass = 0.0;
-            cylinder.rod.big_end_mass = 0.0;
-            cylinder.rod.small_end_mass = 0.0;
-            cylinder.rod.inertia = None;
-        }
+        let massless = |parts: &mut EngineParts| {
+            for cylinder in &mut parts.cylinders {
+                cylinder.piston_mass = 0.0;
+                cylinder.rod.big_end_mass = 0.0;
+                cylinder.rod.small_end_mass = 0.0;
+                cylinder.rod.inertia = None;
+            }
+        };
+        let valid = |engine: Result<Engine, Vec<Fault>>| engine.expect("invariant: 0 and 1 kg are masses");
+        let bare = valid(request.engine.with(massless));
         let constant = residual(&bare, Selection::All)?;
         let mut task = Task {
             constant,
@@ -191,15 +194,13 @@ impl Task {
             pistons: request.pistons.clone(),
             rods: request.rods.clone(),
         };
+        // The throws' own unbalance is among the rotating parts: what a kilogram adds is the difference.
+        let without = residual(&bare, Selection::Part(Part::Rotating))?;
         for index in 0..cylinders {
-            bare.cylinders[index].piston_mass = 1.0;
-            task.reciprocating.push(residual(&bare, Selection::Part(Part::Reciprocating))?);
-            bare.cylinders[index].piston_mass = 0.0;
-            // The throws' own unbalance is among the rotating parts: what a kilogram adds is the difference.
-            let without = residual(&bare, Selection::Part(Part::Rotating))?;
-            bare.cylinders[index].rod.big_end_mass = 1.0;
-            let with = residual(&bare, Selection::Part(Part::Rotating))?;
-            bare.cylinders[index].rod.big_end_mass = 0.0;
+            let piston = valid(bare.with(|parts| parts.cylinders[index].piston_mass = 1.0));
+            task.reciprocating.push(residual(&piston, Selection::Part(Part::Reciprocating))?);
+            let big_end = valid(bare.with(|parts| parts.cylinders[index].rod.big_end_mass = 1.0));
+            let with = residual(&big_end, Selection::Part(Part::Rotating))?;
             task.big_end.push(std::array::from_fn(|k| with[k] - without[k]));
         }
         Ok(task)

@@ -1,16 +1,21 @@
 //! Engines with drawn deviations, as engines: for whoever wants more of a sample than its outputs.
 
 use crate::scatter::tolerance::Variable;
-use lanchester_model::{Engine, Tolerance, Varied};
+use lanchester_model::{Engine, Fault};
+use lanchester_task::{Tolerance, Varied};
+use std::f64::consts::PI;
 
-/// The engine with these deviations, one for each variable.
+/// The engine with these deviations, one for each variable; an unbalance below 0 is one on the other side.
+///
+/// # Errors
+/// As [`Engine::new`], where no engine has such deviations.
 pub(crate) fn deviated(
     engine: &Engine,
     tolerances: &[Tolerance],
     variables: &[Variable],
     deviations: &[f64],
-) -> Engine {
-    let mut moved = engine.clone();
+) -> Result<Engine, Vec<Fault>> {
+    let mut moved = engine.clone().into_parts();
     let weights: Vec<(usize, usize)> = engine
         .shafts
         .iter()
@@ -54,5 +59,12 @@ pub(crate) fn deviated(
             }
         }
     }
-    moved
+    // Less than nothing is an amount on the other side.
+    let weights = moved.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights);
+    let amounts = weights.map(|weight| (&mut weight.unbalance, &mut weight.phase));
+    let of_crank = moved.counterweights.iter_mut().map(|weight| (&mut weight.unbalance, &mut weight.angle));
+    for (amount, direction) in amounts.chain(of_crank).filter(|(amount, _)| **amount < 0.0) {
+        (*amount, *direction) = (-*amount, *direction + PI);
+    }
+    Engine::new(moved)
 }

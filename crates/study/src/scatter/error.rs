@@ -1,6 +1,7 @@
 //! Why a study of scatter is refused.
 
 use lanchester_mechanism::LoadError;
+use lanchester_model::Fault;
 
 /// Why a study of scatter is refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -71,6 +72,9 @@ pub enum ScatterError {
         /// Why.
         reason: &'static str,
     },
+    /// A drawn engine that none can be.
+    #[error("within the tolerances an engine is drawn that cannot be: {0}")]
+    Sample(Fault),
     /// An engine of a kind whose scatter is not computed.
     #[error("the scatter needs {needed}, got {got}")]
     Engine {

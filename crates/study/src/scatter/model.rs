@@ -12,7 +12,8 @@ use crate::scatter::error::ScatterError;
 use crate::scatter::lanes::{ComplexLanes, Lanes, ZERO, map};
 use crate::scatter::tolerance::Variable;
 use lanchester_mechanism::{LoadRequest, Mechanism, exact_coefficients};
-use lanchester_model::{Engine, RodJoint, Tolerance, Varied};
+use lanchester_model::{Engine, RodJoint};
+use lanchester_task::{Tolerance, Varied};
 
 /// Orders below this share of the first are left out.
 const NOTHING: f64 = 1e-13;

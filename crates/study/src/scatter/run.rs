@@ -3,7 +3,8 @@
 use crate::explore::Sense;
 use crate::scatter::error::ScatterError;
 use crate::scatter::scattering::Scattering;
-use lanchester_model::{Engine, Tolerance};
+use lanchester_model::Engine;
+use lanchester_task::Tolerance;
 use serde::Serialize;
 
 /// Version of these structures; raised when a field changes its meaning or goes.

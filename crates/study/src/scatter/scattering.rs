@@ -10,7 +10,7 @@ use crate::scatter::sampler::Sampler;
 use crate::scatter::share::{SHARED, shares};
 use crate::scatter::statistics::{MOST_KEPT, Statistics, at_share};
 use crate::scatter::study::Deviation;
-use lanchester_model::Engine;
+use lanchester_model::{Engine, Fault};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -24,7 +24,7 @@ const STRETCH: u64 = 1 << 14;
 /// use lanchester_model::{Distribution, Extent, Tolerance, Varied};
 /// use lanchester_study::scatter::{Output, ScatterRequest, Scattering, scatter};
 ///
-/// let template = lanchester_model::template("in-line-4").expect("it is in the gallery");
+/// let template = lanchester_file::template("in-line-4").expect("it is in the gallery");
 /// let tolerance = Tolerance {
 ///     quantity: Varied::PistonMass,
 ///     half_width: 0.002,
@@ -32,7 +32,7 @@ const STRETCH: u64 = 1 << 14;
 ///     extent: Extent::PerPart,
 /// };
 /// let request = ScatterRequest {
-///     engine: lanchester_model::read(template.text).engine.expect("the gallery has no mistakes"),
+///     engine: lanchester_file::read(template.text).engine().expect("the gallery has no mistakes"),
 ///     speed: None,
 ///     tolerances: vec![tolerance],
 ///     outputs: vec![Output::Force { order: 1 }],
@@ -105,13 +105,17 @@ impl Scattering {
     }
 
     /// The samples of a stretch as engines, each with its deviations.
-    pub fn engines(&self, samples: Range<u64>) -> Vec<Engine> {
+    ///
+    /// # Errors
+    /// [`ScatterError::Sample`] where a tolerance is so wide that no engine has what is drawn.
+    pub fn engines(&self, samples: Range<u64>) -> Result<Vec<Engine>, ScatterError> {
         let mut drawn = Drawn::default();
         let count = (samples.end.max(samples.start) - samples.start) as usize;
         self.draw(samples, Some(&mut drawn));
         let one = |sample: usize| {
             let deviations: Vec<f64> = drawn.deviations.iter().map(|of_all| of_all[sample]).collect();
             deviated(&self.request.engine, &self.request.tolerances, &self.sampler.variables, &deviations)
+                .map_err(|faults| ScatterError::Sample(Fault::first_of(faults)))
         };
         (0..count).map(one).collect()
     }

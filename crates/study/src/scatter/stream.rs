@@ -5,7 +5,7 @@
 //! distribution comes by its inverse (Wichura 1988, algorithm AS 241, relative error about 1e-16).
 
 use crate::scatter::lanes::{Lanes, WIDTH, ZERO, map};
-use lanchester_model::Distribution;
+use lanchester_task::Distribution;
 
 /// Step of the counter: the golden ratio as an odd number.
 const STEP: u64 = 0x9e37_79b9_7f4a_7c15;

@@ -5,7 +5,8 @@ use crate::scatter::run::{Capability, Limit, Output, Scatter, ScatterRequest};
 use crate::scatter::scattering::{Scattering, Tally};
 use crate::scatter::statistics::at_share;
 use crate::scatter::worst::{WorstCase, worst_cases};
-use lanchester_model::{Criterion, Engine, Load, Tolerance, criterion_name};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, Load, Tolerance, criterion_name};
 use serde::Serialize;
 
 /// Version of [`ScatterStudy`]; raised when a field changes its meaning or goes.
@@ -33,7 +34,7 @@ pub struct ScatterOptions {
     /// Whether the peaks of all orders count, or orders 1 and 2 alone, which are drawn several times faster.
     pub peaks: bool,
     /// Limits: on `force` and `couple`, of all orders, or of order 1 or 2.
-    pub limits: Vec<lanchester_model::Limit>,
+    pub limits: Vec<lanchester_task::Limit>,
     /// Capability by percentiles that a limit is met with.
     pub capability: f64,
 }
@@ -116,27 +117,31 @@ pub struct ScatterStudy {
 /// ```
 /// use lanchester_study::scatter::{ScatterOptions, scatter_study};
 ///
-/// let template = lanchester_model::template("in-line-4").expect("it is in the gallery");
+/// let template = lanchester_file::template("in-line-4").expect("it is in the gallery");
 /// let text = format!("{}\n[tolerances]\npiston_mass = {{ plus_minus = \"2 g\" }}\n", template.text);
-/// let engine = lanchester_model::read(&text).engine.expect("the gallery has no mistakes");
-/// let study = scatter_study(&engine, &ScatterOptions { samples: 1000, ..ScatterOptions::default() })?;
+/// let file = lanchester_file::read(&text).file.expect("the gallery has no mistakes");
+/// let study = scatter_study(&file.engine, &file.tasks.tolerances, &ScatterOptions { samples: 1000, ..ScatterOptions::default() })?;
 /// let first = &study.scatter.outputs[0];
 /// // A four in line is free of first order, its production is not.
 /// assert!(first.nominal < 1e-9 * first.mean && first.most <= study.worst_cases[0].bound);
 /// # Ok::<(), lanchester_study::scatter::ScatterError>(())
 /// ```
-pub fn scatter_study(engine: &Engine, options: &ScatterOptions) -> Result<ScatterStudy, ScatterError> {
-    let scattering = Scattering::new(options.request(engine)?)?;
+pub fn scatter_study(
+    engine: &Engine,
+    tolerances: &[Tolerance],
+    options: &ScatterOptions,
+) -> Result<ScatterStudy, ScatterError> {
+    let scattering = Scattering::new(options.request(engine, tolerances)?)?;
     let tally = scattering.draw_all(0..options.samples)?;
     scatter_study_of(&scattering, &tally, options.capability)?.ok_or(ScatterError::NoSample)
 }
 
 impl ScatterOptions {
-    /// What is drawn for `engine`, by the tolerances of its file.
+    /// What is drawn for `engine` with these tolerances.
     ///
     /// # Errors
     /// [`ScatterError`] where a limit is on something that is not told, or the capability is none.
-    pub fn request(&self, engine: &Engine) -> Result<ScatterRequest, ScatterError> {
+    pub fn request(&self, engine: &Engine, tolerances: &[Tolerance]) -> Result<ScatterRequest, ScatterError> {
         let outputs = [Output::Force { order: 1 }, Output::Couple { order: 1 }, Output::Force { order: 2 }]
             .into_iter()
             .chain([Output::Couple { order: 2 }]);
@@ -154,7 +159,7 @@ impl ScatterOptions {
         let request = ScatterRequest {
             engine: engine.clone(),
             speed: self.speed,
-            tolerances: engine.tolerances.clone(),
+            tolerances: tolerances.to_vec(),
             outputs: outputs.chain(peaks).collect(),
             limits: limits.collect::<Result<_, _>>()?,
             percentiles: (0..=STEPS).map(|k| f64::from(k) / f64::from(STEPS)).chain(TOLD_SHARES).collect(),

@@ -1,7 +1,8 @@
 //! Deviations: what is drawn for each tolerance of the request.
 
 use crate::scatter::error::ScatterError;
-use lanchester_model::{Distribution, Engine, Extent, Tolerance};
+use lanchester_model::Engine;
+use lanchester_task::{Distribution, Extent, Tolerance};
 
 /// One deviation that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -12,7 +12,7 @@ use super::mains::planes;
 use super::slope::Grown;
 use super::train::{Train, Vector};
 use super::wave::SAME_HEIGHT;
-use lanchester_model::Varied;
+use lanchester_task::Varied;
 use num_dual::{Dual64, DualNum};
 
 /// Planes closer than this are one [m].

@@ -8,7 +8,8 @@
 
 use super::quantity::Quantity;
 use super::train::Train;
-use lanchester_model::{Counterweight, Engine, Varied};
+use lanchester_model::{Counterweight, EngineParts};
+use lanchester_task::Varied;
 use num_dual::Dual64;
 use serde::Serialize;
 
@@ -24,21 +25,21 @@ pub enum Weights {
 }
 
 /// The throw that a counterweight answers: the nearest on its crankshaft.
-fn throw_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
+fn throw_of(engine: &EngineParts, weight: &Counterweight) -> Option<usize> {
     let own = (0..engine.throws.len()).filter(|&throw| engine.throws[throw].crankshaft == weight.crankshaft);
     let distance = |throw: &usize| (engine.throws[*throw].z - weight.z).abs();
     own.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Rotating unbalance of a throw and the big ends on its pin [kg m].
-fn rotating(engine: &Engine, throw: usize) -> f64 {
+fn rotating(engine: &EngineParts, throw: usize) -> f64 {
     let own = &engine.throws[throw];
     let big_ends = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
     own.unbalance + own.radius * big_ends.map(|cylinder| cylinder.rod.big_end_mass).sum::<f64>()
 }
 
 /// Takes the counterweights of `engine` after their throws, which were those of `before`.
-pub(super) fn follow(before: &Engine, engine: &mut Engine) {
+pub(super) fn follow(before: &EngineParts, engine: &mut EngineParts) {
     for index in 0..engine.counterweights.len() {
         let Some(throw) = throw_of(before, &before.counterweights[index]) else { continue };
         let nominal = rotating(before, throw);

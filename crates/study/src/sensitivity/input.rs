@@ -4,7 +4,8 @@ use super::follow::{Weights, follow};
 use super::operating_point::OperatingPoint;
 use super::quantity::{Axis, Measure, Quantity};
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
-use lanchester_model::{MountSpring, Varied};
+use lanchester_model::{Engine, EngineParts, Fault, MountSpring};
+use lanchester_task::Varied;
 use serde::Serialize;
 
 /// A quantity of one part, or of all parts together.
@@ -51,7 +52,8 @@ impl Input {
             _ => {}
         }
         let mut copy = point.clone();
-        let values = self.quantity.numbers(&mut copy);
+        let mut engine = point.engine.clone().into_parts();
+        let values = self.quantity.numbers(&mut engine, &mut copy);
         let of_parts = self.quantity.parts(point).into_iter().zip(values);
         let mut own = of_parts.filter(|(index, _)| self.is_of(*index)).map(|(_, value)| *value);
         let first = own.next()?;
@@ -59,23 +61,33 @@ impl Input {
     }
 
     /// Puts this quantity of `point` off by `deviation`, in its SI unit; counterweights that follow go with it.
-    pub fn deviate(self, point: &mut OperatingPoint, deviation: f64) {
-        let before = (point.weights == Weights::Follow).then(|| point.engine.clone());
-        self.put_off(point, deviation);
-        if let Some(before) = before {
-            follow(&before, &mut point.engine);
+    ///
+    /// # Errors
+    /// As [`Engine::new`], where no engine has such a quantity.
+    pub fn deviate(self, point: &mut OperatingPoint, deviation: f64) -> Result<(), Vec<Fault>> {
+        let mut engine = point.engine.clone().into_parts();
+        self.put_off(&mut engine, point, deviation)?;
+        if point.weights == Weights::Follow {
+            follow(&point.engine, &mut engine);
         }
+        point.engine = Engine::new(engine)?;
+        Ok(())
     }
 
-    fn put_off(self, point: &mut OperatingPoint, deviation: f64) {
+    fn put_off(
+        self,
+        engine: &mut EngineParts,
+        point: &mut OperatingPoint,
+        deviation: f64,
+    ) -> Result<(), Vec<Fault>> {
         match self.quantity {
             Quantity::Spacing => {
                 if let Some(spacing) = point.engine.spacing() {
-                    point.engine = point.engine.stretched(1.0 + deviation / spacing);
+                    *engine = point.engine.stretched(1.0 + deviation / spacing)?.into_parts();
                 }
             }
             Quantity::Part(Varied::RodCentre) => {
-                let cylinders = point.engine.cylinders.iter_mut().enumerate();
+                let cylinders = engine.cylinders.iter_mut().enumerate();
                 for (_, cylinder) in cylinders.filter(|(index, _)| self.is_of(*index)) {
                     let moved = cylinder.rod.mass() * deviation / cylinder.rod.length;
                     cylinder.rod.small_end_mass += moved;
@@ -83,7 +95,7 @@ impl Input {
                 }
             }
             Quantity::Part(Varied::ShaftPhase) => {
-                let own = point.engine.shafts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
+                let own = engine.shafts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
                 own.flat_map(|(_, shaft)| &mut shaft.weights).for_each(|weight| weight.phase += deviation);
             }
             Quantity::GasPressure => {
@@ -97,27 +109,28 @@ impl Input {
                 gas.crankcase = gas.crankcase.delayed(deviation);
             }),
             Quantity::MountTurn(axis) => {
-                self.change_springs(point, |spring| turn(&mut spring.axes, axis, deviation));
+                self.change_springs(engine, |spring| turn(&mut spring.axes, axis, deviation));
             }
             Quantity::MountStiffness => {
-                self.change_springs(point, |spring| stiffen(spring, &[0, 1, 2], 1.0 + deviation));
+                self.change_springs(engine, |spring| stiffen(spring, &[0, 1, 2], 1.0 + deviation));
             }
             Quantity::MountStiffnessAlong(direction) => {
-                self.change_springs(point, |spring| stiffen(spring, &[direction.index()], 1.0 + deviation));
+                self.change_springs(engine, |spring| stiffen(spring, &[direction.index()], 1.0 + deviation));
             }
-            Quantity::MountLossFactor => self.change_springs(point, |spring| {
+            Quantity::MountLossFactor => self.change_springs(engine, |spring| {
                 let of_table = spring.table.iter_mut().flat_map(|point| &mut point.loss_factor);
                 spring.loss_factor.iter_mut().chain(of_table).for_each(|value| *value *= 1.0 + deviation);
             }),
-            Quantity::MountDamping => self.change_springs(point, |spring| {
+            Quantity::MountDamping => self.change_springs(engine, |spring| {
                 spring.damping.iter_mut().for_each(|value| *value *= 1.0 + deviation);
             }),
             quantity => {
                 let parts = quantity.parts(point);
-                let own = parts.into_iter().zip(quantity.numbers(point));
+                let own = parts.into_iter().zip(quantity.numbers(engine, point));
                 own.filter(|(index, _)| self.is_of(*index)).for_each(|(_, value)| *value += deviation);
             }
         }
+        Ok(())
     }
 
     fn change_gas(self, point: &mut OperatingPoint, change: impl Fn(&mut CylinderGas)) {
@@ -125,8 +138,8 @@ impl Input {
         gas.filter(|(index, _)| self.is_of(*index)).for_each(|(_, gas)| change(gas));
     }
 
-    fn change_springs(self, point: &mut OperatingPoint, change: impl Fn(&mut MountSpring)) {
-        let own = point.engine.mounts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
+    fn change_springs(self, engine: &mut EngineParts, change: impl Fn(&mut MountSpring)) {
+        let own = engine.mounts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
         own.filter_map(|(_, mount)| mount.spring.as_mut()).for_each(change);
     }
 }

@@ -7,7 +7,8 @@ use super::gas_force::Window;
 use super::jet::known;
 use super::quantity::Quantity;
 use super::train::{Train, Vector};
-use lanchester_model::{Throw, Varied};
+use lanchester_model::Throw;
+use lanchester_task::Varied;
 use num_dual::Dual64;
 
 /// Planes closer than this are one [m].

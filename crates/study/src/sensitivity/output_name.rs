@@ -3,7 +3,8 @@
 use super::error::SensitivityError;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::BearingPart;
-use lanchester_model::{Criterion, Engine, criterion};
+use lanchester_model::Engine;
+use lanchester_task::{Criterion, criterion};
 
 /// What stands behind a load for one order of it, and for its mean.
 const ORDER: &str = " order ";
@@ -102,10 +103,11 @@ fn target(load: &str, engine: &Engine) -> Result<Option<Target>, SensitivityErro
 
 /// A mount by its name, as criteria have it.
 fn mount(load: &str, engine: &Engine) -> Result<Target, SensitivityError> {
-    use lanchester_model::Load;
+    use lanchester_task::Load;
     match criterion(load, engine) {
         Ok(Criterion::Peak(Load::MountForce(index))) => Ok(Target::MountForce(Some(index))),
-        Ok(_) => Ok(Target::MountForce(None)),
+        Ok(Criterion::Peak(Load::LargestMountForce)) => Ok(Target::MountForce(None)),
+        Ok(_) => Err(SensitivityError::NoSuchOutput { got: load.to_owned() }),
         Err(bad) => Err(SensitivityError::Wording { message: bad.message, hint: bad.hint }),
     }
 }

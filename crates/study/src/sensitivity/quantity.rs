@@ -2,7 +2,8 @@
 
 use super::operating_point::OperatingPoint;
 use super::output::Needs;
-use lanchester_model::{Engine, RodJoint, Varied};
+use lanchester_model::{Engine, EngineParts, RodJoint};
+use lanchester_task::Varied;
 use serde::Serialize;
 
 /// An axis of the frame.
@@ -396,8 +397,11 @@ impl Quantity {
     /// number holds: spacing, [`Varied::RodCentre`], which moves mass between the ends of a rod, [`Varied::ShaftPhase`], which turns all
     /// weights of a shaft, pressures that come later, mounts that are turned, and factors. Main bearings stay where they are when the rest
     /// moves from then on.
-    pub(super) fn numbers(self, point: &mut OperatingPoint) -> Vec<&mut f64> {
-        let engine: &mut Engine = &mut point.engine;
+    pub(super) fn numbers<'a>(
+        self,
+        engine: &'a mut EngineParts,
+        point: &'a mut OperatingPoint,
+    ) -> Vec<&'a mut f64> {
         match self {
             Quantity::Speed => vec![&mut point.speed],
             Quantity::Spacing
@@ -497,7 +501,7 @@ fn articulated(engine: &Engine) -> impl Iterator<Item = usize> {
 }
 
 /// Radii and angles of the knuckle pins of articulated rods.
-fn knuckles(engine: &mut Engine) -> impl Iterator<Item = [&mut f64; 2]> {
+fn knuckles(engine: &mut EngineParts) -> impl Iterator<Item = [&mut f64; 2]> {
     engine.cylinders.iter_mut().filter_map(|cylinder| match &mut cylinder.rod.joint {
         RodJoint::Articulated { knuckle_radius, knuckle_angle, .. } => Some([knuckle_radius, knuckle_angle]),
         _ => None,

@@ -148,8 +148,8 @@ pub struct Sensitivity {
 /// ```
 /// use lanchester_study::sensitivity::{OperatingPoint, SensitivityRequest, sensitivity};
 ///
-/// let template = lanchester_model::template("single").expect("it is in the gallery");
-/// let engine = lanchester_model::read(template.text).engine.expect("the gallery has no mistakes");
+/// let template = lanchester_file::template("single").expect("it is in the gallery");
+/// let engine = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let point = OperatingPoint::of_inertia(engine, 400.0);
 /// let found = sensitivity(&point, &SensitivityRequest::default())?;
 /// let (force, speed) = (&found.outputs[0], &found.inputs[0]);

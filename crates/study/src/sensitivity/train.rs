@@ -16,7 +16,8 @@ use super::input::Input;
 use super::jet::{Jet, known};
 use super::prepared::{PistonGas, Prepared};
 use super::quantity::Quantity;
-use lanchester_model::{Engine, Ratio, RodJoint, Varied};
+use lanchester_model::{Engine, Ratio, RodJoint};
+use lanchester_task::Varied;
 use num_dual::{Dual64, DualNum};
 
 /// Loads at one angle, each with its derivative by the input.

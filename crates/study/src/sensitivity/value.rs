@@ -6,11 +6,11 @@ use super::operating_point::OperatingPoint;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderGas, EnergyVariation, Excitation, Extremes, GasTrain,
-    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, PeriodicCurve, PinLoad,
-    SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
-    merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
+    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, OuterTorque, PeriodicCurve,
+    PinLoad, SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations,
+    internal_moments, merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -114,7 +114,8 @@ impl Known {
             }
             Target::SpeedFluctuation => {
                 let gas = point.gas.as_deref().filter(|_| output.needs().gas);
-                let found = speed_ripple(&point.engine, gas, point.speed, point.turning)?;
+                let found =
+                    speed_ripple(&point.engine, gas, point.speed, &OuterTorque::default(), point.turning)?;
                 match found.trouble() {
                     Some([reason, fix]) => Err(SensitivityError::NoFluctuation {
                         reason: reason.to_owned(),
@@ -198,11 +199,13 @@ fn of_point(point: &OperatingPoint, gas: bool, max_order: u32) -> Result<Torque,
 
 /// The engine with pistons on which no gas presses.
 fn unloaded(engine: &Engine) -> Result<(Engine, Vec<CylinderGas>), TorqueError> {
-    let mut engine = engine.clone();
-    for cylinder in &mut engine.cylinders {
-        cylinder.bore.get_or_insert(1.0);
-        cylinder.firing_angle.get_or_insert(0.0);
-    }
+    let complete = |parts: &mut EngineParts| {
+        for cylinder in &mut parts.cylinders {
+            cylinder.bore.get_or_insert(1.0);
+            cylinder.firing_angle.get_or_insert(0.0);
+        }
+    };
+    let engine = engine.with(complete).expect("invariant: a bore of 1 m is one");
     let cycle = TAU * f64::from(engine.strokes.revolutions());
     let even = |cylinder: usize| {
         let curve = PeriodicCurve::constant(cycle, 0.0)

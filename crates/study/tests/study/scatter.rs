@@ -1,13 +1,14 @@
 //! Scatter: every sample is an engine, and what is told of them is what they have.
+use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, total_loads};
-use lanchester_model::{Distribution, Extent, Tolerance, Varied};
-use lanchester_model::{Engine, read, template};
+use lanchester_model::Engine;
 use lanchester_study::explore::Sense;
 use lanchester_study::scatter::*;
+use lanchester_task::{Distribution, Extent, Tolerance, Varied};
 use proptest::prelude::*;
 
 fn engine(name: &str) -> Engine {
-    read(template(name).expect("it is in the gallery").text).engine.expect("it is valid")
+    read(template(name).expect("it is in the gallery").text).engine().expect("it is valid")
 }
 
 fn tolerance(quantity: Varied, half_width: f64, extent: Extent) -> Tolerance {
@@ -67,7 +68,7 @@ fn everything(engine: &Engine) -> Vec<Tolerance> {
 
 /// The engine with deviations, tolerance by tolerance and part by part.
 fn deviated(engine: &Engine, tolerances: &[Tolerance], deviations: &[f64]) -> Engine {
-    let mut moved = engine.clone();
+    let mut moved = engine.clone().into_parts();
     let mut next = deviations.iter();
     for tolerance in tolerances {
         let weights: Vec<(usize, usize)> = engine
@@ -114,7 +115,7 @@ fn deviated(engine: &Engine, tolerances: &[Tolerance], deviations: &[f64]) -> En
         }
     }
     assert!(next.next().is_none(), "every deviation is used");
-    moved
+    Engine::new(moved).unwrap()
 }
 
 /// An output of an engine, from the mechanism.
@@ -324,11 +325,16 @@ fn weighed(count: usize) -> impl Strategy<Value = (Vec<f64>, Vec<WeighedRod>)> {
 
 fn with_parts(engine: &Engine, parts: &AssignmentRequest, pistons: &[usize], rods: &[usize]) -> f64 {
     let mut built = engine.clone();
-    for (index, cylinder) in built.cylinders.iter_mut().enumerate() {
-        cylinder.piston_mass = parts.pistons[pistons[index] - 1];
-        let rod = parts.rods[rods[index] - 1];
-        (cylinder.rod.big_end_mass, cylinder.rod.small_end_mass) = (rod.big_end_mass, rod.small_end_mass);
-    }
+    built = built
+        .with(|built| {
+            for (index, cylinder) in built.cylinders.iter_mut().enumerate() {
+                cylinder.piston_mass = parts.pistons[pistons[index] - 1];
+                let rod = parts.rods[rods[index] - 1];
+                (cylinder.rod.big_end_mass, cylinder.rod.small_end_mass) =
+                    (rod.big_end_mass, rod.small_end_mass);
+            }
+        })
+        .unwrap();
     let loads = total_loads(&built, &LoadRequest { samples: 1, ..LoadRequest::default() }).expect("loads");
     let first = loads.orders.iter().find(|o| o.order == 1.0).expect("listed");
     let force = first.force_forward.norm_sqr() + first.force_backward.norm_sqr();

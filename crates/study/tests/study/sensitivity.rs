@@ -2,12 +2,13 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, total_loads};
-use lanchester_model::{Engine, read, template};
+use lanchester_model::Engine;
 use lanchester_study::sensitivity::*;
 
 fn engine(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 /// Peaks, and orders 1 and 2, of all loads.
@@ -121,7 +122,7 @@ fn derivatives_are_the_differences_of_the_loads() {
 /// The share of a throw's rotating unbalance that its counterweights take stays; of those that do not follow it changes.
 #[test]
 fn counterweights_that_follow_keep_their_share() {
-    use lanchester_model::Varied;
+    use lanchester_task::Varied;
     let share = |engine: &Engine| {
         let rotating: f64 =
             engine.throws[0].unbalance + engine.throws[0].radius * engine.cylinders[0].rod.big_end_mass;
@@ -146,7 +147,7 @@ fn counterweights_that_follow_keep_their_share() {
 #[test]
 fn a_size_that_vanishes_grows_either_way() {
     let point = at_highest("in-line-4");
-    let heavier = Input { quantity: Quantity::Part(lanchester_model::Varied::PistonMass), part: Some(1) };
+    let heavier = Input { quantity: Quantity::Part(lanchester_task::Varied::PistonMass), part: Some(1) };
     let output = [Output::of_inertia(Target::Force, Size::Order(1.0))];
     let slope = derivatives(&point, &output, &[heavier]).unwrap()[0][0];
     let [back, front] = [-1e-4, 1e-4].map(|by| off(&point, heavier, by)[3]);
@@ -160,7 +161,7 @@ fn a_size_that_vanishes_grows_either_way() {
 #[test]
 fn shares_of_the_variance_are_those_of_the_linear_part() {
     let point = at_highest("single");
-    let quantities = [Quantity::Speed, Quantity::Part(lanchester_model::Varied::PistonMass)];
+    let quantities = [Quantity::Speed, Quantity::Part(lanchester_task::Varied::PistonMass)];
     let request = SensitivityRequest {
         outputs: vec![Output::of_inertia(Target::Force, Size::Order(2.0))],
         amounts: quantities.map(|quantity| (quantity, Amount::Share(0.01))).to_vec(),

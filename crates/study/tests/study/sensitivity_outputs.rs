@@ -3,13 +3,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use lanchester_file::{read, template};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, InternalRequest,
     KnownInertia, Lever, MountSystem, PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest,
     TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple,
     torque, vector_amplitude,
 };
-use lanchester_model::{Engine, MovingParts, Strokes, read, template};
+use lanchester_model::{Engine, EngineParts, MovingParts, Strokes};
 use lanchester_study::sensitivity::*;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -27,13 +28,17 @@ fn engine(name: &str) -> Engine {
         "v6-60" => include_str!("../../../../examples/v6-60.toml"),
         _ => template(name).unwrap().text,
     };
-    let mut engine = read(text).engine.unwrap_or_else(|| panic!("{name}"));
+    let mut engine = read(text).engine().unwrap_or_else(|| panic!("{name}"));
     let count = engine.cylinders.len();
     let cycle = TAU * f64::from(engine.strokes.revolutions());
-    for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
-        cylinder.bore.get_or_insert(0.08);
-        cylinder.firing_angle.get_or_insert(cycle * index as f64 / count as f64);
-    }
+    engine = engine
+        .with(|engine| {
+            for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.bore.get_or_insert(0.08);
+                cylinder.firing_angle.get_or_insert(cycle * index as f64 / count as f64);
+            }
+        })
+        .unwrap();
     engine
 }
 
@@ -152,7 +157,8 @@ impl Ordinary {
         let is_ripple = outputs.iter().any(|output| output.target == Target::SpeedFluctuation);
         let gas_of_ripple = outputs.iter().any(|output| output.needs().gas).then_some(gas);
         let ripple = || {
-            let found = speed_ripple(engine, gas_of_ripple, point.speed, point.turning).unwrap();
+            let found =
+                speed_ripple(engine, gas_of_ripple, point.speed, &Default::default(), point.turning).unwrap();
             found.periodic().unwrap().fluctuation
         };
         let fluctuation = if is_ripple { ripple() } else { 0.0 };
@@ -449,7 +455,12 @@ fn means_of_bearings() {
 fn forces_on_mounts() {
     for moving_parts in [MovingParts::Included, MovingParts::Added] {
         let mut point = point("in-line-4-mounts", jumping);
-        point.engine.block.as_mut().unwrap().moving_parts = moving_parts;
+        point.engine = point
+            .engine
+            .with(|parts| {
+                parts.block.as_mut().unwrap().moving_parts = moving_parts;
+            })
+            .unwrap();
         let targets = [Target::MountForce(Some(0)), Target::MountForce(Some(2)), Target::MountForce(None)];
         let sizes = [Size::Peak, Size::Order(0.5), Size::Order(2.0)];
         let outputs = of_all_parts(&targets, &sizes);
@@ -475,17 +486,25 @@ fn even_four() -> OperatingPoint {
 
 #[test]
 fn where_sides_differ_both_are_told() {
-    use lanchester_model::Varied;
+    use lanchester_task::Varied;
     let even = even_four();
     let part = |varied, index| Input { quantity: Quantity::Part(varied), part: Some(index) };
     // A counterweight in the plane of an inner main bearing leaves for one neighbour or for the other.
     let mut in_plane = even.clone();
-    in_plane.engine.counterweights[2].z = in_plane.engine.main_planes(0)[1];
+    in_plane.engine = in_plane
+        .engine
+        .with(|parts| {
+            parts.counterweights[2].z = parts.main_planes(0)[1];
+        })
+        .unwrap();
     let mut unlike = even.clone();
-    unlike.engine.counterweights.truncate(1);
-    let weight = &mut unlike.engine.counterweights[0];
-    (weight.z, weight.unbalance) = (even.engine.cylinders[1].z, 2e-3);
-    weight.angle = even.engine.throws[1].angle;
+    let one = |parts: &mut EngineParts| {
+        parts.counterweights.truncate(1);
+        let weight = &mut parts.counterweights[0];
+        (weight.z, weight.unbalance) = (even.engine.cylinders[1].z, 2e-3);
+        weight.angle = even.engine.throws[1].angle;
+    };
+    unlike.engine = unlike.engine.with(one).unwrap();
     let bent = Input { quantity: Quantity::CounterweightPlane, part: Some(0) };
     let all = |target, size| whole(target, size, BearingPart::All);
     let plane = Input { quantity: Quantity::CounterweightPlane, part: Some(2) };
@@ -582,12 +601,32 @@ fn names_and_what_is_not_there() {
     let bare = OperatingPoint { gas: None, ..point.clone() };
     refused(&bare, "torque", "needs the gas");
     let mut free = point.clone();
-    free.engine.mounts.clear();
+    free.engine = free
+        .engine
+        .with(|parts| {
+            parts.mounts.clear();
+        })
+        .unwrap();
     refused(&free, "mount force engine side", "no mount force 1");
-    free.engine.mounts.clone_from(&point.engine.mounts);
-    free.engine.block = None;
+    free.engine = free
+        .engine
+        .with(|parts| {
+            parts.mounts.clone_from(&point.engine.mounts);
+        })
+        .unwrap();
+    free.engine = free
+        .engine
+        .with(|parts| {
+            parts.block = None;
+        })
+        .unwrap();
     refused(&free, "mount force", "add a [block] section");
     let mut boreless = point.clone();
-    boreless.engine.cylinders[1].bore = None;
+    boreless.engine = boreless
+        .engine
+        .with(|parts| {
+            parts.cylinders[1].bore = None;
+        })
+        .unwrap();
     refused(&boreless, "torque", "bore of cylinder 2");
 }

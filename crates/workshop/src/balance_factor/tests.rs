@@ -1,6 +1,6 @@
 use super::*;
 use crate::Sense;
-use lanchester_model::read;
+use lanchester_file::read;
 use proptest::prelude::*;
 
 /// A single: stroke 80 mm, piston 0.4 kg, rod ends 0.3 and 0.1 kg, crank 0.01 kg m along the throw.
@@ -11,7 +11,7 @@ fn single(more: &str) -> Engine {
          [rod]\nlength = \"140 mm\"\nbig_end_mass = \"0.3 kg\"\nsmall_end_mass = \"0.1 kg\"\n{more}"
     );
     let reading = read(&text);
-    reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
 }
 
 fn vee(bank: f64) -> Engine {
@@ -22,7 +22,7 @@ fn vee(bank: f64) -> Engine {
          [rod]\nlength = \"140 mm\"\nbig_end_mass = \"0.3 kg\"\nsmall_end_mass = \"0.1 kg\"\n"
     );
     let reading = read(&text);
-    reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
+    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
 }
 
 fn one(engine: &Engine, given: FactorGiven) -> ThrowFactor {
@@ -144,7 +144,7 @@ fn the_ellipse_is_the_first_order_of_the_loads() {
                 piston = { mass = \"0.4 kg\" }\nrod = { length = \"120 mm\", mass = \"0.45 kg\" }\n\
                 [[counterweight]]\nthrow = 1\nunbalance = \"0.028 kg m\"\nangle = \"170 deg\"\n";
     let reading = read(text);
-    let engine = reading.engine.unwrap_or_else(|| panic!("{:?}", reading.diagnostics));
+    let engine = reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics));
     let factor = one(&engine, FactorGiven::AsBuilt);
     let loads = lanchester_mechanism::loads(&engine, &Default::default()).unwrap();
     let square = engine.speed.highest.powi(2);

@@ -1,6 +1,6 @@
 use super::*;
-use lanchester_model::workshop::read_sheet;
-use lanchester_model::{read, template};
+use lanchester_file::workshop::read_sheet;
+use lanchester_file::{read, template};
 use std::f64::consts::TAU;
 
 const PARTS: &str = "[parts]\nbig_end = \"410 g\"\nbearing = \"45 g\"\nsmall_end = \"180 g\"\npiston = \"430 g\"\n\
@@ -12,7 +12,7 @@ fn sheet(head: &str) -> Sheet {
 }
 
 fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 /// V8: 2 (410 + 45) + 4 = 914 g, and half of 2 * 800 g: 1714 g on each of four pins; the share is derived, and the

@@ -1,10 +1,10 @@
 use super::*;
-use lanchester_model::{read, template};
+use lanchester_file::{read, template};
 use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
 fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 /// 90-degree V on shared pins: 50 % leaves nothing. Even-firing V6 on 30-degree split pins: 36.6 % = (1 - tan 15)/2

@@ -1,9 +1,9 @@
 use super::*;
 use crate::{FactorRequest, balance_factors};
-use lanchester_model::{read, template};
+use lanchester_file::{read, template};
 
 fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine.unwrap()
+    read(template(name).unwrap().text).engine().unwrap()
 }
 
 fn planes(front: f64, rear: f64) -> [Plane; 2] {
@@ -15,7 +15,11 @@ fn planes(front: f64, rear: f64) -> [Plane; 2] {
 #[test]
 fn in_line_three_by_formula() {
     let mut engine = gallery("in-line-3");
-    engine.counterweights.clear();
+    engine = engine
+        .with(|engine| {
+            engine.counterweights.clear();
+        })
+        .expect("an engine");
     let bob = 0.34 + 0.5 * 0.44;
     let unbalance = engine.throws[0].unbalance + bob * 0.041;
     let body = CrankBody { mass: 9.0, mass_centre: 0.0, transverse_inertia: 0.09, polar_inertia: 0.02 };
@@ -56,26 +60,34 @@ fn a_tilted_rod_tells_its_tilt() {
     let (mass, length, tilt, offset) = (3.0, 0.8, 0.013, 2e-4);
     let count = 4000;
     let mut engine = gallery("single");
-    engine.throws[0].unbalance = 0.0;
-    let (mut transverse, mut polar) = (0.0, 0.0);
-    engine.counterweights = (0..count)
-        .map(|k| {
-            let s = length * ((f64::from(k) + 0.5) / f64::from(count) - 0.5);
-            let (x, z, m) = (s * f64::sin(tilt), s * f64::cos(tilt), mass / f64::from(count));
-            transverse += m * z * z;
-            polar += m * x * x;
-            let x = x + offset;
-            let angle = if x < 0.0 { std::f64::consts::PI } else { 0.0 };
-            lanchester_model::Counterweight {
-                name: String::new(),
-                crankshaft: 0,
-                z: z + 0.05,
-                unbalance: m * x.abs(),
-                angle: angle + 0.7,
-                part: None,
-            }
+    engine = engine
+        .with(|engine| {
+            engine.throws[0].unbalance = 0.0;
         })
-        .collect();
+        .expect("an engine");
+    let (mut transverse, mut polar) = (0.0, 0.0);
+    engine = engine
+        .with(|engine| {
+            engine.counterweights = (0..count)
+                .map(|k| {
+                    let s = length * ((f64::from(k) + 0.5) / f64::from(count) - 0.5);
+                    let (x, z, m) = (s * f64::sin(tilt), s * f64::cos(tilt), mass / f64::from(count));
+                    transverse += m * z * z;
+                    polar += m * x * x;
+                    let x = x + offset;
+                    let angle = if x < 0.0 { std::f64::consts::PI } else { 0.0 };
+                    lanchester_model::Counterweight {
+                        name: String::new(),
+                        crankshaft: 0,
+                        z: z + 0.05,
+                        unbalance: m * x.abs(),
+                        angle: angle + 0.7,
+                        part: None,
+                    }
+                })
+                .collect();
+        })
+        .expect("an engine");
     let body = CrankBody { mass, mass_centre: 0.05, transverse_inertia: transverse, polar_inertia: polar };
     let got = crank_unbalance(&engine, 0, &[0.0], &planes(-0.2, 0.3), Some(body)).unwrap();
     let state = got.body.unwrap();
@@ -94,7 +106,11 @@ fn a_tilted_rod_tells_its_tilt() {
 #[test]
 fn kinds_of_unbalance() {
     let mut engine = gallery("single");
-    engine.throws[0].unbalance = 0.0;
+    engine = engine
+        .with(|engine| {
+            engine.throws[0].unbalance = 0.0;
+        })
+        .expect("an engine");
     let weight = |z: f64, unbalance: f64, degrees: f64| lanchester_model::Counterweight {
         name: String::new(),
         crankshaft: 0,
@@ -105,7 +121,11 @@ fn kinds_of_unbalance() {
     };
     let body = CrankBody { mass: 5.0, mass_centre: 0.02, transverse_inertia: 0.05, polar_inertia: 0.01 };
     let mut kind = |weights: Vec<lanchester_model::Counterweight>| {
-        engine.counterweights = weights;
+        engine = engine
+            .with(|engine| {
+                engine.counterweights = weights;
+            })
+            .expect("an engine");
         crank_unbalance(&engine, 0, &[0.0], &planes(-0.2, 0.3), Some(body)).unwrap().body.unwrap().kind
     };
     assert_eq!(kind(vec![]), UnbalanceKind::Balanced);

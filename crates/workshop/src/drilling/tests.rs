@@ -1,5 +1,5 @@
 use super::*;
-use lanchester_model::workshop::read_sheet;
+use lanchester_file::workshop::read_sheet;
 
 fn sheet(planes: &str, displays: &str) -> Sheet {
     let text = format!("name = \"x\"\n{planes}\n{displays}");

@@ -1,6 +1,6 @@
 use super::*;
 use crate::{Plane, PlaneUnbalance, in_two_planes};
-use lanchester_model::workshop::read_sheet;
+use lanchester_file::workshop::read_sheet;
 use num_complex::Complex64;
 
 /// Unbalances moved to two places along the shaft [kg m].

@@ -21,7 +21,7 @@ pub fn run(arguments: &CounterweightCheckArguments, colour: bool) -> Result<u8, 
         ));
     }
     let opened = open(&arguments.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let checked = check_counterweights(engine).map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         draw(engine, folder, &arguments.file)?;

@@ -10,6 +10,7 @@ use crate::files::print;
 use crate::format::Format;
 use crate::shape_request::shape_request;
 use lanchester::balance::Consequences;
+use lanchester::file::EngineFile;
 use lanchester::geometry::{Design, DesignOutcome, ShaftWeightDesign, ShaftWeightOutcome};
 use lanchester::model::Engine;
 use lanchester::report::{consequence_words, consequences_table};
@@ -34,8 +35,8 @@ struct Found {
 
 pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
-    let engine = &opened.engine;
-    let mut found = find(engine, arguments)?;
+    let engine = &opened.file.engine;
+    let mut found = find(&opened.file, arguments)?;
     let put_back = PutBack {
         path: &arguments.shape.file,
         write: arguments.write,
@@ -60,18 +61,19 @@ pub fn run(arguments: &DesignArguments, colour: bool) -> Result<u8, Failure> {
     Ok(status)
 }
 
-fn find(engine: &Engine, arguments: &DesignArguments) -> Result<Found, Failure> {
+fn find(file: &EngineFile, arguments: &DesignArguments) -> Result<Found, Failure> {
+    let EngineFile { engine, tasks } = file;
     let evolution = evolution(arguments)?;
     let names = &arguments.shape.weight;
     let (named, others) = named_shaft_weights(engine, names);
     let is_free = names.is_empty();
-    let places = match (is_free, engine.shaft_weight_task) {
+    let places = match (is_free, tasks.shaft_weight_task) {
         (true, None) => Vec::new(),
         (true, Some(_)) => shaft_weights_to_design(engine),
         (false, _) => named,
     };
     let has_options = arguments.shape.has_options() || evolution.is_some();
-    let only_shafts = engine.shape_task.is_none() && !has_options && engine.shaft_weight_task.is_some();
+    let only_shafts = tasks.shape_task.is_none() && !has_options && tasks.shaft_weight_task.is_some();
     let wants_counterweights = if is_free { !only_shafts } else { !others.is_empty() };
     if !wants_counterweights && has_options {
         return Err(Failure::input(
@@ -87,14 +89,14 @@ fn find(engine: &Engine, arguments: &DesignArguments) -> Result<Found, Failure> 
     }
     let shaft_weights = match places.is_empty() {
         true => None,
-        false => Some(shafts(engine, &places)?),
+        false => Some(shafts(file, &places)?),
     };
     let counterweights = match wants_counterweights {
         false => None,
         true => {
             let weights = others.into_iter().cloned().collect();
             let request =
-                CounterweightRequest { evolution, weights, ..shape_request(engine, &arguments.shape)? };
+                CounterweightRequest { evolution, weights, ..shape_request(file, &arguments.shape)? };
             match design_counterweights(engine, &request) {
                 // The file is about its shafts.
                 Err(CounterweightError::NoneOnAWeb { .. }) if is_free && shaft_weights.is_some() => None,
@@ -105,15 +107,15 @@ fn find(engine: &Engine, arguments: &DesignArguments) -> Result<Found, Failure> 
     Ok(Found { counterweights, shaft_weights, consequences: None })
 }
 
-fn shafts(engine: &Engine, places: &[ShaftWeightPlace]) -> Result<ShaftWeightDesigns, Failure> {
-    let Some(task) = &engine.shaft_weight_task else {
+fn shafts(file: &EngineFile, places: &[ShaftWeightPlace]) -> Result<ShaftWeightDesigns, Failure> {
+    let Some(task) = &file.tasks.shaft_weight_task else {
         return Err(Failure::input(
             "the shapes to search for weights of balance shafts are not given",
             "add a section like\n\n  [shaft_weight_design]\n  density = \"7850 kg/m3\"\n  shaft_diameter = \"24 mm\"\n  \
              radius = [\"20 mm\", \"36 mm\"]\n  length = [\"10 mm\", \"60 mm\"]\n\nto the engine file",
         ));
     };
-    design_shaft_weights(engine, task, places).map_err(Failure::refused)
+    design_shaft_weights(&file.engine, task, places).map_err(Failure::refused)
 }
 
 impl Found {

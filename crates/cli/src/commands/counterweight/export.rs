@@ -6,28 +6,29 @@ use crate::failure::{DONE, Failure};
 use crate::files::write_result;
 use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
-use lanchester::model::{Engine, option};
+use lanchester::model::Engine;
+use lanchester::task::option;
 use lanchester::{check_counterweights, crankshaft_parts, engine_parts, shaft_parts};
 use lanchester_files::shown;
 
 pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
     let crankshaft = arguments.crankshaft.wrapping_sub(1);
-    if crankshaft >= opened.engine.crankshafts.len() {
-        let count = opened.engine.crankshafts.len();
+    if crankshaft >= opened.file.engine.crankshafts.len() {
+        let count = opened.file.engine.crankshafts.len();
         return Err(Failure::input(
             format_args!("--crankshaft needs a number from 1 to {count}, got {}", arguments.crankshaft),
             "leave it out for the first one",
         ));
     }
-    let parts = parts(&opened.engine, arguments, crankshaft)?;
+    let parts = parts(&opened.file.engine, arguments, crankshaft)?;
     let ending = arguments.output.extension().and_then(|ending| ending.to_str());
     let ending = ending.unwrap_or_default().to_ascii_lowercase();
     let facet = facet(arguments, &ending)?;
     let solids = || solids(&parts).map_err(Failure::refused);
     let content = match ending.as_str() {
         "step" | "stp" => {
-            let header = StepHeader { title: opened.engine.name.clone(), ..StepHeader::default() };
+            let header = StepHeader { title: opened.file.engine.name.clone(), ..StepHeader::default() };
             step(&solids()?, &header).into_bytes()
         }
         "stl" => stl(&solids()?, facet).map_err(Failure::refused)?,
@@ -48,7 +49,7 @@ pub fn run(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let names: Vec<&str> = parts.iter().map(|part| part.name.as_str()).collect();
     eprintln!("{} written: {}", shown(&arguments.output), names.join(", "));
     if matches!(ending.as_str(), "step" | "stp" | "stl" | "glb") {
-        eprint!("{}", masses(&opened.engine, &parts));
+        eprint!("{}", masses(&opened.file.engine, &parts));
     }
     Ok(DONE)
 }

@@ -16,9 +16,9 @@ use lanchester::{
 
 pub fn run(arguments: &FrontArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.shape.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let file = &arguments.shape.file;
-    let request = shape_request(engine, &arguments.shape)?;
+    let request = shape_request(&opened.file, &arguments.shape)?;
     let found = counterweight_front(engine, &request, arguments.against.into(), arguments.designs)
         .map_err(Failure::refused)?;
     let CounterweightFront { front, weights, room, envelope } = &found;

@@ -8,9 +8,9 @@ use crate::files::{print, read_bytes};
 use crate::format::Format;
 use lanchester::geometry::drawing::{Drawing, DrawingOptions, read_dxf, read_svg};
 use lanchester::geometry::{MassProperties, Part, counterweight_properties};
-use lanchester::model::option;
 use lanchester::model::{CounterweightForm, Engine};
 use lanchester::report::csv_text;
+use lanchester::task::option;
 use lanchester::with_outline;
 use lanchester_files::shown;
 use serde::Serialize;
@@ -26,7 +26,7 @@ struct Imported<'a> {
 
 pub fn run(arguments: &ImportArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
-    let engine = &opened.engine;
+    let engine = &opened.file.engine;
     let drawing = drawing(arguments)?;
     let mut ignored: Vec<String> =
         drawing.ignored.iter().map(|ignored| format!("{}: {}", ignored.entity, ignored.why)).collect();

@@ -5,9 +5,9 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::AssignArguments;
-use lanchester::model::option;
 use lanchester::report::{assignment_table, assignment_text};
 use lanchester::study::scatter::{AssignmentRequest, WeighedRod, assign, standard_lever};
+use lanchester::task::option;
 
 pub fn run(arguments: &AssignArguments, colour: bool) -> Result<u8, Failure> {
     let pistons = masses(arguments.pistons.as_deref(), "--pistons")?;
@@ -21,7 +21,7 @@ pub fn run(arguments: &AssignArguments, colour: bool) -> Result<u8, Failure> {
             "give --pistons '401.2 g, 400.1 g', --big-ends or --small-ends, one mass for each cylinder in the order of the parts",
         ));
     }
-    let engine = open(&arguments.file, colour)?.engine;
+    let engine = open(&arguments.file, colour)?.file.engine;
     let own = |weighed: Option<Vec<f64>>, option: &str, mass: fn(&lanchester::model::Cylinder) -> f64| {
         let Some(weighed) = weighed else { return Ok(engine.cylinders.iter().map(mass).collect()) };
         let (got, needed) = (weighed.len(), engine.cylinders.len());

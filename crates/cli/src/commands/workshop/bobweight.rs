@@ -16,7 +16,7 @@ pub fn run(arguments: &BobweightArguments, colour: bool) -> Result<u8, Failure> 
         // The path counts from the sheet's own folder; that of standard input is the current one.
         Some(file) => {
             let folder = arguments.sheet.parent().unwrap_or(std::path::Path::new(""));
-            Some(open(&folder.join(file), colour)?.engine)
+            Some(open(&folder.join(file), colour)?.file.engine)
         }
         None => None,
     };

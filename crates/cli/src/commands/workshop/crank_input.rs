@@ -5,8 +5,9 @@ use super::open as open_sheet;
 use crate::commands::open;
 use crate::failure::Failure;
 use crate::workshop_arguments::CrankInput;
-use lanchester::model::workshop::{Rotor, Sheet};
-use lanchester::model::{Engine, option};
+use lanchester::model::Engine;
+use lanchester::task::option;
+use lanchester::task::workshop::{Rotor, Sheet};
 use lanchester::workshop::{
     CrankBody, FactorGiven, FactorRequest, Plane, balance_factors, bobweight_answer, end_planes,
 };
@@ -29,7 +30,7 @@ pub fn crank(input: &CrankInput, colour: bool) -> Result<Crank, Failure> {
         Some(text) => option::mass(text, "--oil").map_err(bad)?,
         None => 0.0,
     };
-    let engine = open(&input.engine, colour)?.engine;
+    let engine = open(&input.engine, colour)?.file.engine;
     let crankshaft = match input.crankshaft.checked_sub(1) {
         Some(index) if index < engine.crankshafts.len() => index,
         _ => {

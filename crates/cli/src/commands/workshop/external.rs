@@ -7,9 +7,9 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::workshop_arguments::ExternalArguments;
-use lanchester::model::option;
 use lanchester::report::Table;
 use lanchester::report::workshop::{external_tables, external_text};
+use lanchester::task::option;
 use lanchester::workshop::external_balance;
 
 pub fn run(arguments: &ExternalArguments, colour: bool) -> Result<u8, Failure> {

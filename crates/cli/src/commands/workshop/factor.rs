@@ -6,9 +6,9 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::workshop_arguments::FactorArguments;
-use lanchester::model::option;
 use lanchester::report::Table;
 use lanchester::report::workshop::{factor_tables, factor_text, primary_ellipse_figure};
+use lanchester::task::option;
 use lanchester::workshop::{FactorRequest, factor_answer};
 
 pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
@@ -24,7 +24,7 @@ pub fn run(arguments: &FactorArguments, colour: bool) -> Result<u8, Failure> {
         },
     };
     let opened = open(&arguments.engine, colour)?;
-    let answer = factor_answer(&opened.engine, &request).map_err(Failure::refused)?;
+    let answer = factor_answer(&opened.file.engine, &request).map_err(Failure::refused)?;
     if let Some(path) = &arguments.figure {
         let Some(figure) = primary_ellipse_figure(&answer) else {
             return Err(Failure::input(

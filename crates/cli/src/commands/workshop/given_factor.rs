@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::workshop_arguments::GivenFactor;
-use lanchester::model::option::{self, BadQuantity};
+use lanchester::task::option::{self, BadQuantity};
 use lanchester::workshop::FactorGiven;
 
 /// What the options say of the factor.

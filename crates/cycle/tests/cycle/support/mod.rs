@@ -11,9 +11,9 @@ pub fn engine(strokes: u32, offset: &str, gas: &str) -> Engine {
          [cylinders]\noffset = \"{offset}\"\n[crank]\nstroke = \"85 mm\"\n[piston]\nmass = \"0.4 kg\"\nbore = \"86 mm\"\n\
          [rod]\nlength = \"150 mm\"\nmass = \"0.5 kg\"\n{gas}"
     );
-    let reading = lanchester_model::read(&text);
-    let shown = lanchester_model::render(&reading.diagnostics, "single.toml", &text, false);
-    reading.engine.unwrap_or_else(|| panic!("{shown}"))
+    let reading = lanchester_file::read(&text);
+    let shown = lanchester_file::render(&reading.diagnostics, "single.toml", &text, false);
+    reading.engine().unwrap_or_else(|| panic!("{shown}"))
 }
 
 pub fn cycle_of(engine: &Engine) -> &GasCycle {

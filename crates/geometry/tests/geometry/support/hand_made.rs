@@ -3,8 +3,8 @@
 use lanchester_geometry::clearance::{Obstacle, RodBounds, RodMotion, RodPose};
 use lanchester_geometry::{Contour, Edge, Outline, Part, Point};
 use lanchester_model::{
-    Counterweight, CounterweightForm, CounterweightPart, Crankshaft, Cylinder, Engine, Envelope, Liner,
-    Ratio, Rod, RodEnvelope, RodJoint, RodMassRule, Rotation, Skirt, SpeedRange, Strokes, Throw,
+    Counterweight, CounterweightForm, CounterweightPart, Crankshaft, Cylinder, Engine, EngineParts, Envelope,
+    Liner, Ratio, Rod, RodEnvelope, RodJoint, RodMassRule, Rotation, Skirt, SpeedRange, Strokes, Throw,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -135,7 +135,7 @@ pub fn counterweight(outline: Outline, faces: [f64; 2], web: Option<usize>) -> C
 
 /// One crankshaft, one throw along +x, these cylinders on it, nothing to stay clear of yet.
 pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> Engine {
-    Engine {
+    Engine::new(EngineParts {
         name: "made by hand".to_string(),
         note: None,
         strokes: Strokes::Four,
@@ -150,16 +150,12 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         block: None,
         crank_body: None,
         envelope: Some(Envelope::default()),
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
-        simulation: None,
-    }
+    })
+    .unwrap()
 }
 
 /// A sector of a disc about the crank axis, `half` an angle to both sides of x.

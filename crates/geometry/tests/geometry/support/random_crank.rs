@@ -85,23 +85,35 @@ pub fn engine(body: CrankBody, throws: &[(f64, f64)], gap: f64, wishes: &[Option
         let pin =
             PI / 4.0 * (body.pin_diameter.powi(2) - body.pin_bore.powi(2)) * (distance - body.web_thickness);
         let web = body.web(*radius).unwrap().moments().first.x * body.web_thickness;
-        engine.throws.push(Throw {
-            crankshaft: 0,
-            angle: *angle,
-            z,
-            radius: *radius,
-            unbalance: body.density * (pin * radius - 2.0 * web),
-            unbalance_offset: 0.0,
-            webs: Some([z - distance / 2.0, z + distance / 2.0]),
-        });
+        engine = engine
+            .with(|engine| {
+                engine.throws.push(Throw {
+                    crankshaft: 0,
+                    angle: *angle,
+                    z,
+                    radius: *radius,
+                    unbalance: body.density * (pin * radius - 2.0 * web),
+                    unbalance_offset: 0.0,
+                    webs: Some([z - distance / 2.0, z + distance / 2.0]),
+                });
+            })
+            .unwrap();
     }
     for (web, wish) in wishes.iter().enumerate().filter(|(web, _)| *web < 2 * throws.len()) {
         let Some(wish) = wish else { continue };
         let throw = &engine.throws[web / 2];
         let plane = throw.webs.unwrap()[web % 2];
-        engine.counterweights.push(counterweight(&body, throw, web, plane, wish));
+        engine = engine
+            .with(|engine| {
+                engine.counterweights.push(counterweight(&body, throw, web, plane, wish));
+            })
+            .unwrap();
     }
-    engine.crank_body = Some(body);
+    engine = engine
+        .with(|engine| {
+            engine.crank_body = Some(body);
+        })
+        .unwrap();
     engine
 }
 
@@ -158,7 +170,7 @@ pub fn engine_balance(engine: &Engine) -> [Point; 2] {
 }
 
 fn empty() -> Engine {
-    Engine {
+    Engine::new(EngineParts {
         name: "sample".to_owned(),
         note: None,
         strokes: Strokes::Four,
@@ -180,14 +192,10 @@ fn empty() -> Engine {
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
-        simulation: None,
-    }
+    })
+    .unwrap()
 }

@@ -63,7 +63,7 @@ pub fn crankshaft() -> Crankshaft {
 
 /// An engine of these throws and cylinders at 300 rad/s.
 pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engine {
-    Engine {
+    Engine::new(EngineParts {
         name: name.into(),
         note: None,
         strokes: Strokes::Four,
@@ -78,16 +78,12 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         block: None,
         crank_body: None,
         envelope: None,
-        shape_task: None,
         gas: None,
         friction: None,
         flywheel: None,
-        tolerances: Vec::new(),
         bearings: None,
-        shaft_weight_task: None,
-        balance: None,
-        simulation: None,
-    }
+    })
+    .unwrap()
 }
 
 /// An in-line engine: throws at these angles [deg], 90 mm apart, symmetric about the origin.

@@ -127,9 +127,12 @@ fn any_block() -> impl Strategy<Value = Block> {
 
 /// `engine` with a random block on three to five random mounts.
 pub fn any_mounted(engine: Engine) -> impl Strategy<Value = Engine> {
-    (any_block(), prop::collection::vec(any_mount(), 3..6)).prop_map(move |(block, mounts)| Engine {
-        block: Some(block),
-        mounts,
-        ..engine.clone()
+    (any_block(), prop::collection::vec(any_mount(), 3..6)).prop_map(move |(block, mounts)| {
+        engine
+            .with(|parts| {
+                parts.block = Some(block);
+                parts.mounts = mounts;
+            })
+            .unwrap()
     })
 }

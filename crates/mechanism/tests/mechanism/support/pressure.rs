@@ -68,11 +68,12 @@ prop_compose! {
 }
 
 /// Bores and firings, near the dead centres that the reader would find.
-pub fn fired(mut engine: Engine, bore: f64, strokes: lanchester_model::Strokes) -> Engine {
+pub fn fired(engine: Engine, bore: f64, strokes: lanchester_model::Strokes) -> Engine {
+    let mut engine = engine.into_parts();
     engine.strokes = strokes;
     for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
         cylinder.bore = Some(bore + 0.002 * index as f64);
         cylinder.firing_angle = Some(1.7 * index as f64);
     }
-    engine
+    Engine::new(engine).unwrap()
 }

@@ -110,12 +110,13 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
                 cylinders.push(cylinder);
             }
         }
-        let mut engine = engine("random", throws.into_iter().map(|(throw, _)| throw).collect(), cylinders);
+        let mut engine =
+            engine("random", throws.into_iter().map(|(throw, _)| throw).collect(), cylinders).into_parts();
         engine.speed = SpeedRange { lowest: speed, highest: speed };
         if shape.geared {
             let ((numerator, denominator), phase, x, y) = gear;
             let ratio = Ratio::new(numerator, denominator).expect("not 0");
-            engine.crankshafts.push(Crankshaft { ratio, phase, x, y, ..crankshaft() });
+            engine.crankshafts.push(Crankshaft { name: "second".into(), ratio, phase, x, y, ..crankshaft() });
         }
         let crankshafts = engine.crankshafts.len();
         engine.counterweights = weights
@@ -131,6 +132,6 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
             })
             .collect();
         engine.shafts = shafts;
-        engine
+        Engine::new(engine).unwrap()
     })
 }

@@ -11,9 +11,11 @@ const MAIN_LOAD = "main-bearing load";
 export function loadName(load: Load): string {
   if (typeof load === "object") {
     if ("main-load" in load) return `${MAIN_LOAD} ${load["main-load"] + 1}`;
+    if ("mount-force-with-gas" in load) return `force at mount ${load["mount-force-with-gas"] + 1} with gas`;
     return `force at mount ${load["mount-force"] + 1}`;
   }
   if (load === "largest-mount-force") return "mount force";
+  if (load === "largest-mount-force-with-gas") return "mount force with gas";
   if (load === "largest-main-load") return MAIN_LOAD;
   return load.replaceAll("-", " ");
 }

@@ -1,0 +1,320 @@
+//! The general form of an engine as an engine file.
+
+mod balance;
+mod gas;
+mod mount;
+mod part;
+mod running;
+mod shaft_part;
+mod simulation;
+
+pub(crate) use part::shape_entries;
+pub(crate) use shaft_part::shaft_shape;
+
+use crate::engine_file::EngineFile;
+use crate::firing::turn;
+use crate::read::fired_after;
+use lanchester_model::Ratio;
+use lanchester_model::angle;
+use lanchester_model::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Strokes, Throw};
+use lanchester_units::{Dimension, exact_text, neighbours, text_that};
+use std::f64::consts::TAU;
+use std::fmt::Write;
+
+/// The general form of the engine as an engine file: every throw, cylinder, weight and firing angle written out.
+///
+/// [`read`](crate::read) makes the same engine of it, to the last bit.
+pub fn expanded(file: &EngineFile) -> String {
+    let EngineFile { engine, tasks } = file;
+    let mut text = File::default();
+    text.comment("The general form of this engine, written by Lanchester.");
+    text.entry("name", &quoted(&engine.name));
+    if let Some(note) = &engine.note {
+        text.entry("note", &quoted(note));
+    }
+    text.entry("strokes", if engine.strokes == Strokes::Two { "2" } else { "4" });
+    text.entry(
+        "rotation",
+        if engine.rotation == Rotation::Reverse { "\"reverse\"" } else { "\"clockwise\"" },
+    );
+    let [lowest, highest] =
+        [engine.speed.lowest, engine.speed.highest].map(|speed| quantity(speed, Dimension::Speed));
+    if engine.speed.lowest == engine.speed.highest {
+        text.entry("speed", &highest);
+    } else {
+        text.entry("speed", &format!("[{lowest}, {highest}]"));
+    }
+    text.entry_with_comment("origin", "\"0 mm\"", "every z counts from the reference plane");
+    text.firing(engine);
+    text.crankshafts(engine);
+    text.crank_body(engine);
+    for (index, throw) in engine.throws.iter().enumerate() {
+        text.throw(index, throw, engine.crank_body.is_some());
+    }
+    for (index, cylinder) in engine.cylinders.iter().enumerate() {
+        text.cylinder(index, cylinder, engine);
+    }
+    text.weights(engine);
+    text.mounts(engine);
+    text.shape_task(tasks);
+    text.shaft_weight_task(tasks);
+    text.clearance(engine);
+    text.gas(engine);
+    text.friction(engine, tasks);
+    text.flywheel(engine);
+    text.bearings(engine);
+    text.simulation(tasks);
+    text.tolerances(tasks);
+    text.balance(tasks, engine);
+    text.text
+}
+
+#[derive(Default)]
+struct File {
+    text: String,
+}
+
+impl File {
+    fn comment(&mut self, comment: &str) {
+        self.line(&format!("# {comment}"));
+    }
+
+    fn header(&mut self, header: &str, comment: &str) {
+        self.line("");
+        self.line(&if comment.is_empty() { header.to_string() } else { format!("{header}  # {comment}") });
+    }
+
+    fn entry(&mut self, key: &str, value: &str) {
+        self.line(&format!("{key} = {value}"));
+    }
+
+    fn entry_with_comment(&mut self, key: &str, value: &str, comment: &str) {
+        self.line(&format!("{key} = {value}  # {comment}"));
+    }
+
+    fn entry_unless_zero(&mut self, key: &str, value: f64, dimension: Dimension) {
+        if value != 0.0 {
+            self.entry(key, &quantity(value, dimension));
+        }
+    }
+
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+
+    fn firing(&mut self, engine: &Engine) {
+        let angles: Option<Vec<f64>> =
+            engine.cylinders.iter().map(|cylinder| cylinder.firing_angle).collect();
+        let Some(angles) = angles else { return };
+        let Some(&start) = angles.first() else { return };
+        let list: Vec<String> = angles
+            .iter()
+            .enumerate()
+            .map(|(index, &fired)| {
+                let cycle = engine.working_cycle(index);
+                let after = if fired == start { 0.0 } else { turn(fired - start, cycle) };
+                format!(
+                    "\"{}\"",
+                    text_that(after, Dimension::Angle, |after| fired_after(start, after, cycle) == fired)
+                )
+            })
+            .collect();
+        self.header("[firing]", "after cylinder 1");
+        self.entry("angles", &format!("[{}]", list.join(", ")));
+    }
+
+    fn crankshafts(&mut self, engine: &Engine) {
+        for (index, crankshaft) in engine.crankshafts.iter().enumerate() {
+            self.header("[[crankshaft]]", &format!("{}", index + 1));
+            self.entry("name", &quoted(&crankshaft.name));
+            if index > 0 {
+                self.entry("ratio", &ratio(crankshaft.ratio));
+            }
+            self.entry_unless_zero("phase", crankshaft.phase, Dimension::Angle);
+            self.entry_unless_zero("x", crankshaft.x, Dimension::Length);
+            self.entry_unless_zero("y", crankshaft.y, Dimension::Length);
+            if let Some(mains) = &crankshaft.mains {
+                let list: Vec<String> = mains.iter().map(|&z| quantity(z, Dimension::Length)).collect();
+                self.entry("main_positions", &format!("[{}]", list.join(", ")));
+            }
+        }
+    }
+
+    fn throw(&mut self, index: usize, throw: &Throw, has_body: bool) {
+        self.header("[[throw]]", &format!("{}", index + 1));
+        if throw.crankshaft > 0 {
+            self.entry("crankshaft", &(throw.crankshaft + 1).to_string());
+        }
+        self.entry("angle", &quantity(throw.angle, Dimension::Angle));
+        self.entry("z", &quantity(throw.z, Dimension::Length));
+        self.entry("radius", &quantity(throw.radius, Dimension::Length));
+        if !has_body {
+            self.entry_unless_zero("unbalance", throw.unbalance, Dimension::Unbalance);
+        }
+        if let Some([front, rear]) = throw.webs {
+            let z = throw.z;
+            let fits = |distance: f64| z - distance / 2.0 == front && z + distance / 2.0 == rear;
+            // Rounding has lost some of the distance: each of these may be the one that was given.
+            let guesses = [rear - front, 2.0 * (z - front), 2.0 * (rear - z), (z - front) + (rear - z)];
+            let distance = guesses
+                .into_iter()
+                .find(|guess| neighbours(*guess).into_iter().any(fits))
+                .unwrap_or(rear - front);
+            let text = text_that(distance, Dimension::Length, fits);
+            self.entry("web_distance", &format!("\"{text}\""));
+        }
+    }
+
+    fn cylinder(&mut self, index: usize, cylinder: &Cylinder, engine: &Engine) {
+        self.header("[[cylinder]]", "");
+        self.entry("number", &(index + 1).to_string());
+        self.entry("throw", &(cylinder.throw + 1).to_string());
+        self.entry("angle", &quantity(cylinder.angle, Dimension::Angle));
+        self.entry("z", &quantity(cylinder.z, Dimension::Length));
+        self.entry_unless_zero("offset", cylinder.offset, Dimension::Length);
+        self.entry_unless_zero("pin_offset", cylinder.pin_offset, Dimension::Length);
+        if let Some(bore) = cylinder.bore {
+            self.entry("bore", &quantity(bore, Dimension::Length));
+        }
+        if let Some(first) = cylinder.chamber {
+            self.entry("chamber", &(first + 1).to_string());
+        }
+        self.entry("piston", &format!("{{ mass = {} }}", quantity(cylinder.piston_mass, Dimension::Mass)));
+        let sharing = engine
+            .cylinders
+            .iter()
+            .filter(|other| other.throw == cylinder.throw)
+            .filter(|other| !matches!(other.rod.joint, RodJoint::Articulated { .. }))
+            .count();
+        let rod = &cylinder.rod;
+        let joint = match rod.joint {
+            RodJoint::Crankpin if sharing > 1 => "type = \"side-by-side\", ".to_string(),
+            RodJoint::Crankpin => String::new(),
+            RodJoint::Fork => "type = \"fork\", ".to_string(),
+            RodJoint::Blade => "type = \"blade\", ".to_string(),
+            RodJoint::Articulated { master, knuckle_radius, knuckle_angle } => format!(
+                "type = \"articulated\", master = {}, knuckle_radius = {}, knuckle_angle = {}, ",
+                master + 1,
+                quantity(knuckle_radius, Dimension::Length),
+                quantity(knuckle_angle, Dimension::Angle)
+            ),
+        };
+        let length = quantity(rod.length, Dimension::Length);
+        self.entry("rod", &format!("{{ {joint}length = {length}, {} }}", rod_masses(rod)));
+    }
+
+    fn weights(&mut self, engine: &Engine) {
+        for weight in &engine.counterweights {
+            self.header("[[counterweight]]", "");
+            self.entry("name", &quoted(&weight.name));
+            if let Some(part) = &weight.part {
+                self.part(weight, part, engine);
+                continue;
+            }
+            if weight.crankshaft > 0 {
+                self.entry("crankshaft", &(weight.crankshaft + 1).to_string());
+            }
+            self.entry("z", &quantity(weight.z, Dimension::Length));
+            self.entry("unbalance", &quantity(weight.unbalance, Dimension::Unbalance));
+            self.entry("angle", &quantity(weight.angle, Dimension::Angle));
+        }
+        for shaft in &engine.shafts {
+            self.header("[[shaft]]", "");
+            self.entry("name", &quoted(&shaft.name));
+            self.entry("ratio", &ratio(shaft.ratio));
+            self.entry("x", &quantity(shaft.x, Dimension::Length));
+            self.entry("y", &quantity(shaft.y, Dimension::Length));
+            if let Some(inertia) = shaft.inertia {
+                self.entry("inertia", &quantity(inertia, Dimension::Inertia));
+            }
+            let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
+            self.entry("weights", &format!("[\n{list}]"));
+        }
+    }
+}
+
+/// The masses of a rod by the rule by which they were given.
+fn rod_masses(rod: &Rod) -> String {
+    let (big, small) = (rod.big_end_mass, rod.small_end_mass);
+    let mut text = match rod.mass_rule {
+        RodMassRule::Thirds => {
+            let mass = text_that(big + small, Dimension::Mass, |mass| {
+                mass * 2.0 / 3.0 == big && mass / 3.0 == small
+            });
+            format!("mass = \"{mass}\"")
+        }
+        RodMassRule::WeighedEnds => format!(
+            "big_end_mass = {}, small_end_mass = {}",
+            quantity(big, Dimension::Mass),
+            quantity(small, Dimension::Mass)
+        ),
+        RodMassRule::CentreOfGravity => {
+            let (mass, centre) = mass_and_centre(rod);
+            format!(
+                "mass = {}, centre_of_gravity = {}",
+                quantity(mass, Dimension::Mass),
+                quantity(centre, Dimension::Length)
+            )
+        }
+    };
+    if let Some(inertia) = rod.inertia {
+        let _ = write!(text, ", inertia = {}", quantity(inertia, Dimension::Inertia));
+    }
+    text
+}
+
+/// Mass and centre of gravity from which the reader computes the same two end masses.
+fn mass_and_centre(rod: &Rod) -> (f64, f64) {
+    let (big, small, length) = (rod.big_end_mass, rod.small_end_mass, rod.length);
+    let (mass, centre) = (rod.mass(), rod.centre_of_gravity());
+    let fits = |mass: f64, centre: f64| {
+        let read = mass * (centre / length);
+        read == small && mass - read == big && (0.0..=length).contains(&centre)
+    };
+    neighbours(mass)
+        .into_iter()
+        .flat_map(|mass| neighbours(centre).into_iter().map(move |centre| (mass, centre)))
+        .find(|(mass, centre)| fits(*mass, *centre))
+        .unwrap_or((mass, centre))
+}
+
+pub(crate) fn quantity(value: f64, dimension: Dimension) -> String {
+    format!("\"{}\"", exact_text(value, dimension))
+}
+
+/// The angle from which the reader makes the same `direction`, counted from `zero`.
+fn turn_between(zero: f64, direction: f64) -> String {
+    let fits = |turn: f64| angle::direction(zero + turn) == direction;
+    // Sums of some pairs of doubles miss every other double: a turn less is finer.
+    let turn = direction - zero;
+    let guess = [turn, turn - TAU, turn + TAU]
+        .into_iter()
+        .find(|guess| neighbours(*guess).into_iter().any(fits))
+        .unwrap_or(turn);
+    format!("\"{}\"", text_that(guess, Dimension::Angle, fits))
+}
+
+pub(crate) fn ratio(ratio: Ratio) -> String {
+    if ratio.denominator() == 1 { ratio.to_string() } else { format!("\"{ratio}\"") }
+}
+
+/// A TOML basic string.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            '\r' => out.push_str("\\r"),
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", c as u32);
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}

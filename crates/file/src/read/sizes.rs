@@ -1,0 +1,87 @@
+//! Sizes that are possible, but more likely a slip of a unit.
+
+use super::{Drafts, Reader};
+use crate::document::{Field, Span};
+use lanchester_diagnostic::Mistake;
+use lanchester_units::Dimension;
+
+/// The longest rods and strokes built are about 4 m (two-stroke ship engines), the shortest some millimetres.
+const LENGTHS: [f64; 2] = [2e-3, 10.0];
+const STROKES: [f64; 2] = [1e-3, 5.0];
+const LARGEST_PISTON_MASS: f64 = 1000.0;
+const LARGEST_ROD_MASS: f64 = 5000.0;
+/// 60 000 rpm: beyond the smallest model engines.
+const FASTEST: f64 = 60_000.0 * std::f64::consts::PI / 30.0;
+/// Strokes of built engines are a third of the bore to four times it.
+const BORE_OVER_STROKE: [f64; 2] = [0.2, 5.0];
+/// Longest rod over crank radius of built engines is about 8.
+const LARGEST_ROD_OVER_RADIUS: f64 = 25.0;
+
+impl<'a> Reader<'a> {
+    pub(super) fn check_sizes(&mut self, drafts: &Drafts<'a>) {
+        for throw in drafts.throws.iter().flatten() {
+            let stroke = 2.0 * throw.throw.radius;
+            if !(STROKES[0]..=STROKES[1]).contains(&stroke) {
+                self.doubt(throw.radius_span.clone(), "a stroke", stroke, Dimension::Length, "mm");
+            }
+        }
+        for draft in drafts.cylinders.iter().flatten() {
+            let cylinder = &draft.cylinder;
+            let length = cylinder.rod.length;
+            let stroke = drafts.throws[cylinder.throw].as_ref().map(|throw| 2.0 * throw.throw.radius);
+            if !(LENGTHS[0]..=LENGTHS[1]).contains(&length) {
+                self.doubt(draft.length_span.clone(), "a rod length", length, Dimension::Length, "mm");
+            } else if let Some(stroke) = stroke
+                && length > LARGEST_ROD_OVER_RADIUS * stroke / 2.0
+                && (STROKES[0]..=STROKES[1]).contains(&stroke)
+            {
+                let ratio = (2.0 * length / stroke).round();
+                let message = format!("the rod is {ratio} times as long as the crank radius");
+                self.mistakes.push(
+                    Mistake::warning("W0801", draft.length_span.clone(), message)
+                        .label("suspicious size")
+                        .hint("check the units of the rod length and of the stroke"),
+                );
+            }
+            if cylinder.piston_mass > LARGEST_PISTON_MASS {
+                let span = draft.piston_mass_span.clone();
+                self.doubt(span, "a piston mass", cylinder.piston_mass, Dimension::Mass, "g");
+            }
+            if cylinder.rod.mass() > LARGEST_ROD_MASS {
+                self.doubt(
+                    draft.length_span.clone(),
+                    "a rod mass",
+                    cylinder.rod.mass(),
+                    Dimension::Mass,
+                    "g",
+                );
+            }
+            if let (Some(bore), Some(stroke), Some(span)) = (cylinder.bore, stroke, &draft.bore_span)
+                && !(BORE_OVER_STROKE[0]..=BORE_OVER_STROKE[1]).contains(&(bore / stroke))
+            {
+                let [bore, stroke] =
+                    [bore, stroke].map(|value| lanchester_units::readable(value, Dimension::Length));
+                let message = format!("a bore of {bore} goes ill with a stroke of {stroke}");
+                self.mistakes.push(
+                    Mistake::warning("W0801", span.clone(), message)
+                        .label("suspicious size")
+                        .hint("check the units of both: bores and strokes are mostly given in mm"),
+                );
+            }
+        }
+        if let Field::Given(speeds) = self.root.numbers("speed") {
+            for speed in speeds.value.iter().filter(|speed| speed.value > FASTEST) {
+                self.doubt(speed.span.clone(), "a speed", speed.value, Dimension::Speed, "rpm");
+            }
+        }
+    }
+
+    fn doubt(&mut self, span: Span, what: &str, value: f64, dimension: Dimension, unit: &str) {
+        let shown = lanchester_units::readable(value, dimension);
+        self.mistakes.push(
+            Mistake::warning("W0801", span, format!("{what} of {shown} is hard to believe"))
+                .label("suspicious size")
+                .hint(format!("check the number and its unit: is it meant in {unit}?")),
+        );
+    }
+}

@@ -1,0 +1,316 @@
+//! The engine as a bond graph against the multibody simulation, which shares nothing with it but the engine file: the same pressures, ten
+//! revolutions, every quantity of the motion.
+
+use lanchester::bondgraph::{
+    Curve, EngineBlock, EngineLoad, EngineRequest, EngineStart, Equations, Graph, LoadTorque,
+    SimulationRequest, Unit, engine_graph, equations,
+};
+use lanchester::file::{read, template};
+use lanchester::model::Engine;
+use lanchester::multibody::{
+    BlockMotion, BlockStart, GasPressure, Load, LoadLaw, Motion, ReactsOn, RotorInertia, Run, RunOutcome,
+    Simulation, Train,
+};
+use std::f64::consts::{PI, TAU};
+
+/// How far the two may differ, as a share of the largest value of their kind.
+const AGREEMENT: f64 = 1e-8;
+
+/// One pressure for every cylinder.
+struct Given(Curve);
+
+impl GasPressure for Given {
+    fn pressure(&self, _: usize, own: f64, _: f64) -> f64 {
+        self.0.at(own, 0)
+    }
+
+    fn kinks(&self, _: usize) -> Vec<f64> {
+        vec![0.0]
+    }
+}
+
+/// Gauge pressure of a polytropic compression and a hotter expansion over two turns, as cubics: it jumps at the firing dead centre alone.
+fn pressure() -> Curve {
+    let volume = |angle: f64| 1.0 + 4.5 * (1.0 - angle.cos());
+    let value = |angle: f64| -> [f64; 2] {
+        let turn = angle - TAU;
+        // From 0 on: expansion, two strokes of exchange, compression up to 4 pi.
+        let p = |fired: f64, a: f64| 1e5 * fired * (10.0 / volume(a)).powf(1.3);
+        let slope = |fired: f64, a: f64| -1.3 * p(fired, a) * 4.5 * a.sin() / volume(a);
+        match angle {
+            a if a < PI => [p(2.0, a), slope(2.0, a)],
+            a if a < 3.0 * PI => {
+                // A smooth fall from the end of the expansion to the start of the compression.
+                let x = (a - PI) / TAU;
+                let blend = x * x * (3.0 - 2.0 * x);
+                let ends = [p(2.0, PI), p(1.0, PI)];
+                [ends[0] + blend * (ends[1] - ends[0]), 6.0 * x * (1.0 - x) / TAU * (ends[1] - ends[0])]
+            }
+            _ => [p(1.0, turn), slope(1.0, turn)],
+        }
+    };
+    let count = 1440;
+    let step = 2.0 * TAU / f64::from(count);
+    let pieces: Vec<(f64, [f64; 4])> = (0..count)
+        .map(|k| {
+            let start = step * f64::from(k);
+            let ([a, b], [end, slope]) = (value(start), value(start + step * (1.0 - 1e-14)));
+            let rise = (end - a) / step;
+            let square = (3.0 * rise - 2.0 * b - slope) / step;
+            let cube = (b + slope - 2.0 * rise) / (step * step);
+            (start, [a - 1e5, b, square, cube])
+        })
+        .collect();
+    let units = [Unit::NONE, Unit::of([-1, 1, -2, 0, 0])];
+    Curve::cubics(&pieces, 2.0 * TAU, true, units).expect("pieces rise")
+}
+
+const BLOCK: &str = r#"
+[block]
+mass = "90 kg"
+centre = ["60 mm", "8 mm", "15 mm"]
+inertia = ["5 kg m2", "4.5 kg m2", "2.2 kg m2", "0.1 kg m2", "0.15 kg m2", "-0.2 kg m2"]
+"#;
+
+const MOUNTS: [[&str; 3]; 4] = [
+    ["-90 mm", "220 mm", "-240 mm"],
+    ["-90 mm", "-220 mm", "-250 mm"],
+    ["-80 mm", "210 mm", "260 mm"],
+    ["-90 mm", "-220 mm", "240 mm"],
+];
+
+fn mounts() -> String {
+    let mount = |[x, y, z]: [&str; 3]| {
+        format!(
+            "[[mount]]\nx = \"{x}\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\nstiffness = [\"90 N/mm\", \"60 N/mm\", \
+             \"50 N/mm\"]\ndamping = [\"300 N s/m\", \"250 N s/m\", \"200 N s/m\"]\n"
+        )
+    };
+    MOUNTS.map(mount).concat()
+}
+
+fn engine(text: &str) -> Engine {
+    let read = read(text);
+    read.engine().unwrap_or_else(|| panic!("{:?}", read.diagnostics))
+}
+
+/// What is compared: the engine, its inertias, what acts.
+struct Case {
+    engine: Engine,
+    inertia: RotorInertia,
+    block: EngineBlock,
+    fired: bool,
+    load: f64,
+    speed: f64,
+    start: EngineStart,
+    piston_damping: f64,
+    gravity: f64,
+}
+
+impl Case {
+    fn new(engine: Engine, block: EngineBlock) -> Case {
+        let crankshafts = engine.crankshafts.iter().map(|_| Some(0.09)).collect();
+        let shafts = engine.shafts.iter().map(|_| Some(0.0004)).collect();
+        Case {
+            inertia: RotorInertia { crankshafts, flywheel: 0.0, shafts },
+            engine,
+            block,
+            fired: true,
+            load: 12.0,
+            speed: 150.0,
+            start: EngineStart::default(),
+            piston_damping: 4.0,
+            gravity: 9.80665,
+        }
+    }
+
+    fn multibody(&self) -> Run {
+        let train = Train::new(&self.engine, &self.inertia).expect("it turns");
+        let simulation = Simulation {
+            block: if self.block == EngineBlock::Fixed { BlockMotion::Fixed } else { BlockMotion::Mounts },
+            block_start: BlockStart::Moving { velocity: self.start.velocity, spin: self.start.spin },
+            gravity: self.gravity,
+            step: TAU / 12.0,
+            tolerance: 1e-12,
+            piston_damping: self.piston_damping,
+            load: Load { law: LoadLaw::Constant(self.load), reacts_on: ReactsOn::Ground },
+            ..Simulation::free(self.speed, 10.0)
+        };
+        let gas = Given(pressure());
+        let gas = self.fired.then_some(&gas as &dyn GasPressure);
+        let run = train.run(&simulation, gas).expect("it runs");
+        assert_eq!(run.outcome, RunOutcome::Complete);
+        run
+    }
+
+    fn graph(&self) -> Equations {
+        let of = |list: &[Option<f64>]| list.iter().map(|inertia| inertia.unwrap_or(0.0)).collect();
+        let count = self.engine.cylinders.len();
+        let request = EngineRequest {
+            block: self.block,
+            mounts: true,
+            start: self.start,
+            gravity: self.gravity,
+            crankshaft_inertia: of(&self.inertia.crankshafts),
+            shaft_inertia: of(&self.inertia.shafts),
+            pressures: if self.fired { vec![pressure(); count] } else { Vec::new() },
+            piston_damping: self.piston_damping,
+            load: EngineLoad { torque: LoadTorque::Constant(self.load), reacts_on_block: false },
+            ..EngineRequest::free(self.speed, 10.0)
+        };
+        let description = engine_graph(&self.engine, &request).expect("it has what it needs");
+        let graph = Graph::new(&description).unwrap_or_else(|e| panic!("{e:?}"));
+        equations(&graph).unwrap_or_else(|e| panic!("{e:?}"))
+    }
+
+    /// Largest differences by kind of quantity, over the largest value of the kind.
+    fn differences(&self) -> Vec<(String, f64)> {
+        let run = self.multibody();
+        let samples = &run.samples;
+        let found = self.graph();
+        let request = SimulationRequest { duration: run.end[0], tolerance: 1e-12, ..found.request() };
+        let ours = found.simulate_at(&request, &samples.time[1..]);
+        assert!(ours.complete, "{}", ours.ended);
+        let pair = |name: &str, theirs: Vec<f64>| -> [Vec<f64>; 2] {
+            [ours.values(name).unwrap_or_else(|| panic!("{name}")).to_vec(), theirs]
+        };
+        let mut kinds = vec![
+            ("angle", vec![pair("theta", samples.theta.clone())]),
+            ("speed", vec![pair("crank.flow", samples.speed.clone())]),
+        ];
+        if self.block != EngineBlock::Fixed {
+            let all = [0, 1, 2].map(|k| samples.spin.iter().map(|spin| spin[k]).collect::<Vec<f64>>());
+            let names = ["wx", "wy", "wz"];
+            let first = if self.block == EngineBlock::Plane { 2 } else { 0 };
+            let spins = (first..3).map(|k| pair(&format!("{}.flow", names[k]), all[k].clone()));
+            kinds.push(("spin", spins.collect()));
+            let mut springs = Vec::new();
+            for (index, mount) in self.engine.mounts.iter().enumerate() {
+                let axes = mount.spring.as_ref().expect("it has a spring").axes;
+                let at = nalgebra::Vector3::new(mount.x, mount.y, mount.z);
+                for (way, axis) in axes.iter().enumerate() {
+                    if self.block == EngineBlock::Plane && axis[2] != 0.0 {
+                        continue;
+                    }
+                    let moved = (0..samples.time.len()).map(|k| {
+                        let motion = Motion {
+                            position: samples.position[k].into(),
+                            orientation: samples.orientation[k],
+                            ..Motion::fixed(0.0, 0.0)
+                        };
+                        let moved = motion.position + motion.rotation() * at - at;
+                        moved.dot(&nalgebra::Vector3::from(*axis))
+                    });
+                    springs.push(pair(
+                        &format!("mount{}_{}_spring.displacement", index + 1, way + 1),
+                        moved.collect(),
+                    ));
+                }
+            }
+            kinds.push(("mounts", springs));
+        }
+        kinds.into_iter().map(|(kind, pairs)| (kind.to_owned(), difference(&pairs))).collect()
+    }
+
+    fn check(&self) {
+        for (kind, difference) in self.differences() {
+            assert!(difference < AGREEMENT, "{}: {kind} differs by {difference:.3e}", self.engine.name);
+        }
+    }
+}
+
+/// Largest difference over the largest value of all pairs.
+fn difference(pairs: &[[Vec<f64>; 2]]) -> f64 {
+    let largest = pairs.iter().flat_map(|[_, theirs]| theirs).fold(0.0f64, |most, x| most.max(x.abs()));
+    let mut off = 0.0f64;
+    for [ours, theirs] in pairs {
+        assert_eq!(ours.len(), theirs.len());
+        for (a, b) in ours.iter().zip(theirs) {
+            off = off.max((a - b).abs());
+        }
+    }
+    off / largest
+}
+
+fn single(extra: &str) -> Engine {
+    let text = format!(
+        "name = \"single\"\nstrokes = 4\nspeed = \"2000 rpm\"\nfiring = {{ order = [1] }}\n[layout]\ntype = \"in-line\"\ncylinders = 1\n\
+         [crank]\nstroke = \"85 mm\"\npin_mass = \"0.45 kg\"\n[piston]\nmass = \"0.36 kg\"\nbore = \"86 mm\"\npin_offset = \"1 mm\"\n\
+         [rod]\nlength = \"150 mm\"\nbig_end_mass = \"0.34 kg\"\nsmall_end_mass = \"0.13 kg\"\ninertia = \"0.0021 kg m2\"\n{extra}"
+    );
+    engine(&text)
+}
+
+#[test]
+fn xcheck_single_in_a_fixed_block() {
+    let mut case = Case::new(single(""), EngineBlock::Fixed);
+    case.check();
+    case.fired = false;
+    case.load = 0.0;
+    case.check();
+}
+
+/// Everything symmetric about the plane of the cylinder: the block moves in it alone.
+#[test]
+fn xcheck_single_with_its_block_in_the_plane() {
+    let mut text = String::from(
+        "[block]\nmass = \"60 kg\"\ncentre = [\"50 mm\", \"8 mm\", \"0 mm\"]\ninertia = [\"2 kg m2\", \"2 kg m2\", \"1.4 kg m2\"]\n",
+    );
+    for (y, z) in [("200 mm", "150 mm"), ("-200 mm", "150 mm"), ("200 mm", "-150 mm"), ("-200 mm", "-150 mm")]
+    {
+        text += &format!(
+            "[[mount]]\nx = \"-90 mm\"\ny = \"{y}\"\nz = \"{z}\"\ndirection = [1, 0.2, 0]\nsecond_direction = [-0.2, 1, 0]\nstiffness = [\"60 N/mm\", \"40 N/mm\", \
+             \"40 N/mm\"]\ndamping = [\"200 N s/m\", \"150 N s/m\", \"150 N s/m\"]\n"
+        );
+    }
+    Case::new(single(&text), EngineBlock::Plane).check();
+}
+
+#[test]
+fn xcheck_single_with_its_block_in_space() {
+    let mut case = Case::new(single(&(BLOCK.to_owned() + &mounts())), EngineBlock::Space);
+    case.start.spin = [0.05, -0.03, 0.04];
+    case.start.velocity = [0.01, 0.02, -0.03];
+    case.check();
+}
+
+/// An engine of the gallery on mounts, with firings and bores of its own.
+fn of_gallery(name: &str, block: EngineBlock) -> Case {
+    let mut engine = engine(template(name).expect("it is in the gallery").text);
+    let count = engine.cylinders.len();
+    engine = engine
+        .with(|engine| {
+            for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+                cylinder.bore = Some(0.07 + 0.001 * index as f64);
+                if cylinder.firing_angle.is_none() {
+                    cylinder.firing_angle = Some(2.0 * TAU * index as f64 / count as f64);
+                }
+            }
+        })
+        .unwrap();
+    let donor = single(&(BLOCK.to_owned() + &mounts()));
+    engine = engine
+        .with(|engine| {
+            engine.block.clone_from(&donor.block);
+        })
+        .unwrap();
+    engine = engine
+        .with(|engine| {
+            engine.mounts.clone_from(&donor.mounts);
+        })
+        .unwrap();
+    Case { load: 40.0, ..Case::new(engine, block) }
+}
+
+/// A balance shaft that counter-rotates, a vee, articulated rods, geared crankshafts.
+#[test]
+fn xcheck_gallery_in_space() {
+    for name in ["in-line-3-shaft", "v6-90", "square-4"] {
+        of_gallery(name, EngineBlock::Space).check();
+    }
+}
+
+#[test]
+fn xcheck_radial_in_a_fixed_block() {
+    of_gallery("radial-5", EngineBlock::Fixed).check();
+}
