@@ -60,10 +60,10 @@ pub fn expanded(file: &EngineFile) -> String {
     text.shaft_weight_task(tasks);
     text.clearance(engine);
     text.gas(engine);
-    text.friction(engine);
+    text.friction(engine, tasks);
     text.flywheel(engine);
     text.bearings(engine);
-    text.simulation(engine);
+    text.simulation(tasks);
     text.tolerances(tasks);
     text.balance(tasks, engine);
     text.text

@@ -181,7 +181,6 @@ impl<'a> Reader<'a> {
             envelope: envelope?,
             gas: gas?,
             friction: friction?,
-            simulation: simulation?.map(Box::new),
             flywheel: flywheel?,
             bearings: bearings?,
         };
@@ -213,8 +212,13 @@ impl<'a> Reader<'a> {
         let tolerances = tolerances?;
         self.check_tolerances(&tolerances, &engine);
         let balance = self.balance_task(balance?, &engine, origin)?;
-        let tasks =
-            Tasks { shape_task: shape_task?, tolerances, shaft_weight_task: shaft_weight_task?, balance };
+        let tasks = Tasks {
+            shape_task: shape_task?,
+            simulation: simulation?.map(Box::new),
+            tolerances,
+            shaft_weight_task: shaft_weight_task?,
+            balance,
+        };
         Some((EngineFile { engine, tasks }, origin))
     }
 

@@ -11,9 +11,9 @@ use lanchester_balance::{
 };
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{
-    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, SpeedResponse,
-    Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations, merged_orders,
-    motion, torque, total_loads,
+    CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,
+    SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,
+    merged_orders, motion, torque, total_loads,
 };
 use lanchester_model::{Engine, EngineParts, Fault, Mount, SpeedRange};
 use lanchester_study::compare::{
@@ -500,8 +500,15 @@ impl Candidate {
         // The pressures are those of the engine at its own speed, the inertia that of equal piston speed.
         let found = self.torque_at(self.speed * similar.speed_of_original(), gas)?;
         let lowest = engine.speed.lowest * similar.speed_of_original();
-        let need = flywheel_need(engine, Some(&gas.lowest), lowest, known_inertia(engine), fluctuation)
-            .map_err(|error| self.no_torque(error))?;
+        let need = flywheel_need(
+            engine,
+            Some(&gas.lowest),
+            lowest,
+            &OuterTorque::default(),
+            known_inertia(engine),
+            fluctuation,
+        )
+        .map_err(|error| self.no_torque(error))?;
         let moment = similar.moment();
         let work = found.indicated.torque * found.energy.own_period;
         Ok(Some(ComparedTorque {

@@ -6,10 +6,10 @@ use crate::simulated_gas::GivenGas;
 use crate::torque_report::known_inertia;
 use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{
-    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, RippleOutcome,
-    TorqueError, bearing_loads, speed_ripple,
+    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque,
+    RippleOutcome, TorqueError, bearing_loads, speed_ripple,
 };
-use lanchester_model::Engine;
+use lanchester_model::{Engine, SimulationInput};
 use lanchester_multibody::{
     Guidance, Instant, LoadLaw, Motion, MultibodyError, Reactions, RotorInertia, RunOutcome, Simulation,
     Train,
@@ -43,11 +43,13 @@ pub struct CrossCheckRequest {
     pub max_order: u32,
     /// Bar of condition A; `None`: 1e-10.
     pub bar: Option<f64>,
+    /// What the file says of a run in time: its torques over the angle count in condition B.
+    pub simulation: Option<Box<SimulationInput>>,
 }
 
 impl Default for CrossCheckRequest {
     fn default() -> Self {
-        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None }
+        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None, simulation: None }
     }
 }
 
@@ -276,12 +278,18 @@ impl Pair<'_> {
 
     /// Condition B: the speed over the cycle against the energy integral; or why it does not apply.
     fn free_speed(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
-        let input = self.engine.simulation.as_deref();
+        let input = self.request.simulation.as_deref();
         let torque = input.map(|input| input.torque.clone()).unwrap_or_default();
         if self.gas.is_none() && torque.is_empty() {
             return Ok(Err("the file has no [gas] that could drive the engine".into()));
         }
-        let ripple = match speed_ripple(self.engine, self.gas, self.speed, known_inertia(self.engine))? {
+        let ripple = match speed_ripple(
+            self.engine,
+            self.gas,
+            self.speed,
+            &OuterTorque::of(input)?,
+            known_inertia(self.engine),
+        )? {
             RippleOutcome::Periodic(ripple) => ripple,
             RippleOutcome::IncompleteInertia(missing) => return Ok(Err(missing.reason)),
             RippleOutcome::Stops(stopped) => return Ok(Err(stopped.reason)),

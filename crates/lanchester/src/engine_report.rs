@@ -66,7 +66,7 @@ impl<'a> EngineReport<'a> {
         let told = warnings.len();
         let optimum = optimum(engine, tasks, traces.clone(), &mut warnings)?;
         let crankshaft = crankshaft(engine, &mut warnings);
-        let running = running(engine, traces, loads.speed);
+        let running = running(file, traces, loads.speed);
         for warning in running.all_warnings() {
             if !warnings.contains(&warning) {
                 warnings.push(warning);

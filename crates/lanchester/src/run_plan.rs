@@ -37,11 +37,12 @@ pub(crate) fn action_words(action: &Action) -> String {
 /// The plan of a run of `train`, which is that of `engine`.
 pub(crate) fn plan(
     engine: &Engine,
+    input: Option<&SimulationInput>,
     train: &Train,
     request: &SimulateRequest,
 ) -> Result<RunPlan, MultibodyError> {
     let none = SimulationInput::default();
-    let input = engine.simulation.as_deref().unwrap_or(&none);
+    let input = input.unwrap_or(&none);
     let mut notes = Vec::new();
     let imposed = request.imposed.unwrap_or(input.speed == Some(SpeedKind::Imposed));
     let has_profile = imposed && request.speed.is_none() && !input.imposed.is_empty();

@@ -7,6 +7,7 @@ use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_sizes, bearing_study, power_speeds,
     torque_report,
 };
+use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
 use lanchester_report::{BearingsInput, SimulationResult, TorqueInput};
@@ -34,19 +35,22 @@ pub struct Running {
 }
 
 /// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
-pub fn is_running(engine: &Engine) -> bool {
-    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs() || engine.simulation.is_some()
+pub fn is_running(file: &EngineFile) -> bool {
+    let EngineFile { engine, tasks } = file;
+    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
 }
 
 /// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; `traces`: the pressures, or why they cannot be
 /// read. What is left out is a warning.
-pub fn running(engine: &Engine, traces: Result<&[TraceFile], String>, speed: f64) -> Running {
+pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f64) -> Running {
+    let EngineFile { engine, tasks } = file;
     let has_bearings = engine.gas.is_some() || engine.bearings.is_some();
     let mut warnings = Vec::new();
     let torque = section(engine.gas.is_some(), "torque with gas is", &traces, &mut warnings, |traces| {
         let request = TorqueReportRequest {
             torque: TorqueRequest { speed: Some(speed), ..TorqueRequest::default() },
             speeds: power_speeds(engine, POWER_SPEEDS),
+            simulation: tasks.simulation.clone(),
             ..TorqueReportRequest::default()
         };
         torque_report(engine, traces, &request).map_err(|error| error.to_string())
@@ -60,8 +64,8 @@ pub fn running(engine: &Engine, traces: Result<&[TraceFile], String>, speed: f64
                 .map_err(|error| error.to_string())
         });
     let simulation =
-        section(engine.simulation.is_some(), "the simulated run is", &traces, &mut warnings, |traces| {
-            simulate(engine, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
+        section(tasks.simulation.is_some(), "the simulated run is", &traces, &mut warnings, |traces| {
+            simulate(file, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
         });
     Running { torque, bearings, mounts, simulation, warnings }
 }

@@ -4,8 +4,8 @@ use crate::crosscheck::{CrossCheckError, rotor_inertia};
 use crate::pressure::TraceFile;
 use crate::run_plan::{RunPlan, action_words, plan};
 use crate::simulated_gas::{GivenGas, gas_over_speed};
+use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
-use lanchester_model::Engine;
 pub use lanchester_model::RunLength;
 use lanchester_multibody::{
     BlockMotion, Drive, GasPressure, Load, LoadLaw, Occasion, ReactsOn, RunState, Train,
@@ -48,10 +48,10 @@ pub struct SimulateRequest {
 /// use lanchester::{RunLength, SimulateRequest, simulate};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4.toml"));
-/// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");
+/// let file = lanchester::file::read(text).file.expect("the example has no mistakes");
 /// let length = Some(RunLength::Revolutions(2.0));
 /// let request = SimulateRequest { imposed: Some(true), gravity: Some(false), length, ..SimulateRequest::default() };
-/// let result = simulate(&engine, &[], &request)?;
+/// let result = simulate(&file, &[], &request)?;
 /// assert!(result.run.audit.energy < 1e-9 && result.run.audit.loops < 1e-12);
 /// # Ok::<(), lanchester::CrossCheckError>(())
 /// ```
@@ -59,11 +59,11 @@ pub struct SimulateRequest {
 /// # Errors
 /// [`CrossCheckError`] where the file lacks something that the run needs.
 pub fn simulate(
-    engine: &Engine,
+    file: &EngineFile,
     traces: &[TraceFile],
     request: &SimulateRequest,
 ) -> Result<SimulationResult, CrossCheckError> {
-    simulate_watched(engine, traces, request, &|_| true)
+    simulate_watched(file, traces, request, &|_| true)
 }
 
 /// The same; after every step `watch` sees how far the run is, and `false` ends it with the samples so far. The search for a periodic motion is not watched.
@@ -71,15 +71,16 @@ pub fn simulate(
 /// # Errors
 /// As [`simulate`].
 pub fn simulate_watched(
-    engine: &Engine,
+    file: &EngineFile,
     traces: &[TraceFile],
     request: &SimulateRequest,
     watch: &dyn Fn(RunState) -> bool,
 ) -> Result<SimulationResult, CrossCheckError> {
-    let input = engine.simulation.as_deref();
+    let EngineFile { engine, tasks } = file;
+    let input = tasks.simulation.as_deref();
     let train = Train::new(engine, &rotor_inertia(engine))?;
     let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
-        plan(engine, &train, request)?;
+        plan(engine, input, &train, request)?;
     let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
     let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
     let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);

@@ -4,12 +4,12 @@ use crate::cycle_results::cycle_results;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
-    BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, PowerCurve,
-    RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads, flywheel_need,
-    speed_ripple, torque,
+    BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, OuterTorque,
+    PowerCurve, RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads,
+    flywheel_need, speed_ripple, torque,
 };
 use lanchester_model::{
-    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SpeedRange,
+    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SimulationInput, SpeedRange,
 };
 use lanchester_report::{BearingSizes, CycleResult};
 use serde::Serialize;
@@ -32,6 +32,8 @@ pub struct TorqueReportRequest {
     pub crankshaft: Option<f64>,
     /// Fluctuation of the speed that a flywheel is to keep [1]; `None`: that of the file.
     pub fluctuation: Option<f64>,
+    /// What the file says of a run in time: its torques over the angle count in the fluctuation.
+    pub simulation: Option<Box<SimulationInput>>,
 }
 
 /// Torque at one speed, and what follows from it.
@@ -89,6 +91,7 @@ pub fn torque_report(
     request: &TorqueReportRequest,
 ) -> Result<TorqueReport, TorqueReportError> {
     let speed = request.torque.speed.unwrap_or(engine.speed.highest);
+    let outer = OuterTorque::of(request.simulation.as_deref()).map_err(TorqueError::from)?;
     let gas = cylinder_gas(engine, traces, speed)?;
     let found = torque(engine, &gas.cylinders, &request.torque)?;
     let mut warnings = gas.warnings.clone();
@@ -109,9 +112,9 @@ pub fn torque_report(
     for own in speeds {
         let own_gas =
             if own == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, own)?.cylinders };
-        ripples.push(speed_ripple(engine, Some(&own_gas), own, given)?);
+        ripples.push(speed_ripple(engine, Some(&own_gas), own, &outer, given)?);
         if let Some(wanted) = fluctuation.filter(|_| own == idle || !wheel.speeds.is_empty()) {
-            let need = flywheel_need(engine, Some(&own_gas), own, given, wanted)?;
+            let need = flywheel_need(engine, Some(&own_gas), own, &outer, given, wanted)?;
             // None that keeps it is more than any.
             let amount = |need: &FlywheelNeed| need.flywheel.unwrap_or(f64::INFINITY);
             if flywheel.as_ref().is_none_or(|most| amount(&need) > amount(most)) {

@@ -339,7 +339,7 @@ impl RippleGrid {
 }
 
 /// The periodic speed of `engine` under `gas` about the mean `speed` [rad/s], with `known` turning beside pistons and rods; without gas that of
-/// inertia alone. A speed that is not known, or an engine that stops, is an outcome with its reason.
+/// inertia alone; `outer` are torques over the angle beside the gas. A speed that is not known, or an engine that stops, is an outcome with its reason.
 ///
 /// # Errors
 /// As [`crate::torque`]; an inertia that is negative, or none at all.
@@ -347,6 +347,7 @@ pub fn speed_ripple(
     engine: &Engine,
     gas: Option<&[CylinderGas]>,
     speed: f64,
+    outer: &OuterTorque,
     known: KnownInertia,
 ) -> Result<RippleOutcome, TorqueError> {
     check_speed(speed)?;
@@ -356,7 +357,7 @@ pub fn speed_ripple(
     if !missing.is_empty() {
         return Ok(RippleOutcome::incomplete(speed, missing));
     }
-    let grid = RippleGrid::new(&train, gas.as_ref(), &OuterTorque::of(engine)?, speed)?;
+    let grid = RippleGrid::new(&train, gas.as_ref(), outer, speed)?;
     let inertia = inertia_over(&train, &grid.theta);
     if inertia.extremes.min.value <= 0.0 {
         let got = inertia.extremes.min.value;
@@ -422,6 +423,7 @@ pub fn flywheel_need(
     engine: &Engine,
     gas: Option<&[CylinderGas]>,
     speed: f64,
+    outer: &OuterTorque,
     known: KnownInertia,
     fluctuation: f64,
 ) -> Result<FlywheelNeed, TorqueError> {
@@ -431,7 +433,7 @@ pub fn flywheel_need(
     check_speed(speed)?;
     let train = KineticTrain::new(engine, TurningInertia { flywheel: 0.0, ..known.known() })?;
     let gas = gas.map(|gas| GasTrain::new(engine, gas, Lever::Exact)).transpose()?;
-    let grid = RippleGrid::new(&train, gas.as_ref(), &OuterTorque::of(engine)?, speed)?;
+    let grid = RippleGrid::new(&train, gas.as_ref(), outer, speed)?;
     let own = inertia_over(&train, &grid.theta);
     let by_formula = grid.excess / (fluctuation * speed * speed);
     let keeps = |flywheel: f64| {

@@ -73,6 +73,7 @@ pub use main_loads::{MainInertiaLoad, main_inertia_loads};
 pub use main_orders::{MainOrder, MainOrders, main_orders};
 pub use motion::motion;
 pub use mounts::*;
+pub use outer_torque::OuterTorque;
 pub use power_curve::{Brake, PowerCurve};
 pub use request::{Kinematics, LoadError, LoadRequest, PeakMode};
 pub use result::*;

@@ -7,31 +7,36 @@
 //! itself: behind a driveline its angle is another one.
 
 use crate::request::{LoadError, MAX_REVOLUTIONS};
-use lanchester_model::{Engine, LoadLaw, TorqueOrder};
+use lanchester_model::{LoadLaw, SimulationInput, TorqueOrder};
 use std::f64::consts::TAU;
 
 /// Orders and periods closer to a whole number than this count as whole.
 const WHOLE: f64 = 1e-9;
 
-/// Torques over the angle.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct OuterTorque {
+/// Torques over the angle that a run in time is given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OuterTorque {
     orders: Vec<TorqueOrder>,
     /// Period [rad], points of angle [rad] and torque [N m], mean [N m].
     load: Option<(f64, Vec<[f64; 2]>, f64)>,
     /// Revolutions after which they repeat together.
-    pub revolutions: u32,
+    pub(crate) revolutions: u32,
+}
+
+impl Default for OuterTorque {
+    /// None.
+    fn default() -> Self {
+        OuterTorque { orders: Vec::new(), load: None, revolutions: 1 }
+    }
 }
 
 impl OuterTorque {
-    /// Those of the file of `engine`.
+    /// Those that `input` gives.
     ///
     /// # Errors
     /// [`LoadError::Request`] where they repeat after more than 120 revolutions.
-    pub fn of(engine: &Engine) -> Result<OuterTorque, LoadError> {
-        let Some(input) = &engine.simulation else {
-            return Ok(OuterTorque { revolutions: 1, ..Self::default() });
-        };
+    pub fn of(input: Option<&SimulationInput>) -> Result<OuterTorque, LoadError> {
+        let Some(input) = input else { return Ok(OuterTorque::default()) };
         let load = match input.load.as_ref().map(|load| &load.law) {
             Some(LoadLaw::Angle { period, points }) if input.driveline.is_empty() => {
                 Some((*period, points.clone(), mean(points, *period)))
@@ -54,12 +59,12 @@ impl OuterTorque {
     }
 
     /// Mean of the torque [N m].
-    pub fn mean(&self) -> f64 {
+    pub(crate) fn mean(&self) -> f64 {
         self.orders.iter().filter(|one| one.order == 0.0).map(|one| one.cos).sum()
     }
 
     /// Torque at `theta` [rad] less what the load varies [N m].
-    pub fn torque(&self, theta: f64) -> f64 {
+    pub(crate) fn torque(&self, theta: f64) -> f64 {
         let orders = self.orders.iter().map(|one| {
             let (sin, cos) = (one.order * theta).sin_cos();
             one.sin * sin + one.cos * cos
@@ -69,7 +74,7 @@ impl OuterTorque {
     }
 
     /// Angles at which the load bends, over so many revolutions [rad].
-    pub fn kinks(&self, revolutions: u32) -> Vec<f64> {
+    pub(crate) fn kinks(&self, revolutions: u32) -> Vec<f64> {
         let Some((period, points, _)) = &self.load else { return Vec::new() };
         let count = (TAU * f64::from(revolutions) / period).round() as u32;
         (0..count)

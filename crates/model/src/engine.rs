@@ -18,7 +18,6 @@ use crate::gas::Gas;
 use crate::mount::Mount;
 use crate::ratio::Ratio;
 use crate::shaft_part::ShaftWeightPart;
-use crate::simulation::SimulationInput;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -84,9 +83,6 @@ pub struct EngineParts {
     /// Gas in the cylinders, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gas: Option<Gas>,
-    /// A run in time with what it drives, if the file says something of it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub simulation: Option<Box<SimulationInput>>,
     /// Its friction, if the file says something of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub friction: Option<Friction>,

@@ -33,38 +33,27 @@ impl GasPressure for Sealed {
 /// An engine of the gallery with bores, firing angles and a block on four mounts.
 fn engine(name: &str) -> Engine {
     let template = template(name).expect("the gallery has it");
-    let mut engine = read(template.text).engine().expect("the gallery's files are valid");
+    let file = read(template.text).file.expect("the gallery's files are valid");
+    let mut engine = file.engine.into_parts();
     let count = engine.cylinders.len();
-    engine = engine
-        .with(|engine| {
-            for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
-                cylinder.bore.get_or_insert(0.086);
-                cylinder.firing_angle.get_or_insert(2.0 * TAU * index as f64 / count as f64);
-            }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
-            engine.block = Some(Block {
-                mass: 180.0,
-                centre: [0.05, 0.01, 0.02],
-                inertia: [12.0, 11.0, 6.0],
-                products: [0.1, -0.2, 0.15],
-                moving_parts: MovingParts::Included,
-                gravity: [-1.0, 0.0, 0.0],
-                driveline_torque: [0.0; 3],
-            });
-        })
-        .unwrap();
+    for (index, cylinder) in engine.cylinders.iter_mut().enumerate() {
+        cylinder.bore.get_or_insert(0.086);
+        cylinder.firing_angle.get_or_insert(2.0 * TAU * index as f64 / count as f64);
+    }
+    engine.block = Some(Block {
+        mass: 180.0,
+        centre: [0.05, 0.01, 0.02],
+        inertia: [12.0, 11.0, 6.0],
+        products: [0.1, -0.2, 0.15],
+        moving_parts: MovingParts::Included,
+        gravity: [-1.0, 0.0, 0.0],
+        driveline_torque: [0.0; 3],
+    });
     for (y, z) in [(0.25, 0.3), (-0.25, 0.28), (0.22, -0.25), (-0.25, -0.27)] {
         let spring = MountSpring { damping: [400.0; 3], ..MountSpring::along_frame([2e5, 1.2e5, 1e5]) };
-        engine = engine
-            .with(|engine| {
-                engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
-            })
-            .unwrap();
+        engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
     }
-    engine
+    Engine::new(engine).expect("it is valid")
 }
 
 fn runs(c: &mut Criterion) {

@@ -43,7 +43,7 @@ fn in_space(_: &Asker, question: EngineText) -> Result<Scene, Problem> {
 }
 
 fn report_of<'a>(studio: &Studio, file: &'a EngineFile, text: &str) -> Result<EngineReport<'a>, Problem> {
-    let traces = match is_running(&file.engine) {
+    let traces = match is_running(file) {
         true => studio.folder.traces(&file.engine),
         false => Ok(Vec::new()),
     };

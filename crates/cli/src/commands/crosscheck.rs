@@ -24,13 +24,14 @@ pub fn run(arguments: &CrosscheckArguments, colour: bool) -> Result<u8, Failure>
         ConditionOption::C => Condition::MovingBlock,
         ConditionOption::D => Condition::AllFree,
     });
+    let opened = open(&arguments.file, colour)?;
     let request = CrossCheckRequest {
         speed,
         conditions: conditions.collect(),
         max_order: arguments.order,
         bar: arguments.bar,
+        simulation: opened.file.tasks.simulation.clone(),
     };
-    let opened = open(&arguments.file, colour)?;
     let traces = trace_files(&opened.file.engine, &arguments.file)?;
     let check = crosscheck(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
     print(&match arguments.format {

@@ -35,7 +35,8 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         all.extend(internal_figures(engine, &internal));
         (page, all)
     } else {
-        let traces = if is_running(engine) { trace_files(engine, &arguments.file) } else { Ok(Vec::new()) };
+        let traces =
+            if is_running(&opened.file) { trace_files(engine, &arguments.file) } else { Ok(Vec::new()) };
         let traces = traces.as_deref().map_err(|failure| failure.message.clone());
         let report = EngineReport::new(&opened.file, &request, &internal, traces, &opened.warnings)
             .map_err(refused)?;

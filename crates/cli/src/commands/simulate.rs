@@ -32,13 +32,13 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         }
         request.misfire.push(number - 1);
     }
-    let in_file = opened.file.engine.simulation.as_ref().and_then(|input| input.gas);
+    let in_file = opened.file.tasks.simulation.as_ref().and_then(|input| input.gas);
     let traces = match request.gas.or(in_file) {
         Some(false) => Vec::new(),
         _ => trace_files(&opened.file.engine, &arguments.file)?,
     };
     let goes_on = GoesOn::until_interrupted();
-    let result = simulate_watched(&opened.file.engine, &traces, &request, &|_| goes_on.now());
+    let result = simulate_watched(&opened.file, &traces, &request, &|_| goes_on.now());
     let result = result.map_err(Failure::refused)?;
     if let Some(folder) = &arguments.figures {
         write_figures(folder, &arguments.file, &simulation_figures(&result))?;

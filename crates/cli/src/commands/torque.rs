@@ -16,8 +16,9 @@ use lanchester::task::option;
 use lanchester::{TorqueReport, TorqueReportRequest, torque_report};
 
 pub fn run(arguments: &TorqueArguments, colour: bool) -> Result<u8, Failure> {
-    let request = request(arguments)?;
+    let mut request = request(arguments)?;
     let opened = open(&arguments.file, colour)?;
+    request.simulation.clone_from(&opened.file.tasks.simulation);
     let traces = trace_files(&opened.file.engine, &arguments.file)?;
     let report = torque_report(&opened.file.engine, &traces, &request).map_err(Failure::refused)?;
     for warning in &report.warnings {
@@ -57,6 +58,7 @@ fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> 
         .as_deref()
         .map(|text| option::share(text, "--fluctuation").map_err(Failure::from));
     Ok(TorqueReportRequest {
+        simulation: None,
         torque: TorqueRequest {
             speed: arguments.speed.as_deref().map(|text| speed(text, "--speed")).transpose()?,
             lever: match arguments.lever {

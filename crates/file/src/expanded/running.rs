@@ -7,8 +7,8 @@ use lanchester_task::{Distribution, Extent, Tasks};
 use lanchester_units::Dimension;
 
 impl File {
-    pub(super) fn friction(&mut self, engine: &Engine) {
-        let damping = engine.simulation.as_ref().and_then(|input| input.piston_damping);
+    pub(super) fn friction(&mut self, engine: &Engine, tasks: &Tasks) {
+        let damping = tasks.simulation.as_ref().and_then(|input| input.piston_damping);
         if engine.friction.is_some() || damping.is_some() {
             self.header("[friction]", "");
         }

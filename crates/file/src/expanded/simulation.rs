@@ -2,9 +2,10 @@
 
 use super::{File, quantity};
 use lanchester_model::{
-    Action, BlockKind, Engine, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength,
-    RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
+    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength, RunLoad,
+    SimulationInput, SpeedKind, StartOfBlock, Starter, When,
 };
+use lanchester_task::Tasks;
 use lanchester_units::{Dimension, exact_text};
 
 fn side(reacts_on: ReactsOn) -> &'static str {
@@ -12,8 +13,8 @@ fn side(reacts_on: ReactsOn) -> &'static str {
 }
 
 impl File {
-    pub(super) fn simulation(&mut self, engine: &Engine) {
-        let Some(input) = &engine.simulation else { return };
+    pub(super) fn simulation(&mut self, tasks: &Tasks) {
+        let Some(input) = &tasks.simulation else { return };
         let own = SimulationInput {
             load: None,
             starter: None,

@@ -103,8 +103,8 @@ weights = [{ z = "0 mm", unbalance = "0.001 kg m" }]
 /// Every value arrives in SI units, with the meaning that the reference gives it.
 #[test]
 fn every_key_of_a_run_arrives() {
-    let engine = file(EVERYTHING).engine;
-    let input = engine.simulation.as_deref().expect("the file has a run");
+    let EngineFile { engine, tasks } = file(EVERYTHING);
+    let input = tasks.simulation.as_deref().expect("the file has a run");
     assert_eq!(input.start_speed, Some(800.0 * (PI / 30.0)));
     assert_eq!((input.duration, input.block), (Some(RunLength::Time(2.5)), Some(BlockKind::Fixed)));
     assert_eq!((input.gravity, input.gas, input.tolerance), (Some(1.62), Some(false), Some(1e-10)));
@@ -141,13 +141,13 @@ fn a_run_reads_back_from_its_expanded_form() {
         let first = file(more);
         let text = expanded(&first);
         let again = read(&text).file.unwrap_or_else(|| panic!("{text}"));
-        assert_eq!(first.engine.simulation, again.engine.simulation, "{text}");
+        assert_eq!(first.tasks.simulation, again.tasks.simulation, "{text}");
         assert_eq!(first.engine.shafts, again.engine.shafts, "{text}");
     }
-    assert_eq!(file("").engine.simulation.clone(), None);
-    let empty = file("[simulation]\n").engine.simulation.clone();
+    assert_eq!(file("").tasks.simulation, None);
+    let empty = file("[simulation]\n").tasks.simulation;
     assert_eq!(empty.as_deref(), Some(&SimulationInput::default()));
-    let kind = file(imposed).engine.simulation.clone().and_then(|input| input.speed);
+    let kind = file(imposed).tasks.simulation.and_then(|input| input.speed);
     assert_eq!(kind, Some(SpeedKind::Imposed));
 }
 

@@ -45,7 +45,18 @@ fn fired_in_line(angles: &[f64]) -> (Engine, Vec<CylinderGas>) {
 
 /// A speed that repeats.
 fn periodic(engine: &Engine, gas: Option<&[CylinderGas]>, speed: f64, given: TurningInertia) -> SpeedRipple {
-    match speed_ripple(engine, gas, speed, KnownInertia::of(given)).expect("a valid engine") {
+    periodic_under(engine, gas, speed, given, &OuterTorque::default())
+}
+
+/// The same under torques over the angle.
+fn periodic_under(
+    engine: &Engine,
+    gas: Option<&[CylinderGas]>,
+    speed: f64,
+    given: TurningInertia,
+    outer: &OuterTorque,
+) -> SpeedRipple {
+    match speed_ripple(engine, gas, speed, outer, KnownInertia::of(given)).expect("a valid engine") {
         RippleOutcome::Periodic(ripple) => *ripple,
         other => panic!("{other:?}"),
     }
@@ -60,7 +71,7 @@ fn an_inertia_that_is_not_known_is_an_outcome_with_its_key() {
         (Some(0.1), None, vec!["flywheel.crankshaft_inertia".to_owned()]),
     ] {
         let known = KnownInertia { flywheel, crankshaft };
-        let found = speed_ripple(&engine, Some(&gas), 90.0, known).unwrap();
+        let found = speed_ripple(&engine, Some(&gas), 90.0, &OuterTorque::default(), known).unwrap();
         let RippleOutcome::IncompleteInertia(incomplete) = &found else { panic!("{found:?}") };
         assert_eq!((&incomplete.keys, incomplete.mean_speed), (&keys, 90.0));
         assert!(found.periodic().is_none() && found.trouble().unwrap()[1].contains("[flywheel]"));
@@ -71,7 +82,8 @@ fn an_inertia_that_is_not_known_is_an_outcome_with_its_key() {
 fn an_engine_that_stops_is_an_outcome_with_the_flywheel_that_keeps_it_turning() {
     let (engine, gas) = fired_in_line(&[0.0]);
     let (speed, light) = (60.0, TurningInertia { flywheel: 1e-4, crankshaft: 1e-4 });
-    let found = speed_ripple(&engine, Some(&gas), speed, KnownInertia::of(light)).unwrap();
+    let found =
+        speed_ripple(&engine, Some(&gas), speed, &OuterTorque::default(), KnownInertia::of(light)).unwrap();
     let RippleOutcome::Stops(stopped) = &found else { panic!("{found:?}") };
     assert_eq!(stopped.key, "flywheel.inertia");
     let flywheel = stopped.flywheel.unwrap();
@@ -81,7 +93,10 @@ fn an_engine_that_stops_is_an_outcome_with_the_flywheel_that_keeps_it_turning() 
     let lowest = turning.speed.iter().copied().fold(f64::INFINITY, f64::min) / speed;
     assert!((STOPPED..1.01 * STOPPED).contains(&lowest), "{lowest}");
     let less = KnownInertia { flywheel: Some(flywheel * 0.999), crankshaft: Some(light.crankshaft) };
-    assert!(matches!(speed_ripple(&engine, Some(&gas), speed, less).unwrap(), RippleOutcome::Stops(_)));
+    assert!(matches!(
+        speed_ripple(&engine, Some(&gas), speed, &OuterTorque::default(), less).unwrap(),
+        RippleOutcome::Stops(_)
+    ));
     // There the quadrature still is exact: the time of a period by integrating theta'' = T/J step by step.
     let train = GasTrain::new(&engine, &gas, Lever::Exact).unwrap();
     let given = TurningInertia { flywheel: flywheel * 1.0001, ..light };
@@ -162,8 +177,15 @@ fn the_ripple_is_the_one_of_the_equation_of_motion() {
 #[test]
 fn a_heavy_flywheel_follows_the_formula() {
     let (engine, gas) = fired_in_line(&[0.0, 180.0, 180.0, 0.0]);
-    let need = flywheel_need(&engine, Some(&gas), 150.0, KnownInertia::of(TurningInertia::default()), 0.001)
-        .unwrap();
+    let need = flywheel_need(
+        &engine,
+        Some(&gas),
+        150.0,
+        &OuterTorque::default(),
+        KnownInertia::of(TurningInertia::default()),
+        0.001,
+    )
+    .unwrap();
     let torque =
         torque(&engine, &gas, &TorqueRequest { speed: Some(150.0), ..TorqueRequest::default() }).unwrap();
     assert_close(
@@ -189,9 +211,12 @@ fn a_heavy_flywheel_follows_the_formula() {
     assert_close("mean", ripple.inertia.mean, flywheel + need.train, 0.0, 1e-12, "parts add up");
     // A train that is heavy enough by itself needs none.
     let heavy = KnownInertia { flywheel: None, crankshaft: Some(1e4) };
-    assert_eq!(flywheel_need(&engine, Some(&gas), 150.0, heavy, 0.1).unwrap().flywheel, Some(0.0));
+    assert_eq!(
+        flywheel_need(&engine, Some(&gas), 150.0, &OuterTorque::default(), heavy, 0.1).unwrap().flywheel,
+        Some(0.0)
+    );
     for wrong in [0.0, 2.0, f64::NAN] {
-        assert!(flywheel_need(&engine, Some(&gas), 150.0, heavy, wrong).is_err());
+        assert!(flywheel_need(&engine, Some(&gas), 150.0, &OuterTorque::default(), heavy, wrong).is_err());
     }
 }
 
@@ -200,37 +225,37 @@ fn near(got: f64, wanted: f64, share: f64) {
     assert!((got - wanted).abs() <= share * wanted.abs(), "got {got}, wanted {wanted}");
 }
 
-/// A crank without masses whose torque and load are those of the file.
-fn textbook_engine(orders: &[(f64, f64, f64)], load: Option<LoadLaw>) -> Engine {
+/// A crank almost without masses whose torque and load are those of the file.
+fn textbook_engine(orders: &[(f64, f64, f64)], load: Option<LoadLaw>) -> (Engine, OuterTorque) {
+    let mut parts = in_line(&[0.0]).into_parts();
+    for cylinder in &mut parts.cylinders {
+        (cylinder.piston_mass, cylinder.rod.big_end_mass, cylinder.rod.small_end_mass) = (1e-12, 0.0, 0.0);
+        cylinder.rod.inertia = None;
+    }
+    parts.throws[0].unbalance = 0.0;
+    let engine = Engine::new(parts).expect("an engine may be light");
     let torque = orders.iter().map(|&(order, sin, cos)| TorqueOrder { order, sin, cos }).collect();
     let load = load.map(|law| RunLoad { law, reacts_on: ReactsOn::Ground });
-    let change = |parts: &mut EngineParts| {
-        for cylinder in &mut parts.cylinders {
-            (cylinder.piston_mass, cylinder.rod.big_end_mass, cylinder.rod.small_end_mass) = (0.0, 0.0, 0.0);
-            cylinder.rod.inertia = None;
-        }
-        parts.throws[0].unbalance = 0.0;
-        parts.simulation = Some(Box::new(SimulationInput { torque, load, ..SimulationInput::default() }));
-    };
-    in_line(&[0.0]).with(change).unwrap()
+    let input = SimulationInput { torque, load, ..SimulationInput::default() };
+    (engine, OuterTorque::of(Some(&input)).unwrap())
 }
 
 /// The flywheel problem of the textbooks: `T = 20000 + 9500 sin 2 theta - 5700 cos 2 theta` N m at 180 rpm, 1 % in all. The excess energy is the amplitude,
 /// `sqrt(9500^2 + 5700^2) = 11079` J, the flywheel 3118 kg m^2 (printed, with rounded steps: 3121), the acceleration at 45 deg 3.04 rad/s^2.
 #[test]
 fn the_flywheel_problem_of_the_textbooks() {
-    let engine = textbook_engine(&[(0.0, 0.0, 20_000.0), (2.0, 9500.0, -5700.0)], None);
+    let (engine, outer) = textbook_engine(&[(0.0, 0.0, 20_000.0), (2.0, 9500.0, -5700.0)], None);
     let speed = 180.0 * TAU / 60.0;
     let amplitude = 9500.0f64.hypot(5700.0);
     let known = KnownInertia { flywheel: Some(0.0), crankshaft: Some(0.0) };
-    let need = flywheel_need(&engine, None, speed, known, 0.01).unwrap();
+    let need = flywheel_need(&engine, None, speed, &outer, known, 0.01).unwrap();
     near(need.by_formula, amplitude / (0.01 * speed * speed), 1e-9);
     assert!((need.by_formula - 3121.0).abs() < 0.002 * 3121.0, "{}", need.by_formula);
     // The true speed keeps 1 % with this flywheel to the square of the fluctuation.
     let flywheel = need.flywheel.unwrap();
     assert!((flywheel / need.by_formula - 1.0).abs() < 1e-4, "{flywheel}");
     let given = TurningInertia { flywheel, ..TurningInertia::default() };
-    let ripple = periodic(&engine, None, speed, given);
+    let ripple = periodic_under(&engine, None, speed, given, &outer);
     near(ripple.load, 20_000.0, 1e-12);
     near(ripple.fluctuation, 0.01, 1e-6);
     near(ripple.excess, amplitude, 1e-9);
@@ -243,9 +268,9 @@ fn the_flywheel_problem_of_the_textbooks() {
 fn a_load_that_varies_over_the_angle() {
     // A triangle from 0 to 100 N m and back over a revolution, about its mean of 50; no torque but its mean. Half of it is above: 100/2 over 2 pi/4 each side.
     let points = vec![[0.0, 0.0], [TAU / 2.0, 100.0]];
-    let engine = textbook_engine(&[(0.0, 0.0, 50.0)], Some(LoadLaw::Angle { period: TAU, points }));
+    let (engine, outer) = textbook_engine(&[(0.0, 0.0, 50.0)], Some(LoadLaw::Angle { period: TAU, points }));
     let given = TurningInertia { flywheel: 2.0, ..TurningInertia::default() };
-    let ripple = periodic(&engine, None, 60.0, given);
+    let ripple = periodic_under(&engine, None, 60.0, given, &outer);
     let area = 0.5 * (TAU / 2.0) * 50.0;
     near(ripple.excess, area, 1e-9);
     near(ripple.load, 50.0, 1e-12);
@@ -254,15 +279,17 @@ fn a_load_that_varies_over_the_angle() {
     near(0.5 * 2.0 * squares, area, 1e-6);
     // Twice as often within a revolution: half the energy.
     let points = vec![[0.0, 0.0], [TAU / 4.0, 100.0]];
-    let engine = textbook_engine(&[(0.0, 0.0, 50.0)], Some(LoadLaw::Angle { period: TAU / 2.0, points }));
-    near(periodic(&engine, None, 60.0, given).excess, 0.5 * area, 1e-9);
+    let (engine, outer) =
+        textbook_engine(&[(0.0, 0.0, 50.0)], Some(LoadLaw::Angle { period: TAU / 2.0, points }));
+    near(periodic_under(&engine, None, 60.0, given, &outer).excess, 0.5 * area, 1e-9);
     // Three revolutions of the load, two of half orders: the period is six.
     let points = vec![[0.0, 0.0], [TAU, 100.0]];
     let law = LoadLaw::Angle { period: 3.0 * TAU, points };
-    let ripple =
-        periodic(&textbook_engine(&[(0.0, 0.0, 50.0), (0.5, 3.0, 0.0)], Some(law)), None, 60.0, given);
+    let (engine, outer) = textbook_engine(&[(0.0, 0.0, 50.0), (0.5, 3.0, 0.0)], Some(law));
+    let ripple = periodic_under(&engine, None, 60.0, given, &outer);
     near(ripple.period, 6.0 * TAU, 1e-12);
     // A period that no 120 revolutions hold is refused.
-    let odd = textbook_engine(&[(std::f64::consts::SQRT_2, 1.0, 0.0)], None);
-    assert!(speed_ripple(&odd, None, 60.0, KnownInertia::of(given)).is_err());
+    let order = TorqueOrder { order: std::f64::consts::SQRT_2, sin: 1.0, cos: 0.0 };
+    let odd = SimulationInput { torque: vec![order], ..SimulationInput::default() };
+    assert!(OuterTorque::of(Some(&odd)).is_err());
 }

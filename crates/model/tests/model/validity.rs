@@ -16,8 +16,18 @@ type Case = (&'static str, fn(&mut EngineParts), &'static str, &'static str);
 const CASES: [Case; 24] = [
     ("in-line-4", |e| e.cylinders[2].throw = 9, "cylinders[2]", "throw must be from 0 to 3"),
     ("in-line-4", |e| e.throws[1].crankshaft = 1, "throws[1]", "crankshaft must be from 0 to 0"),
-    ("in-line-4", |e| e.cylinders[0].piston_mass = -1.0, "cylinders[0]", "piston_mass [kg] must be 0 or more"),
-    ("in-line-4", |e| e.cylinders[3].piston_mass = f64::NAN, "cylinders[3]", "piston_mass [kg] must be 0 or more"),
+    (
+        "in-line-4",
+        |e| e.cylinders[0].piston_mass = -1.0,
+        "cylinders[0]",
+        "piston_mass [kg] must be 0 or more",
+    ),
+    (
+        "in-line-4",
+        |e| e.cylinders[3].piston_mass = f64::NAN,
+        "cylinders[3]",
+        "piston_mass [kg] must be 0 or more",
+    ),
     ("in-line-4", |e| e.cylinders[0].z = f64::INFINITY, "cylinders[0]", "z [m] must be a finite number"),
     ("in-line-4", |e| e.cylinders[0].bore = Some(0.0), "cylinders[0]", "bore [m] must be more than 0"),
     ("in-line-4", |e| e.throws[0].radius = 0.0, "throws[0]", "radius [m] must be more than 0"),
@@ -29,14 +39,44 @@ const CASES: [Case; 24] = [
     ("in-line-4", |e| e.speed.lowest = 1e4, "speed", "highest [rad/s] must be at least"),
     ("in-line-4", |e| e.speed.highest = -1.0, "speed", "highest [rad/s] must be more than 0"),
     ("in-line-4", |e| e.crankshafts[0].phase = 0.1, "crankshafts[0]", "place must be ratio 1, phase 0"),
-    ("in-line-4", |e| e.crankshafts[0].mains = Some(vec![0.0]), "crankshafts[0]", "mains must be two or more"),
-    ("in-line-4", |e| e.crankshafts[0].mains = Some(vec![0.1, 0.0]), "crankshafts[0]", "mains [m] must be rising"),
-    ("in-line-3", |e| e.counterweights[0].unbalance = -0.01, "counterweights[0]", "unbalance [kg m] must be 0 or more"),
-    ("in-line-3", |e| e.counterweights[1] = e.counterweights[0].clone(), "counterweights[1]", "name must be another"),
-    ("in-line-3-shaft", |e| e.shafts[0].weights[0].phase = f64::NAN, "shafts[0].weights[0]", "phase [rad] must be"),
+    (
+        "in-line-4",
+        |e| e.crankshafts[0].mains = Some(vec![0.0]),
+        "crankshafts[0]",
+        "mains must be two or more",
+    ),
+    (
+        "in-line-4",
+        |e| e.crankshafts[0].mains = Some(vec![0.1, 0.0]),
+        "crankshafts[0]",
+        "mains [m] must be rising",
+    ),
+    (
+        "in-line-3",
+        |e| e.counterweights[0].unbalance = -0.01,
+        "counterweights[0]",
+        "unbalance [kg m] must be 0 or more",
+    ),
+    (
+        "in-line-3",
+        |e| e.counterweights[1] = e.counterweights[0].clone(),
+        "counterweights[1]",
+        "name must be another",
+    ),
+    (
+        "in-line-3-shaft",
+        |e| e.shafts[0].weights[0].phase = f64::NAN,
+        "shafts[0].weights[0]",
+        "phase [rad] must be",
+    ),
     ("radial-7", |e| long_way(e), "cylinders[0].rod", "master must be"),
     ("radial-7", |e| e.cylinders[6].rod.length = 0.05, "cylinders[6].rod", "length [m] must be more than"),
-    ("twin-360", |e| e.mounts = vec![mount("a"), mount("a")], "mounts[1]", "name must be another than that of mounts[0]"),
+    (
+        "twin-360",
+        |e| e.mounts = vec![mount("a"), mount("a")],
+        "mounts[1]",
+        "name must be another than that of mounts[0]",
+    ),
     ("twin-360", |e| e.block = Some(thin_block()), "block", "inertia [kg m^2] must be that of some body"),
 ];
 
@@ -67,9 +107,9 @@ fn parts_of_no_engine_are_refused_with_their_place() {
     for (name, change, part, says) in CASES {
         let engine = gallery(name);
         let faults = engine.with(change).expect_err(says);
-        let found = faults.iter().any(|fault| {
-            fault.part == part && fault.to_string().contains(says) && !fault.remedy.is_empty()
-        });
+        let found = faults
+            .iter()
+            .any(|fault| fault.part == part && fault.to_string().contains(says) && !fault.remedy.is_empty());
         assert!(found, "{part}: {says}\n{faults:#?}");
     }
 }

@@ -6,9 +6,9 @@ use super::operating_point::OperatingPoint;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderGas, EnergyVariation, Excitation, Extremes, GasTrain,
-    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, PeriodicCurve, PinLoad,
-    SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
-    merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
+    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, OuterTorque, PeriodicCurve,
+    PinLoad, SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations,
+    internal_moments, merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
 };
 use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
@@ -114,7 +114,8 @@ impl Known {
             }
             Target::SpeedFluctuation => {
                 let gas = point.gas.as_deref().filter(|_| output.needs().gas);
-                let found = speed_ripple(&point.engine, gas, point.speed, point.turning)?;
+                let found =
+                    speed_ripple(&point.engine, gas, point.speed, &OuterTorque::default(), point.turning)?;
                 match found.trouble() {
                     Some([reason, fix]) => Err(SensitivityError::NoFluctuation {
                         reason: reason.to_owned(),

@@ -157,7 +157,8 @@ impl Ordinary {
         let is_ripple = outputs.iter().any(|output| output.target == Target::SpeedFluctuation);
         let gas_of_ripple = outputs.iter().any(|output| output.needs().gas).then_some(gas);
         let ripple = || {
-            let found = speed_ripple(engine, gas_of_ripple, point.speed, point.turning).unwrap();
+            let found =
+                speed_ripple(engine, gas_of_ripple, point.speed, &Default::default(), point.turning).unwrap();
             found.periodic().unwrap().fluctuation
         };
         let fluctuation = if is_ripple { ripple() } else { 0.0 };
