@@ -200,6 +200,7 @@ pub fn named(text: &str, mounts: Option<&[Mount]>) -> Result<Criterion, Refusal>
         return Ok(*other);
     }
     let simple = |name: &str| LOADS.iter().find(|(known, _)| *known == name).map(|(_, load)| *load);
+    let with_gas = |name: &str| mount_index(name.strip_suffix(WITH_GAS)?, mounts?);
     let of_mains = |name: &str| if name.contains(ORDER) { None } else { main_load::named(name) };
     let found = if let Some(load) = simple(&plain) {
         Criterion::Peak(load)
@@ -207,6 +208,8 @@ pub fn named(text: &str, mounts: Option<&[Mount]>) -> Result<Criterion, Refusal>
         found?
     } else if let Some(index) = text.strip_prefix(MOUNT).and_then(|name| mount_index(name, mounts?)) {
         Criterion::Peak(Load::MountForce(index))
+    } else if let Some(index) = text.strip_prefix(MOUNT).and_then(with_gas) {
+        Criterion::Peak(Load::MountForceWithGas(index))
     } else if let Some((before, number)) = text.rsplit_once(ORDER) {
         let Some(order) = order(number.trim()) else { return Err(bad_order(text, number)) };
         let before = before.trim();
