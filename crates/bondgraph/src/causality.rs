@@ -6,7 +6,7 @@
 //! 5th edition, section 3.4; van Dijk, Breedveld, Journal of the Franklin Institute 328 (1991), 747-764.
 
 use crate::description::Text;
-use crate::graph::{Graph, Kind, Law};
+use crate::graph::{Element, Graph, Kind, Law};
 use crate::mistake::Mistakes;
 use lanchester_diagnostic::Diagnostic;
 use serde::Serialize;
@@ -321,10 +321,46 @@ impl Procedure<'_> {
                 None => break,
             }
         }
-        path.push(self.graph.bond_name(at));
+        match self.leaders(at, store) {
+            Some((transformer, leaders)) => path.extend([transformer, leaders.join(", ")]),
+            None => path.push(self.graph.bond_name(at)),
+        }
         path.dedup();
         path.reverse();
         path
+    }
+
+    /// What sets the flow of a bond that an element takes: the one-port at the junction beyond it, where there is one.
+    fn leader(&self, bond: usize, element: usize) -> String {
+        let ends = &self.graph.bonds[bond];
+        let beyond = if ends.from == element { ends.to } else { ends.from };
+        let junction = &self.graph.elements[beyond];
+        let decides = junction.kind == Kind::Zero;
+        let deciding = junction.ports.iter().find(|other| {
+            junction.is_junction() && **other != bond && self.at(**other, beyond) == Some(decides)
+        });
+        deciding.map_or_else(|| self.origin(bond), |other| self.graph.bond_name(*other))
+    }
+
+    /// The transformer by a matrix behind a bond, and what sets the flows that its row takes.
+    fn leaders(&self, bond: usize, store: usize) -> Option<(String, Vec<String>)> {
+        let ends = &self.graph.bonds[bond];
+        let element = [ends.from, ends.to]
+            .into_iter()
+            .find(|end| *end != store && matches!(self.graph.elements[*end].law, Law::Matrix(_)))?;
+        let Element { name, ports, law: Law::Matrix(rows), .. } = &self.graph.elements[element] else {
+            return None;
+        };
+        let columns = rows[0].len();
+        let row = rows.get(ports.iter().position(|port| *port == bond)?.checked_sub(columns)?)?;
+        let mut leaders = Vec::new();
+        for (entry, port) in row.iter().zip(ports) {
+            let leader = self.leader(*port, element);
+            if !self.graph.pool.is_zero(*entry) && !leaders.contains(&leader) {
+                leaders.push(leader);
+            }
+        }
+        Some((name.clone(), leaders))
     }
 
     fn refuse_several(&mut self, junction: usize, bonds: &[usize]) {

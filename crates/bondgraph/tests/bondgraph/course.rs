@@ -108,7 +108,10 @@ fn links([a, b, u, v]: [f64; 4]) -> [f64; 4] {
 fn double_pendulum_is_lagranges() {
     let found = found(text!("double-pendulum"));
     assert_eq!(found.causality.states, ["turn_1", "turn_2"]);
-    assert_eq!(found.causality.followers.len(), 4);
+    let paths: Vec<String> = found.causality.followers.iter().map(|own| own.path.join(" > ")).collect();
+    assert_eq!(paths[0], "turn_1 > centre_1 > x_1");
+    assert_eq!(paths[2], "turn_1, turn_2 > centre_2 > x_2");
+    assert_eq!(paths.len(), 4);
     let run = run(&found, 1e-12);
     let mut state = [1.2, -0.4, 0.0, 0.0];
     let add = |y: [f64; 4], k: [f64; 4], h: f64| [0, 1, 2, 3].map(|i| y[i] + h * k[i]);
