@@ -138,7 +138,7 @@ fn weights_that_do_not_fit_are_named() {
         })
         .unwrap();
     let found = web_excesses(&heavier, shapes).unwrap();
-    assert!(!found.too_large.is_empty() && found.checked == known.checked.max(found.checked), "{found:?}");
+    assert!(!found.too_large.is_empty() && found.checked >= known.checked, "{found:?}");
     for excess in &found.too_large {
         let bound = bounded(&excess.name).expect("it was bounded");
         assert_eq!(excess.web, bound.web);
