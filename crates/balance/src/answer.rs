@@ -225,6 +225,9 @@ pub struct Active {
     pub criterion: Criterion,
     /// Crank angle [rad].
     pub theta: f64,
+    /// Speed of crankshaft 1 [rad/s], where the criterion is judged at several: with gas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub speed: Option<f64>,
     /// Its share of the proof: the multipliers of a criterion add up to its weight in the stage (to the price of the
     /// limit for a limited one).
     pub multiplier: f64,

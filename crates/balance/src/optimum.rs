@@ -11,6 +11,7 @@ use crate::criterion::Judged;
 use crate::error::BalanceError;
 use crate::fitted::{bare, taken_over};
 use crate::gas_over_speed::GasOverSpeed;
+use crate::gas_range::indices;
 use crate::infeasible::obstacle;
 use crate::limits::found_limits;
 use crate::operator::{EngineLoads, Operator, WeightColumns, inertia_of, middle};
@@ -21,7 +22,7 @@ use crate::speed_range::over_the_range;
 use crate::stages::{Reached, StageProof, run};
 use lanchester_mechanism::Kinematics;
 use lanchester_model::Engine;
-use lanchester_task::{BalanceTask, Criterion, Place, Seat, criterion_name, criterion_unit};
+use lanchester_task::{BalanceTask, Criterion, Place, Seat, Statistic, criterion_name, criterion_unit};
 use std::rc::Rc;
 
 /// Share of what a stage is without the devices below which it vanishes.
@@ -443,13 +444,21 @@ fn active(problem: &Problem, terms: &[(f64, Judged)], proof: &StageProof) -> Vec
     for one in &proof.solution.support {
         let mut named = terms.iter().map(|t| &t.1).chain(&problem.limits);
         let Some(judged) = named.find(|j| j.groups.iter().any(|g| g.0 == one.group)) else { continue };
-        // What is a sum over weights or over the cycle stands at no angle.
-        if !matches!(judged.criterion, Criterion::Peak(_) | Criterion::Order(..)) {
-            continue;
-        }
+        let (theta, speed) = match judged.criterion {
+            Criterion::Peak(_) | Criterion::Order(..) => (one.angle * revolutions, None),
+            Criterion::MainsWithGas(Statistic::Peak, mains) => {
+                let operator = &problem.operator;
+                let own = indices(mains, operator.mains.len());
+                let mut places = operator.places.peaks.iter().filter(|peak| own.contains(&peak.main));
+                let Some(peak) = places.nth(one.member) else { continue };
+                (peak.theta, Some(peak.speed))
+            }
+            // What is a sum over weights or over the cycle stands at no angle.
+            _ => continue,
+        };
         let multiplier = norm(&one.y) * proof.scale / judged.scale;
         if multiplier > 0.0 {
-            active.push(Active { criterion: judged.criterion, theta: one.angle * revolutions, multiplier });
+            active.push(Active { criterion: judged.criterion, theta, speed, multiplier });
         }
     }
     active.sort_by(|a, b| a.theta.total_cmp(&b.theta));

@@ -53,6 +53,7 @@ mod simulation;
 mod speed_gas;
 mod torque_report;
 mod web_bounds;
+mod web_excess;
 mod weights_as_parts;
 
 pub use arrangements::arrangements;
@@ -115,4 +116,5 @@ pub use torque_report::{
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
 };
 pub use web_bounds::{WebBoundError, optimise_on_webs};
+pub use web_excess::{WebExcess, WebExcesses, web_excesses};
 pub use weights_as_parts::{WeightAsPart, weights_as_parts};

@@ -309,16 +309,19 @@ pub fn closest_table(engine: &Engine, answer: &Answer, closest: &[f64]) -> Table
 pub fn stages_table(engine: &Engine, answer: &Answer) -> Table {
     let stages = &answer.stages;
     let angles = |k: usize| {
-        let mut degrees: Vec<f64> = stages[k]
+        let mut degrees: Vec<(f64, Option<f64>)> = stages[k]
             .active
             .iter()
             .filter(|a| a.multiplier > 0.0)
-            .map(|a| a.theta.to_degrees().rem_euclid(720.0))
+            .map(|a| (a.theta.to_degrees().rem_euclid(720.0), a.speed))
             .collect();
-        degrees.sort_by(f64::total_cmp);
-        degrees.dedup_by(|a, b| (*a - *b).abs() < 0.05);
-        let shown: Vec<String> =
-            degrees.iter().take(8).map(|d| format!("{}°", number::trimmed(*d, 4))).collect();
+        degrees.sort_by(|a, b| a.0.total_cmp(&b.0));
+        degrees.dedup_by(|a, b| (a.0 - b.0).abs() < 0.05 && a.1 == b.1);
+        let shown = degrees.iter().take(8).map(|(angle, speed)| {
+            let at = speed.map_or(String::new(), |speed| format!(" at {:.0} rpm", number::rpm(speed)));
+            format!("{}°{at}", number::trimmed(*angle, 4))
+        });
+        let shown: Vec<String> = shown.collect();
         let more = if degrees.len() > 8 { ", …" } else { "" };
         format!("{}{more}", shown.join(", "))
     };

@@ -7,17 +7,17 @@ use crate::reading::{NewText, engine, engine_file};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
-    Next, Outcome, SearchState, Target, arrangements, fitted, searched_engine,
+    Next, Outcome, RobustMeasure, SearchState, Target, arrangements, fitted, searched_engine,
 };
 use lanchester::file::{EngineFile, write_back};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::Engine;
-use lanchester::report::{consequence_words, headline};
+use lanchester::report::{consequence_words, headline, robust_text};
 use lanchester::task::{
     BalanceTask, ChangedTask, CrankWeightPlaces, FreeShaft, FreeWeight, Place, RoomFault, Seat, TaskOptions,
     crank_weights, default_task, option,
 };
-use lanchester::{WebBoundError, optimise_on_webs};
+use lanchester::{RobustOptions, WebBoundError, optimise_on_webs, robust_balance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -55,6 +55,27 @@ struct BalanceQuestion {
     /// Largest unbalance of every free weight on a crankshaft, as `--most` takes it.
     #[serde(default)]
     most: Option<String>,
+    /// Step in which every free weight on a crankshaft is made, as `--weight-step` takes it.
+    #[serde(default)]
+    step: Option<String>,
+    /// Whether all free weights on crankshafts have the same amount of their steps or lists, as `--equal-parts`.
+    #[serde(default)]
+    equal_parts: bool,
+    /// Largest cost of all that is used, as `--budget` takes it.
+    #[serde(default)]
+    budget: Option<String>,
+    /// Speeds at which forces at mounts with springs and loads with gas count, as `--speed` takes them; none: the range of the file.
+    #[serde(default)]
+    speeds: Vec<String>,
+    /// Engines drawn within the tolerances of the file, the worst of which is minimised, as `--robust` takes it.
+    #[serde(default)]
+    robust: Option<u64>,
+    /// With `robust`: minimise the mean of this share of the engines, the worst ones, as `--worst-share` takes it.
+    #[serde(default)]
+    worst_share: Option<String>,
+    /// With `robust`: seed of the draws; none: 1.
+    #[serde(default)]
+    robust_seed: Option<u64>,
     /// Gap at which a search over choices ends, as `--gap` takes it; none: 1e-8.
     #[serde(default)]
     gap: Option<String>,
@@ -98,6 +119,8 @@ struct BalanceAnswer {
     after: Option<Loads>,
     /// What it does to the engine.
     effect: Option<WeightEffect>,
+    /// What drawn engines have of it, in words; none without `robust`.
+    robust: Option<String>,
     /// Added shafts that may strike the crank or stand far out.
     warnings: Vec<Warning>,
 }
@@ -203,14 +226,34 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => asker.studio.folder.traces(&engine)?,
         false => Vec::new(),
     };
-    let answer = optimise_on_webs(&engine, Ok(&traces), &task, tasks.shape_task.as_ref(), &settings, &watch)
-        .map_err(|error| match error {
-            WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
-            error => Problem::refused(error),
-        })?;
+    let (answer, robust) = match robust(&question)? {
+        Some(options) => {
+            let found =
+                robust_balance(&engine, &tasks.tolerances, &task, &options).map_err(Problem::refused)?;
+            let words = robust_text(&engine, &found);
+            (found.answer, Some(words))
+        }
+        None => {
+            let shapes = tasks.shape_task.as_ref();
+            let found = optimise_on_webs(&engine, Ok(&traces), &task, shapes, &settings, &watch);
+            let answer = found.map_err(|error| match error {
+                WebBoundError::Balance(BalanceError::BrokenOff) => superseded(),
+                error => Problem::refused(error),
+            })?;
+            (answer, None)
+        }
+    };
     let headline = headline(&engine, &answer);
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
-        return Ok(BalanceAnswer { answer, headline, text: None, after: None, effect: None, warnings });
+        return Ok(BalanceAnswer {
+            answer,
+            headline,
+            text: None,
+            after: None,
+            effect: None,
+            robust,
+            warnings,
+        });
     }
     let best = fitted(&engine, &answer);
     let after = loads(&best, &LoadRequest::default()).map_err(Problem::refused)?;
@@ -219,7 +262,7 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
         true => None,
         false => Some(WeightEffect::of(&engine, &best, Some(&answer.task))?),
     };
-    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), effect, warnings })
+    Ok(BalanceAnswer { answer, headline, text: Some(text), after: Some(after), effect, robust, warnings })
 }
 
 /// How far a search over choices goes.
@@ -234,6 +277,39 @@ fn settings(question: &BalanceQuestion) -> Result<BalanceSettings, Problem> {
     };
     settings.check().map_err(Problem::refused)?;
     Ok(settings)
+}
+
+/// Engines to be drawn, if that is asked.
+fn robust(question: &BalanceQuestion) -> Result<Option<RobustOptions>, Problem> {
+    let Some(engines) = question.robust else {
+        if question.worst_share.is_some() || question.robust_seed.is_some() {
+            return Err(Problem::refused(
+                "`worst_share` and `robust_seed` are about drawn engines\nhint: say how many with `robust`, or leave them out",
+            ));
+        }
+        return Ok(None);
+    };
+    let others = [
+        ("limits", !question.limits.is_empty()),
+        ("give_up", !question.give_up.is_empty()),
+        ("budget", question.budget.is_some()),
+        ("cancel", !question.cancel.is_empty()),
+    ];
+    if let Some((name, _)) = others.into_iter().find(|(_, given)| *given) {
+        return Err(Problem::refused(format!(
+            "`{name}` does not go with drawn engines, for which one load is minimised\nhint: leave one of the two out"
+        )));
+    }
+    let share = question.worst_share.as_ref().map(|text| option::share(text, "worst_share")).transpose();
+    let share = share.map_err(Problem::quantity)?;
+    if let Some(share) = share.filter(|share| !(*share > 0.0 && *share <= 1.0)) {
+        return Err(Problem::refused(format!(
+            "`worst_share` needs a share above 0 and up to 100 %, got {}\nhint: write it like 1 %",
+            100.0 * share
+        )));
+    }
+    let measure = share.map_or(RobustMeasure::Worst, RobustMeasure::MeanOfWorst);
+    Ok(Some(RobustOptions { engines, seed: question.robust_seed.unwrap_or(1), measure }))
 }
 
 /// The free devices, changed by what is wanted.
@@ -268,6 +344,10 @@ fn task(
         cancel: question.cancel.clone(),
         least: question.least.clone(),
         most: question.most.clone(),
+        step: question.step.clone(),
+        equal_parts: question.equal_parts,
+        budget: question.budget.clone(),
+        speeds: question.speeds.clone(),
         ..TaskOptions::default()
     };
     options.change(engine, free).map_err(Problem::quantity)

@@ -2,7 +2,7 @@
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
 use crate::balance_request::balance_task;
-use crate::commands::found::{consequences, csv, loads_of, put_into_file};
+use crate::commands::found::{consequences, csv, loads_of, put_into_file, tell_what_does_not_fit};
 use crate::commands::{json, open, published, robust, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
@@ -51,6 +51,7 @@ pub fn run(arguments: &BalanceArguments, colour: bool) -> Result<u8, Failure> {
     if published::asked_for(arguments)? {
         let answer = published::fit(engine, arguments)?;
         let effect = consequences(engine, &answer.fitted, None)?;
+        tell_what_does_not_fit(&opened, &answer.fitted)?;
         return match put_into_file(&opened, arguments, &answer.fitted, Some(&effect), colour)? {
             true => Ok(DONE),
             false => published::tell(&opened, arguments, &answer, &effect),

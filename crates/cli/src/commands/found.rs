@@ -4,6 +4,7 @@ use crate::arguments::{BalanceArguments, BalanceTable};
 use crate::commands::Opened;
 use crate::commands::put_back::PutBack;
 use crate::failure::Failure;
+use lanchester::WebExcess;
 use lanchester::balance::{Answer, Consequences};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::Engine;
@@ -35,6 +36,28 @@ pub fn put_into_file(
         eprintln!("{words}");
     }
     Ok(is_all)
+}
+
+/// Says which weights do not fit on their webs, where the way in which they were found knows no bound of that.
+pub fn tell_what_does_not_fit(opened: &Opened, after: &Engine) -> Result<(), Failure> {
+    let shapes = opened.file.tasks.shape_task.as_ref();
+    let found = lanchester::web_excesses(after, shapes).map_err(Failure::refused)?;
+    let grams = |unbalance: f64| format!("{:.1} g mm", 1e6 * unbalance);
+    if !found.too_large.is_empty() {
+        let (count, of) = (found.too_large.len(), found.checked);
+        eprintln!(
+            "warning: this method knows no bound of what fits on the webs: {count} of {of} weights do not fit"
+        );
+        for WebExcess { name, web, unbalance, bound, by } in &found.too_large {
+            eprintln!("  {name}, web {web}: {}; what fits is {}, by {by}", grams(*unbalance), grams(*bound));
+        }
+        eprintln!("hint: `lanchester balance` without --search and --method bounds them by what fits");
+    }
+    if !found.elsewhere.is_empty() {
+        let names = found.elsewhere.join(", ");
+        eprintln!("note: what fits is not checked for weights that stand on no web: {names}");
+    }
+    Ok(())
 }
 
 /// An answer with what it does to the engine.

@@ -1,7 +1,9 @@
 //! `lanchester balance --search`: which arrangement of crank weights and balance shafts, and one of them in full.
 
 use crate::arguments::{BalanceArguments, BalanceTable};
-use crate::commands::found::{WithConsequences, consequences, csv, loads_of, put_into_file};
+use crate::commands::found::{
+    WithConsequences, consequences, csv, loads_of, put_into_file, tell_what_does_not_fit,
+};
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
@@ -148,6 +150,7 @@ fn one(
         may_be_written(spacing, chosen)?;
     }
     let after = fitted(&bare, &chosen.answer);
+    tell_what_does_not_fit(opened, &after)?;
     // The file's own devices on the mounts that the search judges.
     let before = opened.file.engine.with(|parts| parts.mounts.clone_from(&bare.mounts));
     let before = before.map_err(|faults| Failure::refused(Fault::first_of(faults)))?;

@@ -1,7 +1,7 @@
 //! `lanchester balance --method sweep`: the crank by the sweep of the twin-cylinder thesis, the true optimum beside it.
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
-use crate::commands::found::{WithConsequences, consequences, put_into_file};
+use crate::commands::found::{WithConsequences, consequences, put_into_file, tell_what_does_not_fit};
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
@@ -59,6 +59,7 @@ pub fn run(arguments: &BalanceArguments, opened: &Opened, colour: bool) -> Resul
     let kinematics = arguments.published.series.as_deref().map_or(Ok(Kinematics::Exact), series)?;
     let found = swept(engine, load(arguments, engine)?, kinematics, &options).map_err(Failure::refused)?;
     let after = with_even_crank(engine, found.best.unbalance);
+    tell_what_does_not_fit(opened, &after)?;
     let effect = consequences(engine, &after, None)?;
     if let Some(folder) = &arguments.figures {
         let curve = crank_curve(&found.sweep, found.optimal());

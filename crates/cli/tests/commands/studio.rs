@@ -280,6 +280,17 @@ fn a_mistake_tells_its_key_and_a_question_about_no_engine_its_mistakes() {
         ("/api/balance", json!({ "text": text, "free": "webs", "locked": ["web 1"] })),
         ("/api/balance", json!({ "text": text, "cancel": ["force order 1"], "limits": ["couple = 5 N m"] })),
         ("/api/balance", json!({ "text": text, "most": "-1 kg m" })),
+        ("/api/balance", json!({ "text": text, "step": "0 g mm" })),
+        ("/api/balance", json!({ "text": text, "equal_parts": true })),
+        ("/api/balance", json!({ "text": text, "budget": "cheap" })),
+        ("/api/balance", json!({ "text": text, "speeds": ["fast"] })),
+        ("/api/balance", json!({ "text": text, "give_up": ["beauty = 1 %"] })),
+        (
+            "/api/balance",
+            json!({ "text": text, "robust": 10, "worst_share": "120 %", "minimise": ["couple"] }),
+        ),
+        ("/api/balance", json!({ "text": text, "worst_share": "5 %" })),
+        ("/api/balance", json!({ "text": text, "robust": 10, "budget": "3", "minimise": ["couple"] })),
         ("/api/engine", json!({ "text": text, "edits": [{ "path": "crank[", "value": 1 }] })),
     ] {
         let refused = server.json(422, "POST", path, &question);
@@ -288,6 +299,27 @@ fn a_mistake_tells_its_key_and_a_question_about_no_engine_its_mistakes() {
     }
     let unread = server.json(400, "POST", "/api/loads", &json!({ "texts": text }));
     assert!(unread["message"].as_str().unwrap().contains("`text`"), "{unread}");
+}
+
+/// Steps and equal parts of the studio are those of the command line.
+#[test]
+fn weights_in_steps_are_those_of_the_command() {
+    let (folder, text) = three("studio-steps");
+    let server = Server::start(&folder, "three.toml");
+    let asked = json!({ "text": text, "free": "webs", "minimise": ["couple"], "step": "500 g mm", "most": "0.005 kg m", "equal_parts": true });
+    let found = server.post("/api/balance", &asked);
+    let weights = found["answer"]["weights"].as_array().unwrap();
+    let amount = |weight: &Value| {
+        let part = |k: usize| weight["unbalance"][k].as_f64().unwrap();
+        part(0).hypot(part(1))
+    };
+    let used: Vec<f64> = weights.iter().map(amount).filter(|amount| *amount > 0.0).collect();
+    assert!(!used.is_empty(), "{found}");
+    for amount in &used {
+        assert!((amount / 5e-4 - (amount / 5e-4).round()).abs() < 1e-9, "{amount}");
+        assert!((amount - used[0]).abs() < 1e-12, "{used:?}");
+    }
+    assert!(found["robust"].is_null(), "{found}");
 }
 
 #[test]

@@ -102,6 +102,16 @@ fn the_least_peak_and_the_least_root_mean_square_over_the_range() {
         assert!(value <= stage.value * (1.0 + 2e-5), "{criterion:?}: {value} N beside {stage:?}");
         let told = answer.gas_speeds.as_ref().expect("it is judged over a range");
         assert!(told.range && told.excess <= 1e-6, "{told:?}");
+        // The peak stands at angles and speeds that are told: there the loads are as large as the value.
+        assert_eq!(stage.active.is_empty(), criterion == RMS, "{stage:?}");
+        for active in &stage.active {
+            let speed = active.speed.expect("with gas it is judged over speeds");
+            let gas = cylinder_gas(&four, &[], speed).expect("it has gas").cylinders;
+            let forces = MainForces::new(&best, Some(&gas), speed).expect("it is held");
+            let here = |main: usize| forces.at(main, active.theta).norm();
+            let largest = (0..forces.count()).map(here).fold(0.0, f64::max);
+            assert!((largest / stage.value - 1.0).abs() < 1e-4, "{active:?}: {largest} N");
+        }
         // The file's own weights and others near the best do no better.
         let own = over_speeds(&four, 24)[place];
         assert!(stage.lower_bound <= own * (1.0 + 1e-5) && stage.value <= own * (1.0 + 1e-5));

@@ -9,7 +9,7 @@ use lanchester::model::Engine;
 use lanchester::task::{BalanceTask, CrankWeightPlaces, TaskOptions, default_task};
 use lanchester::{
     CounterweightRequest, WebBoundError, check_counterweights, design_counterweights, optimise_on_webs,
-    with_counterweights,
+    web_excesses, with_counterweights,
 };
 
 const EXAMPLE: &str = include_str!("../../../../examples/in-line-3-counterweights.toml");
@@ -126,4 +126,39 @@ fn the_file_says_it_and_what_is_missing_is_told() {
     let options = TaskOptions { prefix: "--", most: Some("what fit".into()), ..TaskOptions::default() };
     let refused = options.change(&before.engine, task).unwrap_err();
     assert!(refused.hint.contains("did you mean --most 'what fits'?"), "{refused:?}");
+}
+
+/// The optimum on the webs fits; the same weights a tenth heavier, as a method without bounds may choose them, do not, and are named.
+#[test]
+fn weights_that_do_not_fit_are_named() {
+    let file = file(EXAMPLE);
+    let answer = on_webs(&file, &every_web(&file.engine, None)).unwrap();
+    let best = fitted(&file.engine, &answer);
+    let shapes = file.tasks.shape_task.as_ref();
+    let known = web_excesses(&best, shapes).unwrap();
+    assert_eq!((known.too_large.len(), known.elsewhere.len()), (0, 0), "{known:?}");
+    assert!(known.checked > 0);
+    let bounded = |name: &str| answer.web_bounds.iter().find(|bound| bound.name == name);
+    let heavier = best
+        .with(|parts| {
+            for weight in &mut parts.counterweights {
+                if let Some(bound) = bounded(&weight.name) {
+                    weight.unbalance = 1.1 * bound.bound;
+                }
+            }
+        })
+        .unwrap();
+    let found = web_excesses(&heavier, shapes).unwrap();
+    assert!(!found.too_large.is_empty() && found.checked >= known.checked, "{found:?}");
+    for excess in &found.too_large {
+        let bound = bounded(&excess.name).expect("it was bounded");
+        assert_eq!(excess.web, bound.web);
+        assert!(excess.unbalance > excess.bound && !excess.by.is_empty(), "{excess:?} {bound:?}");
+    }
+    // Weights on throws stand on no web, and without shapes nothing is known.
+    let throws =
+        best.with(|parts| parts.counterweights.iter_mut().for_each(|weight| weight.z += 1e-3)).unwrap();
+    let told = web_excesses(&throws, shapes).unwrap();
+    assert_eq!((told.checked, told.elsewhere.len()), (0, best.counterweights.len()));
+    assert_eq!(web_excesses(&heavier, None).unwrap(), Default::default());
 }

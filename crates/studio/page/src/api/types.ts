@@ -248,6 +248,8 @@ export type BalanceAnswer = {
   effect: WeightEffect | null;
   /** The outcome in words. */
   headline: string;
+  /** What drawn engines have of it, in words; none without `robust`. */
+  robust: string | null;
   /** The engine file with what was found; none where nothing was. */
   text: string | null;
   /** Added shafts that may strike the crank or stand far out. */

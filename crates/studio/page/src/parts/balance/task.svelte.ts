@@ -29,6 +29,14 @@ function spoken(one: Aim): string {
   return one.order === "" ? one.load : `${one.load} order ${one.order}`;
 }
 
+/** What is typed with commas between. */
+export function listed(text: string): string[] {
+  return text
+    .split(",")
+    .map((one) => one.trim())
+    .filter((one) => one !== "");
+}
+
 /** What is to be minimised, in which order, within what limits; or the orders that must vanish instead. */
 export class BalanceTask {
   stages = $state<Aim[]>([]);
@@ -64,6 +72,17 @@ class Optimising {
   gap = $state("");
   maxNodes = $state<number | null>(null);
   timeLimit = $state("");
+  /** What earlier stages give up for later ones, as typed: `force = 1 %`. */
+  giveUp = $state("");
+  /** Which weights can be made, what they may cost and at which speeds loads count, as typed; empty: whatever the file says. */
+  step = $state("");
+  equalParts = $state(false);
+  whatFits = $state(false);
+  budget = $state("");
+  speeds = $state("");
+  /** How many engines are drawn within their tolerances; none: the engine as it is meant. */
+  engines = $state<number | null>(null);
+  worstShare = $state("");
   readonly found = new Search<BalanceAnswer>("balance");
 
   constructor() {
@@ -91,6 +110,14 @@ class Optimising {
       free: this.free,
       locked: this.free === "devices" ? this.#present() : [],
       shafts: [],
+      most: this.whatFits ? "what fits" : this.task.said.most,
+      give_up: listed(this.giveUp),
+      step: this.step.trim() || null,
+      equal_parts: this.equalParts,
+      budget: this.budget.trim() || null,
+      speeds: listed(this.speeds),
+      robust: this.engines,
+      worst_share: this.engines === null ? null : this.worstShare.trim() || null,
       gap: this.gap.trim() || null,
       max_nodes: this.maxNodes,
       time_limit: this.timeLimit.trim() || null,
