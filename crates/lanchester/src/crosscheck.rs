@@ -138,7 +138,7 @@ impl Pair<'_> {
             Condition::LikeForLike => Ok(self.like_for_like()?),
             Condition::FreeSpeed => self.free_speed()?,
             Condition::MovingBlock => crate::crosscheck_mounts::moving_block(self)?,
-            Condition::AllFree => crate::crosscheck_mounts::all_free(self)?,
+            Condition::AllFree => self.all_free()?,
         };
         let (rows, not_applicable) = match found {
             Ok(rows) => (rows, None),

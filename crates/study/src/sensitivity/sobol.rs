@@ -59,7 +59,7 @@ pub(super) fn sobol(
             let mut own = point.clone();
             for (place, (input, half)) in inputs.iter().enumerate() {
                 let uniform = tables[choose(place)][place].uniform(sample);
-                input.deviate(&mut own, half * (2.0 * uniform - 1.0));
+                input.deviate(&mut own, half * (2.0 * uniform - 1.0)).ok()?;
             }
             possible(&own, outputs)
         };

@@ -175,7 +175,7 @@ pub fn sensitivity(
         .map(|varied| {
             [-varied.half_width, varied.half_width].map(|deviation| {
                 let mut own = point.clone();
-                varied.input.deviate(&mut own, deviation);
+                varied.input.deviate(&mut own, deviation).ok()?;
                 possible(&own, &request.outputs)
             })
         })

@@ -38,7 +38,7 @@ fn loads(point: &OperatingPoint) -> Vec<f64> {
 
 fn off(point: &OperatingPoint, input: Input, by: f64) -> Vec<f64> {
     let mut own = point.clone();
-    input.deviate(&mut own, by);
+    input.deviate(&mut own, by).unwrap();
     loads(&own)
 }
 
@@ -85,7 +85,7 @@ fn derivatives_are_the_differences_of_the_loads() {
         for (place, input) in Input::single(&point).into_iter().enumerate() {
             let by = 1500.0 * f64::from(1 + (place as u32 * 7) % 5) * step(input);
             if input.quantity != Quantity::Speed {
-                input.deviate(&mut point, by);
+                input.deviate(&mut point, by).unwrap();
             }
         }
         let scale = loads(&point);
@@ -133,12 +133,12 @@ fn counterweights_that_follow_keep_their_share() {
         for varied in [Varied::BigEndMass, Varied::CrankRadius, Varied::ThrowUnbalance, Varied::RodCentre] {
             let mut point = OperatingPoint { weights, ..fixed.clone() };
             let input = Input { quantity: Quantity::Part(varied), part: None };
-            input.deviate(&mut point, 1e-3);
+            input.deviate(&mut point, 1e-3).unwrap();
             let stays = (share(&point.engine) / share(&fixed.engine) - 1.0).abs() < 1e-14;
             assert_eq!(stays, weights == Weights::Follow, "{varied:?}");
         }
         let mut point = OperatingPoint { weights, ..fixed.clone() };
-        Input { quantity: Quantity::Part(Varied::ThrowAngle), part: None }.deviate(&mut point, 0.1);
+        Input { quantity: Quantity::Part(Varied::ThrowAngle), part: None }.deviate(&mut point, 0.1).unwrap();
         let turned = point.engine.counterweights[0].angle - fixed.engine.counterweights[0].angle;
         assert!((turned - if weights == Weights::Follow { 0.1 } else { 0.0 }).abs() < 1e-14, "{turned}");
     }

@@ -102,7 +102,7 @@ fn point(name: &str, curve: fn(f64) -> PeriodicCurve) -> OperatingPoint {
         let is_of_engine = input.quantity.is_of_engine() || input.quantity.measure() == Measure::Factor;
         // Main bearings stay the usual ones, which move with throws and radii.
         if !is_of_engine && input.quantity != Quantity::MainPlane {
-            input.deviate(&mut point, by);
+            input.deviate(&mut point, by).unwrap();
         }
     }
     point
@@ -110,7 +110,7 @@ fn point(name: &str, curve: fn(f64) -> PeriodicCurve) -> OperatingPoint {
 
 fn off(point: &OperatingPoint, input: Input, by: f64) -> OperatingPoint {
     let mut own = point.clone();
-    input.deviate(&mut own, by);
+    input.deviate(&mut own, by).unwrap();
     own
 }
 
