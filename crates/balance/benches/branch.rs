@@ -12,10 +12,7 @@ fn engine(name: &str) -> Engine {
     engine = engine
         .with(|engine| {
             engine.counterweights.clear();
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.shafts.clear();
         })
         .unwrap();

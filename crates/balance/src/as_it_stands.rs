@@ -13,7 +13,7 @@ use lanchester_task::{BalanceTask, Criterion, Stage};
 /// # Example
 /// ```
 /// use lanchester_balance::as_it_stands;
-/// use lanchester_model::{Criterion, Load};
+/// use lanchester_task::{Criterion, Load};
 ///
 /// let template = lanchester_file::template("in-line-6").expect("it is in the gallery");
 /// let engine = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");

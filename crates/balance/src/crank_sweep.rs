@@ -343,15 +343,9 @@ mod tests {
         ship = ship
             .with(|ship| {
                 ship.cylinders[0].piston_mass = 5000.0;
-            })
-            .expect("an engine");
-        ship = ship
-            .with(|ship| {
+
                 ship.throws[0].radius = 1.2;
-            })
-            .expect("an engine");
-        ship = ship
-            .with(|ship| {
+
                 ship.cylinders[0].rod.length = 3.0;
             })
             .expect("an engine");

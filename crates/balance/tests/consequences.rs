@@ -19,10 +19,7 @@ fn crank_alone(name: &str) -> (Engine, f64) {
             for throw in &mut engine.throws {
                 (throw.unbalance, throw.unbalance_offset) = (0.02, 0.0);
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for cylinder in &mut engine.cylinders {
                 cylinder.piston_mass = 0.0;
                 (cylinder.rod.big_end_mass, cylinder.rod.small_end_mass, cylinder.rod.inertia) =

@@ -76,7 +76,6 @@ static CODES: &[(&str, &str)] = &[
     ("E0512", "a shaft through the crank"),
     ("E0513", "two devices of one name"),
     ("E0514", "two parts of one name"),
-    ("E0515", "numbers that no engine has"),
     ("E0601", "a firing order that the crank cannot fire"),
     ("E0602", "firing angles"),
     ("E0603", "firing away from top dead centre"),

@@ -27,7 +27,7 @@
 //! assert!(shown.contains("single.toml:13:8"), "{shown}");
 //! assert!(shown.contains("hint: write \"0.3 kg\""), "{shown}");
 //!
-//! let engine = lanchester_file::read(&text.replace("0,3", "0.3")).file.expect("the file is mended").engine();
+//! let engine = lanchester_file::read(&text.replace("0,3", "0.3")).engine().expect("the file is mended");
 //! assert_eq!(engine.throws[0].radius, 0.03);
 //! ```
 #![forbid(unsafe_code)]

@@ -231,7 +231,7 @@ impl<'a> Reader<'a> {
         };
         for Fault { part, quantity, needed, got, remedy } in faults.into_iter().filter(|_| !told) {
             let message = format!("{part}: {quantity} must be {needed}, got {got}");
-            self.mistakes.push(Mistake::error("E0515", 0..0, message).hint(remedy));
+            self.mistakes.push(Mistake::error("E0108", 0..0, message).hint(remedy));
         }
         None
     }

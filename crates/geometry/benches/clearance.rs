@@ -41,10 +41,7 @@ fn four(skirt_length: f64) -> Engine {
         .with(|engine| {
             engine.throws =
                 angles.iter().enumerate().map(|(at, a)| throw(0, *a, 0.088 * at as f64)).collect();
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.crank_body = Some(CrankBody {
                 density: 7850.0,
                 journal_diameter: 0.05,
@@ -56,10 +53,7 @@ fn four(skirt_length: f64) -> Engine {
                 pin_end_radius: 0.03,
                 end_journals: [0.02; 2],
             });
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.envelope = Some(Envelope {
                 least: Some(0.001),
                 crankcase_radius: Some(0.08),

@@ -16,7 +16,7 @@ use lanchester_task::{BalanceTask, Seat};
 /// # Example
 /// ```
 /// use lanchester::balance::Affected;
-/// use lanchester::model::{Engine, read, template};
+/// use lanchester::file::{read, template};
 ///
 /// let four = read(template("in-line-4").expect("it is in the gallery").text).engine().expect("no mistakes");
 /// let bare = four.without_counterweights();

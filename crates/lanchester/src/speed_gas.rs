@@ -25,7 +25,7 @@ const STEPS: usize = 12;
 /// # Example
 /// ```
 /// use lanchester::balance::{BalanceSettings, Next};
-/// use lanchester::model::{BalanceTask, Criterion, Mains, Stage, Statistic};
+/// use lanchester::task::{BalanceTask, Criterion, Mains, Stage, Statistic};
 ///
 /// let text = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/in-line-4-mounts.toml"));
 /// let engine = lanchester::file::read(text).engine().expect("the example has no mistakes");

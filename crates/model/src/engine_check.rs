@@ -49,12 +49,9 @@ fn of_crankshaft(crankshaft: &Crankshaft, index: usize, part: &mut Part<'_>) {
     part.finite("phase [rad]", crankshaft.phase);
     part.finite("x [m]", crankshaft.x);
     part.finite("y [m]", crankshaft.y);
-    let is_reference = crankshaft.ratio == Ratio::ONE
-        && crankshaft.phase == 0.0
-        && (crankshaft.x, crankshaft.y) == (0.0, 0.0);
-    if index == 0 && !is_reference {
-        let remedy = "all speeds, angles and places count from it: give the others theirs against it";
-        part.add("place", "ratio 1, phase 0, x and y 0 for the first crankshaft", "another", remedy);
+    if index == 0 && crankshaft.ratio != Ratio::ONE {
+        let remedy = "all speeds count from it: give the others theirs against it";
+        part.add("ratio", "1 for the first crankshaft", crankshaft.ratio, remedy);
     }
     if let Some(mains) = &crankshaft.mains {
         mains.iter().for_each(|z| part.finite("mains [m]", *z));

@@ -2,6 +2,7 @@
 
 use crate::engine::EngineParts;
 use serde::Serialize;
+use std::collections::HashMap;
 use std::fmt;
 
 /// Something about the parts that no engine has: which number, what it must be and what it is.
@@ -39,7 +40,7 @@ impl Fault {
 }
 
 /// Numbers beyond this size, in SI units, are no engine's: squares and products of them must stay finite.
-const LARGEST: f64 = 1e15;
+const LARGEST: f64 = 1e30;
 
 /// The faults of one part as they are found.
 pub(crate) struct Part<'a> {
@@ -93,9 +94,9 @@ impl Part<'_> {
 
 /// Refuses names that two parts of a kind have: people and files tell them apart by it.
 pub(crate) fn unique<'a>(kind: &'static str, names: impl Iterator<Item = &'a str>, faults: &mut Vec<Fault>) {
-    let names: Vec<&str> = names.collect();
-    for (index, name) in names.iter().enumerate() {
-        if let Some(first) = names[..index].iter().position(|other| other == name) {
+    let mut known: HashMap<&str, usize> = HashMap::new();
+    for (index, name) in names.enumerate() {
+        if let Some(first) = known.get(name) {
             faults.push(Fault {
                 part: format!("{kind}[{index}]"),
                 quantity: "name",
@@ -103,6 +104,8 @@ pub(crate) fn unique<'a>(kind: &'static str, names: impl Iterator<Item = &'a str
                 got: format!("\"{name}\""),
                 remedy: "give each its own name",
             });
+        } else {
+            known.insert(name, index);
         }
     }
 }

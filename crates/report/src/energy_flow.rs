@@ -88,7 +88,7 @@ mod tests {
             &flows(&[("load", 70.0), ("friction", 29.99), ("dampers", 0.01)]),
         )
         .expect("energy flows");
-        assert_eq!(panel.description, "Comes in: gas 100 J. Goes: load 70 J, friction 29.99 J.");
+        assert_eq!(panel.description, "Comes in: gas 100.0 J. Goes: load 70.00 J, friction 29.99 J.");
         assert!(energy_flow(&[], &flows(&[("load", 0.0)])).is_none());
     }
 }

@@ -67,25 +67,13 @@ mod tests {
         engine = engine
             .with(|engine| {
                 engine.cylinders[0].offset = 0.01;
-            })
-            .expect("an engine");
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[0].pin_offset = 0.002;
-            })
-            .expect("an engine");
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[1].throw = 0;
-            })
-            .expect("an engine");
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[1].rod.length = 0.11;
-            })
-            .expect("an engine");
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[1].rod.joint = RodJoint::Articulated {
                     master: 0,
                     knuckle_radius: 0.03,

@@ -83,10 +83,7 @@ pub fn twin() -> Engine {
                 weights: vec![ShaftWeight::new(0.0, 0.047, 0.5 * TAU)],
                 inertia: None,
             });
-        })
-        .expect("an engine");
-    engine = engine
-        .with(|engine| {
+
             engine.mounts = vec![
                 Mount { name: "left".to_owned(), x: -0.05, y: -0.2, z: 0.0, spring: None },
                 Mount { name: "right".to_owned(), x: -0.05, y: 0.2, z: 0.0, spring: None },

@@ -227,12 +227,13 @@ fn machine_balanced(engine: &Engine, bobs: &[Bobweight]) -> Engine {
     let counterweights = bobs
         .iter()
         .filter_map(|bob| Some((bob, bob.throw? - 1)))
-        .map(|(bob, index)| {
+        .enumerate()
+        .map(|(number, (bob, index))| {
             let throw = &engine.throws[index];
             let missing = throw.unbalance + bob.mass * throw.radius;
             let turned = if missing < 0.0 { 0.0 } else { PI };
             Counterweight {
-                name: format!("throw {}", index + 1),
+                name: format!("bobweight {}", number + 1),
                 crankshaft: throw.crankshaft,
                 z: throw.z,
                 unbalance: missing.abs(),
@@ -243,7 +244,7 @@ fn machine_balanced(engine: &Engine, bobs: &[Bobweight]) -> Engine {
         .collect();
     engine
         .with(|parts| parts.counterweights = counterweights)
-        .expect("invariant: a throw has one bobweight at most, of finite mass")
+        .expect("invariant: bobweights have finite masses")
 }
 
 fn peaks(engine: &Engine, how: &str) -> Result<ComparedBalance, LoadError> {

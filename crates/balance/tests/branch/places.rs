@@ -30,10 +30,7 @@ fn the_cylinders_own_plane_is_found() {
             for throw in &mut engine.throws {
                 throw.z += 0.0371;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for cylinder in &mut engine.cylinders {
                 cylinder.z += 0.0371;
             }

@@ -14,10 +14,7 @@ pub fn stripped(name: &str) -> Engine {
     engine = engine
         .with(|engine| {
             engine.counterweights.clear();
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.shafts.clear();
         })
         .unwrap();

@@ -16,7 +16,7 @@ fn peak_with(engine: &Engine, weights: &[(f64, Complex64)], which: usize, count:
         engine = engine
             .with(|engine| {
                 engine.counterweights.push(Counterweight {
-                    name: "w".into(),
+                    name: format!("w {z}"),
                     crankshaft: 0,
                     z,
                     unbalance,
@@ -76,7 +76,7 @@ fn one_weight_agrees_with_golden_section() {
                 fit = fit
                     .with(|fit| {
                         fit.counterweights.push(Counterweight {
-                            name: "w".into(),
+                            name: format!("w {z}"),
                             crankshaft: 0,
                             z,
                             unbalance,
@@ -189,10 +189,7 @@ fn scale_changes_nothing() {
                         throw.radius *= length;
                         throw.unbalance *= mass * length;
                     }
-                })
-                .unwrap();
-            other = other
-                .with(|other| {
+
                     for cylinder in &mut other.cylinders {
                         cylinder.z *= length;
                         cylinder.offset *= length;

@@ -188,7 +188,7 @@ fn largest_mount_force_is_below_each_single_choice() {
 
 fn mounts() -> Vec<Mount> {
     [(-0.08, -0.24, -0.15), (-0.08, 0.24, -0.15), (-0.06, 0.0, 0.62)]
-        .map(|(x, y, z)| Mount { name: format!("{z}"), x, y, z, spring: None })
+        .map(|(x, y, z)| Mount { name: format!("{y} {z}"), x, y, z, spring: None })
         .to_vec()
 }
 

@@ -133,10 +133,7 @@ fn very_stiff_equal_springs_are_the_rigid_share() {
     rigid = rigid
         .with(|rigid| {
             rigid.block = None;
-        })
-        .unwrap();
-    rigid = rigid
-        .with(|rigid| {
+
             rigid.mounts.iter_mut().for_each(|m| m.spring = None);
         })
         .unwrap();

@@ -21,10 +21,7 @@ fn samples(engine: &Engine, from: u32, to: u32) -> Vec<Engine> {
                         cylinder.piston_mass *= 1.0 + 0.04 * wave(1.7, part);
                         cylinder.rod.big_end_mass *= 1.0 + 0.06 * wave(2.9, part);
                     }
-                })
-                .unwrap();
-            one = one
-                .with(|one| {
+
                     for (part, throw) in one.throws.iter_mut().enumerate() {
                         throw.unbalance *= 1.0 + 0.05 * wave(0.71, part);
                         throw.angle += 0.01 * wave(3.3, part);

@@ -68,10 +68,7 @@ fn an_offset_moves_the_nearest_place_to_the_true_bottom_dead_centre() {
     engine = engine
         .with(|engine| {
             engine.cylinders[0].offset = 0.008;
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.cylinders[0].pin_offset = -0.002;
         })
         .unwrap();
@@ -244,12 +241,10 @@ fn an_obstacle_farther_along_the_crank_than_another_of_its_kind_is_left_out() {
     let envelope = Envelope { skirt: skirt(0.03, None), rod: rod_envelope(), ..Envelope::default() };
     let weight = counterweight(sector(0.065, 1.2), [0.012, 0.028], Some(1));
     let row = vec![cylinder(0, 0.0, 0.0), cylinder(1, 0.0, 0.095)];
-    let mut engine = engine(row, vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap();
-    engine = engine
-        .with(|engine| {
-            engine.throws.push(throw(0, PI, 0.095));
-        })
-        .unwrap();
+    let mut parts = parts(row, vec![weight]);
+    parts.envelope = Some(envelope);
+    parts.throws.push(throw(0, PI, 0.095));
+    let engine = Engine::new(parts).unwrap();
     let found = all(&engine);
     let seen: Vec<Obstacle> = found.bodies[0].clearances.iter().map(|c| c.obstacle).collect();
     // The second piston begins 27 mm off, the neighbour's rod is of another kind than the own one.
@@ -324,10 +319,7 @@ fn what_is_missing_is_told() {
     engine = engine
         .with(|engine| {
             engine.cylinders[0].bore = Some(BORE);
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.counterweights.clear();
         })
         .unwrap();
@@ -441,10 +433,12 @@ proptest! {
         let weight = counterweight(star, [face, face + 0.012], None);
         let cylinders = vec![cylinder(0, 0.0, 0.2), cylinder(1, angle, 0.0)];
         let envelope = Envelope { skirt: skirt(0.03, None), rod: rod_envelope(), ..Envelope::default() };
-        let mut engine = engine(cylinders, vec![weight]).with(|parts| parts.envelope = Some(envelope)).unwrap();
-        engine = engine.with(|engine| { engine.throws = vec![throw(0, 0.0, 0.2), throw(1, 0.4, 0.0)]; }).unwrap();
-        engine = engine.with(|engine| { engine.crankshafts.push(crankshaft((numerator, denominator), place.0, place.1)); }).unwrap();
-        engine = engine.with(|engine| { engine.crankshafts[1].phase = 0.3; }).unwrap();
+        let mut parts = parts(cylinders, vec![weight]);
+        parts.envelope = Some(envelope);
+        parts.throws = vec![throw(0, 0.0, 0.2), throw(1, 0.4, 0.0)];
+        parts.crankshafts.push(crankshaft((numerator, denominator), place.0, place.1));
+        parts.crankshafts[1].phase = 0.3;
+        let engine = Engine::new(parts).unwrap();
         for obstacle in [Obstacle::Piston { cylinder: 2 }, Obstacle::Rod { cylinder: 2 }] {
             // A piston that stands behind another one along the crank alone is left out.
             if all(&engine).bodies[0].clearances.iter().any(|c| c.obstacle == obstacle) {

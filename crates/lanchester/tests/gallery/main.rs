@@ -145,10 +145,7 @@ fn comparison_fails_where_two_throws_are_swapped() {
         engine = engine
             .with(|engine| {
                 engine.throws[0].angle = engine.throws[other].angle;
-            })
-            .unwrap();
-        engine = engine
-            .with(|engine| {
+
                 engine.throws[other].angle = first;
             })
             .unwrap();
@@ -176,10 +173,7 @@ fn comparison_fails_where_two_cylinders_fire_in_the_other_order() {
         engine = engine
             .with(|engine| {
                 engine.cylinders[a].firing_angle = engine.cylinders[b].firing_angle;
-            })
-            .unwrap();
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[b].firing_angle = keep;
             })
             .unwrap();

@@ -336,10 +336,7 @@ fn of_gallery(name: &str, block: EngineBlock) -> Case {
     engine = engine
         .with(|engine| {
             engine.block.clone_from(&donor.block);
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.mounts.clone_from(&donor.mounts);
         })
         .unwrap();

@@ -18,10 +18,7 @@ fn gallery(name: &str) -> Engine {
     engine = engine
         .with(|engine| {
             engine.counterweights.clear();
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for cylinder in &mut engine.cylinders {
                 cylinder.bore = Some(0.1);
             }
@@ -55,10 +52,7 @@ fn pistons_come_down_to_their_own_dead_centres() {
             engine = engine
                 .with(|engine| {
                     engine.counterweights = vec![disc(Point::ORIGIN, radius, shaft, cylinder.z, 0.3)];
-                })
-                .unwrap();
-            engine = engine
-                .with(|engine| {
+
                     engine.envelope = Some(Envelope {
                         skirt: Some(Skirt { length: skirt, width: None }),
                         ..Envelope::default()

@@ -81,10 +81,7 @@ fn the_least_force_of_inertia_and_gas_over_the_range() {
                         weight.unbalance *= 1.0 + 0.1 * turn(k).sin();
                         weight.angle += 0.1 * turn(k).cos();
                     }
-                })
-                .unwrap();
-            other = other
-                .with(|other| {
+
                     for (k, weight) in
                         other.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights).enumerate()
                     {

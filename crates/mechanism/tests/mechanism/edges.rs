@@ -66,15 +66,13 @@ fn a_slow_crankshaft_brings_fractional_orders() {
     engine = engine
         .with(|engine| {
             engine.crankshafts.push(Crankshaft {
+                name: "slow".into(),
                 ratio: Ratio::new(-1, 2).unwrap(),
                 phase: 0.4,
                 y: 0.3,
                 ..crankshaft()
             });
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.throws[1].crankshaft = 1;
         })
         .unwrap();

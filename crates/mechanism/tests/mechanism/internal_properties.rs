@@ -166,15 +166,9 @@ fn rods_press_their_pins_as_virtual_power_says() {
     leaning = leaning
         .with(|leaning| {
             leaning.cylinders[0].offset = 0.012;
-        })
-        .unwrap();
-    leaning = leaning
-        .with(|leaning| {
+
             leaning.cylinders[1].pin_offset = -0.004;
-        })
-        .unwrap();
-    leaning = leaning
-        .with(|leaning| {
+
             for cylinder in &mut leaning.cylinders {
                 cylinder.rod.inertia = Some(0.004);
             }

@@ -51,10 +51,7 @@ fn radial_nine_with_articulated_rods() {
     engine = engine
         .with(|engine| {
             engine.cylinders[0].rod.inertia = Some(0.05);
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.cylinders[4].rod.inertia = Some(0.01);
         })
         .unwrap();

@@ -38,10 +38,7 @@ fn offset_lengthens_the_stroke_and_moves_the_dead_centres() {
     engine = engine
         .with(|engine| {
             engine.cylinders[0].offset = 0.02;
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.cylinders[0].firing_angle = Some(TAU);
         })
         .unwrap();
@@ -113,8 +110,8 @@ proptest! {
         engine = engine.with(|engine| { for throw in &mut engine.throws {
             throw.radius *= length;
             throw.unbalance *= mass;
-        } }).unwrap();
-        engine = engine.with(|engine| { for cylinder in &mut engine.cylinders {
+        }
+ for cylinder in &mut engine.cylinders {
             for value in [&mut cylinder.offset, &mut cylinder.pin_offset, &mut cylinder.rod.length] {
                 *value *= length;
             }
@@ -123,7 +120,8 @@ proptest! {
             }
             cylinder.piston_mass *= mass;
             cylinder.rod.inertia = None;
-        } }).unwrap();
+        }
+}).unwrap();
         let kinematics = if cap == 0 { Kinematics::Exact } else { Kinematics::Orders(cap) };
         let request = LoadRequest {
             speed: Some(10f64.powi(speed)),
@@ -148,21 +146,12 @@ proptest! {
 
 #[test]
 fn a_locked_rod_is_an_error_and_a_nearly_locked_one_is_not() {
-    let mut engine = in_line(&[0.0]);
-    engine = engine
-        .with(|engine| {
-            engine.cylinders[0].rod.length = engine.throws[0].radius;
-        })
-        .unwrap();
-    assert!(matches!(
-        loads(&engine, &LoadRequest::default()),
-        Err(LoadError::RodTooShort { cylinder: 1, .. })
-    ));
-    engine = engine
-        .with(|engine| {
-            engine.cylinders[0].rod.length = engine.throws[0].radius * (1.0 + 1e-9);
-        })
-        .unwrap();
+    let single = in_line(&[0.0]);
+    let with_rod =
+        |share: f64| single.with(|parts| parts.cylinders[0].rod.length = share * parts.throws[0].radius);
+    let locked = with_rod(1.0).unwrap_err();
+    assert!(locked[0].to_string().contains("length [m] must be more than 0.045"), "{}", locked[0]);
+    let engine = with_rod(1.0 + 2e-9).unwrap();
     let loads = loads(&engine, &LoadRequest::default()).unwrap();
     assert!(loads.total.peaks.force.max.value.is_finite());
     assert!(

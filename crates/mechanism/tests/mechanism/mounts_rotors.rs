@@ -132,6 +132,7 @@ fn every_rotor_counts_with_its_sense() {
         .unwrap();
     assert!((rotor_inertia_about_z(&engine, None) - (J + 0.03 - 0.002)).abs() < 1e-15);
     shaft.inertia = None;
+    shaft.name = "another".into();
     engine = engine
         .with(|engine| {
             engine.shafts.push(shaft);

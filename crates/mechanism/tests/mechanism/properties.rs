@@ -31,31 +31,19 @@ fn turned(engine: &Engine, delta: f64) -> Engine {
             for crankshaft in &mut engine.crankshafts {
                 turn(&mut crankshaft.x, &mut crankshaft.y);
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for throw in &mut engine.throws {
                 throw.angle += delta;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for cylinder in &mut engine.cylinders {
                 cylinder.angle += delta;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for weight in &mut engine.counterweights {
                 weight.angle += delta;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for shaft in &mut engine.shafts {
                 turn(&mut shaft.x, &mut shaft.y);
                 for weight in &mut shaft.weights {
@@ -75,27 +63,18 @@ fn heavier(engine: &Engine, factor: f64) -> Engine {
             for throw in &mut engine.throws {
                 throw.unbalance *= factor;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for cylinder in &mut engine.cylinders {
                 cylinder.piston_mass *= factor;
                 cylinder.rod.big_end_mass *= factor;
                 cylinder.rod.small_end_mass *= factor;
                 cylinder.rod.inertia = cylinder.rod.inertia.map(|inertia| inertia * factor);
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for weight in &mut engine.counterweights {
                 weight.unbalance *= factor;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for weight in engine.shafts.iter_mut().flat_map(|s| &mut s.weights) {
                 weight.unbalance *= factor;
             }
@@ -140,12 +119,13 @@ proptest! {
     fn prop_cylinders_in_another_order_give_the_same_loads(engine in any_engine(ALL_SHAPES), by in 0..12usize) {
         let count = engine.cylinders.len();
         let mut other = engine.clone();
-        other = other.with(|other| { other.cylinders.rotate_left(by % count); }).unwrap();
-        other = other.with(|other| { for cylinder in &mut other.cylinders {
+        other = other.with(|other| { other.cylinders.rotate_left(by % count);
+ for cylinder in &mut other.cylinders {
             if let lanchester_model::RodJoint::Articulated { master, .. } = &mut cylinder.rod.joint {
                 *master = (*master + count - by % count) % count;
             }
-        } }).unwrap();
+        }
+}).unwrap();
         let scale = scales(&engine);
         for theta in odd_angles(5) {
             let wanted = list(whole(&engine).components(theta));

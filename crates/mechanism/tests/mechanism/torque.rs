@@ -277,10 +277,7 @@ fn uneven_and_simultaneous_firing() {
     twin = twin
         .with(|twin| {
             twin.cylinders[1].firing_angle = Some(PI);
-        })
-        .unwrap();
-    twin = twin
-        .with(|twin| {
+
             twin.cylinders[0].firing_angle = Some(0.0);
         })
         .unwrap();
@@ -310,15 +307,9 @@ fn a_twin_in_phase_repeats_every_turn() {
         engine = engine
             .with(|engine| {
                 engine.cylinders[1].bore = engine.cylinders[0].bore;
-            })
-            .unwrap();
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[0].firing_angle = Some(0.0);
-            })
-            .unwrap();
-        engine = engine
-            .with(|engine| {
+
                 engine.cylinders[1].firing_angle = Some(firing);
             })
             .unwrap();
@@ -343,17 +334,15 @@ fn a_twin_in_phase_repeats_every_turn() {
 #[test]
 fn power_passes_through_the_gears() {
     for (ratio, revolutions) in [((-1, 1), 2.0), ((1, 2), 4.0), ((2, 1), 2.0), ((-3, 2), 4.0)] {
-        let mut engine = engine(
+        let mut geared = support::parts(
             "geared",
             vec![throw(0.0, 0.0), Throw { crankshaft: 1, ..throw(0.4, 0.0) }],
             vec![cylinder(0, 0.0, 0.0), cylinder(1, 0.2, 0.0)],
         );
         let ratio = Ratio::new(ratio.0, ratio.1).unwrap();
-        engine = engine
-            .with(|engine| {
-                engine.crankshafts.push(Crankshaft { ratio, x: 0.3, ..support::crankshaft() });
-            })
-            .unwrap();
+        let second = Crankshaft { name: "second".into(), ratio, x: 0.3, ..support::crankshaft() };
+        geared.crankshafts.push(second);
+        let engine = Engine::new(geared).unwrap();
         let mut engine = fired(engine, 0.08, Strokes::Four);
         engine = engine
             .with(|engine| {

@@ -38,7 +38,12 @@ const CASES: [Case; 24] = [
     ("in-line-4", |e| e.cylinders[1].chamber = Some(1), "cylinders[1]", "chamber must be the first piston"),
     ("in-line-4", |e| e.speed.lowest = 1e4, "speed", "highest [rad/s] must be at least"),
     ("in-line-4", |e| e.speed.highest = -1.0, "speed", "highest [rad/s] must be more than 0"),
-    ("in-line-4", |e| e.crankshafts[0].phase = 0.1, "crankshafts[0]", "place must be ratio 1, phase 0"),
+    (
+        "in-line-4",
+        |e| e.crankshafts[0].ratio = Ratio::new(1, 2).unwrap(),
+        "crankshafts[0]",
+        "ratio must be 1",
+    ),
     (
         "in-line-4",
         |e| e.crankshafts[0].mains = Some(vec![0.0]),

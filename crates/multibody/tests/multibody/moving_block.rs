@@ -18,27 +18,15 @@ fn engine(share: f64) -> Engine {
                 cylinder.rod.big_end_mass *= share;
                 cylinder.rod.small_end_mass *= share;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             for throw in &mut engine.throws {
                 throw.unbalance *= share;
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.speed.lowest = 120.0;
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.speed.highest = 120.0;
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.block = Some(Block {
                 mass: 150.0,
                 centre: [0.05, 0.01, 0.02],
@@ -54,7 +42,13 @@ fn engine(share: f64) -> Engine {
         let spring = MountSpring { damping: [400.0; 3], ..MountSpring::along_frame([2e5, 1.2e5, 1e5]) };
         engine = engine
             .with(|engine| {
-                engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+                engine.mounts.push(Mount {
+                    name: format!("at {y} {z}"),
+                    x: -0.1,
+                    y,
+                    z,
+                    spring: Some(spring),
+                });
             })
             .unwrap();
     }

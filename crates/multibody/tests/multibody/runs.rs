@@ -67,10 +67,7 @@ fn fired(count: usize) -> Engine {
                 cylinder.bore = Some(0.08);
                 cylinder.firing_angle = Some(if count == 1 { 0.0 } else { firings[index] });
             }
-        })
-        .unwrap();
-    engine = engine
-        .with(|engine| {
+
             engine.block = Some(Block {
                 mass: 120.0,
                 centre: [0.06, 0.01, 0.02],
@@ -86,7 +83,13 @@ fn fired(count: usize) -> Engine {
         let spring = MountSpring { damping: [300.0; 3], ..MountSpring::along_frame([9e4, 5e4, 6e4]) };
         engine = engine
             .with(|engine| {
-                engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+                engine.mounts.push(Mount {
+                    name: format!("at {y} {z}"),
+                    x: -0.1,
+                    y,
+                    z,
+                    spring: Some(spring),
+                });
             })
             .unwrap();
     }

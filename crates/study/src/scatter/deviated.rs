@@ -3,7 +3,6 @@
 use crate::scatter::tolerance::Variable;
 use lanchester_model::{Engine, Fault};
 use lanchester_task::{Tolerance, Varied};
-use std::f64::consts::PI;
 
 /// The engine with these deviations, one for each variable; an unbalance below 0 is one on the other side.
 ///
@@ -59,12 +58,6 @@ pub(crate) fn deviated(
             }
         }
     }
-    // Less than nothing is an amount on the other side.
-    let weights = moved.shafts.iter_mut().flat_map(|shaft| &mut shaft.weights);
-    let amounts = weights.map(|weight| (&mut weight.unbalance, &mut weight.phase));
-    let of_crank = moved.counterweights.iter_mut().map(|weight| (&mut weight.unbalance, &mut weight.angle));
-    for (amount, direction) in amounts.chain(of_crank).filter(|(amount, _)| **amount < 0.0) {
-        (*amount, *direction) = (-*amount, *direction + PI);
-    }
+    moved.turn_negative_weights();
     Engine::new(moved)
 }

@@ -21,7 +21,7 @@ const STRETCH: u64 = 1 << 14;
 /// A scatter, prepared.
 ///
 /// ```
-/// use lanchester_model::{Distribution, Extent, Tolerance, Varied};
+/// use lanchester_task::{Distribution, Extent, Tolerance, Varied};
 /// use lanchester_study::scatter::{Output, ScatterRequest, Scattering, scatter};
 ///
 /// let template = lanchester_file::template("in-line-4").expect("it is in the gallery");

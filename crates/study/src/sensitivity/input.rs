@@ -70,6 +70,7 @@ impl Input {
         if point.weights == Weights::Follow {
             follow(&point.engine, &mut engine);
         }
+        engine.turn_negative_weights();
         point.engine = Engine::new(engine)?;
         Ok(())
     }

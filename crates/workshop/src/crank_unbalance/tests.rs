@@ -77,7 +77,7 @@ fn a_tilted_rod_tells_its_tilt() {
                     let x = x + offset;
                     let angle = if x < 0.0 { std::f64::consts::PI } else { 0.0 };
                     lanchester_model::Counterweight {
-                        name: String::new(),
+                        name: format!("piece {k}"),
                         crankshaft: 0,
                         z: z + 0.05,
                         unbalance: m * x.abs(),
@@ -112,7 +112,7 @@ fn kinds_of_unbalance() {
         })
         .expect("an engine");
     let weight = |z: f64, unbalance: f64, degrees: f64| lanchester_model::Counterweight {
-        name: String::new(),
+        name: format!("at {z}"),
         crankshaft: 0,
         z,
         unbalance,

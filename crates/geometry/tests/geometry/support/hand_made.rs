@@ -115,7 +115,7 @@ pub fn throw(crankshaft: usize, angle: f64, z: f64) -> Throw {
 
 pub fn crankshaft(ratio: (i32, u32), x: f64, y: f64) -> Crankshaft {
     let ratio = Ratio::new(ratio.0, ratio.1).unwrap();
-    Crankshaft { name: "crankshaft".to_string(), ratio, phase: 0.0, x, y, mains: None }
+    Crankshaft { name: format!("at {x} {y}"), ratio, phase: 0.0, x, y, mains: None }
 }
 
 /// A counterweight against the first throw, from `faces[0]` to `faces[1]`, on web `web`.
@@ -135,7 +135,12 @@ pub fn counterweight(outline: Outline, faces: [f64; 2], web: Option<usize>) -> C
 
 /// One crankshaft, one throw along +x, these cylinders on it, nothing to stay clear of yet.
 pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> Engine {
-    Engine::new(EngineParts {
+    Engine::new(parts(cylinders, counterweights)).unwrap()
+}
+
+/// As [`engine`], to be changed.
+pub fn parts(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> EngineParts {
+    EngineParts {
         name: "made by hand".to_string(),
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
@@ -146,8 +151,7 @@ pub fn engine(cylinders: Vec<Cylinder>, counterweights: Vec<Counterweight>) -> E
         counterweights,
         envelope: Some(Envelope::default()),
         ..EngineParts::default()
-    })
-    .unwrap()
+    }
 }
 
 /// A sector of a disc about the crank axis, `half` an angle to both sides of x.

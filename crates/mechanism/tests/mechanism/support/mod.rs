@@ -63,7 +63,12 @@ pub fn crankshaft() -> Crankshaft {
 
 /// An engine of these throws and cylinders at 300 rad/s.
 pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engine {
-    Engine::new(EngineParts {
+    Engine::new(parts(name, throws, cylinders)).unwrap()
+}
+
+/// As [`engine`], to be changed.
+pub fn parts(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> EngineParts {
+    EngineParts {
         name: name.into(),
         strokes: Strokes::Four,
         rotation: Rotation::Clockwise,
@@ -72,8 +77,7 @@ pub fn engine(name: &str, throws: Vec<Throw>, cylinders: Vec<Cylinder>) -> Engin
         throws,
         cylinders,
         ..EngineParts::default()
-    })
-    .unwrap()
+    }
 }
 
 /// An in-line engine: throws at these angles [deg], 90 mm apart, symmetric about the origin.

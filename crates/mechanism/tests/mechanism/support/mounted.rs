@@ -127,7 +127,10 @@ fn any_block() -> impl Strategy<Value = Block> {
 
 /// `engine` with a random block on three to five random mounts.
 pub fn any_mounted(engine: Engine) -> impl Strategy<Value = Engine> {
-    (any_block(), prop::collection::vec(any_mount(), 3..6)).prop_map(move |(block, mounts)| {
+    (any_block(), prop::collection::vec(any_mount(), 3..6)).prop_map(move |(block, mut mounts)| {
+        for (index, mount) in mounts.iter_mut().enumerate() {
+            mount.name = format!("mount {}", index + 1);
+        }
         engine
             .with(|parts| {
                 parts.block = Some(block);

@@ -1,7 +1,7 @@
 //! Random valid engines of many shapes: several throws and cylinders a throw, offsets, articulated rods, rods with
 //! inertia, a geared second crankshaft, counterweights and shafts.
 
-use super::{crankshaft, engine};
+use super::{crankshaft, parts};
 use lanchester_model::*;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -110,8 +110,7 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
                 cylinders.push(cylinder);
             }
         }
-        let mut engine =
-            engine("random", throws.into_iter().map(|(throw, _)| throw).collect(), cylinders).into_parts();
+        let mut engine = parts("random", throws.into_iter().map(|(throw, _)| throw).collect(), cylinders);
         engine.speed = SpeedRange { lowest: speed, highest: speed };
         if shape.geared {
             let ((numerator, denominator), phase, x, y) = gear;
@@ -132,6 +131,9 @@ pub fn any_engine(shape: Shape) -> impl Strategy<Value = Engine> {
             })
             .collect();
         engine.shafts = shafts;
+        for (index, shaft) in engine.shafts.iter_mut().enumerate() {
+            shaft.name = format!("shaft {}", index + 1);
+        }
         Engine::new(engine).unwrap()
     })
 }
