@@ -4,7 +4,7 @@
 
 use crate::support::hand_made::{
     BORE, LENGTH, RADIUS, Slider, TURN, counterweight, crankshaft, cylinder, distance_in_space, engine,
-    liner, rod_envelope, sampled, sector, skirt, throw,
+    liner, parts, rod_envelope, sampled, sector, skirt, throw,
 };
 use lanchester_geometry::clearance::{
     CLEARANCE_GAP, Clearance, ClearanceError, ClearanceModel, Clearances, DepthAlong, Obstacle,
