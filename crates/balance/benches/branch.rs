@@ -15,7 +15,7 @@ fn engine(name: &str) -> Engine {
 
             engine.shafts.clear();
         })
-        .unwrap();
+        .expect("an engine");
     engine
 }
 

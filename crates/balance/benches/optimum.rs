@@ -15,7 +15,7 @@ fn bare(name: &str) -> Engine {
 
             engine.shafts.clear();
         })
-        .unwrap();
+        .expect("an engine");
     engine
 }
 

@@ -95,7 +95,7 @@ pub enum CompareError {
         /// Its name.
         engine: String,
         /// What is wrong with it.
-        fault: Fault,
+        fault: Box<Fault>,
     },
     /// Nothing to compare.
     #[error("a comparison needs two or more engines or arrangements, got {got}")]
@@ -559,7 +559,7 @@ impl Gas {
 fn changed(engine: &Engine, change: impl FnOnce(&mut EngineParts)) -> Result<Engine, CompareError> {
     engine.with(change).map_err(|faults| CompareError::Engine {
         engine: engine.name.clone(),
-        fault: Fault::first_of(faults),
+        fault: Box::new(Fault::first_of(faults)),
     })
 }
 

@@ -16,7 +16,7 @@ fn v8() -> (Engine, Vec<CylinderGas>) {
                 cylinder.bore = Some(0.09);
             }
         })
-        .unwrap();
+        .expect("an engine");
     let knots: Vec<f64> = (0..720).map(|j| 2.0 * TAU * f64::from(j) / 720.0).collect();
     let values: Vec<f64> = knots.iter().map(|t| 1e5 + 6e6 * (-2.0 * (t - 0.3).powi(2)).exp()).collect();
     let gas = CylinderGas {

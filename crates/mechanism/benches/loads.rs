@@ -55,7 +55,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
         cylinders,
         ..EngineParts::default()
     })
-    .unwrap()
+    .expect("an engine")
 }
 
 fn bench(criterion: &mut Criterion) {

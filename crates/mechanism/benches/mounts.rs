@@ -22,7 +22,7 @@ fn engine() -> Engine {
                 driveline_torque: [0.0, 0.0, 120.0],
             });
         })
-        .unwrap();
+        .expect("an engine");
     let point =
         |f, k| MountPoint { angular_frequency: f, stiffness: [k, 0.5 * k, 0.4 * k], loss_factor: [0.2; 3] };
     let mount = |(k, (y, z)): (usize, (f64, f64))| {
@@ -46,7 +46,7 @@ fn engine() -> Engine {
         .with(|engine| {
             engine.mounts = places.into_iter().enumerate().map(mount).collect();
         })
-        .unwrap();
+        .expect("an engine");
     engine
 }
 
@@ -80,7 +80,7 @@ fn mounts(criterion: &mut Criterion) {
         .with(|plain| {
             plain.mounts.iter_mut().filter_map(|m| m.spring.as_mut()).for_each(|s| s.table.clear());
         })
-        .unwrap();
+        .expect("an engine");
     let excitations = excitations();
     let mut group = criterion.benchmark_group("mounts");
     for (name, engine) in [("no table", &plain), ("two mounts with a table", &tabled)] {

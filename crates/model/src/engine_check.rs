@@ -132,6 +132,8 @@ fn turns(parts: &EngineParts, cylinder: &Cylinder, part: &mut Part<'_>) {
     if matches!(master.rod.joint, RodJoint::Articulated { .. }) || master.throw != cylinder.throw {
         let remedy = "name the cylinder whose rod carries the knuckle pin";
         part.add("master", "a cylinder of the same throw with a rod on the crankpin", "another", remedy);
+    } else if throw.radius + knuckle_radius + cylinder.net_offset().abs() < rod.length * (1.0 - MARGIN) {
+        // Longer than any place of the knuckle pin needs.
     } else if let Some(reach) = largest_reach(throw, master, cylinder)
         && reach >= rod.length * (1.0 - MARGIN)
     {

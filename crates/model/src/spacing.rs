@@ -16,29 +16,32 @@ impl EngineParts {
         nearest(self.throws.iter().map(|t| t.z).collect())
             .or_else(|| nearest(self.cylinders.iter().map(|c| c.z).collect()))
     }
+
+    /// Every z of throws, webs, main bearings, cylinders and counterweights times `factor`, about the origin. The crankshaft is no body any
+    /// more and counterweights are no parts.
+    pub fn stretch(&mut self, factor: f64) {
+        for throw in &mut self.throws {
+            throw.z *= factor;
+            throw.webs.iter_mut().flatten().for_each(|z| *z *= factor);
+        }
+        self.cylinders.iter_mut().for_each(|c| c.z *= factor);
+        for weight in &mut self.counterweights {
+            weight.z *= factor;
+            weight.part = None;
+        }
+        self.crank_body = None;
+        for mains in self.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()) {
+            mains.iter_mut().for_each(|z| *z *= factor);
+        }
+    }
 }
 
 impl Engine {
-    /// The engine with every z of throws, webs, main bearings, cylinders and counterweights times `factor`, about the origin. Its crankshaft
-    /// is no body any more and its counterweights are no parts.
+    /// A copy that is stretched ([`EngineParts::stretch`]).
     ///
     /// # Errors
     /// As [`Engine::new`], where the factor is not finite, or not positive and the engine names its main bearings.
     pub fn stretched(&self, factor: f64) -> Result<Engine, Vec<Fault>> {
-        self.with(|parts| {
-            for throw in &mut parts.throws {
-                throw.z *= factor;
-                throw.webs.iter_mut().flatten().for_each(|z| *z *= factor);
-            }
-            parts.cylinders.iter_mut().for_each(|c| c.z *= factor);
-            for weight in &mut parts.counterweights {
-                weight.z *= factor;
-                weight.part = None;
-            }
-            parts.crank_body = None;
-            for mains in parts.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()) {
-                mains.iter_mut().for_each(|z| *z *= factor);
-            }
-        })
+        self.with(|parts| parts.stretch(factor))
     }
 }

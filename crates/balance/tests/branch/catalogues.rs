@@ -70,7 +70,7 @@ fn enumerated(engine: &Engine, task: &BalanceTask, allowed: impl Fn(&[f64]) -> b
                         part: None,
                     });
                 })
-                .unwrap();
+                .expect("an engine");
         }
         let value = lanchester_balance::as_it_stands(&engine, task.stages[0].terms[0].1).expect("a load");
         if value < best.0 {
@@ -266,7 +266,7 @@ fn enumerated_one(engine: &Engine, task: &BalanceTask, amounts: &[f64]) -> f64 {
                     part: None,
                 });
             })
-            .unwrap();
+            .expect("an engine");
     }
     lanchester_balance::as_it_stands(&engine, task.stages[0].terms[0].1).expect("a load")
 }

@@ -72,7 +72,7 @@ fn repaired(engine: &Engine, task: &BalanceTask, change: &[Complex64]) -> Option
         }
     }
     carrier.shafts.extend(shafts.into_iter().filter(|s| !s.weights.is_empty()));
-    let carrier = Engine::new(carrier).unwrap();
+    let carrier = Engine::new(carrier).expect("an engine");
     let answer = optimise(&carrier, task).ok()?;
     let CancellationVerdict::Vanish { .. } = cancellation(&answer).verdict else { return None };
     // Change and answer together cancel the orders of the engine.

@@ -17,7 +17,7 @@ pub fn stripped(name: &str) -> Engine {
 
             engine.shafts.clear();
         })
-        .unwrap();
+        .expect("an engine");
     engine
 }
 

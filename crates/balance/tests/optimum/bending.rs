@@ -44,7 +44,7 @@ fn each_web_its_own_half(engine: &Engine, distance: f64) -> Engine {
         })
     };
     let halves: Vec<Counterweight> = engine.throws.iter().enumerate().flat_map(half).collect();
-    engine.with(|parts| parts.counterweights.extend(halves)).unwrap()
+    engine.with(|parts| parts.counterweights.extend(halves)).expect("an engine")
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn peak_with(engine: &Engine, weights: &[(f64, Complex64)], which: usize, count:
                     part: None,
                 });
             })
-            .unwrap();
+            .expect("an engine");
     }
     grid_peak(&engine, which, count)
 }

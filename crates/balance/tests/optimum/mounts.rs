@@ -49,7 +49,7 @@ pub fn engine(stiffness: f64, mass: f64) -> Engine {
                 mount("rear", [-0.06, 0.0, 0.62], askew),
             ];
         })
-        .unwrap()
+        .expect("an engine")
 }
 
 pub fn task(load: Load) -> BalanceTask {

@@ -27,7 +27,7 @@ fn samples(engine: &Engine, from: u32, to: u32) -> Vec<Engine> {
                         throw.angle += 0.01 * wave(3.3, part);
                     }
                 })
-                .unwrap();
+                .expect("an engine");
             one
         })
         .collect()

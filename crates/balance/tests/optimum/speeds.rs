@@ -8,7 +8,9 @@ use lanchester_task::{BalanceTask, Criterion, Limit, Load, Stage};
 
 /// The three on its mounts, whose resonances lie within its range.
 fn soft() -> Engine {
-    engine(1.5e6, 90.0).with(|parts| parts.speed = SpeedRange { lowest: 50.0, highest: 420.0 }).unwrap()
+    engine(1.5e6, 90.0)
+        .with(|parts| parts.speed = SpeedRange { lowest: 50.0, highest: 420.0 })
+        .expect("an engine")
 }
 
 fn largest() -> BalanceTask {

@@ -87,7 +87,7 @@ fn idealised(engine: &Engine) -> Engine {
                 cylinder.pin_offset = 0.0;
             }
         })
-        .unwrap();
+        .expect("an engine");
     engine
 }
 

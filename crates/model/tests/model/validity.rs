@@ -31,7 +31,12 @@ const CASES: [Case; 24] = [
     ("in-line-4", |e| e.cylinders[0].z = f64::INFINITY, "cylinders[0]", "z [m] must be a finite number"),
     ("in-line-4", |e| e.cylinders[0].bore = Some(0.0), "cylinders[0]", "bore [m] must be more than 0"),
     ("in-line-4", |e| e.throws[0].radius = 0.0, "throws[0]", "radius [m] must be more than 0"),
-    ("in-line-4", |e| e.throws[0].angle = f64::NEG_INFINITY, "throws[0]", "angle [rad] must be a finite number"),
+    (
+        "in-line-4",
+        |e| e.throws[0].angle = f64::NEG_INFINITY,
+        "throws[0]",
+        "angle [rad] must be a finite number",
+    ),
     ("in-line-4", |e| e.throws[0].webs = Some([0.1, -0.1]), "throws[0]", "webs [m] must be front then rear"),
     ("in-line-4", |e| e.cylinders[1].rod.length = 0.01, "cylinders[1].rod", "length [m] must be more than"),
     ("in-line-4", |e| e.cylinders[1].offset = 1.0, "cylinders[1].rod", "length [m] must be more than"),

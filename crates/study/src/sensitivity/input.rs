@@ -65,26 +65,14 @@ impl Input {
     /// # Errors
     /// As [`Engine::new`], where no engine has such a quantity.
     pub fn deviate(self, point: &mut OperatingPoint, deviation: f64) -> Result<(), Vec<Fault>> {
-        let mut engine = point.engine.clone().into_parts();
-        self.put_off(&mut engine, point, deviation)?;
-        if point.weights == Weights::Follow {
-            follow(&point.engine, &mut engine);
-        }
-        engine.turn_negative_weights();
-        point.engine = Engine::new(engine)?;
-        Ok(())
+        deviate_all(point, [(self, deviation)])
     }
 
-    fn put_off(
-        self,
-        engine: &mut EngineParts,
-        point: &mut OperatingPoint,
-        deviation: f64,
-    ) -> Result<(), Vec<Fault>> {
+    fn put_off(self, engine: &mut EngineParts, point: &mut OperatingPoint, deviation: f64) {
         match self.quantity {
             Quantity::Spacing => {
-                if let Some(spacing) = point.engine.spacing() {
-                    *engine = point.engine.stretched(1.0 + deviation / spacing)?.into_parts();
+                if let Some(spacing) = engine.spacing() {
+                    engine.stretch(1.0 + deviation / spacing);
                 }
             }
             Quantity::Part(Varied::RodCentre) => {
@@ -131,7 +119,6 @@ impl Input {
                 own.filter(|(index, _)| self.is_of(*index)).for_each(|(_, value)| *value += deviation);
             }
         }
-        Ok(())
     }
 
     fn change_gas(self, point: &mut OperatingPoint, change: impl Fn(&mut CylinderGas)) {
@@ -143,6 +130,27 @@ impl Input {
         let own = engine.mounts.iter_mut().enumerate().filter(|(index, _)| self.is_of(*index));
         own.filter_map(|(_, mount)| mount.spring.as_mut()).for_each(change);
     }
+}
+
+/// Puts quantities of `point` off one after the other, each by its deviation; what comes out is looked at once.
+///
+/// # Errors
+/// As [`Engine::new`].
+pub(super) fn deviate_all(
+    point: &mut OperatingPoint,
+    deviations: impl IntoIterator<Item = (Input, f64)>,
+) -> Result<(), Vec<Fault>> {
+    let mut engine = point.engine.clone().into_parts();
+    for (input, deviation) in deviations {
+        let before = (point.weights == Weights::Follow).then(|| engine.clone());
+        input.put_off(&mut engine, point, deviation);
+        if let Some(before) = before {
+            follow(&before, &mut engine);
+        }
+    }
+    engine.turn_negative_weights();
+    point.engine = Engine::new(engine)?;
+    Ok(())
 }
 
 fn scaled(curve: &PeriodicCurve, factor: f64) -> PeriodicCurve {

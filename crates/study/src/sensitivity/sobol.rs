@@ -1,6 +1,6 @@
 //! Variance-based indices: which input the scatter of an output over the ranges comes from, alone and with all others.
 
-use super::input::Input;
+use super::input::{Input, deviate_all};
 use super::operating_point::OperatingPoint;
 use super::output::Output;
 use super::value::possible;
@@ -57,10 +57,11 @@ pub(super) fn sobol(
     let draw = |sample: u64| -> Option<Draw> {
         let at = |choose: &dyn Fn(usize) -> usize| {
             let mut own = point.clone();
-            for (place, (input, half)) in inputs.iter().enumerate() {
+            let deviations = inputs.iter().enumerate().map(|(place, (input, half))| {
                 let uniform = tables[choose(place)][place].uniform(sample);
-                input.deviate(&mut own, half * (2.0 * uniform - 1.0)).ok()?;
-            }
+                (*input, half * (2.0 * uniform - 1.0))
+            });
+            deviate_all(&mut own, deviations).ok()?;
             possible(&own, outputs)
         };
         let mixed = (0..inputs.len()).map(|input| at(&|place| usize::from(place == input)));

@@ -10,6 +10,8 @@ export type Active = {
    * limit for a limited one).
    */
   multiplier: number;
+  /** Speed of crankshaft 1 [rad/s], where the criterion is judged at several: with gas. */
+  speed?: number | null;
   /** Crank angle [rad]. */
   theta: number;
 };
@@ -71,7 +73,9 @@ export type Answer = {
   limits: FoundLimit[];
   /** How it was found. */
   method: Method;
-  /** Where forces at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands. */
+  /** The same of forces at mounts with gas. */
+  mount_gas_speeds?: JudgedSpeeds | null;
+  /** Where forces of inertia at mounts with springs are judged: the speeds that decide [rad/s], and where the largest of them stands. */
   mount_speeds?: JudgedSpeeds | null;
   /** Whether there is an optimum, and if not, why. */
   outcome: Outcome;
@@ -258,8 +262,12 @@ export type BalanceAnswer = {
 
 /** What may be changed, and what is wanted. */
 export type BalanceQuestion = {
+  /** Largest cost of all that is used, as `--budget` takes it. */
+  budget: string | null;
   /** Orders that must vanish, as `--cancel` takes them. */
   cancel: string[];
+  /** Whether all free weights on crankshafts have the same amount of their steps or lists, as `--equal-parts`. */
+  equal_parts: boolean;
   /** Which weights are free. */
   free: Free;
   /** Gap at which a search over choices ends, as `--gap` takes it; none: 1e-8. */
@@ -278,12 +286,22 @@ export type BalanceQuestion = {
   minimise: string[];
   /** Largest unbalance of every free weight on a crankshaft, as `--most` takes it. */
   most: string | null;
+  /** Engines drawn within the tolerances of the file, the worst of which is minimised, as `--robust` takes it. */
+  robust: number | null;
+  /** With `robust`: seed of the draws; none: 1. */
+  robust_seed: number | null;
   /** Shafts that are added, as `--shaft` takes them: `-1 @ 0 mm, 100 mm @ -30 mm, 30 mm` is ratio @ x, y of the axis @ planes. */
   shafts: string[];
+  /** Speeds at which forces at mounts with springs and loads with gas count, as `--speed` takes them; none: the range of the file. */
+  speeds: string[];
+  /** Step in which every free weight on a crankshaft is made, as `--weight-step` takes it. */
+  step: string | null;
   /** The engine file. */
   text: string;
   /** Longest time of the search, as `--time-limit` takes it; none: no limit. */
   time_limit: string | null;
+  /** With `robust`: minimise the mean of this share of the engines, the worst ones, as `--worst-share` takes it. */
+  worst_share: string | null;
 };
 
 /**
@@ -324,6 +342,8 @@ export type BalanceTask = {
   shaft_costs: number[];
   /** Balance shafts that may be fitted. */
   shafts: FreeShaft[];
+  /** What loads at each of these speeds are multiplied by before the largest counts, in their order; a speed without an entry has 1. */
+  speed_weights?: number[];
   /**
    * Speeds [rad/s] of crankshaft 1 at which forces at mounts with springs and loads with gas are judged, the largest of all counting;
    * empty: the whole range of the engine. All other loads are largest at the highest speed.
@@ -523,6 +543,20 @@ export type Catalogue = {
   steps: number;
 } | {
   amounts: number[];
+};
+
+/** A hole of a catalogue. */
+export type CatalogueHole = {
+  /** Depth from the surface to the end of the full diameter [m]. */
+  depth: number;
+  /** Diameter of the drill [m]. */
+  diameter: number;
+  /** Density of the slug that fills it [kg/m^3]; none: it stays empty. */
+  slug_density: number | null;
+  /** Depth from the surface that the tip of the drill reaches [m]. */
+  tip: number;
+  /** Unbalance that the hole removes, or that the slug in it adds beyond what was drilled away [kg m]. */
+  unbalance: number;
 };
 
 /** The chamber that pistons share. */
@@ -1300,6 +1334,34 @@ export type Dimensions = {
   web_radius: number;
 };
 
+/** Holes of which a free weight is one: it is what the hole removes, opposite to it, or what a slug in it adds. */
+export type DrillCatalogue = {
+  /** Density of what is drilled [kg/m^3]. */
+  density: number;
+  /** Depths to the end of the full diameter are multiples of this [m]. */
+  depth_step: number;
+  /** Diameters of the drills [m], rising. */
+  diameters: number[];
+  /** Along which line holes are drilled. */
+  direction: DrillDirection;
+  /** Depth from the surface that the tip of the drill may reach [m]. */
+  max_depth: number;
+  /** Angle of the drill point [rad]; pi is a flat bottom. */
+  point: number;
+  /** Radius of the drilled surface (radial), or of the circle of holes (axial) [m]. */
+  radius: number;
+  /** Density of the slugs that fill the holes [kg/m^3]; none: the holes stay empty. */
+  slug_density: number | null;
+  /** Shape of the surface where a radial hole begins; an axial hole begins on a flat face. */
+  surface: DrilledSurface;
+};
+
+/** Along which line a hole is drilled. */
+export type DrillDirection = "radial" | "axial";
+
+/** Surface where a radial hole begins. */
+export type DrilledSurface = "round" | "flat";
+
 export type Drive = "gears" | "chain";
 
 /** Two gears that mesh, or two sprockets that a chain or belt joins. */
@@ -1687,6 +1749,8 @@ export type FoundStage = {
 
 /** A free weight of the answer. */
 export type FoundWeight = {
+  /** The hole that it is, where the task gives drills: opposite to its direction if it stays empty. */
+  hole?: CatalogueHole | null;
   /** Its mass [kg], where the task gives its radius. */
   mass: number | null;
   /** Its name in the task. */
@@ -1739,6 +1803,8 @@ export type FreeWeight = {
   catalogue: Catalogue | null;
   /** What it costs if it is used. */
   cost: Cost;
+  /** The holes whose unbalances are its catalogue, if it is one of them. */
+  drill?: DrillCatalogue | null;
   /** Name of the parts that it is one of: used weights with the same name have the same amount of their catalogue. */
   equal_parts: string | null;
   /** Whether its largest amount is what fits on its web, by shapes and clearance. */
@@ -1958,7 +2024,9 @@ export type JudgedSpeeds = {
   judged: number[];
   /** Whether the whole range of the engine counts. */
   range: boolean;
-  /** Speed [rad/s] at which the first of these criteria is largest with what was found. */
+  /** What loads at each of them are multiplied by before the largest counts; empty where nothing is. */
+  weights?: number[];
+  /** Speed [rad/s] at which the first of these criteria, times the weight of its speed, is largest with what was found. */
   worst: number;
 };
 
@@ -2023,6 +2091,8 @@ export type LimitSide = "at-most" | "at-least" | "given";
 export type Load = "force" | "force-x" | "force-y" | "couple" | "couple-x" | "couple-y" | "roll-moment" | {
   "mount-force": number;
 } | "largest-mount-force" | {
+  "mount-force-with-gas": number;
+} | "largest-mount-force-with-gas" | {
   "main-load": number;
 } | "largest-main-load" | "bending-moment";
 
@@ -2253,6 +2323,8 @@ export type MountStudy = {
   points: PointMotion[];
   /** Against speed, by order. */
   response: MountResponse;
+  /** Angular momentum of all rotors whose inertia is known over the speed of crankshaft 1 [kg m^2]. */
+  rotors: number;
   /** What all mounts together pass on, against frequency. */
   transmissibility: Transmissibility;
   /** [`MOUNT_RESULT_VERSION`]. */
@@ -3043,7 +3115,7 @@ export type SpeedRipple = {
   fluctuation: number;
   /** The inertia that it turns. */
   inertia: TrainInertia;
-  /** Torque of the load [N m], the mean of the gas. */
+  /** Mean torque of the load [N m]: that of the gas and of the torque over the angle that the file gives. */
   load: number;
   /** Mean speed [rad/s]: angle over time. */
   mean_speed: number;
