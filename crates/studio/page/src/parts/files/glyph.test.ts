@@ -3,7 +3,7 @@ import { resolve } from "node:path";
 import { describe, expect, it } from "vitest";
 import { glyph } from "./glyph";
 
-const template = (name: string) => readFileSync(resolve(`../../model/templates/${name}.toml`), "utf8");
+const template = (name: string) => readFileSync(resolve(`../../file/templates/${name}.toml`), "utf8");
 
 describe("glyph", () => {
   it.each([
