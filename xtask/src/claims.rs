@@ -34,7 +34,10 @@ const STUDIO_LACKS: (&str, &str) = ("docs/src/guide/studio.md", "## Only on the 
 pub fn check(program: &Path) -> Result<String> {
     let commands = command_names(&quiet(Command::new(program).arg("--help"))?);
     let reference = text("docs/src/engine-file.md")?.context("the reference is not UTF-8")?;
-    let codes = codes(&reference);
+    // Mistakes in graph files are listed in their guide.
+    let graphs = text("docs/src/guide/bond-graphs.md")?.context("the guide is not UTF-8")?;
+    let listed = format!("{reference}\n{graphs}");
+    let codes = codes(&listed);
     ensure!(!commands.is_empty() && !codes.is_empty(), "no commands or no codes are listed");
     let (mut given, mut named) = (0, 0);
     for page in files()?.iter().filter(|file| *file == "README.md" || file.starts_with("docs/src/")) {

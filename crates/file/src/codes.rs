@@ -29,7 +29,8 @@ static FAMILIES: &[(&str, &str)] = &[
     ("14", "block and mounts"),
     ("15", "tolerances"),
     ("16", "a file of pressures that the engine file names"),
-    ("17", "a run in time"),
+    ("17", "a graph file, whose codes the guide of bond graphs lists"),
+    ("18", "a run in time"),
 ];
 
 static CODES: &[(&str, &str)] = &[
@@ -110,9 +111,9 @@ static CODES: &[(&str, &str)] = &[
     ("E1404", "a table that does not rise"),
     ("E1405", "an inertia that no body has"),
     ("E1501", "a tolerance of so many standard deviations as no process has"),
-    ("E1701", "a duration, an acceleration or a moment of a run that cannot be read"),
-    ("E1702", "nothing that can happen in a run"),
-    ("E1703", "a load, a starter or a profile that cannot be"),
+    ("E1801", "a duration, an acceleration or a moment of a run that cannot be read"),
+    ("E1802", "nothing that can happen in a run"),
+    ("E1803", "a load, a starter or a profile that cannot be"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

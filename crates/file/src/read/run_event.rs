@@ -23,10 +23,10 @@ impl<'a> Reader<'a> {
             let when = when.map(|text| when_of(text.trim()));
             let action = action.map(|text| action_of(text.trim(), cylinders));
             if let Some(Err((message, hint))) = &when {
-                self.mistakes.push(Mistake::error("E1701", table.value_span("when"), message).hint(hint));
+                self.mistakes.push(Mistake::error("E1801", table.value_span("when"), message).hint(hint));
             }
             if let Some(Err((message, hint))) = &action {
-                self.mistakes.push(Mistake::error("E1702", table.value_span("do"), message).hint(hint));
+                self.mistakes.push(Mistake::error("E1802", table.value_span("do"), message).hint(hint));
             }
             match (when, action) {
                 (Some(Ok(when)), Some(Ok(action))) => events.push(Event { when, action }),

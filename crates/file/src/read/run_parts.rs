@@ -79,7 +79,7 @@ impl<'a> Reader<'a> {
             if table.has(other) {
                 let message = format!("a point of a load's table has `{other}`, others have `{key}`");
                 self.mistakes.push(
-                    Mistake::error("E1703", table.key_span(other), message)
+                    Mistake::error("E1803", table.key_span(other), message)
                         .hint("give all points a speed, or all an angle"),
                 );
                 is_good = false;
@@ -98,7 +98,7 @@ impl<'a> Reader<'a> {
             if over_angle && at >= period {
                 let message = "an angle of a load lies beyond the period of its table";
                 self.mistakes.push(
-                    Mistake::error("E1703", table.value_span(key), message)
+                    Mistake::error("E1803", table.value_span(key), message)
                         .hint("give angles from 0 to below `period`, which is 360 deg by default"),
                 );
                 is_good = false;
@@ -106,7 +106,7 @@ impl<'a> Reader<'a> {
             if !over_angle && torque < 0.0 {
                 let message = "the torque of a load over the speed must not be negative";
                 self.mistakes.push(
-                    Mistake::error("E1703", table.value_span("torque"), message)
+                    Mistake::error("E1803", table.value_span("torque"), message)
                         .hint("it acts against the rotation; a table over the angle may change its sign"),
                 );
                 is_good = false;
@@ -135,7 +135,7 @@ impl<'a> Reader<'a> {
         if starter.until > reached {
             self.mistakes.push(
                 Mistake::error(
-                    "E1703",
+                    "E1803",
                     section.value_span("until"),
                     "the starter has no torque left at the speed at which it lets go",
                 )

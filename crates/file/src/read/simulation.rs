@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
         match parse(text.value.trim()) {
             Ok(value) => Some(Some(value)),
             Err((message, hint)) => {
-                self.mistakes.push(Mistake::error("E1701", text.span, message).hint(hint));
+                self.mistakes.push(Mistake::error("E1801", text.span, message).hint(hint));
                 None
             }
         }
@@ -184,7 +184,7 @@ impl<'a> Reader<'a> {
     pub(super) fn must_rise(&mut self, table: &Section, key: &str, what: &str) {
         let message = format!("the {what} must rise");
         self.mistakes.push(
-            Mistake::error("E1703", table.value_span(key), message)
+            Mistake::error("E1803", table.value_span(key), message)
                 .label("not above the one before")
                 .hint("sort the entries, and give each value once"),
         );
