@@ -29,7 +29,6 @@ static FAMILIES: &[(&str, &str)] = &[
     ("14", "block and mounts"),
     ("15", "tolerances"),
     ("16", "a file of pressures that the engine file names"),
-    ("17", "a graph file, whose codes the guide of bond graphs lists"),
     ("18", "a run in time"),
 ];
 
