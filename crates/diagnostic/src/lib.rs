@@ -129,7 +129,7 @@ impl Mistakes {
         self.found.len() > 4 * MOST_DIAGNOSTICS
     }
 
-    /// Sorted by place, each once, with line and column, not more than [`MOST_DIAGNOSTICS`].
+    /// Sorted by place, each once, with line and column, not more than 200 of them.
     pub fn into_diagnostics(self, text: &str) -> Vec<Diagnostic> {
         let mut found = self.found;
         for mistake in &mut found {

@@ -1,7 +1,7 @@
 //! The workshop sheet: what is measured on a real rotor, crank or engine, and what may be done to it.
 //!
 //! A sheet is a TOML file of its own, read like an engine file: every quantity with its unit, all mistakes at once.
-//! [`read_sheet`] gives the [`Sheet`](lanchester_task::workshop::Sheet); each `workshop` command uses the tables that it needs.
+//! [`read_sheet`] gives the [`Sheet`]; each `workshop` command uses the tables that it needs.
 
 mod bobweight;
 mod display;
