@@ -86,6 +86,7 @@ pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_multibody as multibody;
 pub use lanchester_report as report;
+pub use lanchester_results as results;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
 pub use lanchester_task as task;

@@ -11,7 +11,9 @@ use lanchester_mechanism::{
 use lanchester_model::{
     Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SimulationInput, SpeedRange,
 };
-use lanchester_report::{BearingSizes, CycleResult};
+use lanchester_report::{
+    BearingSizes, BearingsInput, CycleResult, Section, TorqueInput, bearings_section, torque_section,
+};
 use serde::Serialize;
 
 /// Version of the form of [`TorqueReport`].
@@ -209,6 +211,30 @@ pub struct BearingStudy {
     pub parts: Vec<BearingLoads>,
     /// All loads without counterweights, where the engine has some.
     pub bare: Option<BearingLoads>,
+}
+
+impl BearingStudy {
+    /// As a section of a report; `None` where there is nothing to show.
+    pub fn section(&self, engine: &Engine) -> Option<Section> {
+        let sizes = bearing_sizes(engine);
+        bearings_section(&BearingsInput { parts: &self.parts, bare: self.bare.as_ref(), sizes })
+    }
+}
+
+impl TorqueReport {
+    /// As a section of a report.
+    pub fn section(&self) -> Section {
+        torque_section(&TorqueInput {
+            torque: &self.torque,
+            source: &self.source,
+            brake: self.brake.as_ref(),
+            cycles: &self.cycles,
+            ripples: &self.ripples,
+            flywheel: self.flywheel.as_ref(),
+            speeds: &self.speeds,
+            power: self.power.as_ref(),
+        })
+    }
 }
 
 /// Loads of the bearings of `engine` at a speed of crankshaft 1 [rad/s].

@@ -6,4 +6,4 @@ pub(crate) mod section;
 
 pub use crosscheck::*;
 pub use run::*;
-pub use section::simulation_figures;
+pub use section::{simulation_figures, simulation_section};

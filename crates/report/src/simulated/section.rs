@@ -2,28 +2,22 @@
 
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::flow::energy_flow;
-use crate::kit::table::Table;
+use crate::kit::section::Section;
 use crate::kit::xy_plot::{XyCurve, XyPlot};
 use crate::simulated::run::{SimulationResult, audit_words, simulation_tables, simulation_words};
 use std::f64::consts::{PI, TAU};
 
-/// What the section shows.
-pub(crate) struct SimulationSection {
-    pub paragraphs: Vec<String>,
-    pub figures: Vec<Figure>,
-    pub tables: Vec<Table>,
-}
-
-impl SimulationSection {
-    pub fn of(result: &SimulationResult) -> SimulationSection {
-        let mut paragraphs = simulation_words(result);
-        paragraphs.push(audit_words(&result.run));
-        SimulationSection {
-            paragraphs,
-            figures: simulation_figures(result),
-            tables: simulation_tables(result),
-        }
-    }
+/// A simulated run, as a section of a report.
+pub fn simulation_section(result: &SimulationResult) -> Section {
+    let (beside, broad): (Vec<Figure>, Vec<Figure>) =
+        simulation_figures(result).into_iter().partition(|figure| figure.panels.len() <= 1);
+    Section::new("simulated", "Simulated", "Simulated")
+        .words("The run that the file describes, with all parts as rigid bodies.")
+        .paragraphs(simulation_words(result))
+        .words(audit_words(&result.run))
+        .rows(beside)
+        .rows(broad)
+        .tables(simulation_tables(result))
 }
 
 fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {

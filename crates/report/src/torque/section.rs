@@ -2,9 +2,8 @@
 
 use crate::gas::result::CycleResult;
 use crate::gas::tables::{cycle_figures, cycle_table};
-use crate::kit::figure::Figure;
 use crate::kit::number;
-use crate::kit::table::Table;
+use crate::kit::section::Section;
 use crate::torque::figures::{power_figure, ripple_figure, torque_figures};
 use crate::torque::tables::{
     cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, ripple_words, stroke_table,
@@ -33,57 +32,43 @@ pub struct TorqueInput<'a> {
     pub power: Option<&'a PowerCurve>,
 }
 
-/// What the section shows.
-pub(crate) struct TorqueSection {
-    pub paragraphs: Vec<String>,
-    pub figures: Vec<Figure>,
-    pub tables: Vec<Table>,
-}
-
-impl TorqueSection {
-    pub fn of(input: &TorqueInput<'_>) -> TorqueSection {
-        let torque = input.torque;
-        let mut figures = torque_figures(torque);
-        if torque.cylinders.len() == 1 {
-            // One cylinder is the engine.
-            figures.retain(|figure| figure.id != "torque-by-cylinder");
-        }
-        figures.extend(ripple_figure(input.ripples));
-        if !input.cycles.is_empty() {
-            figures.extend(cycle_figures(input.cycles));
-        }
-        figures.extend(input.power.map(power_figure));
-        let mut tables = vec![
-            torque_table(torque, input.brake),
-            torque_orders_table(torque),
-            torque_extremes_table(torque),
-            cylinder_work_table(torque),
-            firing_table(&torque.firing),
-            stroke_table(&torque.firing),
-        ];
-        if !input.cycles.is_empty() {
-            tables.push(cycle_table(input.cycles));
-        }
-        if input.ripples.iter().any(|ripple| ripple.periodic().is_some()) {
-            tables.push(ripple_table(input.ripples));
-        }
-        tables.extend(input.flywheel.map(flywheel_table));
-        if !input.speeds.is_empty() {
-            tables.push(torque_speeds_table(input.speeds));
-        }
-        tables.extend(input.power.map(power_table));
-        let mut paragraphs = vec![words(input)];
-        let words = ripple_words(input.ripples);
-        if !words.is_empty() {
-            paragraphs.push(words);
-        }
-        TorqueSection { paragraphs, figures, tables }
+/// Torque, as a section of a report.
+pub fn torque_section(input: &TorqueInput<'_>) -> Section {
+    let torque = input.torque;
+    let mut figures = torque_figures(torque);
+    if torque.cylinders.len() == 1 {
+        // One cylinder is the engine.
+        figures.retain(|figure| figure.id != "torque-by-cylinder");
     }
-}
-
-/// Every figure of the report's section on torque.
-pub fn torque_section_figures(input: &TorqueInput<'_>) -> Vec<Figure> {
-    TorqueSection::of(input).figures
+    figures.extend(ripple_figure(input.ripples));
+    if !input.cycles.is_empty() {
+        figures.extend(cycle_figures(input.cycles));
+    }
+    figures.extend(input.power.map(power_figure));
+    let mut tables = vec![
+        torque_table(torque, input.brake),
+        torque_orders_table(torque),
+        torque_extremes_table(torque),
+        cylinder_work_table(torque),
+        firing_table(&torque.firing),
+        stroke_table(&torque.firing),
+    ];
+    if !input.cycles.is_empty() {
+        tables.push(cycle_table(input.cycles));
+    }
+    if input.ripples.iter().any(|ripple| ripple.periodic().is_some()) {
+        tables.push(ripple_table(input.ripples));
+    }
+    tables.extend(input.flywheel.map(flywheel_table));
+    if !input.speeds.is_empty() {
+        tables.push(torque_speeds_table(input.speeds));
+    }
+    tables.extend(input.power.map(power_table));
+    Section::new("torque-over-cycle", "Torque", "Torque with gas")
+        .words(words(input))
+        .words(ripple_words(input.ripples))
+        .by_width(figures)
+        .tables(tables)
 }
 
 /// Mean torque, power, what the flywheel holds, and where the pressures come from.
