@@ -1,0 +1,9 @@
+//! Runs in time of the multibody rung, and how far the rungs agree.
+
+pub(crate) mod crosscheck;
+pub(crate) mod run;
+pub(crate) mod section;
+
+pub use crosscheck::*;
+pub use run::*;
+pub use section::simulation_figures;
