@@ -21,7 +21,7 @@ const POWER_SPEEDS: usize = 7;
 /// The running engine, as far as its file tells.
 #[derive(Debug, Clone, Default)]
 pub struct Running {
-    /// Torque with gas, where the file says something of it.
+    /// Torque with gas, where the file says something of it; with a flywheel alone that of inertia.
     pub torque: Option<TorqueReport>,
     /// Loads of the bearings.
     pub bearings: Option<BearingStudy>,
@@ -36,7 +36,8 @@ pub struct Running {
 /// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
 pub fn is_running(file: &EngineFile) -> bool {
     let EngineFile { engine, tasks } = file;
-    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
+    let turns = engine.gas.is_some() || engine.flywheel.is_some();
+    turns || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
 }
 
 /// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; `traces`: the pressures, or why they cannot be
@@ -45,7 +46,8 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     let EngineFile { engine, tasks } = file;
     let has_bearings = engine.gas.is_some() || engine.bearings.is_some();
     let mut warnings = Vec::new();
-    let torque = section(engine.gas.is_some(), "torque with gas is", &traces, &mut warnings, |traces| {
+    let has_torque = engine.gas.is_some() || engine.flywheel.is_some();
+    let torque = section(has_torque, torque_name(engine.gas.is_some()), &traces, &mut warnings, |traces| {
         let request = TorqueReportRequest {
             torque: TorqueRequest { speed: Some(speed), ..TorqueRequest::default() },
             speeds: power_speeds(engine, POWER_SPEEDS),
@@ -67,6 +69,11 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
             simulate(file, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
         });
     Running { torque, bearings, mounts, simulation, warnings }
+}
+
+/// What the section on torque is called where it is left out.
+fn torque_name(with_gas: bool) -> &'static str {
+    if with_gas { "torque with gas is" } else { "torque is" }
 }
 
 impl Running {

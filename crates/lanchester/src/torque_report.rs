@@ -1,12 +1,12 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
 use crate::cycle_results::cycle_results;
-use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::{GasError, GasReport, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, OuterTorque,
     PowerCurve, RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads,
-    flywheel_need, speed_ripple, torque,
+    flywheel_need, speed_ripple, torque, torque_without_gas,
 };
 use lanchester_model::{
     Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SimulationInput, SpeedRange,
@@ -83,10 +83,10 @@ pub enum TorqueReportError {
     },
 }
 
-/// Torque of `engine` with its own gas; `traces` holds the files that its file names.
+/// Torque of `engine` with its own gas, without gas in the file that of inertia alone; `traces` holds the files that its file names.
 ///
 /// # Errors
-/// [`TorqueReportError`] where the file says nothing of gas, or too little.
+/// [`TorqueReportError`] where the file says too little of its gas.
 pub fn torque_report(
     engine: &Engine,
     traces: &[TraceFile],
@@ -94,10 +94,16 @@ pub fn torque_report(
 ) -> Result<TorqueReport, TorqueReportError> {
     let speed = request.torque.speed.unwrap_or(engine.speed.highest);
     let outer = OuterTorque::of(request.simulation.as_deref()).map_err(TorqueError::from)?;
-    let gas = cylinder_gas(engine, traces, speed)?;
-    let found = torque(engine, &gas.cylinders, &request.torque)?;
-    let mut warnings = gas.warnings.clone();
-    let friction = request.friction.or(engine.friction);
+    let gas_at = |speed: f64| engine.gas.as_ref().map(|_| cylinder_gas(engine, traces, speed)).transpose();
+    let torque_at = |gas: Option<&GasReport>, request: &TorqueRequest| match gas {
+        Some(gas) => torque(engine, &gas.cylinders, request),
+        None => torque_without_gas(engine, request),
+    };
+    let gas = gas_at(speed)?;
+    let found = torque_at(gas.as_ref(), &request.torque)?;
+    let mut warnings = gas.as_ref().map(|gas| gas.warnings.clone()).unwrap_or_default();
+    // Without gas nothing drives the engine: what friction takes is not told.
+    let friction = request.friction.or(engine.friction).filter(|_| gas.is_some());
     let none = Flywheel::default();
     let wheel = engine.flywheel.as_ref().unwrap_or(&none);
     let of_file = known_inertia(engine);
@@ -112,11 +118,11 @@ pub fn torque_report(
     let mut ripples = Vec::new();
     let mut flywheel: Option<FlywheelNeed> = None;
     for own in speeds {
-        let own_gas =
-            if own == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, own)?.cylinders };
-        ripples.push(speed_ripple(engine, Some(&own_gas), own, &outer, given)?);
+        let own_gas = if own == speed { gas.clone() } else { gas_at(own)? };
+        let own_gas = own_gas.as_ref().map(|gas| gas.cylinders.as_slice());
+        ripples.push(speed_ripple(engine, own_gas, own, &outer, given)?);
         if let Some(wanted) = fluctuation.filter(|_| own == idle || !wheel.speeds.is_empty()) {
-            let need = flywheel_need(engine, Some(&own_gas), own, &outer, given, wanted)?;
+            let need = flywheel_need(engine, own_gas, own, &outer, given, wanted)?;
             // None that keeps it is more than any.
             let amount = |need: &FlywheelNeed| need.flywheel.unwrap_or(f64::INFINITY);
             if flywheel.as_ref().is_none_or(|most| amount(&need) > amount(most)) {
@@ -126,11 +132,11 @@ pub fn torque_report(
     }
     let mut over_speeds = Vec::new();
     for &speed in &request.speeds {
-        let gas = cylinder_gas(engine, traces, speed)?;
+        let gas = gas_at(speed)?;
         // Means do not need the traces or the orders.
         let own = TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..request.torque.clone() };
-        over_speeds.push(torque(engine, &gas.cylinders, &own)?.at_speed());
-        for warning in gas.warnings {
+        over_speeds.push(torque_at(gas.as_ref(), &own)?.at_speed());
+        for warning in gas.into_iter().flat_map(|gas| gas.warnings) {
             if !warnings.contains(&warning) {
                 warnings.push(warning);
             }
@@ -145,17 +151,21 @@ pub fn torque_report(
         .collect();
     let power = match points.len() {
         0 => None,
+        _ if gas.is_none() => None,
         got => Some(PowerCurve::fit(&points).ok_or(TorqueReportError::Speeds { got })?),
     };
     let brake = friction.map(|friction| found.indicated.brake(&friction, speed));
     if brake.is_some_and(|brake| brake.torque <= 0.0) {
         warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
     }
-    let cycles = cycle_results(engine, &gas).map_err(GasError::from)?;
+    let cycles = match &gas {
+        Some(gas) => cycle_results(engine, gas).map_err(GasError::from)?,
+        None => Vec::new(),
+    };
     Ok(TorqueReport {
         version: TORQUE_REPORT_VERSION,
         cycles,
-        source: gas.source,
+        source: gas.map_or_else(|| WITHOUT_GAS.to_owned(), |gas| gas.source),
         brake,
         torque: found,
         ripples,
@@ -165,6 +175,9 @@ pub fn torque_report(
         warnings,
     })
 }
+
+/// What stands for the source of the pressures where there are none.
+const WITHOUT_GAS: &str = "no gas in the engine file, inertia alone";
 
 /// What the user is told of a flywheel where the inertia of the crankshafts is not known.
 pub(crate) const UNKNOWN_CRANKSHAFT: &str =

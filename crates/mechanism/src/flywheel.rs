@@ -7,7 +7,7 @@
 //! J w w'    = T_gas - T_mean - 1/2 J' w^2
 //! C:  2 pi R / w_mean = INTEGRAL over R revolutions of dtheta / w                                        (25.8)
 //! ```
-//! `J_0`: flywheel, crankshaft, the rods' big ends at their pins, each times the square of its speed ratio; constant. The rest
+//! `J_0`: flywheel, crankshaft, balance shafts, the rods' big ends at their pins, each times the square of its speed ratio; constant. The rest
 //! as in [`crate::train`], with `m_K` the big-end mass on a knuckle pin less what it has on the crankpin. The torque of inertia is
 //! in `J(theta)`: only the gas does work. No friction and a load that takes the mean torque at every angle: the speed is periodic.
 
@@ -46,6 +46,8 @@ pub struct TurningInertia {
 pub struct TrainInertia {
     /// Flywheel and crankshafts as given.
     pub given: TurningInertia,
+    /// Balance shafts, where the file gives their inertia, times the square of their ratio: whichever way they turn.
+    pub shafts: f64,
     /// Big ends of the rods at their crankpins.
     pub big_ends: f64,
     /// Mean over the cycle of pistons, small ends and what the rods' swing adds.
@@ -115,6 +117,7 @@ struct KineticTrain {
     mechanism: Mechanism,
     /// What does not change with the angle [kg m^2].
     constant: f64,
+    shafts: f64,
     big_ends: f64,
     given: TurningInertia,
     /// Revolutions of crankshaft 1 after which all shafts stand as before.
@@ -143,9 +146,13 @@ impl KineticTrain {
                 cylinder.rod.big_end_mass * (throw.radius * ratio).powi(2)
             })
             .sum::<f64>();
+        let shafts =
+            engine.shafts.iter().map(|shaft| shaft.inertia.unwrap_or(0.0) * shaft.ratio.value().powi(2));
+        let shafts = shafts.sum::<f64>();
         Ok(KineticTrain {
             mechanism,
-            constant: given.flywheel + given.crankshaft + big_ends,
+            constant: given.flywheel + given.crankshaft + shafts + big_ends,
+            shafts,
             big_ends,
             given,
             revolutions: period(engine)?,
@@ -210,6 +217,7 @@ fn inertia_over(train: &KineticTrain, theta: &[f64]) -> TrainInertia {
     }
     TrainInertia {
         given: train.given,
+        shafts: train.shafts,
         big_ends: train.big_ends,
         reciprocating_mean,
         mean: train.constant + reciprocating_mean,

@@ -15,14 +15,15 @@ fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
 
 /// Torque over the cycle, by cylinder, p-V diagrams, orders, strokes and the firing star.
 pub fn torque_figures(torque: &Torque) -> Vec<Figure> {
-    vec![
-        whole(torque),
-        by_cylinder(torque),
-        pressure_volume(torque),
-        orders(torque),
-        strokes(&torque.firing),
-        firing_star(&torque.firing),
-    ]
+    let mut figures = vec![whole(torque)];
+    if torque.with_gas {
+        figures.extend([by_cylinder(torque), pressure_volume(torque)]);
+    }
+    figures.push(orders(torque));
+    if !torque.firing.firings.is_empty() {
+        figures.extend([strokes(&torque.firing), firing_star(&torque.firing)]);
+    }
+    figures
 }
 
 fn plot<'a>(torque: &'a Torque, quantity: &'a str, series: Vec<Series<'a>>) -> Panel {
@@ -33,22 +34,20 @@ fn whole(torque: &Torque) -> Figure {
     let total: Vec<f64> = torque.gas.iter().zip(&torque.inertia).map(|(a, b)| a + b).collect();
     let mean = vec![torque.energy.mean; torque.theta.len()];
     let series = |name: &str, style, values| Series { name: name.to_owned(), style, values };
-    let panel = plot(
-        torque,
-        "Torque",
-        vec![
-            series("gas and inertia", 0, &total),
-            series("gas", 1, &torque.gas),
-            series("inertia", 2, &torque.inertia),
-            series("mean", 3, &mean),
-        ],
-    );
-    figure(
-        "torque",
-        "Torque over the cycle",
-        "Gas, inertia at constant speed, and both; the load takes the mean.",
-        vec![panel],
-    )
+    let (shown, caption) = match torque.with_gas {
+        true => (
+            vec![
+                series("gas and inertia", 0, &total),
+                series("gas", 1, &torque.gas),
+                series("inertia", 2, &torque.inertia),
+                series("mean", 3, &mean),
+            ],
+            "Gas, inertia at constant speed, and both; the load takes the mean.",
+        ),
+        false => (vec![series("inertia", 0, &torque.inertia)], "Inertia at constant speed; there is no gas."),
+    };
+    let panel = plot(torque, "Torque", shown);
+    figure("torque", "Torque over the cycle", caption, vec![panel])
 }
 
 fn by_cylinder(torque: &Torque) -> Figure {
@@ -115,6 +114,10 @@ fn orders(torque: &Torque) -> Figure {
         let bars = listed.map(|h| Bar { at: h.order, value: of(h) }).collect();
         BarPlot { quantity, unit: "N m", bars, noise, two_sided: false }.panel()
     };
+    if !torque.with_gas {
+        let panels = vec![bars("Torque of inertia", |h| h.inertia.norm())];
+        return figure("torque-orders", "Torque by order", "Amplitudes.", panels);
+    }
     let panels = vec![
         bars("Torque of gas and inertia", |h| h.total().norm()),
         bars("Torque of gas", |h| h.gas.norm()),

@@ -6,8 +6,7 @@ use crate::kit::number;
 use crate::kit::section::Section;
 use crate::torque::figures::{power_figure, ripple_figure, torque_figures};
 use crate::torque::tables::{
-    cylinder_work_table, firing_table, flywheel_table, power_table, ripple_table, ripple_words, stroke_table,
-    torque_extremes_table, torque_orders_table, torque_speeds_table, torque_table,
+    flywheel_table, power_table, ripple_table, ripple_words, torque_speeds_table, torque_tables,
 };
 use lanchester_mechanism::{Brake, FlywheelNeed, PowerCurve, RippleOutcome, Torque, TorqueAtSpeed};
 
@@ -45,14 +44,9 @@ pub fn torque_section(input: &TorqueInput<'_>) -> Section {
         figures.extend(cycle_figures(input.cycles));
     }
     figures.extend(input.power.map(power_figure));
-    let mut tables = vec![
-        torque_table(torque, input.brake),
-        torque_orders_table(torque),
-        torque_extremes_table(torque),
-        cylinder_work_table(torque),
-        firing_table(&torque.firing),
-        stroke_table(&torque.firing),
-    ];
+    let mut tables = torque_tables(torque, input.brake);
+    // Orders stand below their figure.
+    tables.swap(1, 2);
     if !input.cycles.is_empty() {
         tables.push(cycle_table(input.cycles));
     }
@@ -75,6 +69,12 @@ pub fn torque_section(input: &TorqueInput<'_>) -> Section {
 fn words(input: &TorqueInput<'_>) -> String {
     let torque = input.torque;
     let rpm = number::terminal(number::rpm(torque.speed), 0);
+    if !torque.with_gas {
+        return format!(
+            "The engine file says nothing of the gas: at {rpm} rpm this is the torque of inertia alone, without a mean. A flywheel has to hold {} J.",
+            number::short(torque.energy.excess, 4),
+        );
+    }
     let of_brake = input.brake.map_or(String::new(), |brake| {
         format!(
             " Friction leaves {} N m and {} kW at the brake.",

@@ -22,6 +22,14 @@ fn named(id: &'static str, title: &str, note: &str, rows: Vec<(&str, f64, &str, 
 /// What the engine gives: net indicated, and at the brake where friction is known.
 pub fn torque_table(torque: &Torque, brake: Option<&Brake>) -> Table {
     let indicated = &torque.indicated;
+    let note = format!("At {} rpm, {}.", number::terminal(number::rpm(torque.speed), 0), torque.lever.name());
+    if !torque.with_gas {
+        let rows = vec![
+            ("mean torque", torque.energy.mean, "N m", 5),
+            ("mean piston speed", indicated.mean_piston_speed, "m/s", 4),
+        ];
+        return named("torque-table", "Torque without gas", &note, rows);
+    }
     let mut rows = vec![
         ("indicated torque, net", indicated.torque, "N m", 5),
         ("indicated power, net", indicated.power / 1e3, "kW", 4),
@@ -40,17 +48,19 @@ pub fn torque_table(torque: &Torque, brake: Option<&Brake>) -> Table {
             ("mechanical efficiency", 100.0 * brake.efficiency, "%", 4),
         ]);
     }
-    let note = format!("At {} rpm, {}.", number::terminal(number::rpm(torque.speed), 0), torque.lever.name());
     named("torque-table", "Torque and power", &note, rows)
 }
 
 /// Extremes and energy of gas, inertia and both.
 pub fn torque_extremes_table(torque: &Torque) -> Table {
-    let parts = [
-        ("gas", torque.gas_extremes, Some(torque.gas_energy)),
-        ("inertia", torque.inertia_extremes, None),
-        ("gas and inertia", torque.total_extremes, Some(torque.energy)),
-    ];
+    let parts = match torque.with_gas {
+        true => vec![
+            ("gas", torque.gas_extremes, Some(torque.gas_energy)),
+            ("inertia", torque.inertia_extremes, None),
+            ("gas and inertia", torque.total_extremes, Some(torque.energy)),
+        ],
+        false => vec![("inertia", torque.inertia_extremes, Some(torque.energy))],
+    };
     let of = |f: &dyn Fn(usize) -> f64| (0..parts.len()).map(f).collect::<Vec<_>>();
     let energy = |f: fn(&lanchester_mechanism::EnergyVariation) -> f64| {
         parts.iter().map(|p| p.2.as_ref().map_or(Cell::Empty, |e| Cell::number(f(e), 5))).collect::<Vec<_>>()
@@ -80,26 +90,43 @@ pub fn torque_orders_table(torque: &Torque) -> Table {
     let column = |f: fn(&lanchester_mechanism::TorqueHarmonic) -> f64| {
         column_cells(rows.iter().map(|h| f(h)), 5, noise)
     };
+    let phase = (
+        Column::numbers("phase", "deg"),
+        rows.iter()
+            .map(|h| match h.total().norm() > noise && h.order > 0.0 {
+                true => Cell::number(number::phase_degrees(h.total().arg()), 4),
+                false => Cell::Empty,
+            })
+            .collect(),
+    );
+    let mut columns = vec![words("order", rows.iter().map(|h| number::order(h.order)))];
+    if torque.with_gas {
+        columns.push((Column::numbers("gas", "N m"), column(|h| h.gas.norm())));
+    }
+    columns.push((Column::numbers("inertia", "N m"), column(|h| h.inertia.norm())));
+    if torque.with_gas {
+        columns.push((Column::numbers("both", "N m"), column(|h| h.total().norm())));
+    }
+    columns.push(phase);
     Table::of_columns(
         "torque-orders-table",
         "Torque by order",
         "Amplitudes; order 0 is the mean. The roll moment on the block answers the torque.",
-        vec![
-            words("order", rows.iter().map(|h| number::order(h.order))),
-            (Column::numbers("gas", "N m"), column(|h| h.gas.norm())),
-            (Column::numbers("inertia", "N m"), column(|h| h.inertia.norm())),
-            (Column::numbers("both", "N m"), column(|h| h.total().norm())),
-            (
-                Column::numbers("phase", "deg"),
-                rows.iter()
-                    .map(|h| match h.total().norm() > noise && h.order > 0.0 {
-                        true => Cell::number(number::phase_degrees(h.total().arg()), 4),
-                        false => Cell::Empty,
-                    })
-                    .collect(),
-            ),
-        ],
+        columns,
     )
+}
+
+/// What `torque` has to tell in tables: those of gas only where there is some, those of firing where the file gives one.
+pub(crate) fn torque_tables(torque: &Torque, brake: Option<&Brake>) -> Vec<Table> {
+    let mut tables =
+        vec![torque_table(torque, brake), torque_extremes_table(torque), torque_orders_table(torque)];
+    if torque.with_gas {
+        tables.push(cylinder_work_table(torque));
+    }
+    if !torque.firing.firings.is_empty() {
+        tables.extend([firing_table(&torque.firing), stroke_table(&torque.firing)]);
+    }
+    tables
 }
 
 /// Work and pressures of every cylinder.
@@ -307,16 +334,21 @@ pub fn power_table(curve: &PowerCurve) -> Table {
 /// All of it as plain text.
 pub fn torque_text(torque: &Torque, brake: Option<&Brake>) -> String {
     let mut out = format!("{} at {} rpm\n", torque.engine, number::terminal(number::rpm(torque.speed), 0));
-    let _ =
-        writeln!(out, "Gas and inertia with the {}; net indicated, without friction.", torque.lever.name());
-    for table in [
-        torque_table(torque, brake),
-        torque_extremes_table(torque),
-        torque_orders_table(torque),
-        cylinder_work_table(torque),
-        firing_table(&torque.firing),
-        stroke_table(&torque.firing),
-    ] {
+    let _ = match torque.with_gas {
+        true => {
+            writeln!(
+                out,
+                "Gas and inertia with the {}; net indicated, without friction.",
+                torque.lever.name()
+            )
+        }
+        false => writeln!(
+            out,
+            "Inertia alone with the {}, without friction; for gas add [gas] to the engine file.",
+            torque.lever.name()
+        ),
+    };
+    for table in torque_tables(torque, brake) {
         out.push('\n');
         out.push_str(&table.text());
     }
@@ -330,15 +362,17 @@ pub fn torque_csv(torque: &Torque) -> String {
         ["theta [deg]", "gas [N m]", "inertia [N m]", "total [N m]"].map(str::to_owned).into();
     for cylinder in &torque.cylinders {
         let number = cylinder.cylinder;
-        head.extend(
-            ["gas [N m]", "inertia [N m]", "pressure [Pa]", "volume from TDC [m^3]"]
-                .map(|name| format!("cylinder {number} {name}")),
-        );
+        let own = ["gas [N m]", "inertia [N m]", "pressure [Pa]", "volume from TDC [m^3]"];
+        let own = if torque.with_gas { &own[..] } else { &own[..2] };
+        head.extend(own.iter().map(|name| format!("cylinder {number} {name}")));
     }
     push_csv_line(&mut out, head);
     for (j, theta) in torque.theta.iter().enumerate() {
         let whole = [theta.to_degrees(), torque.gas[j], torque.inertia[j], torque.gas[j] + torque.inertia[j]];
-        let own = torque.cylinders.iter().flat_map(|c| [c.gas[j], c.inertia[j], c.pressure[j], c.volume[j]]);
+        let own = torque.cylinders.iter().flat_map(|c| {
+            let gas = c.pressure.get(j).into_iter().chain(c.volume.get(j));
+            [c.gas[j], c.inertia[j]].into_iter().chain(gas.copied())
+        });
         push_csv_line(&mut out, whole.into_iter().chain(own).map(csv_number));
     }
     out
