@@ -178,11 +178,14 @@ impl<'a> Reader<'a> {
             mounts: mounts?,
             block: block?,
             crank_body: body?,
+            crank_details: None,
+            crank_material: None,
             envelope: envelope?,
             gas: gas?,
             friction: friction?,
             flywheel: flywheel?,
             bearings: bearings?,
+            bearing_design: None,
         };
         let origin = origin?;
         for main in parts.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten() {

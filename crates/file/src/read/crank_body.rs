@@ -4,7 +4,7 @@ use super::crank::DraftThrow;
 use super::{Drafts, Reader};
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
-use lanchester_model::CrankBody;
+use lanchester_model::{CrankBody, CrankDetails};
 use lanchester_model::Throw;
 use lanchester_model::{TOUCH, pin, throw_unbalances};
 use lanchester_units::Dimension;
@@ -15,7 +15,7 @@ pub(super) type MaybeBody = Option<Option<CrankBody>>;
 /// Takes the unbalances of the throws from the body; what stops that is reported elsewhere.
 pub(super) fn weigh(throws: &mut [Throw], body: &MaybeBody) {
     if let Some(Some(body)) = body
-        && let Ok(unbalances) = throw_unbalances(body, throws)
+        && let Ok(unbalances) = throw_unbalances(body, &CrankDetails::default(), throws)
     {
         for (throw, found) in throws.iter_mut().zip(unbalances) {
             throw.unbalance = found.unbalance;
