@@ -155,7 +155,8 @@ pub fn throw_unbalances(
         let section = PI / 4.0 * (sizes.pin_diameter.powi(2) - sizes.pin_bore.powi(2));
         let thickness = (webs[0].web_thickness + webs[1].web_thickness) / 2.0;
         let mut unbalance = section * (planes[1] - planes[0] - thickness) * throw.radius;
-        let has_own_webs = details.webs.iter().any(|own| own.web / 2 == index);
+        let is_off = ((planes[0] + planes[1]) / 2.0 - throw.z).abs() > TOUCH;
+        let has_own_webs = is_off || details.webs.iter().any(|own| own.web / 2 == index);
         // Without webs of its own the pin stands in the plane of the throw, whatever rounding says.
         let mut couple = if has_own_webs {
             let [front, rear] =

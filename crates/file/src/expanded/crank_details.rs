@@ -50,7 +50,8 @@ impl File {
 
     /// Webs with sizes of their own, or that do not stand at half the web distance, each with its place.
     fn webs(&mut self, engine: &Engine) {
-        for web in 0..2 * engine.throws.len() {
+        let shared: Vec<usize> = engine.shared_webs().into_iter().flat_map(|shared| shared.webs()).collect();
+        for web in (0..2 * engine.throws.len()).filter(|web| !shared.contains(web)) {
             let throw = &engine.throws[web / 2];
             let Some(planes) = throw.webs else { continue };
             let own =
