@@ -227,6 +227,22 @@ impl File {
             let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
             self.entry("weights", &format!("[\n{list}]"));
         }
+        for gear in &engine.gears {
+            self.header("[[gear]]", "");
+            self.entry("name", &quoted(&gear.name));
+            self.entry("ratio", &ratio(gear.ratio));
+            self.entry_unless_zero("x", gear.x, Dimension::Length);
+            self.entry_unless_zero("y", gear.y, Dimension::Length);
+            if let Some(inertia) = gear.inertia {
+                self.entry("inertia", &quantity(inertia, Dimension::Inertia));
+            }
+            if let Some(disc) = gear.disc {
+                self.entry("diameter", &quantity(disc.diameter, Dimension::Length));
+                self.entry("width", &quantity(disc.width, Dimension::Length));
+                self.entry("density", &quantity(disc.density, Dimension::Density));
+                self.entry_unless_zero("bore", disc.bore, Dimension::Length);
+            }
+        }
     }
 }
 

@@ -13,6 +13,7 @@ mod cylinder;
 mod design;
 mod firing;
 mod gas;
+mod gear;
 mod geometry;
 mod layers;
 mod linkage;
@@ -112,6 +113,7 @@ impl<'a> Reader<'a> {
         let crankshafts = self.crankshafts();
         let mut drafts = self.throws_and_cylinders(strokes, crankshafts.as_deref(), firing);
         let shafts = self.shafts();
+        let gears = self.gears();
         self.check_period(crankshafts.as_deref(), shafts.as_deref());
         let mounts = self.mounts();
         let block = self.block();
@@ -181,6 +183,7 @@ impl<'a> Reader<'a> {
             cylinders: cylinders?.into_iter().map(|draft| draft.cylinder).collect(),
             counterweights: counterweights?,
             shafts: shafts?,
+            gears: gears?,
             mounts: mounts?,
             block: block?,
             crank_body: body?,

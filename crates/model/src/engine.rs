@@ -18,6 +18,7 @@ use crate::fault::Fault;
 use crate::flywheel::Flywheel;
 use crate::friction::Friction;
 use crate::gas::Gas;
+use crate::gear::Gear;
 use crate::mount::Mount;
 use crate::ratio::Ratio;
 use crate::shaft_part::ShaftWeightPart;
@@ -72,6 +73,9 @@ pub struct EngineParts {
     pub counterweights: Vec<Counterweight>,
     /// Balance shafts.
     pub shafts: Vec<BalanceShaft>,
+    /// Gears, pulleys and other wheels that turn with the crank at a fixed ratio.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gears: Vec<Gear>,
     /// Engine mounts.
     pub mounts: Vec<Mount>,
     /// The body that stands on them, if the file gives it.

@@ -69,7 +69,7 @@ fn a_crank_written_out_element_by_element_is_the_uniform_one() {
     for (web, position) in [(1, 23), (2, 67), (3, 113), (4, 157)] {
         text += &format!(
             "[[crank.body.web]]\nnumbers = [{web}]\nthickness = \"18 mm\"\nradius = \"36 mm\"\nposition = \"{} mm\"\n",
-            position - 45
+            position - 90
         );
     }
     let (written, uniform) = (body(&text), body(UNIFORM));
