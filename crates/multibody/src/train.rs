@@ -23,7 +23,7 @@ pub struct RotorInertia {
     pub crankshafts: Vec<Option<f64>>,
     /// Of the flywheel, which is part of the first number of `crankshafts` [kg m^2].
     pub flywheel: f64,
-    /// Of every balance shaft; `None` where it is unknown.
+    /// Of every balance shaft, then of every gear; `None` where it is unknown.
     pub shafts: Vec<Option<f64>>,
 }
 
@@ -48,7 +48,7 @@ impl RotorInertia {
         RotorInertia {
             crankshafts,
             flywheel: flywheel.unwrap_or(0.0),
-            shafts: engine.shafts.iter().map(|shaft| shaft.inertia).collect(),
+            shafts: engine.geared_shafts().iter().map(|shaft| shaft.inertia).collect(),
         }
     }
 }
@@ -330,7 +330,7 @@ fn rotors(engine: &Engine, inertia: &RotorInertia) -> Result<Vec<Rotor>, Multibo
         }
         rotors.push(rotor);
     }
-    for (index, shaft) in engine.shafts.iter().enumerate() {
+    for (index, shaft) in engine.geared_shafts().iter().enumerate() {
         let mut rotor = Rotor::new(shaft.name.clone(), shaft.ratio.value(), Complex64::new(shaft.x, shaft.y));
         (rotor.inertia, rotor.known) = polar(&inertia.shafts, index, &shaft.name)?;
         for weight in &shaft.weights {

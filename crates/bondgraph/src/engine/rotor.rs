@@ -51,8 +51,9 @@ impl Builder<'_> {
             self.bond(if self.moves() { "spin" } else { "crank" }, "crankshaft");
         }
         let crankshafts = engine.crankshafts.len();
+        let geared = engine.geared_shafts();
         let ratios: Vec<f64> = (engine.crankshafts.iter().map(|shaft| shaft.ratio.value()))
-            .chain(engine.shafts.iter().map(|shaft| shaft.ratio.value()))
+            .chain(geared.iter().map(|shaft| shaft.ratio.value()))
             .collect();
         for (rotor, ratio) in ratios.iter().enumerate() {
             let name = match rotor {
@@ -83,7 +84,7 @@ impl Builder<'_> {
                     ([shaft.x, shaft.y], throws.chain(weights).collect::<Vec<Unbalance>>())
                 }
                 Some(index) => {
-                    let shaft = &engine.shafts[index];
+                    let shaft = &geared[index];
                     let weights = shaft.weights.iter();
                     let unbalances = weights
                         .map(|weight| (weight.z, Complex64::from_polar(weight.unbalance, weight.phase)));

@@ -58,7 +58,8 @@ pub fn torque_section(input: &TorqueInput<'_>) -> Section {
         tables.push(torque_speeds_table(input.speeds));
     }
     tables.extend(input.power.map(power_table));
-    Section::new("torque-over-cycle", "Torque", "Torque with gas")
+    let title = if torque.with_gas { "Torque with gas" } else { "Torque of inertia" };
+    Section::new("torque-over-cycle", "Torque", title)
         .words(words(input))
         .words(ripple_words(input.ripples))
         .by_width(figures)
