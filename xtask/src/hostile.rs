@@ -4,6 +4,7 @@
 //! clock lets them.
 
 mod attacks;
+mod ground;
 mod kills;
 mod laws;
 mod mutants;
@@ -11,9 +12,9 @@ mod random;
 
 use crate::workspace::{program, scratch};
 use anyhow::{Context, Result, bail, ensure};
+use ground::Ground;
 use random::Random;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::path::Path;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Seconds of a night's run, and of the short form in CI.
@@ -21,19 +22,6 @@ const NIGHT: u64 = 1200;
 const SHORT: u64 = 16;
 /// What CI draws from: a change is judged by its own trials only (decision 20).
 const SHORT_SEED: u64 = 1;
-/// Nothing that is refused or computed here may last longer.
-const PATIENCE: Duration = Duration::from_secs(60);
-
-/// What trials work with.
-pub struct Ground {
-    /// The program.
-    program: PathBuf,
-    /// A folder for files.
-    folder: PathBuf,
-    /// The trials end then.
-    end: Instant,
-    random: Random,
-}
 
 /// One kind of trials: gives how many there were.
 type Kind = fn(&mut Ground) -> Result<u64>;
@@ -97,68 +85,4 @@ fn trials(program: &Path, seconds: u64, seed: u64, only: &str) -> Result<String>
     }
     ensure!(failed.is_empty(), "{} kinds of trials failed:\n{}", failed.len(), failed.join("\n"));
     Ok(format!("{all} trials, seed {seed}"))
-}
-
-impl Ground {
-    /// Whether there is time for another trial; there is for a first one.
-    fn goes_on(&self, count: u64) -> bool {
-        count == 0 || Instant::now() < self.end
-    }
-
-    fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(&self.program);
-        command.args(arguments).current_dir(&self.folder).stdin(Stdio::null());
-        command
-    }
-
-    /// Runs the program to its end with its output in files, which no pipe can hold up: status and what it said.
-    fn run(&self, arguments: &[&str]) -> Result<Said> {
-        let open = |name: &str| std::fs::File::create(self.folder.join(name));
-        let mut command = self.command(arguments);
-        let mut child = command.stdout(open("stdout")?).stderr(open("stderr")?).spawn()?;
-        let since = Instant::now();
-        let status = loop {
-            if let Some(status) = child.try_wait()? {
-                break status;
-            }
-            if since.elapsed() > PATIENCE {
-                child.kill()?;
-                child.wait()?;
-                bail!("`{}` lasts more than {} s", arguments.join(" "), PATIENCE.as_secs());
-            }
-            std::thread::sleep(Duration::from_millis(1));
-        };
-        let read = |name: &str| {
-            std::fs::read(self.folder.join(name)).map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
-        };
-        Ok(Said { status: status.code(), out: read("stdout")?, err: read("stderr")? })
-    }
-}
-
-/// The first letters of a text, for a message.
-fn start(text: &str) -> String {
-    text.chars().take(2000).collect()
-}
-
-/// What a run said.
-struct Said {
-    /// Exit status; `None` after a signal.
-    status: Option<i32>,
-    out: String,
-    err: String,
-}
-
-impl Said {
-    /// Whether it ended as a program ends that was asked nonsense: an answer, or a refusal that says why.
-    fn is_sound(&self) -> bool {
-        let panicked = self.err.contains("panicked at");
-        let acts =
-            self.err.chars().any(|letter| letter.is_control() && !matches!(letter, '\n' | '\r' | '\t'));
-        match self.status {
-            Some(0 | 1) => !panicked && !acts,
-            // As text on standard error; as JSON among the data.
-            Some(2) => !panicked && !acts && (self.err.contains("error") || self.out.contains("\"error\"")),
-            _ => false,
-        }
-    }
 }

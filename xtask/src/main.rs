@@ -27,7 +27,8 @@ const HELP: &str = "\
 tasks of the workspace
 
   cargo xtask ci                                all that CI runs; installs what it needs
-  cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...
+  cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
+                                                --sources for those that need nothing built
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
@@ -57,6 +58,10 @@ fn task(arguments: &[String]) -> Result<()> {
     match arguments.first().map(String::as_str) {
         Some("ci") if rest.is_empty() => ci::run(),
         Some("tidy") if rest.is_empty() => tidy::run(),
+        Some("tidy") if rest == ["--sources"] => {
+            println!("{}", tidy::sources()?);
+            Ok(())
+        }
         Some("generate") if rest.is_empty() => generate::write(),
         Some("documents") if rest.is_empty() => {
             let program = workspace::program()?;
