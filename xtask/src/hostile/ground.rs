@@ -9,21 +9,32 @@ use std::time::{Duration, Instant};
 /// Nothing that is refused or computed here may last longer.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
+/// When trials end.
+pub enum End {
+    /// At a time.
+    At(Instant),
+    /// After as many.
+    After(u64),
+}
+
 /// What trials work with.
 pub struct Ground {
     /// The program.
     pub program: PathBuf,
     /// A folder for files.
     pub folder: PathBuf,
-    /// The trials end then.
-    pub end: Instant,
+    /// When the trials end.
+    pub end: End,
     pub random: Random,
 }
 
 impl Ground {
-    /// Whether there is time for another trial; there is for a first one.
+    /// Whether there is another trial; there is a first one.
     pub fn goes_on(&self, count: u64) -> bool {
-        count == 0 || Instant::now() < self.end
+        match self.end {
+            End::At(time) => count == 0 || Instant::now() < time,
+            End::After(most) => count < most,
+        }
     }
 
     pub fn command(&self, arguments: &[&str]) -> Command {

@@ -82,7 +82,9 @@ fn circles(files: &[(String, String)]) -> Vec<Vec<String>> {
     }
     let tests: Vec<Vec<String>> = modules
         .iter()
-        .flat_map(|(module, source)| source.tests.iter().map(|name| [&module[..], &[name.clone()]].concat()))
+        .flat_map(|(module, source)| {
+            source.tests.iter().map(|name| [&module[..], std::slice::from_ref(name)].concat())
+        })
         .collect();
     let in_tests = |module: &[String]| tests.iter().any(|test| module.starts_with(test));
     let mut imports: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
@@ -134,7 +136,7 @@ fn resolved<'a>(modules: &'a Modules, from: &[String], path: &[String], depth: u
         }
     }
     while let Some((word, after)) = rest.split_first() {
-        let below = [&at[..], &[word.clone()]].concat();
+        let below = [&at[..], std::slice::from_ref(word)].concat();
         if modules.contains_key(&below) {
             (at, rest) = (below, after);
             continue;
