@@ -79,6 +79,7 @@ mod shaft_weight_drawing;
 mod shaft_weight_tables;
 mod share_plot;
 mod side_view;
+mod simulated_orders;
 mod simulation;
 mod simulation_section;
 mod spectrum;
@@ -183,6 +184,7 @@ pub use shaft_weight_tables::{
 };
 pub use share_plot::share_plots;
 pub use side_view::side_view;
+pub use simulated_orders::{SimulatedOrder, simulation_orders_csv};
 pub use simulation::*;
 pub use simulation_section::simulation_figures;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};

@@ -2,6 +2,7 @@
 
 use crate::energy_flow::energy_flow;
 use crate::figure::{Figure, Panel};
+use crate::simulated_orders::reaction_figures;
 use crate::simulation::{SimulationResult, audit_words, simulation_tables, simulation_words};
 use crate::table::Table;
 use crate::xy_plot::{XyCurve, XyPlot};
@@ -26,16 +27,16 @@ impl SimulationSection {
     }
 }
 
-fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
+pub(crate) fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
     let columns = panels.len().min(2);
     Figure { id: id.into(), title: title.into(), caption: caption.into(), panels, columns }
 }
 
-fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
+pub(crate) fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
     XyCurve { name: name.into(), style, points, dots: false }
 }
 
-fn panel(
+pub(crate) fn panel(
     [abscissa, ordinate]: [&str; 2],
     units: [&str; 2],
     polar: Option<f64>,
@@ -91,6 +92,7 @@ pub fn simulation_figures(result: &SimulationResult) -> Vec<Figure> {
         ));
     }
     figures.extend(block_figures(result));
+    figures.extend(reaction_figures(result));
     let e = &result.run.energy;
     let works = [
         ("gas", e.gas),
