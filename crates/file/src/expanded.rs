@@ -284,6 +284,9 @@ fn rod_masses(rod: &Rod) -> String {
     if let Some(inertia) = rod.inertia {
         let _ = write!(text, ", inertia = {}", quantity(inertia, Dimension::Inertia));
     }
+    if rod.axial_inertia > 0.0 {
+        let _ = write!(text, ", axial_inertia = {}", quantity(rod.axial_inertia, Dimension::Inertia));
+    }
     text
 }
 

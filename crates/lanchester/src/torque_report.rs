@@ -9,13 +9,14 @@ use lanchester_mechanism::{
     flywheel_need, speed_ripple, torque, torque_without_gas,
 };
 use lanchester_model::{
-    CrankElementForm, Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
+    CrankElementForm, Engine, EngineParts, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
     SimulationInput, SpeedRange,
 };
 use lanchester_report::{
     BearingSizes, BearingsInput, CycleResult, Section, TorqueInput, bearings_section, torque_section,
 };
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Version of the form of [`TorqueReport`].
 pub const TORQUE_REPORT_VERSION: u32 = 2;
@@ -190,6 +191,19 @@ pub(crate) fn known_inertia(engine: &Engine) -> KnownInertia {
     let crankshaft =
         wheel.and_then(|wheel| wheel.crankshaft_inertia).or_else(|| crankshaft_of_bodies(engine));
     KnownInertia { flywheel: wheel.and_then(|wheel| wheel.inertia), crankshaft }
+}
+
+/// `engine` with the inertia of its crankshafts as bodies among its numbers, for kernels that know the numbers alone: mounts that feel what turns.
+pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
+    let given = engine.flywheel.as_ref().and_then(|wheel| wheel.crankshaft_inertia);
+    let bodies = if given.is_none() && engine.is_on_springs() { crankshaft_of_bodies(engine) } else { None };
+    let with = |inertia| {
+        let add = |parts: &mut EngineParts| {
+            parts.flywheel.get_or_insert_with(Flywheel::default).crankshaft_inertia = Some(inertia);
+        };
+        engine.with(add).ok().map(Cow::Owned)
+    };
+    bodies.and_then(with).unwrap_or(Cow::Borrowed(engine))
 }
 
 /// Inertia of all crankshafts as bodies, seen at crankshaft 1 [kg m^2].

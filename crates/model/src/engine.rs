@@ -268,6 +268,8 @@ pub struct Rod {
     pub small_end_mass: f64,
     /// Moment of inertia about the rod's own centre of gravity [kg m^2], where the file gives it.
     pub inertia: Option<f64>,
+    /// Moment of inertia along the line of its eyes [kg m^2], for a block that turns in a run in time; 0: slender.
+    pub axial_inertia: f64,
     /// How the file gave its mass.
     pub mass_rule: RodMassRule,
     /// What its big end sits on.
@@ -289,6 +291,7 @@ impl Rod {
             big_end_mass: mass * 2.0 / 3.0,
             small_end_mass: mass / 3.0,
             inertia: None,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::Thirds,
             joint: RodJoint::Crankpin,
         }

@@ -111,6 +111,7 @@ fn of_cylinder(parts: &EngineParts, index: usize, faults: &mut Vec<Fault>) {
     part.positive("length [m]", rod.length);
     part.not_negative("big_end_mass [kg]", rod.big_end_mass);
     part.not_negative("small_end_mass [kg]", rod.small_end_mass);
+    part.not_negative("axial_inertia [kg m^2]", rod.axial_inertia);
     rod.inertia.iter().for_each(|inertia| part.not_negative("inertia [kg m^2]", *inertia));
     if has_throw {
         turns(parts, cylinder, part);

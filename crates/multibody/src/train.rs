@@ -104,6 +104,12 @@ impl Rotor {
         }
     }
 
+    /// Planes in which the polar inertia of the shaft without its flywheel acts on a block that turns [m]: the middles of its bays, or the origin.
+    pub(crate) fn bays(&self) -> Vec<f64> {
+        let middles: Vec<f64> = self.mains.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+        if middles.is_empty() { vec![0.0] } else { middles }
+    }
+
     fn add(&mut self, z: f64, moment: Complex64) {
         if moment != Complex64::ZERO {
             self.unbalances.push(Unbalance { z, moment });
@@ -376,7 +382,7 @@ fn cylinder(engine: &Engine, index: usize) -> Result<CylinderTrain, MultibodyErr
         offset: cylinder.offset,
         z: cylinder.z,
         piston_mass,
-        rod: RodBody { length, mass, centre, inertia, axial_inertia: 0.0 },
+        rod: RodBody { length, mass, centre, inertia, axial_inertia: rod.axial_inertia },
         lower_pin,
         area: cylinder.bore.map(|bore| 0.25 * PI * bore * bore),
         firing_angle: cylinder.firing_angle,

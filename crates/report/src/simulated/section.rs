@@ -4,6 +4,7 @@ use crate::kit::figure::{Figure, Panel};
 use crate::kit::flow::energy_flow;
 use crate::kit::section::Section;
 use crate::kit::xy_plot::{XyCurve, XyPlot};
+use crate::simulated::orders::reaction_figures;
 use crate::simulated::run::{SimulationResult, audit_words, simulation_tables, simulation_words};
 use std::f64::consts::{PI, TAU};
 
@@ -20,16 +21,16 @@ pub fn simulation_section(result: &SimulationResult) -> Section {
         .tables(simulation_tables(result))
 }
 
-fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
+pub(crate) fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
     let columns = panels.len().min(2);
     Figure { id: id.into(), title: title.into(), caption: caption.into(), panels, columns }
 }
 
-fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
+pub(crate) fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
     XyCurve { name: name.into(), style, points, dots: false }
 }
 
-fn panel(
+pub(crate) fn panel(
     [abscissa, ordinate]: [&str; 2],
     units: [&str; 2],
     polar: Option<f64>,
@@ -85,6 +86,7 @@ pub fn simulation_figures(result: &SimulationResult) -> Vec<Figure> {
         ));
     }
     figures.extend(block_figures(result));
+    figures.extend(reaction_figures(result));
     let e = &result.run.energy;
     let works = [
         ("gas", e.gas),
