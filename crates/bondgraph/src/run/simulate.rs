@@ -1,9 +1,9 @@
 //! Simulation: the equations integrated, events located, energy through every bond audited.
 
-use crate::audit::{Audit, audit};
-use crate::compiled::Compiled;
 use crate::equations::Equations;
 use crate::graph::Kind;
+use crate::run::audit::{Audit, audit};
+use crate::run::compiled::Compiled;
 use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
 use serde::Serialize;
 use std::ops::ControlFlow;

@@ -3,7 +3,7 @@
 use crate::equations::Equations;
 use crate::expression::{Id, Printed, Style, Var};
 use crate::graph::{Graph, Kind, Law};
-use crate::shown::identifier;
+use crate::output::shown::identifier;
 use std::fmt::Write;
 
 /// The graph as one flat Modelica model: the laws of elements and junctions without causality, units in comments.

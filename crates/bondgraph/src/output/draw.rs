@@ -4,9 +4,9 @@
 //! below their junction.
 
 use crate::causality::Causality;
-use crate::export::escaped;
 use crate::expression::{Id, Var};
 use crate::graph::{Graph, Kind, Law};
+use crate::output::export::escaped;
 use std::collections::VecDeque;
 use std::fmt::Write;
 

@@ -1,7 +1,7 @@
 //! Expressions compiled once to a flat list of operations.
 
 use crate::expression::{Function, Id, Node, Pool, Var};
-use crate::held::{Held, Switches};
+use crate::run::held::{Held, Switches};
 use std::collections::HashMap;
 
 /// One operation on places of the tape.

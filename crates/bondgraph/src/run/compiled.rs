@@ -3,9 +3,9 @@
 use crate::domain::Domain;
 use crate::equations::{Equations, What};
 use crate::expression::{Id, Pool, Var};
-use crate::following::Following;
-use crate::held::{Held, Switches};
-use crate::tape::Tape;
+use crate::run::following::Following;
+use crate::run::held::{Held, Switches};
+use crate::run::tape::Tape;
 use lanchester_numerics::{Lu, System};
 use std::collections::HashMap;
 

@@ -15,8 +15,8 @@
 
 use crate::equations::{Equations, What};
 use crate::expression::{Id, Node, Pool, Var};
-use crate::held::{Held, Switches};
-use crate::tape::Tape;
+use crate::run::held::{Held, Switches};
+use crate::run::tape::Tape;
 use lanchester_numerics::Lu;
 use std::collections::HashMap;
 use std::rc::Rc;

@@ -1,0 +1,7 @@
+//! A graph and its results as texts, drawings and files.
+
+pub(crate) mod draw;
+pub(crate) mod export;
+pub(crate) mod shown;
+pub(crate) mod text;
+pub(crate) mod write;
