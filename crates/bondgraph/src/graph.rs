@@ -2,7 +2,7 @@
 
 use crate::description::{Description, Text};
 use crate::domain::Domain;
-use crate::expression::{Id, Pool};
+use crate::expression::{Id, Pool, Var};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use crate::{check, file};
@@ -18,6 +18,8 @@ pub struct Graph {
     pub(crate) elements: Vec<Element>,
     pub(crate) bonds: Vec<Bond>,
     pub(crate) signals: Vec<Signal>,
+    /// What happens on the way.
+    pub(crate) rules: Vec<Rule>,
     /// Duration [s], number of samples, tolerance, as the file asks for.
     pub simulation: Asked,
     /// The text that it was read from, for the places of diagnostics; empty where it was described by calls.
@@ -142,6 +144,15 @@ pub(crate) struct Signal {
     pub(crate) value: Id,
     /// Start of an integral.
     pub(crate) start: Option<f64>,
+}
+
+/// Something that happens where a quantity rises through zero.
+#[derive(Debug, Clone)]
+pub(crate) struct Rule {
+    pub(crate) when: Id,
+    /// States and their new values.
+    pub(crate) set: Vec<(Var, Id)>,
+    pub(crate) span: std::ops::Range<usize>,
 }
 
 impl Graph {

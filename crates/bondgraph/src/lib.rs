@@ -38,11 +38,11 @@ mod unit;
 
 pub use causality::{Causality, Follower, Preference, Step, causality};
 pub use curve::Curve;
-pub use description::{Description, Entry, Text, Use};
+pub use description::{Description, Entry, Happening, Text, Use};
 pub use domain::Domain;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
-    GasWalls, LoadTorque, engine_graph,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
+    EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw, engine_graph,
 };
 pub use equations::{Equations, equations};
 pub use file::{is_graph_file, used_graphs};

@@ -150,6 +150,13 @@ pub fn modelica(equations: &Equations) -> String {
             }
         }
     }
+    for rule in &graph.rules {
+        let _ = writeln!(body, "  when ({}) > 0 then", law(rule.when));
+        for (state, value) in &rule.set {
+            let _ = writeln!(body, "    reinit({}, {});", var(*state), law(*value));
+        }
+        let _ = writeln!(body, "  end when;");
+    }
     let _ = writeln!(body, "end {};", model_name(&graph.name));
     head + &body
 }

@@ -55,6 +55,10 @@ pub fn equations_text(shown: &ShownEquations) -> String {
     part("Laws of the elements", list(&shown.elements));
     part("Laws of the junctions", list(&shown.junctions));
     part("Signals", list(&shown.signals));
+    let event = |e: &crate::output::shown::Equation| {
+        format!("{} rises through 0: {} becomes {}", e.of, e.left, e.right)
+    };
+    part("Events", shown.events.iter().map(event).collect());
     part(
         "States",
         shown

@@ -1,4 +1,5 @@
-//! Expressions compiled once to a flat list of operations.
+//! Expressions compiled once to a flat list of operations, those of one kind side by side: a loop over sums costs a fraction of as many
+//! choices of what to do next.
 
 use crate::expression::{Function, Id, Node, Pool, Var};
 use crate::run::held::{Held, Switches};
@@ -29,11 +30,55 @@ enum Operation {
     },
 }
 
-/// A compiled list of expressions.
+/// Operations of one kind that need nothing of one another: they are run in one loop without a choice inside.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    kind: Kind,
+    /// Number of operations.
+    count: usize,
+}
+
+/// What an operation does, without its operands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Kind {
+    Negative,
+    Sum,
+    Product,
+    Quotient,
+    Square,
+    Power,
+    Call(Function),
+    Atan2,
+    Choice,
+    Sign,
+    Curve(u8),
+}
+
+/// A compiled list of expressions: inputs and constants, then stretches of operations.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tape {
-    operations: Vec<Operation>,
+    constants: Vec<f64>,
+    /// Inputs before the constants.
+    inputs: usize,
+    stretches: Vec<Stretch>,
+    /// Places of the operands of each operation, in the order of the stretches.
+    operands: Vec<[u32; 3]>,
     outputs: Vec<u32>,
+    /// Places of inputs that are read, rising.
+    read: Vec<u32>,
+}
+
+/// Operations in the order in which they are found.
+#[derive(Debug, Default)]
+struct Found {
+    operations: Vec<Operation>,
+}
+
+impl Found {
+    fn push(&mut self, operation: Operation) -> u32 {
+        self.operations.push(operation);
+        self.operations.len() as u32 - 1
+    }
 }
 
 impl Tape {
@@ -44,7 +89,7 @@ impl Tape {
         input: &impl Fn(Var) -> u32,
         switches: &mut Switches,
     ) -> Tape {
-        let mut tape = Tape::default();
+        let mut tape = Found::default();
         let mut places: HashMap<Id, u32> = HashMap::new();
         for output in outputs {
             let mut stack = vec![(*output, false)];
@@ -85,42 +130,133 @@ impl Tape {
                 places.insert(id, place);
             }
         }
-        tape.outputs = outputs.iter().map(|id| places[id]).collect();
+        let outputs: Vec<u32> = outputs.iter().map(|id| places[id]).collect();
+        Tape::arrange(&tape.operations, &outputs)
+    }
+
+    /// Puts operations of one kind together, as many as are ready at a time.
+    fn arrange(operations: &[Operation], outputs: &[u32]) -> Tape {
+        let mut tape = Tape::default();
+        let mut read: Vec<u32> = operations
+            .iter()
+            .filter_map(|operation| match operation {
+                Operation::Input(input) => Some(*input),
+                _ => None,
+            })
+            .collect();
+        read.sort_unstable();
+        read.dedup();
+        tape.inputs = read.last().map_or(0, |last| *last as usize + 1);
+        tape.read = read;
+        // Where each operation's value stands; operands that are missing; who waits for whom.
+        let mut places = vec![0u32; operations.len()];
+        let mut missing = vec![0u8; operations.len()];
+        let mut waiting: Vec<Vec<u32>> = vec![Vec::new(); operations.len()];
+        let mut ready: Vec<(Kind, Vec<u32>)> = Vec::new();
+        let is_leaf =
+            |place: u32| matches!(operations[place as usize], Operation::Input(_) | Operation::Constant(_));
+        let add = |ready: &mut Vec<(Kind, Vec<u32>)>, kind: Kind, index: u32| match ready
+            .iter_mut()
+            .find(|(known, _)| *known == kind)
+        {
+            Some((_, list)) => list.push(index),
+            None => ready.push((kind, vec![index])),
+        };
+        for (index, operation) in operations.iter().enumerate() {
+            match *operation {
+                Operation::Input(input) => places[index] = input,
+                Operation::Constant(value) => {
+                    places[index] = (tape.inputs + tape.constants.len()) as u32;
+                    tape.constants.push(value);
+                }
+                operation => {
+                    let (kind, operands, count) = operation.parts();
+                    for operand in &operands[..count] {
+                        if !is_leaf(*operand) {
+                            missing[index] += 1;
+                            waiting[*operand as usize].push(index as u32);
+                        }
+                    }
+                    if missing[index] == 0 {
+                        add(&mut ready, kind, index as u32);
+                    }
+                }
+            }
+        }
+        let mut next = (tape.inputs + tape.constants.len()) as u32;
+        loop {
+            let longest = (0..ready.len()).max_by_key(|index| ready[*index].1.len());
+            let Some((kind, list)) = longest.map(|index| ready.swap_remove(index)) else { break };
+            tape.stretches.push(Stretch { kind, count: list.len() });
+            for index in &list {
+                places[*index as usize] = next;
+                next += 1;
+                let operation = operations[*index as usize];
+                let (_, operands, count) = operation.parts();
+                let mut own = [0; 3];
+                for (own, operand) in own.iter_mut().zip(&operands[..count]) {
+                    *own = places[*operand as usize];
+                }
+                // What is no operand: a switch or the slot of a curve.
+                match operation {
+                    Operation::Choice(switch, ..) => own[2] = switch,
+                    Operation::Sign(switch) => own[2] = switch,
+                    Operation::Curve { slot, .. } => own[2] = slot,
+                    _ => {}
+                }
+                tape.operands.push(own);
+            }
+            for index in list {
+                for other in std::mem::take(&mut waiting[index as usize]) {
+                    missing[other as usize] -= 1;
+                    if missing[other as usize] == 0 {
+                        add(&mut ready, operations[other as usize].parts().0, other);
+                    }
+                }
+            }
+        }
+        tape.outputs = outputs.iter().map(|place| places[*place as usize]).collect();
         tape
     }
 
-    fn push(&mut self, operation: Operation) -> u32 {
-        self.operations.push(operation);
-        self.operations.len() as u32 - 1
+    /// Whether it reads an input at a place or behind it.
+    pub(crate) fn reads_from(&self, place: usize) -> bool {
+        self.read.last().is_some_and(|last| *last as usize >= place)
     }
 
     /// Values of the outputs; `work` keeps its room from call to call.
     pub(crate) fn run(&self, inputs: &[f64], held: &Held, work: &mut Vec<f64>, outputs: &mut [f64]) {
-        work.clear();
-        for operation in &self.operations {
-            let at = |place: u32| work[place as usize];
-            let value = match *operation {
-                Operation::Constant(value) => value,
-                Operation::Input(input) => inputs[input as usize],
-                Operation::Negative(a) => -at(a),
-                Operation::Sum(a, b) => at(a) + at(b),
-                Operation::Product(a, b) => at(a) * at(b),
-                Operation::Quotient(a, b) => at(a) / at(b),
-                Operation::Square(a) => at(a) * at(a),
-                Operation::Power(a, b) => at(a).powf(at(b)),
-                Operation::Call(function, a) => function.apply(at(a)),
-                Operation::Atan2(a, b) => at(a).atan2(at(b)),
-                Operation::Choice(switch, a, b) => at(if held.on[switch as usize] { a } else { b }),
-                Operation::Curve { slot, at: x, derivative } => held.curve(slot, at(x), derivative),
-                Operation::Sign(switch) => {
-                    if held.on[switch as usize] {
-                        1.0
-                    } else {
-                        -1.0
-                    }
+        let first = self.inputs + self.constants.len();
+        work.resize(first + self.operands.len(), 0.0);
+        work[..self.inputs].copy_from_slice(&inputs[..self.inputs]);
+        work[self.inputs..first].copy_from_slice(&self.constants);
+        let mut at = 0;
+        for Stretch { kind, count } in &self.stretches {
+            let (done, rest) = work.split_at_mut(first + at);
+            let values = rest[..*count].iter_mut().zip(&self.operands[at..at + count]);
+            let of = |place: u32| done[place as usize];
+            match *kind {
+                Kind::Negative => values.for_each(|(value, [a, ..])| *value = -of(*a)),
+                Kind::Sum => values.for_each(|(value, [a, b, _])| *value = of(*a) + of(*b)),
+                Kind::Product => values.for_each(|(value, [a, b, _])| *value = of(*a) * of(*b)),
+                Kind::Quotient => values.for_each(|(value, [a, b, _])| *value = of(*a) / of(*b)),
+                Kind::Square => values.for_each(|(value, [a, ..])| *value = of(*a) * of(*a)),
+                Kind::Power => values.for_each(|(value, [a, b, _])| *value = of(*a).powf(of(*b))),
+                Kind::Call(function) => {
+                    values.for_each(|(value, [a, ..])| *value = function.apply(of(*a)));
                 }
-            };
-            work.push(value);
+                Kind::Atan2 => values.for_each(|(value, [a, b, _])| *value = of(*a).atan2(of(*b))),
+                Kind::Choice => values.for_each(|(value, [a, b, switch])| {
+                    *value = of(if held.on[*switch as usize] { *a } else { *b });
+                }),
+                Kind::Sign => values.for_each(|(value, [.., switch])| {
+                    *value = if held.on[*switch as usize] { 1.0 } else { -1.0 };
+                }),
+                Kind::Curve(derivative) => values.for_each(|(value, [a, _, slot])| {
+                    *value = held.curve(*slot, of(*a), derivative);
+                }),
+            }
+            at += count;
         }
         for (output, place) in outputs.iter_mut().zip(&self.outputs) {
             *output = work[*place as usize];
@@ -129,6 +265,27 @@ impl Tape {
 
     /// Number of operations.
     pub(crate) fn len(&self) -> usize {
-        self.operations.len()
+        self.operands.len()
+    }
+}
+
+impl Operation {
+    /// Its kind, its operands and how many these are.
+    fn parts(self) -> (Kind, [u32; 2], usize) {
+        match self {
+            // Leaves are put down before anything else: their kind is never asked for.
+            Operation::Constant(_) | Operation::Input(_) => (Kind::Negative, [0; 2], 0),
+            Operation::Negative(a) => (Kind::Negative, [a, 0], 1),
+            Operation::Sum(a, b) => (Kind::Sum, [a, b], 2),
+            Operation::Product(a, b) => (Kind::Product, [a, b], 2),
+            Operation::Quotient(a, b) => (Kind::Quotient, [a, b], 2),
+            Operation::Square(a) => (Kind::Square, [a, 0], 1),
+            Operation::Power(a, b) => (Kind::Power, [a, b], 2),
+            Operation::Call(function, a) => (Kind::Call(function), [a, 0], 1),
+            Operation::Atan2(a, b) => (Kind::Atan2, [a, b], 2),
+            Operation::Choice(_, a, b) => (Kind::Choice, [a, b], 2),
+            Operation::Sign(_) => (Kind::Sign, [0; 2], 0),
+            Operation::Curve { at, derivative, .. } => (Kind::Curve(derivative), [at, 0], 1),
+        }
     }
 }

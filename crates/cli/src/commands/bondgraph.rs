@@ -130,6 +130,11 @@ fn of_engine(
         gas_as_states: options.gas_states,
         load,
         load_on_block: options.load_on_block,
+        simulation: reading
+            .file
+            .as_ref()
+            .and_then(|file| file.tasks.simulation.as_deref().cloned())
+            .unwrap_or_default(),
         ..BondGraphRequest::default()
     };
     let traces = if request.gas { trace_files(&engine, file)? } else { Vec::new() };
