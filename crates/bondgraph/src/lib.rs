@@ -49,8 +49,9 @@ pub use file::{is_graph_file, used_graphs};
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
-pub use output::draw::drawing;
+pub use output::draw::{DrawnBond, DrawnElement, Placed, drawing, moving_drawing, placed};
 pub use output::export::{graphml, modelica};
+pub use output::mathml::mathml;
 pub use output::shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
 pub use output::text::{
     audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,

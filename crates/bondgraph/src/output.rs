@@ -2,6 +2,7 @@
 
 pub(crate) mod draw;
 pub(crate) mod export;
+pub(crate) mod mathml;
 pub(crate) mod shown;
 pub(crate) mod text;
 pub(crate) mod write;

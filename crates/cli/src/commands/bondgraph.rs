@@ -12,13 +12,17 @@ use crate::trace_files::trace_files;
 use lanchester::bondgraph::{
     Description, EngineBlock, Equations, Graph, LoadTorque, Method, Notation, Preference, SimulationRequest,
     audit_text, causality, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
-    graphml, is_graph_file, linear_text, modelica, simulation_csv, simulation_text, used_graphs,
+    graphml, is_graph_file, linear_text, modelica, moving_drawing, simulation_csv, simulation_text,
+    used_graphs,
 };
 use lanchester::file::{Diagnostic, read, render};
 use lanchester::task::option;
 use lanchester::{BondGraphRequest, engine_bond_graph};
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// How long a moving drawing takes [s].
+const MOVING_SECONDS: f64 = 10.0;
 
 /// What the command shows.
 const ACTIONS: [&str; 7] = ["causality", "equations", "linear", "simulate", "audit", "draw", "export"];
@@ -169,6 +173,10 @@ fn show(
                 Failure::input(message, hint)
             })?;
             print(&if as_json { json(&linear)? } else { linear_text(&linear) })?;
+        }
+        "draw" if arguments.moving => {
+            let run = found.simulate(&request(arguments, found, false)?);
+            print(&moving_drawing(graph, &found.causality, &run, MOVING_SECONDS))?;
         }
         "draw" => print(&drawing(graph, &found.causality))?,
         "export" => print(&match arguments.to {

@@ -290,7 +290,7 @@ fn xcheck_gas_states_against_the_cycle() {
 fn xcheck_gas_states_with_walls_against_the_cycle() {
     let text = include_str!("../../../../examples/single-gas.toml");
     for model in
-        ["model = \"woschni\"", "model = \"hohenberg\"\nfactor = 1.3", "coefficient = \"400 W/m2/K\""]
+        ["model = \"woschni\"", "model = \"hohenberg\"\nfactor = 1.3", "model = \"constant\"\ncoefficient = \"400 W/m2/K\""]
     {
         let off = gas_states_off(&engine(&text.replace("model = \"woschni\"", model)), 14.0);
         assert!(off < 1e-6, "{model}: {off:e}");
@@ -303,7 +303,7 @@ fn xcheck_starter_driveline_and_load_against_the_simulation() {
     let text = include_str!("../../../../examples/three-cylinder.toml").to_owned()
         + r#"
 [simulation]
-start = { speed = "150 rpm", block = "as-drawn" }
+start = { speed = "150 rpm", block = "as drawn" }
 duration = "0.6 s"
 gas = "off"
 tolerance = 1e-12
