@@ -71,6 +71,8 @@ pub struct Description {
     pub bonds: Vec<Text>,
     /// Tables that expressions read: `table(name, x)`.
     pub tables: Vec<(Text, Curve)>,
+    /// Stores before which a spring and a damper are put, with `stiffness` and `damping`.
+    pub relax: Vec<Entry>,
     /// What happens on the way.
     pub events: Vec<Happening>,
     /// Duration, samples and tolerance of a simulation.
@@ -119,6 +121,15 @@ impl Description {
     pub fn event(mut self, when: &str, set: &[(&str, &str)]) -> Description {
         let set = set.iter().map(|(state, value)| ((*state).into(), (*value).into())).collect();
         self.events.push(Happening { when: when.into(), set });
+        self
+    }
+
+    /// Puts a spring, and where `damping` is given a damper, before a store that would follow.
+    #[must_use]
+    pub fn relax(mut self, store: &str, stiffness: &str, damping: Option<&str>) -> Description {
+        let mut keys = vec![("stiffness".into(), stiffness.into())];
+        keys.extend(damping.map(|damping| ("damping".into(), damping.into())));
+        self.relax.push(Entry { name: store.into(), keys });
         self
     }
 

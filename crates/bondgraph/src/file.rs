@@ -43,6 +43,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
             ("simulation", Value::Table(table)) => description.simulation = texts(table, mistakes),
             ("tables", Value::Table(table)) => description.tables = curves(table, mistakes),
             ("use", Value::Array(list)) => description.uses = list.iter().filter_map(|item| used(item, mistakes)).collect(),
+            ("relax", Value::Table(table)) => description.relax = entries(table, mistakes),
             ("event", Value::Array(list)) => {
                 description.events = list.iter().filter_map(|item| happening(item, mistakes)).collect();
             }
@@ -73,7 +74,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                     }
                 }
             }
-            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "use" | "event" | "bonds", _) => {
+            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "use" | "event" | "relax" | "bonds", _) => {
                 mistakes.push(
                     "E1701",
                     &place,
@@ -85,7 +86,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                 "E1702",
                 &place,
                 format!("a graph file has no `{other}`"),
-                "it has name, note, [parameters], [tables], [[use]], [elements], [signals], [bonds], [[event]] and [simulation]",
+                "it has name, note, [parameters], [tables], [[use]], [elements], [signals], [bonds], [relax], [[event]] and [simulation]",
             ),
         }
     }

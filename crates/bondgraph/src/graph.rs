@@ -162,7 +162,9 @@ impl Graph {
     /// Every mistake at once, each with what mends it.
     pub fn new(description: &Description) -> Result<Graph, Vec<Diagnostic>> {
         let mut mistakes = Mistakes::default();
-        let graph = check::check(description, &mut mistakes);
+        let mut description = description.clone();
+        crate::relax::relax(&mut description, &mut mistakes);
+        let graph = check::check(&description, &mut mistakes);
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(""))
     }
 
@@ -182,6 +184,7 @@ impl Graph {
         let mut mistakes = Mistakes::default();
         let mut description = file::read(text, &mut mistakes);
         crate::subgraph::assemble(&mut description, look_up, 0, &mut mistakes);
+        crate::relax::relax(&mut description, &mut mistakes);
         let graph = check::check(&description, &mut mistakes);
         let graph = graph.map(|graph| Graph { source: text.to_owned(), ..graph });
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(text))

@@ -5,4 +5,5 @@ pub(crate) mod export;
 pub(crate) mod mathml;
 pub(crate) mod shown;
 pub(crate) mod text;
+mod tiles;
 pub(crate) mod write;

@@ -87,6 +87,7 @@ fn include(description: &mut Description, other: &Description, used: &Use, mista
     };
     description.elements.extend(other.elements.iter().map(entry));
     description.signals.extend(other.signals.iter().map(entry));
+    description.relax.extend(other.relax.iter().map(entry));
     for event in &other.events {
         let set = event.set.iter().map(|(state, value)| (renamed(state), renamed(value))).collect();
         description.events.push(Happening { when: renamed(&event.when), set });

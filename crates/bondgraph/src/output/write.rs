@@ -34,6 +34,12 @@ pub fn graph_file(description: &Description) -> String {
         let _ = writeln!(out, "    {},", quoted(&bond.text));
     }
     out += "]\n";
+    if !description.relax.is_empty() {
+        out += "\n[relax]\n";
+    }
+    for entry in &description.relax {
+        let _ = writeln!(out, "{} = {}", key(&entry.name.text), inline(entry));
+    }
     for event in &description.events {
         let set: Vec<String> = event
             .set

@@ -1,4 +1,4 @@
-//! Events that set states: against exact motions.
+//! Events that set states, and pads before stores that would follow: against exact motions.
 
 use lanchester_bondgraph::{Graph, SimulationRequest, equations, graph_file};
 
@@ -75,4 +75,49 @@ fn events_stand_in_the_written_file() {
     let again = Graph::read(&text).unwrap_or_else(|mistakes| panic!("{text}\n{mistakes:#?}"));
     let shown = equations(&again).expect("no conflict").shown(lanchester_bondgraph::Notation::Text);
     assert_eq!(shown.events.len(), 1);
+}
+
+/// Two masses on one shaft, the second on a pad: the stiffer the pad, the nearer to both as one, by its stiffness.
+#[test]
+fn a_pad_frees_a_store_that_follows() {
+    let text = |stiffness: &str| {
+        format!(
+            "[elements]\nshaft = {{ kind = \"1\", domain = \"rotation\" }}\nwheel = {{ kind = \"I\", inertia = \"2 kg m2\" }}\n\
+             gear = {{ kind = \"TF\", ratio = \"3\" }}\nfast = {{ kind = \"1\", domain = \"rotation\" }}\n\
+             disc = {{ kind = \"I\", inertia = \"0.5 kg m2\" }}\ntorque = {{ kind = \"Se\", effort = \"13 N m\" }}\n\
+             [bonds]\nlist = [\"torque > shaft\", \"shaft > wheel\", \"shaft > gear.1\", \"gear.2 > fast\", \"fast > disc\"]\n\
+             [simulation]\nduration = \"2 s\"\n{stiffness}"
+        )
+    };
+    let run = |stiffness: &str| {
+        let graph = Graph::read(&text(stiffness)).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+        let found = equations(&graph).expect("no conflict");
+        let run = found.simulate(&SimulationRequest { tolerance: 1e-11, ..found.request() });
+        (
+            found.causality.followers.len(),
+            run.values("shaft.flow").and_then(<[f64]>::last).copied().expect("a run"),
+        )
+    };
+    // (2 + 9 0.5) w' = 13
+    let (followers, ideal) = run("");
+    assert_eq!((followers, (ideal - 4.0).abs() < 1e-9), (1, true), "{ideal}");
+    let off = |stiffness: &str| {
+        let pad = format!(
+            "[relax]\ndisc = {{ stiffness = \"{stiffness} N m/rad\", damping = \"200 N m s/rad\" }}\n"
+        );
+        let (followers, speed) = run(&pad);
+        assert_eq!(followers, 0);
+        (speed - ideal).abs()
+    };
+    let (soft, stiff) = (off("1e4"), off("1e5"));
+    assert!(soft < 0.05 && stiff < 0.05, "{soft}, {stiff}");
+    for (bad, code) in [
+        ("gear = { stiffness = \"1 N m/rad\" }", "E1706"),
+        ("disc = { damping = \"1 N m s/rad\" }", "E1709"),
+        ("disc = { stiffness = \"1 N/m\" }", "E1705"),
+        ("disc = { stiffness = \"1 N m/rad\", soft = \"1\" }", "E1702"),
+    ] {
+        let mistakes = Graph::read(&text(&format!("[relax]\n{bad}\n"))).expect_err(bad);
+        assert!(mistakes.iter().any(|mistake| mistake.code == code), "{bad}: {mistakes:#?}");
+    }
 }

@@ -427,3 +427,11 @@ fn xcheck_gallery_in_space() {
 fn xcheck_radial_in_a_fixed_block() {
     of_gallery("radial-5", EngineBlock::Fixed).check();
 }
+
+/// Every layout of the gallery, its block fixed: all shafts, articulated rods, geared crankshafts, shared chambers.
+#[test]
+fn xcheck_every_engine_of_the_gallery() {
+    for template in lanchester::file::templates() {
+        of_gallery(template.name, EngineBlock::Fixed).check();
+    }
+}
