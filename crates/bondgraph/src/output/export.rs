@@ -3,7 +3,7 @@
 use crate::equations::Equations;
 use crate::expression::{Id, Printed, Style, Var};
 use crate::graph::{Graph, Kind, Law};
-use crate::shown::identifier;
+use crate::output::shown::identifier;
 use std::fmt::Write;
 
 /// The graph as one flat Modelica model: the laws of elements and junctions without causality, units in comments.
@@ -149,6 +149,13 @@ pub fn modelica(equations: &Equations) -> String {
                 let _ = writeln!(body, "  0 = {};", terms.join(" "));
             }
         }
+    }
+    for rule in &graph.rules {
+        let _ = writeln!(body, "  when ({}) > 0 then", law(rule.when));
+        for (state, value) in &rule.set {
+            let _ = writeln!(body, "    reinit({}, {});", var(*state), law(*value));
+        }
+        let _ = writeln!(body, "  end when;");
     }
     let _ = writeln!(body, "end {};", model_name(&graph.name));
     head + &body

@@ -15,8 +15,8 @@
 
 use crate::equations::{Equations, What};
 use crate::expression::{Id, Node, Pool, Var};
-use crate::held::{Held, Switches};
-use crate::tape::Tape;
+use crate::run::held::{Held, Switches};
+use crate::run::tape::Tape;
 use lanchester_numerics::Lu;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -37,8 +37,11 @@ pub(crate) struct Following {
     influence: Vec<(usize, usize)>,
     /// Follower and place in `acted` of each entry of Phi.
     slopes: Vec<(usize, usize)>,
+    /// Entries of the matrix to which products of an entry of G and one of Phi go, with the places of both.
+    products: Vec<[u32; 3]>,
     values: Vec<f64>,
     matrix: Vec<f64>,
+    right: Vec<f64>,
 }
 
 impl Following {
@@ -98,6 +101,19 @@ impl Following {
         }
         outputs.extend(known.into_iter().chain(influence_ids).chain(slope_ids));
         let tape = Tape::new(pool, &outputs, input, switches);
+        let mut columns: Vec<Vec<(usize, usize)>> = vec![Vec::new(); left.len()];
+        for (entry, (row, follower)) in influence.iter().enumerate() {
+            columns[*follower].push((*row, entry));
+        }
+        let size = acted.len();
+        let products = (slopes.iter().enumerate())
+            .flat_map(|(slope, (follower, column))| {
+                let entry = move |(row, entry): &(usize, usize)| {
+                    [row * size + column, *entry, slope].map(|place| place as u32)
+                };
+                columns[*follower].iter().map(entry)
+            })
+            .collect();
         Some(Following {
             tape,
             states: rates.len(),
@@ -105,8 +121,10 @@ impl Following {
             acted,
             influence,
             slopes,
+            products,
             values: vec![0.0; outputs.len()],
             matrix: Vec::new(),
+            right: Vec::new(),
         })
     }
 
@@ -131,30 +149,26 @@ impl Following {
         let (influence, slopes) = rest.split_at(self.influence.len());
         rates[..self.states].copy_from_slice(base);
         unknowns.copy_from_slice(known);
-        let mut right: Vec<f64> = self.acted.iter().map(|state| base[*state]).collect();
+        self.right.clear();
+        self.right.extend(self.acted.iter().map(|state| base[*state]));
         self.matrix.clear();
         self.matrix.resize(size * size, 0.0);
-        // Entries of G stand row by row, so that those of one follower are found by its list.
-        let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); self.followers];
         for ((row, follower), value) in self.influence.iter().zip(influence) {
-            right[*row] += value * known[*follower];
-            columns[*follower].push((*row, *value));
+            self.right[*row] += value * known[*follower];
         }
         for row in 0..size {
             self.matrix[row * size + row] = 1.0;
         }
-        for ((follower, column), slope) in self.slopes.iter().zip(slopes) {
-            for (row, value) in &columns[*follower] {
-                self.matrix[row * size + column] -= value * slope;
-            }
+        for [place, entry, slope] in &self.products {
+            self.matrix[*place as usize] -= influence[*entry as usize] * slopes[*slope as usize];
         }
         let Ok(factors) = Lu::new(size, std::mem::take(&mut self.matrix)) else { return false };
-        factors.solve(&mut right);
-        for (state, rate) in self.acted.iter().zip(&right) {
+        factors.solve(&mut self.right);
+        for (state, rate) in self.acted.iter().zip(&self.right) {
             rates[*state] = *rate;
         }
         for ((follower, column), slope) in self.slopes.iter().zip(slopes) {
-            unknowns[*follower] += slope * right[*column];
+            unknowns[*follower] += slope * self.right[*column];
         }
         true
     }

@@ -1,9 +1,9 @@
 //! Simulation: the equations integrated, events located, energy through every bond audited.
 
-use crate::audit::{Audit, audit};
-use crate::compiled::Compiled;
 use crate::equations::Equations;
 use crate::graph::Kind;
+use crate::run::audit::{Audit, audit};
+use crate::run::compiled::Compiled;
 use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -13,6 +13,9 @@ const CHATTER: u32 = 200;
 
 /// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
 const FINE: f64 = 1e-9;
+
+/// Evaluations of the pass that measures sizes.
+const ROUGH: u64 = 6000;
 
 /// How a simulation is run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,12 +143,29 @@ impl Equations {
     pub fn simulate_at(&self, request: &SimulationRequest, places: &[f64]) -> Simulation {
         let mut compiled = Compiled::new(self, request.audit);
         let dimension = self.states.len() + if request.audit { self.graph.bonds.len() } else { 0 };
-        // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that.
-        let rough = SimulationRequest { tolerance: 1e-5f64.max(request.tolerance), ..*request };
-        let sizes = self.pass(&mut compiled, &rough, &[request.duration], &vec![1e-12; dimension]).largest;
-        let absolute: Vec<f64> =
-            sizes.iter().map(|size| (0.01 * request.tolerance * size).max(1e-200)).collect();
-        let pass = self.pass(&mut compiled, request, places, &absolute);
+        // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that. Its beginning is enough where
+        // every state has moved by then: a size that is still small there makes the tolerance finer, never coarser. Energies are not
+        // taken that way: what a closed valve carries is nothing for long.
+        let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Vec<f64>) {
+            let tolerance = 1e-5f64.max(request.tolerance);
+            let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
+            let pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension]);
+            (pass.complete, pass.largest)
+        };
+        let share = |size: &f64| (0.01 * request.tolerance * size).max(1e-200);
+        let most = request.most_evaluations;
+        let beginning = if request.audit { most } else { most.min(ROUGH) };
+        let (mut is_whole, mut largest) = sizes(&mut compiled, beginning);
+        if !is_whole && beginning < most && largest.contains(&0.0) {
+            (is_whole, largest) = sizes(&mut compiled, most);
+        }
+        let absolute: Vec<f64> = largest.iter().map(share).collect();
+        let mut pass = self.pass(&mut compiled, request, places, &absolute);
+        if !pass.complete && !is_whole && beginning < most {
+            let (_, largest) = sizes(&mut compiled, most);
+            let absolute: Vec<f64> = largest.iter().map(share).collect();
+            pass = self.pass(&mut compiled, request, places, &absolute);
+        }
         let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
         let series = self.series(&pass);
         let audit = request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.end.1));
@@ -297,6 +317,14 @@ impl Equations {
                         pass.events.push(Event { time: t, condition: index, on: rising });
                     }
                     compiled.held.happen(index, rising);
+                    if rising && compiled.held.is_condition(index) && compiled.happen(index, t, &mut y) {
+                        compiled.settle(t, &y);
+                        explicit.restart();
+                        implicit.restart();
+                        for (most, value) in pass.largest.iter_mut().zip(&y) {
+                            *most = most.max(value.abs());
+                        }
+                    }
                     at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
                     if at_once > CHATTER {
                         pass.ended = format!(

@@ -3,9 +3,9 @@
 use crate::domain::Domain;
 use crate::equations::{Equations, What};
 use crate::expression::{Id, Pool, Var};
-use crate::following::Following;
-use crate::held::{Held, Switches};
-use crate::tape::Tape;
+use crate::run::following::Following;
+use crate::run::held::{Held, Switches};
+use crate::run::tape::Tape;
 use lanchester_numerics::{Lu, System};
 use std::collections::HashMap;
 
@@ -31,6 +31,10 @@ pub(crate) struct Compiled {
     /// Conditions and arguments of curves.
     switch_functions: Tape,
     pub(crate) held: Held,
+    /// Of each event of the graph: its switch, the states that it sets.
+    rules: Vec<(u32, Vec<u32>)>,
+    /// Their new values, one event after the other.
+    settings: Tape,
     /// Whether events are passed over.
     pub(crate) without_events: bool,
     /// Solves for all unknowns at once, where they are rates of followers.
@@ -90,6 +94,16 @@ impl Compiled {
             })
             .collect();
         let mut switches = Switches::default();
+        let mut set_values = Vec::new();
+        let mut rules = Vec::new();
+        for (when, set) in &equations.rules {
+            let when = pool.substitute(*when, &mut known, &number);
+            for (_, value) in set {
+                set_values.push(pool.substitute(*value, &mut known, &number));
+            }
+            rules.push((switches.of(when), set.iter().map(|(state, _)| *state).collect()));
+        }
+        let settings = Tape::new(&mut pool, &set_values, &input, &mut switches);
         let following = Following::new(equations, &mut pool, &rates, &held, &left, &input, &mut switches);
         if let Some(following) = following {
             let variables = Tape::new(&mut pool, &variables, &input, &mut switches);
@@ -106,6 +120,8 @@ impl Compiled {
                 slopes: None,
                 switch_functions: functions,
                 held: Held::new(&switches, &pool),
+                rules,
+                settings,
                 without_events: false,
                 following: Some(following),
                 found: vec![0.0; states],
@@ -149,6 +165,8 @@ impl Compiled {
             slopes: Some(slopes),
             switch_functions,
             held: Held::new(&switches, &pool),
+            rules,
+            settings,
             without_events: false,
             following: None,
             found: Vec::new(),
@@ -210,22 +228,49 @@ impl Compiled {
         values
     }
 
-    /// Values of conditions and arguments of curves.
-    fn quantities(&mut self, t: f64, y: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; self.held.quantities()];
-        if self.place(t, y) {
-            self.switch_functions.run(&self.inputs, &self.held, &mut self.work, &mut values);
+    /// Values of conditions and arguments of curves. Unknowns are solved only where these hang on one.
+    fn quantities(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
+        let ready = if self.switch_functions.reads_from(1 + self.states) {
+            self.place(t, y)
+        } else {
+            self.inputs[0] = t;
+            self.inputs[1..=self.states].copy_from_slice(&y[..self.states]);
+            true
+        };
+        if ready {
+            self.switch_functions.run(&self.inputs, &self.held, &mut self.work, values);
+        } else {
+            values.fill(f64::NAN);
         }
-        values
+    }
+
+    /// Sets the states that the event of a switch sets, by the state just before; whether there is one.
+    pub(crate) fn happen(&mut self, switch: usize, t: f64, y: &mut [f64]) -> bool {
+        if !self.rules.iter().any(|(own, _)| *own as usize == switch) || !self.place(t, y) {
+            return false;
+        }
+        let count = self.rules.iter().map(|(_, states)| states.len()).sum();
+        let mut values = vec![0.0; count];
+        self.settings.run(&self.inputs, &self.held, &mut self.work, &mut values);
+        let mut next = 0;
+        for (own, states) in &self.rules {
+            for state in states {
+                if *own as usize == switch {
+                    y[*state as usize] = values[next];
+                }
+                next += 1;
+            }
+        }
+        true
     }
 
     /// Sets each switch by its function; where that is zero, by where it goes next. Curves are read ahead of their place.
     pub(crate) fn settle(&mut self, t: f64, y: &[f64]) {
         let count = self.held.quantities();
-        let mut values = Vec::new();
+        let mut values = vec![0.0; count];
         // Switches may hang on one another: as many passes as there are settle any chain.
         for _ in 0..=count.min(20) {
-            values = self.quantities(t, y);
+            self.quantities(t, y, &mut values);
             self.held.settle(&values);
         }
         if values[..self.held.on.len()].contains(&0.0) {
@@ -233,7 +278,8 @@ impl Compiled {
             self.derivative(t, y, &mut slope);
             let step = 1e-9;
             let ahead: Vec<f64> = y.iter().zip(&slope).map(|(y, s)| y + step * s).collect();
-            let later = self.quantities(t + step, &ahead);
+            let mut later = vec![0.0; count];
+            self.quantities(t + step, &ahead, &mut later);
             for (index, on) in self.held.on.iter_mut().enumerate() {
                 if values[index] == 0.0 {
                     *on = later[index] > 0.0;
@@ -288,8 +334,11 @@ impl System for Compiled {
     }
 
     fn event_functions(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
-        let quantities = self.quantities(t, y);
+        let mut quantities = std::mem::take(&mut self.scratch);
+        quantities.resize(self.held.quantities(), 0.0);
+        self.quantities(t, y, &mut quantities);
         self.held.event_functions(&quantities, values);
+        self.scratch = quantities;
     }
 
     /// Exact for the states; energies hang on nothing, and Newton's iteration needs no slopes of theirs.

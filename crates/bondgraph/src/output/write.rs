@@ -34,6 +34,21 @@ pub fn graph_file(description: &Description) -> String {
         let _ = writeln!(out, "    {},", quoted(&bond.text));
     }
     out += "]\n";
+    if !description.relax.is_empty() {
+        out += "\n[relax]\n";
+    }
+    for entry in &description.relax {
+        let _ = writeln!(out, "{} = {}", key(&entry.name.text), inline(entry));
+    }
+    for event in &description.events {
+        let set: Vec<String> = event
+            .set
+            .iter()
+            .map(|(state, value)| format!("{} = {}", key(&state.text), quoted(&value.text)))
+            .collect();
+        let _ =
+            writeln!(out, "\n[[event]]\nwhen = {}\nset = {{ {} }}", quoted(&event.when.text), set.join(", "));
+    }
     part(&mut out, "simulation", &description.simulation);
     out
 }

@@ -38,6 +38,8 @@ pub struct ShownEquations {
     pub junctions: Vec<Equation>,
     /// Signals.
     pub signals: Vec<Equation>,
+    /// What events set: whose zero they wait for, the state and its new value.
+    pub events: Vec<Equation>,
     /// States with unit and start.
     pub states: Vec<ShownState>,
     /// Variables that cut loops, and rates of stores that follow.
@@ -141,6 +143,15 @@ impl Equations {
                         right: printed.text(signal.value),
                         unit: unit.to_string(),
                     }
+                })
+                .collect(),
+            events: (graph.rules.iter())
+                .flat_map(|rule| rule.set.iter().map(move |set| (rule.when, set)))
+                .map(|(when, (var, value))| Equation {
+                    of: printed.text(when),
+                    left: (printed.name)(*var),
+                    right: printed.text(*value),
+                    unit: String::new(),
                 })
                 .collect(),
             states: self

@@ -1,12 +1,15 @@
 //! A graph as SVG: half arrows, causal strokes, stores that follow and free bonds marked, activated bonds as full arrows.
 //!
 //! Junctions and two-ports stand in columns by their distance from the first source, in rows by branches; one-ports stand above and
-//! below their junction.
+//! below their junction. The graph of an engine stands in tiles: block and crank, every cylinder, rotor and mount.
 
 use crate::causality::Causality;
-use crate::export::escaped;
 use crate::expression::{Id, Var};
 use crate::graph::{Graph, Kind, Law};
+use crate::output::export::escaped;
+use crate::output::tiles::{Tiled, tiled};
+use crate::run::simulate::Simulation;
+use serde::Serialize;
 use std::collections::VecDeque;
 use std::fmt::Write;
 
@@ -21,12 +24,121 @@ const FOLLOWS: &str = "#b45309";
 const FREE: &str = "#b91c1c";
 const SIGNAL: &str = "#1d4ed8";
 
+/// A graph with the places of its elements and bonds, for pictures that others draw; lengths in pixels, y downwards.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Placed {
+    /// Size of the picture.
+    pub size: [f64; 2],
+    /// Its elements.
+    pub elements: Vec<DrawnElement>,
+    /// Its bonds.
+    pub bonds: Vec<DrawnBond>,
+}
+
+/// An element in its place.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnElement {
+    /// Its name.
+    pub name: String,
+    /// Its kind as it is written.
+    pub kind: String,
+    /// Its middle.
+    pub at: [f64; 2],
+    /// Whether it is a store that follows others.
+    pub follows: bool,
+}
+
+/// A bond in its place.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnBond {
+    /// Its name, by which its series are called.
+    pub name: String,
+    /// Its ends along the half arrow.
+    pub line: [[f64; 2]; 2],
+    /// End of the barb at its head.
+    pub barb: [f64; 2],
+    /// Ends of the causal stroke.
+    pub stroke: [[f64; 2]; 2],
+    /// Whether its store follows others.
+    pub follows: bool,
+    /// Whether its causality is free, within an algebraic loop.
+    pub free: bool,
+}
+
+/// Places of a graph with its causality.
+pub fn placed(graph: &Graph, causality: &Causality) -> Placed {
+    let layout = layout(graph);
+    let places = &layout.places;
+    let most = |k: usize| places.iter().map(|place| place[k]).fold(0.0, f64::max) + MARGIN;
+    let follows = |index: usize| {
+        let ports = &graph.elements[index].ports;
+        ports.iter().any(|bond| causality.following_bonds.contains(bond) && graph.bonds[*bond].to == index)
+    };
+    Placed {
+        size: [most(0), most(1)],
+        elements: (graph.elements.iter().enumerate())
+            .map(|(index, element)| DrawnElement {
+                name: element.name.clone(),
+                kind: element.written.clone(),
+                at: places[index],
+                follows: follows(index),
+            })
+            .collect(),
+        bonds: (0..graph.bonds.len()).map(|bond| drawn_bond(graph, causality, &layout, bond)).collect(),
+    }
+}
+
+/// Largest width of a bond that carries power.
+const WIDEST: f64 = 14.0;
+/// Most frames of a moving drawing.
+const FRAMES: usize = 120;
+
+/// The drawing with bonds as wide as the power through them, moving over `seconds` again and again: black along the half arrow, red
+/// against it.
+pub fn moving_drawing(graph: &Graph, causality: &Causality, run: &Simulation, seconds: f64) -> String {
+    let still = drawing(graph, causality);
+    let placed = placed(graph, causality);
+    let power = |bond: &DrawnBond| run.values(&format!("{}.power", bond.name)).unwrap_or_default();
+    let largest = placed.bonds.iter().flat_map(power).fold(0.0f64, |most, p| most.max(p.abs()));
+    let count = run.time.len();
+    let step = count.div_ceil(FRAMES).max(1);
+    let mut flows = String::new();
+    for bond in &placed.bonds {
+        let frames: Vec<f64> = power(bond).iter().step_by(step).copied().collect();
+        if largest == 0.0 || frames.is_empty() {
+            continue;
+        }
+        let widths: Vec<String> =
+            frames.iter().map(|p| format!("{:.1}", WIDEST * (p.abs() / largest).sqrt())).collect();
+        let colours: Vec<&str> = frames.iter().map(|p| if *p < 0.0 { FREE } else { SIGNAL }).collect();
+        let [[ax, ay], [bx, by]] = bond.line;
+        let _ = writeln!(
+            flows,
+            "<path d=\"M{ax:.1} {ay:.1}L{bx:.1} {by:.1}\" stroke-width=\"0\" stroke=\"{SIGNAL}\" opacity=\"0.35\" stroke-linecap=\"round\">\
+             <title>{}</title>\
+             <animate attributeName=\"stroke-width\" dur=\"{seconds}s\" repeatCount=\"indefinite\" values=\"{}\"/>\
+             <animate attributeName=\"stroke\" dur=\"{seconds}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" values=\"{}\"/></path>",
+            escaped(&bond.name),
+            widths.join(";"),
+            colours.join(";")
+        );
+    }
+    still.replacen("fill=\"#ffffff\"/>\n", &format!("fill=\"#ffffff\"/>\n{flows}"), 1)
+}
+
+/// Places of elements: tiles for the graph of an engine, columns and rows for any other.
+fn layout(graph: &Graph) -> Tiled {
+    tiled(graph).unwrap_or_else(|| Tiled { places: places(graph), ..Tiled::default() })
+}
+
 /// The drawing of a graph with its causality.
 pub fn drawing(graph: &Graph, causality: &Causality) -> String {
-    let places = places(graph);
+    let layout = layout(graph);
+    let places = &layout.places;
     let right = places.iter().map(|p| p[0]).fold(0.0, f64::max) + MARGIN;
     let bottom = places.iter().map(|p| p[1]).fold(0.0, f64::max) + MARGIN;
     let width = right.max(460.0);
+    let bottom = layout.tiles.iter().map(|tile| tile.corner[1] + tile.size[1]).fold(bottom, f64::max);
     let legend = bottom + 10.0;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {:.0}\" width=\"{width:.0}\" height=\"{:.0}\" \
@@ -41,9 +153,31 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
         "<text x=\"20\" y=\"30\" font-size=\"16\" font-weight=\"600\" fill=\"{INK}\">{}</text>",
         escaped(&graph.name)
     );
-    activated(graph, &places, &mut svg);
+    for tile in &layout.tiles {
+        let ([x, y], [width, height]) = (tile.corner, tile.size);
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"8\" fill=\"#f6f7f9\" stroke=\"#d5dae1\"/>\n\
+             <text x=\"{:.1}\" y=\"{:.1}\" font-size=\"13\" font-weight=\"600\" fill=\"{INK}\">{}</text>",
+            x + 12.0,
+            y + 21.0,
+            escaped(&tile.title)
+        );
+    }
+    if layout.tiles.is_empty() {
+        activated(graph, places, &mut svg);
+    }
     for bond in 0..graph.bonds.len() {
-        half_arrow(graph, causality, &places, bond, &mut svg);
+        half_arrow(graph, causality, &layout, bond, &mut svg);
+    }
+    for (_, [x, y], name) in layout.stubs.values() {
+        let _ = writeln!(
+            svg,
+            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\" fill=\"#6b7280\" text-anchor=\"end\">{}</text>",
+            x - 2.0,
+            y + 3.0,
+            escaped(name)
+        );
     }
     for (index, element) in graph.elements.iter().enumerate() {
         let [x, y] = places[index];
@@ -66,7 +200,7 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
             (y + 6.0, x, y - 17.0, "middle")
         } else if core {
             (y + 6.0, x + 12.0, name_at, "start")
-        } else if limb_is_up(graph, &places, index) {
+        } else if limb_is_up(graph, places, index) {
             (y + 2.0, x, y - 18.0, "middle")
         } else {
             (y + 8.0, x, y + 25.0, "middle")
@@ -215,44 +349,60 @@ fn line(a: [f64; 2], b: [f64; 2], wide: [f64; 2]) -> ([f64; 2], [f64; 2], [f64; 
     ([a[0] + first * ux, a[1] + first * uy], [b[0] - last * ux, b[1] - last * uy], [ux, uy])
 }
 
-fn half_arrow(graph: &Graph, causality: &Causality, places: &[[f64; 2]], bond: usize, svg: &mut String) {
+fn drawn_bond(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize) -> DrawnBond {
     let ends = &graph.bonds[bond];
-    let (a, b, [ux, uy]) = line(
-        places[ends.from],
-        places[ends.to],
-        [ends.from, ends.to].map(|end| 11.0 + 6.0 * graph.elements[end].written.len() as f64),
-    );
-    let colour = if causality.free_bonds.contains(&bond) {
-        FREE
-    } else if causality.following_bonds.contains(&bond) {
-        FOLLOWS
-    } else {
-        INK
+    let stub = layout.stubs.get(&bond);
+    let wide = |end: usize| match stub {
+        Some((here, ..)) if *here != end => 2.0,
+        _ => 11.0 + 6.0 * graph.elements[end].written.len() as f64,
     };
+    let place = |end: usize| match stub {
+        Some((here, far, _)) if *here != end => *far,
+        Some((here, far, _)) => [layout.places[*here][0], far[1]],
+        None => layout.places[end],
+    };
+    let (a, b, [ux, uy]) = line(place(ends.from), place(ends.to), [ends.from, ends.to].map(wide));
     // The barb on the side that looks down or right, at the head; the stroke across, where the effort arrives.
     let (nx, ny) = if uy.abs() > ux.abs() { (1.0, 0.0) } else { (0.0, 1.0) };
-    let barb = [b[0] - 11.0 * ux + 7.0 * nx, b[1] - 11.0 * uy + 7.0 * ny];
     let stroke = if causality.stroke_at_head[bond] { b } else { a };
-    let (sx, sy) = (-uy * 8.0, ux * 8.0);
+    let half = if stub.is_some() { 5.0 } else { 8.0 };
+    let (sx, sy) = (-uy * half, ux * half);
+    DrawnBond {
+        name: graph.bond_name(bond),
+        line: [a, b],
+        barb: [b[0] - 11.0 * ux + 7.0 * nx, b[1] - 11.0 * uy + 7.0 * ny],
+        stroke: [[stroke[0] - sx, stroke[1] - sy], [stroke[0] + sx, stroke[1] + sy]],
+        follows: causality.following_bonds.contains(&bond),
+        free: causality.free_bonds.contains(&bond),
+    }
+}
+
+fn half_arrow(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize, svg: &mut String) {
+    let drawn = drawn_bond(graph, causality, layout, bond);
+    let is_short = layout.stubs.contains_key(&bond);
+    let ([a, b], barb, [first, last]) = (drawn.line, drawn.barb, drawn.stroke);
+    let colour = match (drawn.free, drawn.follows) {
+        (true, _) => FREE,
+        (false, true) => FOLLOWS,
+        _ => INK,
+    };
+    let upright = (b[1] - a[1]).abs() > (b[0] - a[0]).abs();
+    let (nx, ny) = if upright { (1.0, 0.0) } else { (0.0, 1.0) };
     let _ = writeln!(
         svg,
         "<path d=\"M{:.1} {:.1}L{:.1} {:.1}L{:.1} {:.1}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.4\"/>\n\
-         <path d=\"M{:.1} {:.1}L{:.1} {:.1}\" stroke=\"{colour}\" stroke-width=\"2.6\"/>\n\
-         <text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\" fill=\"#6b7280\" text-anchor=\"middle\">{}</text>",
-        a[0],
-        a[1],
-        b[0],
-        b[1],
-        barb[0],
-        barb[1],
-        stroke[0] - sx,
-        stroke[1] - sy,
-        stroke[0] + sx,
-        stroke[1] + sy,
-        0.5 * (a[0] + b[0]) - 9.0 * nx,
-        0.5 * (a[1] + b[1]) - 5.0 * ny + 3.0 * nx,
-        bond + 1
+         <path d=\"M{:.1} {:.1}L{:.1} {:.1}\" stroke=\"{colour}\" stroke-width=\"2.6\"/>",
+        a[0], a[1], b[0], b[1], barb[0], barb[1], first[0], first[1], last[0], last[1],
     );
+    if !is_short {
+        let _ = writeln!(
+            svg,
+            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"9\" fill=\"#6b7280\" text-anchor=\"middle\">{}</text>",
+            0.5 * (a[0] + b[0]) - 9.0 * nx,
+            0.5 * (a[1] + b[1]) - 5.0 * ny + 3.0 * nx,
+            bond + 1
+        );
+    }
 }
 
 /// Signals as thin full arrows from where they are taken to the laws that they enter.

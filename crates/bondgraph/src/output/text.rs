@@ -3,8 +3,8 @@
 use crate::causality::Causality;
 use crate::graph::Graph;
 use crate::linear::Linear;
-use crate::shown::ShownEquations;
-use crate::simulate::Simulation;
+use crate::output::shown::ShownEquations;
+use crate::run::simulate::Simulation;
 use std::fmt::Write;
 
 /// Causality in words.
@@ -48,13 +48,17 @@ pub fn equations_text(shown: &ShownEquations) -> String {
     let with_unit = |left: &str, right: &str, unit: &str| {
         if unit.is_empty() { format!("{left} = {right}") } else { format!("{left} = {right}   [{unit}]") }
     };
-    let list = |equations: &[crate::shown::Equation]| {
+    let list = |equations: &[crate::output::shown::Equation]| {
         equations.iter().map(|e| with_unit(&e.left, &e.right, &e.unit)).collect::<Vec<_>>()
     };
     part("Parameters", list(&shown.parameters));
     part("Laws of the elements", list(&shown.elements));
     part("Laws of the junctions", list(&shown.junctions));
     part("Signals", list(&shown.signals));
+    let event = |e: &crate::output::shown::Equation| {
+        format!("{} rises through 0: {} becomes {}", e.of, e.left, e.right)
+    };
+    part("Events", shown.events.iter().map(event).collect());
     part(
         "States",
         shown
@@ -163,8 +167,8 @@ pub fn simulation_text(run: &Simulation) -> String {
         .methods
         .iter()
         .map(|method| match method {
-            crate::simulate::Method::Explicit => "DOP853 (explicit, order 8)",
-            crate::simulate::Method::Implicit => "Radau IIA (implicit, order 5)",
+            crate::run::simulate::Method::Explicit => "DOP853 (explicit, order 8)",
+            crate::run::simulate::Method::Implicit => "Radau IIA (implicit, order 5)",
         })
         .collect();
     let mut out = format!("{}: {}\n", run.graph, run.ended);
