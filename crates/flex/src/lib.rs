@@ -5,12 +5,15 @@
 
 pub mod case;
 mod eigen;
+pub mod deck;
 pub mod element;
 mod error;
 mod material;
 pub mod mesh;
+pub mod modes;
 pub mod sparse;
 pub mod statics;
+pub mod vtu;
 
 pub use error::FlexError;
 pub use material::Material;

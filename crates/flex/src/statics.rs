@@ -261,10 +261,9 @@ pub(crate) fn anchors(mesh: &Mesh) -> [(u32, usize); 6] {
         [line[1] * u[2] - line[2] * u[1], line[2] * u[0] - line[0] * u[2], line[0] * u[1] - line[1] * u[0]]
     };
     let c = far(&|place| cross(apart(place)).iter().map(|x| x * x).sum());
-    // The second node may go along the line from the first, the third within the plane of the three.
+    // The second node may go along the line from the first; turning about that line moves the third along the normal of their plane.
     let biggest = |v: [f64; 3]| (0..3).max_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
     let (along, normal) = (biggest(line), biggest(cross(apart(&mesh.nodes[c]))));
-    let normal = if normal == along { (along + 1) % 3 } else { normal };
     let [p, q] = [(along + 1) % 3, (along + 2) % 3];
     let (a, b, c) = (a as u32, b as u32, c as u32);
     [(a, 0), (a, 1), (a, 2), (b, p), (b, q), (c, normal)]
