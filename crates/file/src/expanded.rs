@@ -1,6 +1,8 @@
 //! The general form of an engine as an engine file.
 
 mod balance;
+mod bearings;
+mod crank_details;
 mod gas;
 mod mount;
 mod part;
@@ -48,6 +50,7 @@ pub fn expanded(file: &EngineFile) -> String {
     text.firing(engine);
     text.crankshafts(engine);
     text.crank_body(engine);
+    text.crank_material(engine);
     for (index, throw) in engine.throws.iter().enumerate() {
         text.throw(index, throw, engine.crank_body.is_some());
     }
@@ -153,15 +156,8 @@ impl File {
             self.entry_unless_zero("unbalance", throw.unbalance, Dimension::Unbalance);
         }
         if let Some([front, rear]) = throw.webs {
-            let z = throw.z;
-            let fits = |distance: f64| z - distance / 2.0 == front && z + distance / 2.0 == rear;
-            // Rounding has lost some of the distance: each of these may be the one that was given.
-            let guesses = [rear - front, 2.0 * (z - front), 2.0 * (rear - z), (z - front) + (rear - z)];
-            let distance = guesses
-                .into_iter()
-                .find(|guess| neighbours(*guess).into_iter().any(fits))
-                .unwrap_or(rear - front);
-            let text = text_that(distance, Dimension::Length, fits);
+            let text = web_distance(throw)
+                .unwrap_or_else(|| text_that(rear - front, Dimension::Length, |read| read == rear - front));
             self.entry("web_distance", &format!("\"{text}\""));
         }
     }
@@ -232,6 +228,17 @@ impl File {
             self.entry("weights", &format!("[\n{list}]"));
         }
     }
+}
+
+/// The distance of webs that stand at half of it from the plane of their throw; `None` for others.
+fn web_distance(throw: &Throw) -> Option<String> {
+    let ([front, rear], z) = (throw.webs?, throw.z);
+    let fits = |distance: f64| z - distance / 2.0 == front && z + distance / 2.0 == rear;
+    // Rounding has lost some of the distance: each of these may be the one that was given.
+    let guesses = [rear - front, 2.0 * (z - front), 2.0 * (rear - z), (z - front) + (rear - z)];
+    let mut near = guesses.into_iter();
+    let distance = near.find(|guess| neighbours(*guess).into_iter().any(fits))?;
+    Some(text_that(distance, Dimension::Length, fits))
 }
 
 /// The masses of a rod by the rule by which they were given.

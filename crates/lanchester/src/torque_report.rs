@@ -9,7 +9,8 @@ use lanchester_mechanism::{
     flywheel_need, speed_ripple, torque,
 };
 use lanchester_model::{
-    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SimulationInput, SpeedRange,
+    CrankElementForm, Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
+    SimulationInput, SpeedRange,
 };
 use lanchester_report::{BearingSizes, CycleResult};
 use serde::Serialize;
@@ -255,7 +256,7 @@ pub fn power_speeds(engine: &Engine, count: usize) -> Vec<f64> {
 }
 
 /// Sizes of the bearings: those of the file, else of the crank's body. Of the body come the diameters; crankpins as long as the webs leave
-/// room, shared by the rods that sit on them, main journals as long as the shortest stretch between the webs of neighbouring throws.
+/// room, shared by the rods that sit on them, main journals as long as the shortest one; of pins and journals that differ the smallest.
 pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
     let body = body_bearings(engine);
     let given = engine.bearings.unwrap_or_default();
@@ -274,31 +275,26 @@ pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
 }
 
 fn body_bearings(engine: &Engine) -> BearingSizes {
-    let Some(body) = &engine.crank_body else { return BearingSizes::default() };
-    let size = |diameter: f64, width: f64| {
-        (diameter > 0.0 && width > 0.0 && width.is_finite()).then_some(BearingSize { diameter, width })
-    };
-    let least = |widths: &mut dyn Iterator<Item = f64>| widths.fold(f64::INFINITY, f64::min);
     let rods = |throw: usize| {
         let on_pin = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
         on_pin.filter(|c| matches!(c.rod.joint, RodJoint::Crankpin)).count().max(1) as f64
     };
-    let pin = least(&mut engine.throws.iter().enumerate().filter_map(|(index, throw)| {
-        let [front, rear] = throw.webs?;
-        Some((rear - front - body.web_thickness) / rods(index))
-    }));
-    let mut rising: Vec<(usize, [f64; 2])> =
-        engine.throws.iter().filter_map(|throw| Some((throw.crankshaft, throw.webs?))).collect();
-    rising.sort_by(|a, b| a.0.cmp(&b.0).then(a.1[0].total_cmp(&b.1[0])));
-    let same = rising.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-    // Where webs touch or are one there is no journal.
-    let journals =
-        same.map(|pair| pair[1].1[0] - pair[0].1[1] - body.web_thickness).filter(|gap| *gap > 1e-9);
-    let between = least(&mut { journals });
-    let main = between.min(body.end_journals[0]).min(body.end_journals[1]);
-    BearingSizes {
-        piston_pin: None,
-        crankpin: size(body.pin_diameter, pin),
-        main: size(body.journal_diameter, main),
+    // Of pins and journals that differ the smallest.
+    let (mut pin, mut main): (Option<BearingSize>, Option<BearingSize>) = (None, None);
+    let smaller = |known: &mut Option<BearingSize>, diameter: f64, width: f64| {
+        let least = known.unwrap_or(BearingSize { diameter, width });
+        *known = Some(BearingSize { diameter: least.diameter.min(diameter), width: least.width.min(width) });
+    };
+    for crankshaft in 0..engine.crankshafts.len() {
+        for element in engine.crank_elements(crankshaft).unwrap_or_default() {
+            match element.form {
+                CrankElementForm::Pin { throw, bar, .. } => {
+                    smaller(&mut pin, bar.diameter, element.length() / rods(throw));
+                }
+                CrankElementForm::Journal { bar, .. } => smaller(&mut main, bar.diameter, element.length()),
+                _ => {}
+            }
+        }
     }
+    BearingSizes { piston_pin: None, crankpin: pin, main }
 }

@@ -8,9 +8,12 @@
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
+use crate::bearing_design::BearingDesign;
 use crate::bearings::Bearings;
 use crate::block::Block;
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
+use crate::crank_details::CrankDetails;
+use crate::crank_material::CrankMaterial;
 use crate::fault::Fault;
 use crate::flywheel::Flywheel;
 use crate::friction::Friction;
@@ -77,6 +80,12 @@ pub struct EngineParts {
     /// Journals, pins and webs, if the file gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crank_body: Option<CrankBody>,
+    /// Elements of it that differ, fillets and oil holes, if the file gives some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crank_details: Option<CrankDetails>,
+    /// What the crankshafts are made of, if the file says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crank_material: Option<CrankMaterial>,
     /// What the crankshaft must stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub envelope: Option<Envelope>,
@@ -92,6 +101,9 @@ pub struct EngineParts {
     /// Sizes of its bearings, if the file gives some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearings: Option<Bearings>,
+    /// What its main and crankpin bearings are like beyond their sizes, if the file says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bearing_design: Option<BearingDesign>,
 }
 
 /// Strokes in a working cycle.

@@ -39,6 +39,7 @@ pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
         of_block(block, &mut Part { faults, name: &|| "block".into() });
     }
     of_sizes(parts, faults);
+    crate::crank_check::check(parts, faults);
     unique("crankshafts", crankshafts.iter().map(|crankshaft| crankshaft.name.as_str()), faults);
     unique("counterweights", counterweights.iter().map(|weight| weight.name.as_str()), faults);
     unique("shafts", shafts.iter().map(|shaft| shaft.name.as_str()), faults);

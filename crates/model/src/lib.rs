@@ -4,9 +4,15 @@
 #![forbid(unsafe_code)]
 
 pub mod angle;
+mod bearing_design;
 mod bearings;
 mod block;
 mod crank_body;
+mod crank_check;
+mod crank_details;
+mod crank_elements;
+mod crank_expansion;
+mod crank_material;
 mod engine;
 mod engine_check;
 mod fault;
@@ -16,6 +22,7 @@ mod gas;
 pub mod linkage;
 mod mains;
 mod mount;
+mod origin;
 mod part_weight;
 mod plain_web;
 mod ratio;
@@ -23,15 +30,22 @@ mod shaft_part;
 mod simulation;
 mod spacing;
 
+pub use bearing_design::*;
 pub use bearings::{Bearings, PlainBearing};
 pub use block::*;
 pub use crank_body::*;
+pub use crank_check::{CrankFault, CrankPlace, crank_faults};
+pub use crank_details::*;
+pub use crank_elements::{CrankElement, CrankElementForm, Disc, Fillet, OilHole, RoundBar};
+pub use crank_expansion::CrankElementsFault;
+pub use crank_material::{CrankMaterial, Forging, MaterialPreset};
 pub use engine::*;
 pub use fault::Fault;
 pub use flywheel::Flywheel;
 pub use friction::Friction;
 pub use gas::*;
 pub use mount::*;
+pub use origin::{Origin, Sourced};
 pub use part_weight::{LARGEST_UNBALANCE, PartFault, PartWeight, part_weight};
 pub use plain_web::{PlainWeb, SharedWeb, TOUCH, ThrowUnbalance, pin, throw_unbalances};
 pub use ratio::{Ratio, greatest_common_divisor};

@@ -3,7 +3,7 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::crank_body::CRANK_BODY;
+use super::crank_body::{CRANK_BODY, CRANK_MATERIAL};
 use super::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_THROWS, key, quantity};
 use lanchester_units::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 
@@ -25,6 +25,13 @@ pub(super) static CRANK: Table = Table {
             Optional,
             "Journals, pins and webs as bodies, instead of `unbalance` or masses.",
             "{ density = \"7850 kg/m3\" }",
+        ),
+        key(
+            "material",
+            Kind::Table(&CRANK_MATERIAL),
+            Optional,
+            "What the crankshafts are made of: elasticity, strength, damping.",
+            "{ preset = \"42CrMo4 quenched and tempered\" }",
         ),
     ],
 };
