@@ -5,6 +5,7 @@
 
 pub mod case;
 mod eigen;
+pub mod crank_mesh;
 pub mod deck;
 pub mod element;
 mod error;
@@ -17,3 +18,4 @@ pub mod vtu;
 
 pub use error::FlexError;
 pub use material::Material;
+pub use mesh::LEAST_JACOBIAN;

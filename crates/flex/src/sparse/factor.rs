@@ -8,6 +8,7 @@ use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
 };
+use faer::perm::PermRef;
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::traits::RealField;
@@ -54,10 +55,12 @@ impl FactorPlan {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
             ..Default::default()
         };
+        // faer 0.24 takes `Identity` to mean that the upper triangle is given, whatever side it is told.
+        let identity: Vec<u32> = (0..size as u32).collect();
         let symbolic = factorize_symbolic_cholesky(
             SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows),
             Side::Lower,
-            SymmetricOrdering::Identity,
+            SymmetricOrdering::Custom(PermRef::new_checked(&identity, &identity, size)),
             params,
         )
         .map_err(|_| FlexError::Memory { unknowns: size, entries: rows.len(), needed: u64::MAX, allowed: 0 })?;
