@@ -4,9 +4,9 @@
 #![forbid(unsafe_code)]
 
 pub mod case;
-mod eigen;
 pub mod crank_mesh;
 pub mod deck;
+mod eigen;
 pub mod element;
 mod error;
 mod material;

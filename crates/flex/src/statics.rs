@@ -61,7 +61,11 @@ impl<'a> StaticSystem<'a> {
     ///
     /// # Errors
     /// As [`Mesh::check`], [`StaticCase::check`]; [`FlexError::Memory`], [`FlexError::NotDefinite`].
-    pub fn new(mesh: &'a Mesh, case: &StaticCase, options: SolveOptions) -> Result<StaticSystem<'a>, FlexError> {
+    pub fn new(
+        mesh: &'a Mesh,
+        case: &StaticCase,
+        options: SolveOptions,
+    ) -> Result<StaticSystem<'a>, FlexError> {
         mesh.check()?;
         case.check(mesh)?;
         let terms = case.terms();
@@ -150,7 +154,16 @@ impl<'a> StaticSystem<'a> {
             }
         }
         let load = sum(&self.structure.scatter(load));
-        StaticSolution { displacements, energy, load, reaction, reactions, spring_forces, accelerations, report }
+        StaticSolution {
+            displacements,
+            energy,
+            load,
+            reaction,
+            reactions,
+            spring_forces,
+            accelerations,
+            report,
+        }
     }
 
     /// Forces on all unknowns: those of the case, and its centrifugal field `W^2 M (x, y, 0)`.
@@ -223,7 +236,11 @@ impl<'a> StaticSystem<'a> {
 ///
 /// # Errors
 /// As [`StaticSystem::new`] and [`StaticSystem::solve`].
-pub fn solve_static(mesh: &Mesh, case: &StaticCase, options: SolveOptions) -> Result<StaticSolution, FlexError> {
+pub fn solve_static(
+    mesh: &Mesh,
+    case: &StaticCase,
+    options: SolveOptions,
+) -> Result<StaticSolution, FlexError> {
     let mut solutions = StaticSystem::new(mesh, case, options)?.solve(&[case])?;
     Ok(solutions.remove(0))
 }
@@ -235,7 +252,8 @@ fn sum(field: &[[f64; 3]]) -> [f64; 3] {
 /// Largest distance of a node from the middle of all [m].
 fn reach(mesh: &Mesh) -> f64 {
     let count = mesh.nodes.len() as f64;
-    let middle: [f64; 3] = std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
+    let middle: [f64; 3] =
+        std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
     let squares = |node: &[f64; 3]| (0..3).map(|k| (node[k] - middle[k]).powi(2)).sum::<f64>();
     mesh.nodes.iter().map(squares).fold(0.0, f64::max).sqrt()
 }
@@ -308,7 +326,8 @@ pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress>
             first[*node as usize] = first[*node as usize].min(cell.material);
         }
     }
-    let mut sums = vec![(element::Stress::default(), 0.0, f64::INFINITY, f64::NEG_INFINITY); mesh.nodes.len()];
+    let mut sums =
+        vec![(element::Stress::default(), 0.0, f64::INFINITY, f64::NEG_INFINITY); mesh.nodes.len()];
     for (cell, stresses) in mesh.elements.iter().zip(each) {
         for (node, stress) in cell.nodes.iter().zip(stresses) {
             if first[*node as usize] == cell.material {
@@ -320,7 +339,11 @@ pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress>
         }
     }
     let mean = |(sum, count, least, most): (element::Stress, f64, f64, f64)| {
-        if count > 0.0 { NodeStress { stress: sum * (1.0 / count), jump: most - least } } else { NodeStress::default() }
+        if count > 0.0 {
+            NodeStress { stress: sum * (1.0 / count), jump: most - least }
+        } else {
+            NodeStress::default()
+        }
     };
     sums.into_iter().map(mean).collect()
 }

@@ -22,7 +22,12 @@ pub fn write_vtu(mesh: &Mesh, fields: &[NodeField]) -> Vec<u8> {
     let mut head = String::from(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
     );
-    let _ = writeln!(head, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", mesh.nodes.len(), mesh.elements.len());
+    let _ = writeln!(
+        head,
+        "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
+        mesh.nodes.len(),
+        mesh.elements.len()
+    );
     let mut offset = 0usize;
     let mut array = |head: &mut String, kind: &str, name: &str, components: usize, bytes: Vec<u8>| {
         let name = name.replace(['"', '<', '&'], "_");
@@ -43,7 +48,13 @@ pub fn write_vtu(mesh: &Mesh, fields: &[NodeField]) -> Vec<u8> {
     array(&mut head, "Float64", "Points", 3, places);
     head.push_str("</Points>\n<Cells>\n");
     let nodes = mesh.elements.iter().flat_map(|element| &element.nodes);
-    array(&mut head, "Int32", "connectivity", 1, nodes.flat_map(|node| (*node as i32).to_le_bytes()).collect());
+    array(
+        &mut head,
+        "Int32",
+        "connectivity",
+        1,
+        nodes.flat_map(|node| (*node as i32).to_le_bytes()).collect(),
+    );
     let mut end = 0i32;
     let ends = mesh.elements.iter().flat_map(|element| {
         end += element.nodes.len() as i32;
@@ -51,7 +62,13 @@ pub fn write_vtu(mesh: &Mesh, fields: &[NodeField]) -> Vec<u8> {
     });
     let ends = ends.collect();
     array(&mut head, "Int32", "offsets", 1, ends);
-    array(&mut head, "UInt8", "types", 1, mesh.elements.iter().map(|element| element.kind.vtk_type()).collect());
+    array(
+        &mut head,
+        "UInt8",
+        "types",
+        1,
+        mesh.elements.iter().map(|element| element.kind.vtk_type()).collect(),
+    );
     head.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
     let mut file = head.into_bytes();
     for block in blocks {

@@ -95,7 +95,9 @@ fn every_example_with_a_body_is_meshed() {
         if path.extension().is_none_or(|extension| extension != "toml") {
             continue;
         }
-        let Some(engine) = lanchester_file::read(&std::fs::read_to_string(&path).unwrap()).engine() else { continue };
+        let Some(engine) = lanchester_file::read(&std::fs::read_to_string(&path).unwrap()).engine() else {
+            continue;
+        };
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
         match crank_mesh(&engine, 0, coarse(true)) {
             Ok(crank) => {

@@ -46,7 +46,8 @@ fn crossings(centre: Point, radius: f64, other: Point, other_radius: f64) -> Opt
     if distance < SAME || distance >= radius + other_radius || distance <= (radius - other_radius).abs() {
         return None;
     }
-    let cos = (radius * radius + distance * distance - other_radius * other_radius) / (2.0 * radius * distance);
+    let cos =
+        (radius * radius + distance * distance - other_radius * other_radius) / (2.0 * radius * distance);
     let (towards, half) = (apart.y.atan2(apart.x), cos.clamp(-1.0, 1.0).acos());
     Some([towards - half, towards + half])
 }
@@ -63,7 +64,8 @@ pub(super) fn chords(rings: &[Rings]) -> Chords {
             .iter()
             .map(|radius| {
                 let others = rings.iter().enumerate().filter(|(other, _)| *other != index);
-                let circles = others.flat_map(|(_, other)| other.radii.iter().map(move |r| (other.centre, *r)));
+                let circles =
+                    others.flat_map(|(_, other)| other.radii.iter().map(move |r| (other.centre, *r)));
                 let angles = circles.filter_map(|(centre, r)| crossings(own.centre, *radius, centre, r));
                 let mut angles: Vec<f64> = angles.flatten().map(|angle| angle.rem_euclid(TAU)).collect();
                 angles.sort_by(f64::total_cmp);
@@ -83,12 +85,17 @@ pub(super) fn chords(rings: &[Rings]) -> Chords {
             for (k, [from, to]) in sectors.iter().enumerate() {
                 // Within the sector: the crossings of this ring, and what is between them by its layer.
                 let mut stops = vec![*from];
-                stops.extend(crossed.iter().map(|angle| from + (angle - from).rem_euclid(TAU)).filter(|a| a <= to));
+                stops.extend(
+                    crossed.iter().map(|angle| from + (angle - from).rem_euclid(TAU)).filter(|a| a <= to),
+                );
                 stops.push(*to);
                 stops.sort_by(f64::total_cmp);
                 for pair in stops.windows(2) {
-                    let count = (((pair[1] - pair[0]) * radius / (1.6 * layer).min(own.chord)).round() as usize).max(1);
-                    angles.extend((0..count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
+                    let count = (((pair[1] - pair[0]) * radius / (1.6 * layer).min(own.chord)).round()
+                        as usize)
+                        .max(1);
+                    angles
+                        .extend((0..count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
                 }
                 // After it to the next sector, at the same angles on all rings.
                 let next = sectors[(k + 1) % sectors.len()][0];
@@ -161,7 +168,8 @@ fn graded(from: f64, gap: f64, radius: f64, layer: f64, chord: f64) -> Vec<f64> 
         .map(|k| {
             let wanted = all * k as f64 / count as f64;
             let place = sums.partition_point(|sum| *sum <= wanted).clamp(1, STEPS);
-            let part = (place as f64 - 1.0 + (wanted - sums[place - 1]) / (sums[place] - sums[place - 1])) / STEPS as f64;
+            let part = (place as f64 - 1.0 + (wanted - sums[place - 1]) / (sums[place] - sums[place - 1]))
+                / STEPS as f64;
             from + gap * part
         })
         .collect()

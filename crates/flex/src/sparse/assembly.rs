@@ -206,10 +206,12 @@ impl Structure {
             if !range.contains(&(place as usize)) {
                 continue;
             }
-            let starts = [0, 1, 2].map(|axis| self.pattern.starts[3 * place as usize + axis] as usize - first);
+            let starts =
+                [0, 1, 2].map(|axis| self.pattern.starts[3 * place as usize + axis] as usize - first);
             for axis in 0..3 {
                 for row in axis..3 {
-                    values[starts[axis] + row - axis] += matrix.values[(3 * j + axis) * matrix.size + 3 * j + row];
+                    values[starts[axis] + row - axis] +=
+                        matrix.values[(3 * j + axis) * matrix.size + 3 * j + row];
                 }
             }
             for (i, other) in nodes.iter().enumerate() {

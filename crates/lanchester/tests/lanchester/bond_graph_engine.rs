@@ -289,9 +289,11 @@ fn xcheck_gas_states_against_the_cycle() {
 #[test]
 fn xcheck_gas_states_with_walls_against_the_cycle() {
     let text = include_str!("../../../../examples/single-gas.toml");
-    for model in
-        ["model = \"woschni\"", "model = \"hohenberg\"\nfactor = 1.3", "model = \"constant\"\ncoefficient = \"400 W/m2/K\""]
-    {
+    for model in [
+        "model = \"woschni\"",
+        "model = \"hohenberg\"\nfactor = 1.3",
+        "model = \"constant\"\ncoefficient = \"400 W/m2/K\"",
+    ] {
         let off = gas_states_off(&engine(&text.replace("model = \"woschni\"", model)), 14.0);
         assert!(off < 1e-6, "{model}: {off:e}");
     }

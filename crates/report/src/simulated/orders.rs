@@ -2,9 +2,9 @@
 
 use crate::kit::figure::Figure;
 use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use crate::simulated::run::SimulationResult;
 use crate::simulated::section::{curve, figure, panel};
-use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
