@@ -1,23 +1,23 @@
 //! The command line as clap sees it: the one definition behind parsing and help.
 
-use crate::bondgraph_arguments::BondgraphArguments;
 use crate::commands::merge::MergeArguments;
-use crate::compare_arguments::CompareArguments;
-use crate::counterweight_arguments::CounterweightArguments;
-use crate::explore_arguments::ExploreArguments;
 use crate::failure::exit_statuses;
 use crate::format::Format;
-use crate::mounts_arguments::MountsArguments;
-use crate::published_arguments::PublishedArguments;
-use crate::robust_arguments::RobustArguments;
-use crate::scatter_arguments::ScatterArguments;
-use crate::search_arguments::SearchArguments;
-use crate::search_limit_arguments::SearchLimitArguments;
-use crate::sensitivity_arguments::SensitivityArguments;
-use crate::simulation_arguments::{CrosscheckArguments, SimulateArguments};
-use crate::studio_arguments::StudioArguments;
-use crate::torque_arguments::{BearingsArguments, TorqueArguments};
-use crate::workshop_arguments::WorkshopArguments;
+use crate::options::bondgraph::BondgraphArguments;
+use crate::options::compare::CompareArguments;
+use crate::options::counterweight::CounterweightArguments;
+use crate::options::explore::ExploreArguments;
+use crate::options::mounts::MountsArguments;
+use crate::options::published::PublishedArguments;
+use crate::options::robust::RobustArguments;
+use crate::options::scatter::ScatterArguments;
+use crate::options::search::SearchArguments;
+use crate::options::search_limit::SearchLimitArguments;
+use crate::options::sensitivity::SensitivityArguments;
+use crate::options::simulation::{CrosscheckArguments, SimulateArguments};
+use crate::options::studio::StudioArguments;
+use crate::options::torque::{BearingsArguments, TorqueArguments};
+use crate::options::workshop::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 

@@ -4,39 +4,18 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
-mod balance_request;
-mod bondgraph_arguments;
 mod commands;
-mod compare_arguments;
-mod counterweight_arguments;
-mod explore_arguments;
-mod explore_request;
 mod failure;
 mod files;
 mod format;
-mod mounts_arguments;
+mod options;
 mod program;
-mod published_arguments;
-mod request;
-mod robust_arguments;
+mod requests;
 mod run;
-mod run_arguments;
-mod scatter_arguments;
-mod search_arguments;
-mod search_limit_arguments;
-mod search_request;
-mod sensitivity_arguments;
-mod shape_request;
-mod share_option;
-mod simulation_arguments;
 mod simulation_watch;
 mod still_computing;
-mod studio_arguments;
-mod torque_arguments;
 mod trace_files;
-mod value_list;
 mod watch;
-mod workshop_arguments;
 
 use arguments::{Arguments, Colour, Command};
 use clap::Parser;

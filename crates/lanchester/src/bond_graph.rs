@@ -1,7 +1,7 @@
 //! The bond graph of an engine file, with its gas, friction, block and load.
 
-use crate::crosscheck::rotor_inertia;
-use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::crosscheck::rungs::rotor_inertia;
+use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest,
     EngineStarter, GasStates, LoadTorque, Unit, engine_graph,

@@ -1,10 +1,10 @@
 //! Engines and arrangements side by side.
 
 use crate::consequences::consequences;
-use crate::pressure::{GasError, TraceFile, cylinder_gas};
-use crate::speed_gas::SpeedGas;
+use crate::parts::web_bounds::{WebBoundError, optimise_on_webs};
+use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::over_speed::SpeedGas;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
-use crate::web_bounds::{WebBoundError, optimise_on_webs};
 use lanchester_balance::{
     Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome,
     TwinArrangement, arranged, as_it_stands, fitted,

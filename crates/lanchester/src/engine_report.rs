@@ -1,10 +1,10 @@
 //! Everything that one engine file tells, for the report and its figures.
 
 use crate::consequences::consequences;
-use crate::counterweight_check::{CounterweightCheck, check_counterweights};
-use crate::pressure::TraceFile;
+use crate::parts::check::{CounterweightCheck, check_counterweights};
+use crate::parts::web_bounds::optimise_on_webs;
+use crate::pressure::cylinders::TraceFile;
 use crate::running::{Running, running};
-use crate::web_bounds::optimise_on_webs;
 use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
 use lanchester_file::{Diagnostic, EngineFile};
 use lanchester_mechanism::{

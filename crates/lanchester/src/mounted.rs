@@ -1,6 +1,6 @@
 //! An engine on its mounts under its own loads.
 
-use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
     GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, OrderLoads, TorqueError,

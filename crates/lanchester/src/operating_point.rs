@@ -1,6 +1,6 @@
 //! An engine at one speed with the gas of its file, for sensitivities.
 
-use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use crate::torque_report::known_inertia;
 use lanchester_mechanism::OuterTorque;
 use lanchester_model::Engine;

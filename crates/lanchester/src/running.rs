@@ -1,7 +1,7 @@
 //! What a report tells of the running engine: torque with gas, bearings, the block on its mounts.
 
 use crate::mounted::{MountSpeeds, mounts};
-use crate::pressure::TraceFile;
+use crate::pressure::cylinders::TraceFile;
 use crate::simulation::{SimulateRequest, simulate};
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,

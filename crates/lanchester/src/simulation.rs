@@ -1,9 +1,9 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
-use crate::crosscheck::{CrossCheckError, rotor_inertia};
-use crate::pressure::TraceFile;
+use crate::crosscheck::rungs::{CrossCheckError, rotor_inertia};
+use crate::pressure::cylinders::TraceFile;
+use crate::pressure::simulated::{GivenGas, gas_over_speed};
 use crate::run_plan::{RunPlan, action_words, plan};
-use crate::simulated_gas::{GivenGas, gas_over_speed};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
 use lanchester_model::MainSharing;

@@ -1,7 +1,7 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
-use crate::cycle_results::cycle_results;
-use crate::pressure::{GasError, GasReport, TraceFile, cylinder_gas};
+use crate::pressure::cycles::cycle_results;
+use crate::pressure::cylinders::{GasError, GasReport, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, OuterTorque,

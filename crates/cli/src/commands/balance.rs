@@ -1,13 +1,13 @@
 //! `lanchester balance`: the best weights and shafts, their proof and their price, written back if asked for.
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
-use crate::balance_request::balance_task;
 use crate::commands::found::{consequences, csv, loads_of, put_into_file, tell_what_does_not_fit};
 use crate::commands::{json, open, published, robust, search, sweep};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;
-use crate::search_limit_arguments::hint;
+use crate::options::search_limit::hint;
+use crate::requests::balance::balance_task;
 use crate::trace_files::trace_files;
 use crate::watch::Watch;
 use lanchester::balance::{Answer, Consequences, Outcome, fitted};

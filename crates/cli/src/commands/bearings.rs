@@ -4,7 +4,7 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::torque_arguments::{BearingsArguments, PartOption};
+use crate::options::torque::{BearingsArguments, PartOption};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
 use lanchester::report::{bearing_figures, bearings_csv, bearings_text};

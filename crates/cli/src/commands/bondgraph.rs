@@ -1,13 +1,13 @@
 //! `lanchester bondgraph`: a graph's causality, equations, poles, simulation, audit, drawing and exports.
 
-use crate::bondgraph_arguments::{
-    BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, MethodOption, NotationOption,
-    PreferOption,
-};
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{Source, print, read_bytes, read_source, tell};
 use crate::format::Format;
+use crate::options::bondgraph::{
+    BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, MethodOption, NotationOption,
+    PreferOption,
+};
 use crate::trace_files::trace_files;
 use lanchester::bondgraph::{
     Description, EngineBlock, Equations, Graph, LoadTorque, Method, Notation, Preference, SimulationRequest,

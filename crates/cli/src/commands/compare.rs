@@ -1,11 +1,11 @@
 //! `lanchester compare`: engines and arrangements side by side.
 
 use crate::commands::{json, open, write_figures};
-use crate::compare_arguments::{CompareArguments, EqualOption, HeldOption};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::share_option::share;
+use crate::options::compare::{CompareArguments, EqualOption, HeldOption};
+use crate::options::share::share;
 use crate::trace_files::trace_files;
 use lanchester::balance::TwinArrangement;
 use lanchester::report::{comparison_figure, comparison_table, comparison_text};

@@ -8,9 +8,9 @@ mod export;
 mod front;
 mod import;
 
-use crate::counterweight_arguments::{CounterweightArguments, CounterweightCommand};
 use crate::failure::Failure;
 use crate::files::write_result;
+use crate::options::counterweight::{CounterweightArguments, CounterweightCommand};
 use lanchester::geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester::model::Engine;
 use lanchester::report::{counterweight_drawings, obstacle_name, shaft_weight_drawings};

@@ -4,7 +4,7 @@ use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
-use crate::simulation_arguments::{ConditionOption, CrosscheckArguments};
+use crate::options::simulation::{ConditionOption, CrosscheckArguments};
 use crate::trace_files::trace_files;
 use lanchester::report::{Condition, crosscheck_csv, crosscheck_text};
 use lanchester::task::option;

@@ -1,11 +1,11 @@
 //! `lanchester explore`: all layouts of given parts, and those that nothing beats.
 
 use crate::commands::{Opened, json, open, write_figures};
-use crate::explore_arguments::ExploreArguments;
-use crate::explore_request::{LayoutSearch, layout_search};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_new};
 use crate::format::Format;
+use crate::options::explore::ExploreArguments;
+use crate::requests::explore::{LayoutSearch, layout_search};
 use crate::run::{Head, run_alone, run_into};
 use lanchester::file::{expanded, read, render};
 use lanchester::model::Engine;

@@ -5,7 +5,7 @@ use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::request::{internal_request, load_request};
+use crate::requests::loads::{internal_request, load_request};
 use lanchester::mechanism::{InternalMoments, LoadRequest, Loads, internal_cases, loads};
 use lanchester::report::{internal_csv, internal_text, loads_text, motion_csv, orders_csv, trace_csv};
 use serde::Serialize;

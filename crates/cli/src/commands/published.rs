@@ -6,7 +6,7 @@ use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::published_arguments::MatrixShafts;
+use crate::options::published::MatrixShafts;
 use lanchester::balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodAnswer,
     PublishedMethod, ShaftPair, ThreeCylinderRule,

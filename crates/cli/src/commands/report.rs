@@ -6,7 +6,7 @@ use crate::failure::{DONE, Failure};
 use crate::files::{Source, print, tell, write_result};
 use crate::format::Format;
 use crate::program::PROGRAM;
-use crate::request::{internal_request, load_request};
+use crate::requests::loads::{internal_request, load_request};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
 use lanchester::report::{

@@ -8,7 +8,7 @@ use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::search_request::arrangement_request;
+use crate::requests::search::arrangement_request;
 use lanchester::balance::{
     Arrangement, ArrangementRequest, Arrangements, SpacingArrangements, arrangements, fitted, searched_engine,
 };

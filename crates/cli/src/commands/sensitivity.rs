@@ -4,7 +4,7 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::sensitivity_arguments::{SensitivityArguments, WeightsOption};
+use crate::options::sensitivity::{SensitivityArguments, WeightsOption};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::OuterTorque;
 use lanchester::operating_point;

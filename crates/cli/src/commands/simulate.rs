@@ -4,7 +4,7 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
-use crate::simulation_arguments::{BlockOption, SimulateArguments, SimulationTable};
+use crate::options::simulation::{BlockOption, SimulateArguments, SimulationTable};
 use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};

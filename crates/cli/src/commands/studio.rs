@@ -3,8 +3,8 @@
 use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::print;
+use crate::options::studio::{Description, StudioArguments};
 use crate::program::PROGRAM;
-use crate::studio_arguments::{Description, StudioArguments};
 use lanchester_files::SecretFile;
 use lanchester_studio::{Options, openapi, serve, typescript};
 use std::process::{Command, Stdio};

@@ -6,7 +6,7 @@ use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::request::series;
+use crate::requests::loads::series;
 use lanchester::balance::{Answer, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
 use lanchester::mechanism::Kinematics;
 use lanchester::model::Engine;

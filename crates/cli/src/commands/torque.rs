@@ -4,7 +4,7 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, tell};
 use crate::format::Format;
-use crate::torque_arguments::{LeverOption, TorqueArguments, TorqueTable};
+use crate::options::torque::{LeverOption, TorqueArguments, TorqueTable};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{Lever, TorqueRequest};
 use lanchester::model::Friction;

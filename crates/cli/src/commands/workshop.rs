@@ -14,7 +14,7 @@ mod internal;
 
 use crate::failure::Failure;
 use crate::files::read_source;
-use crate::workshop_arguments::{WorkshopArguments, WorkshopCommand};
+use crate::options::workshop::{WorkshopArguments, WorkshopCommand};
 use lanchester::file::render;
 use lanchester::file::workshop::read_sheet;
 use lanchester::task::workshop::Sheet;

@@ -2,10 +2,10 @@
 
 use super::draw;
 use crate::commands::{json, open};
-use crate::counterweight_arguments::{CheckTable, CounterweightCheckArguments};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
+use crate::options::counterweight::{CheckTable, CounterweightCheckArguments};
 use lanchester::model::Engine;
 use lanchester::report::{
     Figure, clearance_plot, clearance_words, clearances_table, counterweight_parts_table, crank_body_words,

@@ -1,9 +1,9 @@
 //! `lanchester counterweight export`: CAD files and outlines.
 
 use crate::commands::open;
-use crate::counterweight_arguments::ExportArguments;
 use crate::failure::{DONE, Failure};
 use crate::files::write_result;
+use crate::options::counterweight::ExportArguments;
 use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{PlacedPart, StepHeader, glb, solids, step, stl};
 use lanchester::model::Engine;

@@ -3,11 +3,11 @@
 use super::{draw, list, room_words};
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
-use crate::counterweight_arguments::FrontArguments;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::shape_request::shape_request;
+use crate::options::counterweight::FrontArguments;
+use crate::requests::shape::shape_request;
 use lanchester::geometry::Front;
 use lanchester::report::{front_designs_table, front_plot, objective_name};
 use lanchester::{

@@ -2,10 +2,10 @@
 
 use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
-use crate::counterweight_arguments::{Encloses, ImportArguments};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, read_bytes};
 use crate::format::Format;
+use crate::options::counterweight::{Encloses, ImportArguments};
 use lanchester::geometry::drawing::{Drawing, DrawingOptions, read_dxf, read_svg};
 use lanchester::geometry::{MassProperties, Part, counterweight_properties};
 use lanchester::model::{CounterweightForm, Engine};

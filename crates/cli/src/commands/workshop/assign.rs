@@ -4,7 +4,7 @@ use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::workshop_arguments::AssignArguments;
+use crate::options::workshop::AssignArguments;
 use lanchester::report::{assignment_table, assignment_text};
 use lanchester::study::scatter::{AssignmentRequest, WeighedRod, assign, standard_lever};
 use lanchester::task::option;

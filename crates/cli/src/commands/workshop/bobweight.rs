@@ -5,7 +5,7 @@ use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::workshop_arguments::BobweightArguments;
+use crate::options::workshop::BobweightArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{bobweight_tables, bobweight_text};
 use lanchester::workshop::bobweight_answer;

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::workshop_arguments::CorrectArguments;
+use crate::options::workshop::CorrectArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{correction_tables, correction_text, vibration_figure};
 use lanchester::workshop::{NextStep, correction};

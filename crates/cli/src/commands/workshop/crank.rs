@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::workshop_arguments::CrankArguments;
+use crate::options::workshop::CrankArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{crank_figure, crank_tables, crank_text};
 use lanchester::workshop::crank_unbalance;

@@ -4,7 +4,7 @@ use super::given_factor::{bad, given_factor};
 use super::open as open_sheet;
 use crate::commands::open;
 use crate::failure::Failure;
-use crate::workshop_arguments::CrankInput;
+use crate::options::workshop::CrankInput;
 use lanchester::model::Engine;
 use lanchester::task::option;
 use lanchester::task::workshop::{Rotor, Sheet};

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
-use crate::workshop_arguments::DrillArguments;
+use crate::options::workshop::DrillArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{drilling_tables, drilling_text};
 use lanchester::workshop::drilling;

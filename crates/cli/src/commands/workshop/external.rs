@@ -6,7 +6,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::workshop_arguments::ExternalArguments;
+use crate::options::workshop::ExternalArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{external_tables, external_text};
 use lanchester::task::option;

@@ -5,7 +5,7 @@ use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use crate::workshop_arguments::FactorArguments;
+use crate::options::workshop::FactorArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{factor_tables, factor_text, primary_ellipse_figure};
 use lanchester::task::option;

@@ -1,7 +1,7 @@
 //! A balance factor from the options of the command line.
 
 use crate::failure::Failure;
-use crate::workshop_arguments::GivenFactor;
+use crate::options::workshop::GivenFactor;
 use lanchester::task::option::{self, BadQuantity};
 use lanchester::workshop::FactorGiven;
 

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
-use crate::workshop_arguments::GradeArguments;
+use crate::options::workshop::GradeArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{grade_tables, grade_text};
 use lanchester::workshop::grade;

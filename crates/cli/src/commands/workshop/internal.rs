@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
-use crate::workshop_arguments::InternalArguments;
+use crate::options::workshop::InternalArguments;
 use lanchester::report::Table;
 use lanchester::report::workshop::{internal_tables, internal_text};
 use lanchester::workshop::internal_balance;

@@ -1,8 +1,8 @@
 //! From the options of `explore` to a search.
 
-use crate::explore_arguments::{ExploreArguments, SpaceArguments};
 use crate::failure::Failure;
-use crate::value_list::value_list;
+use crate::options::explore::{ExploreArguments, SpaceArguments};
+use crate::requests::value_list::value_list;
 use lanchester::model::Engine;
 use lanchester::results::Output;
 use lanchester::study::explore::{

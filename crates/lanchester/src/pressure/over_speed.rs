@@ -1,7 +1,7 @@
 //! The pressures of an engine at any speed, for an optimum that counts the gas over a range of speeds.
 
 use crate::mounted::depends_on_speed;
-use crate::pressure::{TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{TraceFile, cylinder_gas};
 use crate::torque_report::with_known_rotors;
 use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,

@@ -1,7 +1,7 @@
 //! The best shape of one counterweight on its web, within everything that moves past it.
 
-use crate::clearance::{clearance_model, largest_swept_radius};
-use crate::counterweights::{CounterweightError, EvolutionRequest, duty_of, tilt, web_of};
+use crate::parts::clearance::{clearance_model, largest_swept_radius};
+use crate::parts::design::{CounterweightError, EvolutionRequest, duty_of, tilt, web_of};
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Limit, NearestLimit, Objective, Optimum, Outline, Part,

@@ -1,8 +1,8 @@
 //! The counterweights of an engine as parts: which of them, their duties, the best shapes.
 
-use crate::best_shape::{BestShape, SharedWithWeb, fit, fitted_part, plane, refused};
-use crate::clearance::EngineClearanceError;
-use crate::shape_front::best_front;
+use crate::parts::best_shape::{BestShape, SharedWithWeb, fit, fitted_part, plane, refused};
+use crate::parts::clearance::EngineClearanceError;
+use crate::parts::shape_front::best_front;
 use lanchester_geometry::CounterweightShape;
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::crankshaft::CrankshaftError;

@@ -1,9 +1,9 @@
 //! What the weights that balancing found weigh as real parts.
 
-use crate::counterweights::{
+use crate::parts::design::{
     CounterweightError, CounterweightRequest, design_counterweights, stands_on_a_web,
 };
-use crate::shaft_weights::design_shaft_weights;
+use crate::parts::shaft_weights::design_shaft_weights;
 use lanchester_balance::Answer;
 use lanchester_geometry::{DesignOutcome, ShaftWeightOutcome};
 use lanchester_model::Engine;

@@ -1,9 +1,9 @@
 //! What fits: the largest unbalance that web, shapes and clearance allow, as the bound of each free weight on a web.
 
-use crate::best_shape::LargestShapes;
-use crate::counterweights::{CounterweightError, web_of};
-use crate::pressure::TraceFile;
-use crate::speed_gas::optimised;
+use crate::parts::best_shape::LargestShapes;
+use crate::parts::design::{CounterweightError, web_of};
+use crate::pressure::cylinders::TraceFile;
+use crate::pressure::over_speed::optimised;
 use lanchester_balance::{Answer, BalanceError, BalanceSettings, Next, SearchState, WebBound};
 use lanchester_model::{Counterweight, Engine};
 use lanchester_task::{BalanceTask, FreeWeight, Phase, Place, Seat, ShapeTask};

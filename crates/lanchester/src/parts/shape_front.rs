@@ -1,7 +1,9 @@
 //! The front between two objectives for counterweights of one duty, within everything that moves past their webs.
 
-use crate::best_shape::{MOST_ROUNDS, asked, designed, envelope, missed, on_web, room, shared, thin_enough};
-use crate::counterweights::{CounterweightError, CounterweightFront};
+use crate::parts::best_shape::{
+    MOST_ROUNDS, asked, designed, envelope, missed, on_web, room, shared, thin_enough,
+};
+use crate::parts::design::{CounterweightError, CounterweightFront};
 use lanchester_geometry::clearance::RadialEnvelope;
 use lanchester_geometry::{Design, DesignOutcome, Front, Objective, ShapeTask, front_within};
 use lanchester_model::Engine;

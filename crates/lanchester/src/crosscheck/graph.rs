@@ -4,8 +4,8 @@
 //! of the mounts along their directions.
 
 use crate::bond_graph::gauge_pressures;
-use crate::crosscheck::{CrossCheckError, Pair};
-use crate::simulated_gas::GivenGas;
+use crate::crosscheck::rungs::{CrossCheckError, Pair};
+use crate::pressure::simulated::GivenGas;
 use lanchester_bondgraph::{
     EngineBlock, EngineLoad, EngineRequest, Graph, LoadTorque, Simulation as GraphRun, SimulationRequest,
     engine_graph, equations,

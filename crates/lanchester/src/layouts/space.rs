@@ -1,6 +1,6 @@
 //! From an engine and what is left free of it to a space of layouts.
 
-use crate::own_layout::OwnLayout;
+use crate::layouts::own::OwnLayout;
 use lanchester_model::{Engine, Strokes, greatest_common_divisor};
 use lanchester_study::explore::{
     Banks, Constraint, CounterweightPattern, ExploreError, Parts, ShaftSet, Space, even_angles,

@@ -3,8 +3,8 @@
 use crate::arguments::{BalanceArguments, CrankWeights};
 use crate::commands::open;
 use crate::failure::Failure;
-use crate::search_arguments::Drive;
-use crate::share_option::share;
+use crate::options::search::Drive;
+use crate::options::share::share;
 use lanchester::balance::{
     self, ArrangementRequest, DriveRule, Judged, MountPlaces, PartSizes, Positions, Target, searched_engine,
 };

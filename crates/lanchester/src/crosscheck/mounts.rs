@@ -9,9 +9,9 @@
 //! and leaves out that pistons, rods and unbalances move within the block: what that changes goes with the moving mass, and halves with it. With gas the mean
 //! torque is taken by a load on the block, so that it does not lean; the loads of the gas do not halve with the masses, so that no ratio is held.
 
-use crate::crosscheck::{CrossCheckError, Pair, rotor_inertia};
-use crate::crosscheck_orders::order_of;
-use crate::simulated_gas::GivenGas;
+use crate::crosscheck::orders::order_of;
+use crate::crosscheck::rungs::{CrossCheckError, Pair, rotor_inertia};
+use crate::pressure::simulated::GivenGas;
 use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
     GasTrain, Lever, MountSystem, inertia_excitations, merged_orders, rotor_inertia_about_z,

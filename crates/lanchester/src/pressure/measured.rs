@@ -1,6 +1,6 @@
 //! Measured pressures of an engine at one speed.
 
-use crate::pressure::{GasError, TraceFile};
+use crate::pressure::cylinders::{GasError, TraceFile};
 use lanchester_cycle::{
     CylinderVolume, MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing,
     read_trace,

@@ -1,7 +1,7 @@
 //! From the options of `counterweight` to a request: the file's section `[counterweight_design]`, changed by the options.
 
-use crate::counterweight_arguments::ShapeArguments;
 use crate::failure::Failure;
+use crate::options::counterweight::ShapeArguments;
 use lanchester::CounterweightRequest;
 use lanchester::file::EngineFile;
 use lanchester::geometry::{DesignLimits, Objective, Range, ShapeTask, Shoulder};

@@ -1,6 +1,6 @@
 //! What of crankshafts and balance shafts goes into a CAD file.
 
-use crate::counterweights::{CounterweightError, chosen};
+use crate::parts::design::{CounterweightError, chosen};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_geometry::export::PlacedPart;
 use lanchester_geometry::shaft_solids;

@@ -1,7 +1,7 @@
 //! The command line of `lanchester explore`.
 
 use crate::format::Format;
-use crate::run_arguments::RunArguments;
+use crate::options::run::RunArguments;
 use clap::Args;
 use std::path::PathBuf;
 

@@ -1,6 +1,6 @@
 //! What computed cycles give, for every front end.
 
-use crate::pressure::{CylinderCycle, GasReport};
+use crate::pressure::cylinders::{CylinderCycle, GasReport};
 use lanchester_cycle::{CycleError, CylinderVolume};
 use lanchester_model::{Engine, GasProcess, GasSource};
 use lanchester_report::{CYCLE_RESULT_VERSION, CycleResult, CycleTrace, ExchangeResult};

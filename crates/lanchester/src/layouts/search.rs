@@ -1,6 +1,6 @@
 //! An engine among the layouts of a search: where it stands, and a layout made an engine of its own.
 
-use crate::own_layout::OwnLayout;
+use crate::layouts::own::OwnLayout;
 use lanchester_mechanism::{
     BeamModel, InternalRequest, LoadError, LoadRequest, OrderLoads, TorqueError, firing_chart,
     internal_moments, total_loads,

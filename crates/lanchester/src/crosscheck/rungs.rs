@@ -1,0 +1,329 @@
+//! Closed form and bond graph held against the multibody simulation of the same engine.
+
+use crate::crosscheck::orders::order_rows;
+use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::simulated::GivenGas;
+use crate::torque_report::known_inertia;
+use lanchester_bondgraph::EngineGraphError;
+use lanchester_mechanism::{
+    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque,
+    RippleOutcome, TorqueError, bearing_loads, speed_ripple,
+};
+use lanchester_model::{Engine, SimulationInput};
+use lanchester_multibody::{
+    Guidance, Instant, LoadLaw, Motion, MultibodyError, Reactions, RotorInertia, RunOutcome, Simulation,
+    Train,
+};
+use lanchester_report::{CROSSCHECK_VERSION, Condition, ConditionCheck, CrossCheck, CrossRow};
+use nalgebra::Vector3;
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Both sides are exact but for rounding: the share of the largest amplitude of their kind by which they may differ.
+const LIKE_FOR_LIKE: f64 = 1e-10;
+
+/// The same for the speed of a run whose steps have the tolerance [`STEPS`].
+const FREE_SPEED: f64 = 1e-9;
+const STEPS: f64 = 1e-11;
+
+/// A kind of load that cancels is held against this share of what single parts exert.
+const CANCELLED: f64 = 1e-3;
+
+/// Samples of one revolution.
+const SAMPLES: usize = 180;
+
+/// What to compare.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrossCheckRequest {
+    /// Speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
+    pub speed: Option<f64>,
+    /// Conditions; empty: all.
+    pub conditions: Vec<Condition>,
+    /// Highest order listed.
+    pub max_order: u32,
+    /// Bar of condition A; `None`: 1e-10.
+    pub bar: Option<f64>,
+    /// What the file says of a run in time: its torques over the angle count in condition B.
+    pub simulation: Option<Box<SimulationInput>>,
+}
+
+impl Default for CrossCheckRequest {
+    fn default() -> Self {
+        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None, simulation: None }
+    }
+}
+
+/// Why nothing can be compared.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CrossCheckError {
+    /// The pressures.
+    #[error(transparent)]
+    Gas(#[from] GasError),
+    /// The closed form.
+    #[error(transparent)]
+    Loads(#[from] LoadError),
+    /// The closed form with gas.
+    #[error(transparent)]
+    Torque(#[from] TorqueError),
+    /// The simulation.
+    #[error(transparent)]
+    Multibody(#[from] MultibodyError),
+    /// The bond graph.
+    #[error(transparent)]
+    BondGraph(#[from] EngineGraphError),
+}
+
+/// Compares closed form, bond graph and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
+/// [`crate::trace_names`] names.
+///
+/// ```
+/// use lanchester::{CrossCheckRequest, crosscheck};
+///
+/// let template = lanchester::file::template("v6-90").expect("it is in the gallery");
+/// let engine = lanchester::file::read(template.text).engine().expect("the gallery has no mistakes");
+/// let check = crosscheck(&engine, &[], &CrossCheckRequest::default())?;
+/// assert!(check.agrees());
+/// # Ok::<(), lanchester::CrossCheckError>(())
+/// ```
+///
+/// # Errors
+/// [`CrossCheckError`] where one of the two computations refuses the engine.
+pub fn crosscheck(
+    engine: &Engine,
+    traces: &[TraceFile],
+    request: &CrossCheckRequest,
+) -> Result<CrossCheck, CrossCheckError> {
+    let speed = request.speed.unwrap_or(engine.speed.highest);
+    let report = match engine.gas {
+        Some(_) => Some(cylinder_gas(engine, traces, speed)?),
+        None => None,
+    };
+    let pair = Pair {
+        engine,
+        speed,
+        gas: report.as_ref().map(|report| &report.cylinders[..]),
+        train: Train::new(engine, &rotor_inertia(engine))?,
+        request,
+    };
+    let wanted =
+        |condition: &&Condition| request.conditions.is_empty() || request.conditions.contains(condition);
+    let conditions = Condition::ALL.iter().filter(wanted).map(|&condition| pair.check(condition));
+    Ok(CrossCheck {
+        version: CROSSCHECK_VERSION,
+        engine: engine.name.clone(),
+        speed,
+        conditions: conditions.collect::<Result<Vec<_>, _>>()?,
+        gas: report.map(|report| report.source),
+    })
+}
+
+/// What is known of the inertia of everything that turns: keys of the file, else the crank as a body.
+pub fn rotor_inertia(engine: &Engine) -> RotorInertia {
+    RotorInertia::with_crankshafts(engine, known_inertia(engine).crankshaft)
+}
+
+/// One engine in both computations.
+pub(crate) struct Pair<'a> {
+    pub engine: &'a Engine,
+    pub speed: f64,
+    pub gas: Option<&'a [CylinderGas]>,
+    pub train: Train,
+    pub request: &'a CrossCheckRequest,
+}
+
+impl Pair<'_> {
+    fn check(&self, condition: Condition) -> Result<ConditionCheck, CrossCheckError> {
+        let found = match condition {
+            Condition::LikeForLike => Ok(self.like_for_like()?),
+            Condition::FreeSpeed => self.free_speed()?,
+            Condition::MovingBlock => crate::crosscheck::mounts::moving_block(self)?,
+            Condition::AllFree => self.all_free()?,
+        };
+        let (rows, not_applicable) = match found {
+            Ok(rows) => (rows, None),
+            Err(reason) => (Vec::new(), Some(reason)),
+        };
+        Ok(ConditionCheck { condition, not_applicable, rows })
+    }
+
+    /// Condition D: the bond graph for some revolutions, then the linear response with the causes of what it misses; either where the file
+    /// has its data.
+    fn all_free(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
+        let graph = crate::crosscheck::graph::all_free(self)?;
+        let response = crate::crosscheck::mounts::all_free(self)?;
+        Ok(match (graph, response) {
+            (Ok(mut rows), Ok(more)) => {
+                rows.extend(more);
+                Ok(rows)
+            }
+            (Ok(rows), Err(_)) | (Err(_), Ok(rows)) => Ok(rows),
+            (Err(reason), Err(_)) => Err(reason),
+        })
+    }
+
+    /// Reactions of the simulation at `theta`, speed imposed, block fixed.
+    pub(crate) fn reactions(&self, theta: f64, shares: &[lanchester_multibody::RotorShares]) -> Reactions {
+        let forces: Vec<f64> = (0..self.train.cylinders.len())
+            .map(|index| {
+                let own = self.train.own_angle(index, theta);
+                let area = self.train.cylinders[index].area.unwrap_or(0.0);
+                self.gas
+                    .map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
+            })
+            .collect();
+        let motion = Motion::fixed(theta, self.speed);
+        let mut places = Vec::new();
+        self.train.places_into(theta, &mut places);
+        let instant = Instant {
+            motion: &motion,
+            places: &places,
+            rates: [0.0; 7],
+            gas: &forces,
+            gravity: Vector3::zeros(),
+            piston_damping: 0.0,
+            guidance: Guidance::Crankpin,
+        };
+        self.train.reactions(&instant, shares)
+    }
+
+    /// Condition A: every component over the cycle and by order.
+    fn like_for_like(&self) -> Result<Vec<CrossRow>, CrossCheckError> {
+        let bar = self.request.bar.unwrap_or(LIKE_FOR_LIKE);
+        let request = LoadRequest { speed: Some(self.speed), ..LoadRequest::default() };
+        let closed = Mechanism::new(self.engine, &request)?;
+        let train = self.gas.map(|gas| GasTrain::new(self.engine, gas, Lever::Exact)).transpose()?;
+        let request =
+            BearingRequest { speed: Some(self.speed), samples: SAMPLES, ..BearingRequest::default() };
+        let bearings = bearing_loads(self.engine, self.gas, &request)?;
+        let shares = self.train.main_shares(&[]);
+        let mut on_block: Vec<[Complex64; 4]> = Vec::new();
+        let mut by_closed: Vec<[Complex64; 4]> = Vec::new();
+        // Largest closed value, largest of the simulation, largest difference: side thrust, piston pins, lower pins, mains.
+        let mut parts = [[0.0f64; 3]; 4];
+        let mut reach = 0.0f64;
+        for cylinder in &self.train.cylinders {
+            reach = reach.max(cylinder.z.abs()).max(cylinder.crankpin.norm());
+        }
+        for (j, &theta) in bearings.theta.iter().enumerate() {
+            let ours = self.reactions(theta, &shares);
+            let theirs = closed.components(theta);
+            let gas = train.as_ref().map_or(0.0, |train| train.torque(theta));
+            let [x, y, _] = ours.on_block.force;
+            let [mx, my, mz] = ours.on_block.moment;
+            let real = |value: f64| Complex64::new(value, 0.0);
+            on_block.push([Complex64::new(x, y), Complex64::new(mx, my), real(mz), real(ours.shaft_torque)]);
+            by_closed.push([
+                Complex64::new(theirs.force_x, theirs.force_y),
+                Complex64::new(theirs.couple_x, theirs.couple_y),
+                real(theirs.roll_moment - gas),
+                real(theirs.shaft_torque + gas),
+            ]);
+            let mut compare = |kind: usize, ours: Complex64, theirs: Complex64| {
+                let [closed, multibody, off] = &mut parts[kind];
+                *closed = closed.max(theirs.norm());
+                *multibody = multibody.max(ours.norm());
+                *off = off.max((ours - theirs).norm());
+            };
+            for (index, (own, theirs)) in ours.cylinders.iter().zip(&bearings.cylinders).enumerate() {
+                let across = |force: [f64; 3]| Complex64::new(force[0], force[1]);
+                let axis = self.train.cylinders[index].axis;
+                compare(0, real(own.side_thrust), real(theirs.side_thrust[j]));
+                compare(1, across(own.piston_pin.force) * axis.conj(), theirs.piston_pin.load[j]);
+                compare(2, across(own.lower_pin.force), theirs.lower_pin.load[j]);
+            }
+            for theirs in &bearings.mains {
+                let mains = &ours.rotors[theirs.crankshaft - 1].mains[0];
+                let [x, y] = mains.get(theirs.main - 1).copied().unwrap_or([f64::NAN; 2]);
+                compare(3, Complex64::new(x, y), theirs.load.load[j]);
+            }
+        }
+        let whole = parts[2][0];
+        let kinds = [("force", "N"), ("couple", "N m"), ("roll moment", "N m"), ("shaft torque", "N m")];
+        let mut rows = Vec::new();
+        for (kind, (name, unit)) in kinds.into_iter().enumerate() {
+            let largest =
+                |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind].norm()).fold(0.0, f64::max);
+            let off =
+                on_block.iter().zip(&by_closed).map(|(a, b)| (a[kind] - b[kind]).norm()).fold(0.0, f64::max);
+            let of_parts = CANCELLED * whole * if kind == 0 { 1.0 } else { reach };
+            let scale = largest(&by_closed).max(of_parts);
+            let values = [largest(&by_closed), largest(&on_block), off, scale];
+            rows.push(CrossRow::held(name, unit, None, values, bar));
+            let pick = |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind]).collect::<Vec<_>>();
+            let turns = bearings.period / TAU;
+            rows.extend(order_rows(
+                (name, unit),
+                [&pick(&by_closed), &pick(&on_block)],
+                turns,
+                self.request.max_order,
+                scale,
+                bar,
+            ));
+        }
+        let names = ["side thrust", "piston pins", "crankpins and knuckle pins", "main bearings"];
+        for (name, [closed, multibody, off]) in names.into_iter().zip(parts) {
+            if name == "main bearings" && bearings.mains.is_empty() {
+                continue;
+            }
+            let scale = closed.max(CANCELLED * whole);
+            rows.push(CrossRow::held(name, "N", None, [closed, multibody, off, scale], bar));
+        }
+        Ok(rows)
+    }
+
+    /// Condition B: the speed over the cycle against the energy integral; or why it does not apply.
+    fn free_speed(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
+        let input = self.request.simulation.as_deref();
+        let torque = input.map(|input| input.torque.clone()).unwrap_or_default();
+        if self.gas.is_none() && torque.is_empty() {
+            return Ok(Err("the file has no [gas] that could drive the engine".into()));
+        }
+        let ripple = match speed_ripple(
+            self.engine,
+            self.gas,
+            self.speed,
+            &OuterTorque::of(input)?,
+            known_inertia(self.engine),
+        )? {
+            RippleOutcome::Periodic(ripple) => ripple,
+            RippleOutcome::IncompleteInertia(missing) => return Ok(Err(missing.reason)),
+            RippleOutcome::Stops(stopped) => return Ok(Err(stopped.reason)),
+        };
+        let count = ripple.theta.len();
+        let mut simulation = Simulation::free(ripple.speed[0], ripple.period / TAU);
+        simulation.torque = torque;
+        simulation.load.law = match input.and_then(|input| input.load.as_ref()).map(|load| &load.law) {
+            // What the table varies, about the mean of the torques.
+            Some(LoadLaw::Angle { period, points })
+                if input.is_some_and(|input| input.driveline.is_empty()) =>
+            {
+                let next = points.iter().cycle().skip(1);
+                let areas = points.iter().zip(next).map(|(a, b)| {
+                    let width = if points.len() == 1 { *period } else { (b[0] - a[0]).rem_euclid(*period) };
+                    0.5 * (a[1] + b[1]) * width
+                });
+                let mean = areas.sum::<f64>() / period;
+                let points = points.iter().map(|[at, torque]| [*at, torque - mean + ripple.load]).collect();
+                LoadLaw::Angle { period: *period, points }
+            }
+            _ => LoadLaw::Constant(ripple.load),
+        };
+        simulation.step = ripple.period / count as f64;
+        simulation.tolerance = STEPS;
+        simulation.reactions = true;
+        let given = self.gas.map(GivenGas::new);
+        let gas = given.as_ref().map(|given| given as &dyn lanchester_multibody::GasPressure);
+        let run = self.train.run(&simulation, gas)?;
+        if run.outcome != RunOutcome::Complete {
+            return Ok(Err("the simulated engine does not come through its cycle".into()));
+        }
+        let pairs = || run.samples.speed.iter().zip(&ripple.speed);
+        let off = pairs().map(|(ours, theirs)| (ours - theirs).abs()).fold(0.0, f64::max);
+        let largest = |speeds: &[f64]| speeds.iter().copied().fold(0.0, f64::max);
+        let values = [largest(&ripple.speed), largest(&run.samples.speed[..count]), off, self.speed];
+        let mut rows = vec![CrossRow::held("speed", "rad/s", None, values, FREE_SPEED)];
+        rows.extend(crate::crosscheck::ripple::load_rows(self, &ripple, &run)?);
+        Ok(Ok(rows))
+    }
+}
