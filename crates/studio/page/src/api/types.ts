@@ -3331,6 +3331,8 @@ export type Torque = {
   total_extremes: Extremes;
   /** [`TORQUE_VERSION`]. */
   version: number;
+  /** Whether there is gas. Without it its torques and works are 0, and pressures and volumes are left out. */
+  with_gas: boolean;
 };
 
 /** Torque, work and energy at one of several speeds. */
@@ -3415,6 +3417,8 @@ export type TrainInertia = {
   mean: number;
   /** Mean over the cycle of pistons, small ends and what the rods' swing adds. */
   reciprocating_mean: number;
+  /** Balance shafts, where the file gives their inertia, times the square of their ratio: whichever way they turn. */
+  shafts: number;
   /** All of it over the period of the torque, at `theta`. */
   total: number[];
 };
