@@ -1,81 +1,71 @@
-//! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure.
+//! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure; `cargo xtask quick` is what a change needs
+//! before the next one.
+//!
+//! All that is compiled is compiled once: the tests and the program in one profile with one set of features (`lanchester-testkit` brings
+//! those that tests need), lints and documentation from one check of the workspace. The optimised program of the README's commands is
+//! another profile, because that is the one that users get.
 
-use crate::command::{cargo, in_view, quiet};
+use crate::command::{cargo, quiet};
+use crate::steps::{Lane, Steps};
 use crate::workspace::{program, root};
-use crate::{book, browser, claims, documents, engines, generate, hostile, notices, page, supply, tidy};
+use crate::{
+    book, browser, claims, documents, engines, generate, hostile, lint, notices, page, supply, test_programs,
+    tidy,
+};
 use anyhow::{Context, Result};
-use std::time::{Duration, Instant};
-
-/// What the random cases of the tests are drawn from: a change is judged by its own cases only (decision 20).
-const SEED: &str = "1";
+use std::process::Command;
 
 /// Runs every step.
 pub fn run() -> Result<()> {
     let mut steps = Steps::default();
-    steps.run("formatting", || {
-        quiet(cargo().args(["fmt", "--all", "--check"]).current_dir(root())).map(|_| String::new())
-    })?;
-    steps.run("rules of the house", tidy::sources)?;
-    steps.run("page of the studio: types, lint, format, unit tests", page::check)?;
-    steps.run("built page is fresh", page::check_built)?;
-    steps.run("licences, sources and advisories of others", || supply::check(true))?;
-    steps.run("notices of third parties are fresh", notices::check)?;
-    steps.run("clippy, all targets, no warning", || {
-        let mut clippy = cargo();
-        clippy.args(["clippy", "--workspace", "--all-targets", "--quiet", "--", "--deny", "warnings"]);
-        in_view(clippy.current_dir(root())).map(|()| String::new())
-    })?;
-    steps.run("tests, with the kept fuzz corpus", || {
-        let mut test = cargo();
-        test.args(["test", "--workspace", "--no-fail-fast"]).env("PROPTEST_RNG_SEED", SEED);
-        in_view(test.current_dir(root())).map(|()| String::new())
-    })?;
+    // What compiles nothing, or what one processor compiles, stands beside what leaves processors idle.
+    steps.beside(vec![
+        Lane::new()
+            .step("formatting", formatting)
+            .step("rules of the house", tidy::sources)
+            .step("licences, sources and advisories of others", || supply::check(true))
+            .step("page of the studio: types, lint, format, unit tests", page::check)
+            .step("built page is fresh", page::check_built)
+            .step("notices of third parties are fresh", notices::check)
+            .step("book", || book::build().map(|()| String::new())),
+        Lane::new().step("clippy, all targets, no warning", || lint::clippy().map(|()| String::new())),
+    ])?;
+    steps.run("tests, with the kept fuzz corpus", test_programs::all)?;
     let program = program().context("the program does not build")?;
-    steps.run("every example and template: check, loads, balance, report", || engines::run(&program))?;
-    steps.run("mutated files, kills, laws, attacks: a short round", || hostile::short(&program))?;
-    steps.run("engine files of the README and the book", || documents::engines(&program))?;
-    steps.run("claims of the README and the book", || claims::check(&program))?;
-    steps.run("published numbers", || {
-        let text = quiet(std::process::Command::new(&program).arg("validate").current_dir(root()))?;
-        Ok(text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned())
-    })?;
-    steps.run("generated pages are fresh", || generate::check(&program))?;
-    steps.run("API documentation, no warning", || {
-        let mut doc = cargo();
-        doc.args(["doc", "--workspace", "--no-deps", "--document-private-items", "--quiet"]);
-        quiet(doc.env("RUSTDOCFLAGS", "--deny warnings").current_dir(root())).map(|_| String::new())
-    })?;
-    steps.run("book", || book::build().map(|()| String::new()))?;
-    steps.run("report in a browser", || browser::check_reports(&program))?;
+    steps.beside(vec![
+        Lane::new()
+            .step("every example and template: check, loads, balance, report", || engines::run(&program))
+            .step("mutated files, kills, laws, attacks: a short round", || hostile::short(&program))
+            .step("engine files of the README and the book", || documents::engines(&program))
+            .step("claims of the README and the book", || claims::check(&program))
+            .step("published numbers", || {
+                let text = quiet(Command::new(&program).arg("validate").current_dir(root()))?;
+                let last = text.lines().rfind(|line| !line.trim().is_empty());
+                Ok(last.unwrap_or_default().trim().to_owned())
+            })
+            .step("generated pages are fresh", || generate::check(&program))
+            .step("report in a browser", || browser::check_reports(&program)),
+        Lane::new()
+            .step("API documentation, no warning", || lint::documentation().map(|()| String::new()))
+            .step("commands of the README", documents::commands),
+    ])?;
+    // It waits for frames, and has the processors for itself.
     steps.run("studio in a browser", || page::try_in_browser(&program))?;
-    steps.run("commands of the README", documents::commands)?;
     steps.print();
     Ok(())
 }
 
-#[derive(Default)]
-struct Steps {
-    done: Vec<(&'static str, Duration, String)>,
+/// What a change needs before the next one: format, rules, lints, and the tests but the slow ones.
+pub fn quick() -> Result<()> {
+    let mut steps = Steps::default();
+    steps.run("formatting", formatting)?;
+    steps.run("rules of the house", tidy::sources)?;
+    steps.run("clippy, all targets, no warning", || lint::clippy().map(|()| String::new()))?;
+    steps.run("tests but the slow ones", test_programs::quick)?;
+    steps.print();
+    Ok(())
 }
 
-impl Steps {
-    /// Runs one step; what it returns is a remark for the list, what it fails with is its output.
-    fn run(&mut self, name: &'static str, step: impl FnOnce() -> Result<String>) -> Result<()> {
-        println!("== {name}");
-        let start = Instant::now();
-        let remark = step().with_context(|| format!("step failed: {name}"))?;
-        let time = start.elapsed();
-        println!("   {:.1} s  {remark}", time.as_secs_f64());
-        self.done.push((name, time, remark));
-        Ok(())
-    }
-
-    fn print(&self) {
-        println!("\nall steps passed");
-        for (name, time, remark) in &self.done {
-            println!("{:8.1} s  {name:50} {remark}", time.as_secs_f64());
-        }
-        let total: Duration = self.done.iter().map(|(_, time, _)| *time).sum();
-        println!("{:8.1} s  in all", total.as_secs_f64());
-    }
+fn formatting() -> Result<String> {
+    quiet(cargo().args(["fmt", "--all", "--check"]).current_dir(root())).map(|_| String::new())
 }

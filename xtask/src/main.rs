@@ -12,11 +12,14 @@ mod fuzz;
 mod generate;
 mod hostile;
 mod licence;
+mod lint;
 mod notices;
 mod packages;
 mod page;
+mod steps;
 mod stress;
 mod supply;
+mod test_programs;
 mod tidy;
 mod workspace;
 
@@ -27,7 +30,10 @@ const HELP: &str = "\
 tasks of the workspace
 
   cargo xtask ci                                all that CI runs; installs what it needs
-  cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...
+  cargo xtask quick                             before the next change: format, rules, lints, tests but the slow ones
+  cargo xtask test                              all tests with the cases of CI; lists the slowest
+  cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
+                                                --sources for those that need nothing built
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
@@ -56,7 +62,16 @@ fn task(arguments: &[String]) -> Result<()> {
     let rest = arguments.get(1..).unwrap_or_default();
     match arguments.first().map(String::as_str) {
         Some("ci") if rest.is_empty() => ci::run(),
+        Some("quick") if rest.is_empty() => ci::quick(),
+        Some("test") if rest.is_empty() => {
+            println!("{}", test_programs::all()?);
+            Ok(())
+        }
         Some("tidy") if rest.is_empty() => tidy::run(),
+        Some("tidy") if rest == ["--sources"] => {
+            println!("{}", tidy::sources()?);
+            Ok(())
+        }
         Some("generate") if rest.is_empty() => generate::write(),
         Some("documents") if rest.is_empty() => {
             let program = workspace::program()?;

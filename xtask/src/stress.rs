@@ -1,10 +1,9 @@
 //! `cargo xtask stress`: the properties over random engines with new cases, again and again.
 
-use crate::command::{cargo, output, quiet};
-use crate::workspace::root;
+use crate::command::output;
+use crate::test_programs;
 use anyhow::{Context, Result, bail, ensure};
-use serde_json::Value;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
@@ -71,27 +70,12 @@ impl Property {
 
 /// All tests of the workspace named `prop_` whose names hold a text.
 fn properties(only: &str) -> Result<Vec<Property>> {
-    let mut build = cargo();
-    build.args(["test", "--workspace", "--no-run", "--message-format", "json"]).current_dir(root());
     let mut found = Vec::new();
-    for message in quiet(&mut build)?.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok()) {
-        let (Some(program), Some(manifest)) =
-            (message["executable"].as_str(), message["manifest_path"].as_str())
-        else {
-            continue;
-        };
-        if message["profile"]["test"].as_bool() != Some(true) {
-            continue;
-        }
-        let folder = Path::new(manifest).parent().context("a manifest stands in no folder")?;
-        let mut list = Command::new(program);
-        list.args(["--list", "--format", "terse"]).current_dir(folder);
-        for line in quiet(&mut list)?.lines() {
-            let Some(name) = line.strip_suffix(": test") else { continue };
-            let own = name.rsplit("::").next().unwrap_or(name);
+    for program in test_programs::programs()? {
+        for name in program.tests()? {
+            let own = name.rsplit("::").next().unwrap_or(&name);
             if own.starts_with("prop_") && name.contains(only) {
-                let (program, folder) = (PathBuf::from(program), folder.to_path_buf());
-                found.push(Property { program, folder, name: name.to_owned() });
+                found.push(Property { program: program.path.clone(), folder: program.folder.clone(), name });
             }
         }
     }

@@ -1,6 +1,9 @@
 //! `cargo xtask tidy`: the rules that no compiler checks. Every breach is reported, not the first alone.
 
 mod arrows;
+mod circles;
+mod folders;
+mod known;
 mod pages;
 mod sources;
 
@@ -19,6 +22,8 @@ pub fn sources() -> Result<String> {
     let files = workspace::files()?;
     let mut breaches = arrows::check(&workspace::metadata()?);
     breaches.extend(sources::check(&files)?);
+    breaches.extend(folders::check(&files));
+    breaches.extend(circles::check(&files)?);
     breaches.extend(pages::check(&files)?);
     if !breaches.is_empty() {
         bail!("{} breaches of the rules\n{}", breaches.len(), breaches.join("\n"));

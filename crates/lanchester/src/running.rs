@@ -4,13 +4,12 @@ use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::TraceFile;
 use crate::simulation::{SimulateRequest, simulate};
 use crate::torque_report::{
-    BearingStudy, TorqueReport, TorqueReportRequest, bearing_sizes, bearing_study, power_speeds,
-    torque_report,
+    BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
-use lanchester_report::{BearingsInput, SimulationResult, TorqueInput};
+use lanchester_report::{Section, SimulationResult, mounts_section, simulation_section};
 
 /// Speeds and highest order of the section on mounts.
 const MOUNT_SPEEDS: usize = 31;
@@ -91,24 +90,13 @@ impl Running {
         all
     }
 
-    /// Torque for the report.
-    pub fn torque_input(&self) -> Option<TorqueInput<'_>> {
-        self.torque.as_ref().map(|report| TorqueInput {
-            torque: &report.torque,
-            source: &report.source,
-            brake: report.brake.as_ref(),
-            cycles: &report.cycles,
-            ripples: &report.ripples,
-            flywheel: report.flywheel.as_ref(),
-            speeds: &report.speeds,
-            power: report.power.as_ref(),
-        })
-    }
-
-    /// Bearings for the report.
-    pub fn bearings_input(&self, engine: &Engine) -> Option<BearingsInput<'_>> {
-        let study = self.bearings.as_ref()?;
-        Some(BearingsInput { parts: &study.parts, bare: study.bare.as_ref(), sizes: bearing_sizes(engine) })
+    /// What is told, topic by topic.
+    pub fn sections(&self, engine: &Engine) -> Vec<Section> {
+        let torque = self.torque.as_ref().map(TorqueReport::section);
+        let bearings = self.bearings.as_ref().and_then(|study| study.section(engine));
+        let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
+        let simulated = self.simulation.as_ref().map(simulation_section);
+        [torque, bearings, mounts, simulated].into_iter().flatten().collect()
     }
 }
 

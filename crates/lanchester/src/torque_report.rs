@@ -9,10 +9,14 @@ use lanchester_mechanism::{
     flywheel_need, speed_ripple, torque, torque_without_gas,
 };
 use lanchester_model::{
-    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SimulationInput, SpeedRange,
+    CrankElementForm, Engine, EngineParts, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
+    SimulationInput, SpeedRange,
 };
-use lanchester_report::{BearingSizes, CycleResult};
+use lanchester_report::{
+    BearingSizes, BearingsInput, CycleResult, Section, TorqueInput, bearings_section, torque_section,
+};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Version of the form of [`TorqueReport`].
 pub const TORQUE_REPORT_VERSION: u32 = 2;
@@ -189,6 +193,19 @@ pub(crate) fn known_inertia(engine: &Engine) -> KnownInertia {
     KnownInertia { flywheel: wheel.and_then(|wheel| wheel.inertia), crankshaft }
 }
 
+/// `engine` with the inertia of its crankshafts as bodies among its numbers, for kernels that know the numbers alone: mounts that feel what turns.
+pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
+    let given = engine.flywheel.as_ref().and_then(|wheel| wheel.crankshaft_inertia);
+    let bodies = if given.is_none() && engine.is_on_springs() { crankshaft_of_bodies(engine) } else { None };
+    let with = |inertia| {
+        let add = |parts: &mut EngineParts| {
+            parts.flywheel.get_or_insert_with(Flywheel::default).crankshaft_inertia = Some(inertia);
+        };
+        engine.with(add).ok().map(Cow::Owned)
+    };
+    bodies.and_then(with).unwrap_or(Cow::Borrowed(engine))
+}
+
 /// Inertia of all crankshafts as bodies, seen at crankshaft 1 [kg m^2].
 fn crankshaft_of_bodies(engine: &Engine) -> Option<f64> {
     let of = |(index, shaft): (usize, &lanchester_model::Crankshaft)| {
@@ -222,6 +239,30 @@ pub struct BearingStudy {
     pub parts: Vec<BearingLoads>,
     /// All loads without counterweights, where the engine has some.
     pub bare: Option<BearingLoads>,
+}
+
+impl BearingStudy {
+    /// As a section of a report; `None` where there is nothing to show.
+    pub fn section(&self, engine: &Engine) -> Option<Section> {
+        let sizes = bearing_sizes(engine);
+        bearings_section(&BearingsInput { parts: &self.parts, bare: self.bare.as_ref(), sizes })
+    }
+}
+
+impl TorqueReport {
+    /// As a section of a report.
+    pub fn section(&self) -> Section {
+        torque_section(&TorqueInput {
+            torque: &self.torque,
+            source: &self.source,
+            brake: self.brake.as_ref(),
+            cycles: &self.cycles,
+            ripples: &self.ripples,
+            flywheel: self.flywheel.as_ref(),
+            speeds: &self.speeds,
+            power: self.power.as_ref(),
+        })
+    }
 }
 
 /// Loads of the bearings of `engine` at a speed of crankshaft 1 [rad/s].
@@ -268,7 +309,7 @@ pub fn power_speeds(engine: &Engine, count: usize) -> Vec<f64> {
 }
 
 /// Sizes of the bearings: those of the file, else of the crank's body. Of the body come the diameters; crankpins as long as the webs leave
-/// room, shared by the rods that sit on them, main journals as long as the shortest stretch between the webs of neighbouring throws.
+/// room, shared by the rods that sit on them, main journals as long as the shortest one; of pins and journals that differ the smallest.
 pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
     let body = body_bearings(engine);
     let given = engine.bearings.unwrap_or_default();
@@ -287,31 +328,26 @@ pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
 }
 
 fn body_bearings(engine: &Engine) -> BearingSizes {
-    let Some(body) = &engine.crank_body else { return BearingSizes::default() };
-    let size = |diameter: f64, width: f64| {
-        (diameter > 0.0 && width > 0.0 && width.is_finite()).then_some(BearingSize { diameter, width })
-    };
-    let least = |widths: &mut dyn Iterator<Item = f64>| widths.fold(f64::INFINITY, f64::min);
     let rods = |throw: usize| {
         let on_pin = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
         on_pin.filter(|c| matches!(c.rod.joint, RodJoint::Crankpin)).count().max(1) as f64
     };
-    let pin = least(&mut engine.throws.iter().enumerate().filter_map(|(index, throw)| {
-        let [front, rear] = throw.webs?;
-        Some((rear - front - body.web_thickness) / rods(index))
-    }));
-    let mut rising: Vec<(usize, [f64; 2])> =
-        engine.throws.iter().filter_map(|throw| Some((throw.crankshaft, throw.webs?))).collect();
-    rising.sort_by(|a, b| a.0.cmp(&b.0).then(a.1[0].total_cmp(&b.1[0])));
-    let same = rising.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-    // Where webs touch or are one there is no journal.
-    let journals =
-        same.map(|pair| pair[1].1[0] - pair[0].1[1] - body.web_thickness).filter(|gap| *gap > 1e-9);
-    let between = least(&mut { journals });
-    let main = between.min(body.end_journals[0]).min(body.end_journals[1]);
-    BearingSizes {
-        piston_pin: None,
-        crankpin: size(body.pin_diameter, pin),
-        main: size(body.journal_diameter, main),
+    // Of pins and journals that differ the smallest.
+    let (mut pin, mut main): (Option<BearingSize>, Option<BearingSize>) = (None, None);
+    let smaller = |known: &mut Option<BearingSize>, diameter: f64, width: f64| {
+        let least = known.unwrap_or(BearingSize { diameter, width });
+        *known = Some(BearingSize { diameter: least.diameter.min(diameter), width: least.width.min(width) });
+    };
+    for crankshaft in 0..engine.crankshafts.len() {
+        for element in engine.crank_elements(crankshaft).unwrap_or_default() {
+            match element.form {
+                CrankElementForm::Pin { throw, bar, .. } => {
+                    smaller(&mut pin, bar.diameter, element.length() / rods(throw));
+                }
+                CrankElementForm::Journal { bar, .. } => smaller(&mut main, bar.diameter, element.length()),
+                _ => {}
+            }
+        }
     }
+    BearingSizes { piston_pin: None, crankpin: pin, main }
 }

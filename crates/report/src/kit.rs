@@ -9,6 +9,7 @@ pub(crate) mod magnitude;
 pub(crate) mod number;
 pub(crate) mod plot;
 pub(crate) mod polar;
+pub(crate) mod section;
 pub(crate) mod sheet;
 pub(crate) mod svg;
 pub(crate) mod table;
@@ -18,5 +19,6 @@ pub(crate) mod xy_plot;
 
 pub use csv::{motion_csv, orders_csv, trace_csv};
 pub use figure::{Figure, Panel};
+pub use section::{Part, Section};
 pub use table::{Cell, Column, Table, csv_text};
 pub use tornado::tornado_figure;

@@ -30,7 +30,7 @@ pub use layouts::*;
 pub use loads::*;
 pub use mounts::*;
 pub use optimum::*;
-pub use page::{Provenance, ReportInput, figures, report};
+pub use page::{Provenance, ReportHead, figures, report};
 pub use parts::*;
 pub use published::*;
 pub use simulated::*;

@@ -2,10 +2,10 @@
 
 pub(crate) mod component;
 pub(crate) mod findings;
-pub(crate) mod gallery;
 pub(crate) mod hodograph;
 pub(crate) mod motion_plot;
 pub(crate) mod over_angle;
+pub(crate) mod sections;
 pub(crate) mod share;
 pub(crate) mod share_plot;
 pub(crate) mod spectrum;
@@ -19,6 +19,7 @@ pub use findings::findings_table;
 pub use hodograph::{couple_hodograph, force_hodograph};
 pub use motion_plot::motion_plot;
 pub use over_angle::{over_angle, vanishing};
+pub use sections::{loads_sections, motion_section};
 pub use share_plot::share_plots;
 pub use spectrum::{couple_spectrum, force_spectrum, roll_spectrum};
 pub use speed_table::speed_table;

@@ -20,7 +20,7 @@ pub use crankshaft_tables::{
     obstacle_name,
 };
 pub use front_plot::front_plot;
-pub use section::{CrankshaftInput, counterweight_drawings};
+pub use section::{CrankshaftInput, counterweight_drawings, crankshaft_section};
 pub use shaft_weight_drawing::shaft_weight_drawings;
 pub use shaft_weight_tables::{
     DesignedShaftShape, designed_shaft_weights_table, nearest_shaft_limits_table, shaft_aim_words,

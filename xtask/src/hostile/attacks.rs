@@ -1,6 +1,6 @@
 //! Attacks on the studio: whatever is sent, nothing leaks, nothing is written outside, and the next honest question is answered.
 
-use super::{Ground, PATIENCE, start};
+use super::ground::{Ground, PATIENCE, start};
 use crate::workspace::root;
 use anyhow::{Context, Result, ensure};
 use std::fs;

@@ -1,6 +1,6 @@
 //! Kills at any moment: a file is the old one or the new one, and a run goes on to the same table.
 
-use super::Ground;
+use super::ground::Ground;
 use crate::workspace::root;
 use anyhow::{Result, ensure};
 use std::fs;

@@ -1,6 +1,6 @@
 //! Laws that hold for every engine, whatever its numbers: similarity, and what a turn of the crank or of the engine changes.
 
-use super::Ground;
+use super::ground::Ground;
 use super::random::Random;
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;

@@ -1,7 +1,7 @@
 //! Engine files and workshop sheets with mistakes that nobody makes on purpose.
 
+use super::ground::{Ground, Said, start};
 use super::random::Random;
-use super::{Ground, Said, start};
 use crate::workspace::{files, root};
 use anyhow::{Context, Result, ensure};
 

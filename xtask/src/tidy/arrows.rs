@@ -4,13 +4,14 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 23] = [
+const ARROWS: [(&str, &[&str]); 24] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
     ("lanchester-diagnostic", &[]),
+    ("lanchester-results", &["lanchester-units"]),
     ("lanchester-model", &["lanchester-shape"]),
-    ("lanchester-task", &["lanchester-model", "lanchester-shape", "lanchester-units"]),
+    ("lanchester-task", &["lanchester-model", "lanchester-results", "lanchester-shape", "lanchester-units"]),
     (
         "lanchester-file",
         &[
@@ -36,7 +37,10 @@ const ARROWS: [(&str, &[&str]); 23] = [
         "lanchester-workshop",
         &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],
     ),
-    ("lanchester-study", &["lanchester-model", "lanchester-task", "lanchester-mechanism"]),
+    (
+        "lanchester-study",
+        &["lanchester-model", "lanchester-results", "lanchester-task", "lanchester-mechanism"],
+    ),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     (
@@ -67,6 +71,7 @@ const ARROWS: [(&str, &[&str]); 23] = [
             "lanchester-bondgraph",
             "lanchester-workshop",
             "lanchester-report",
+            "lanchester-results",
             "lanchester-study",
             "lanchester-table",
         ],

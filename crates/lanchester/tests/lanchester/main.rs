@@ -9,6 +9,7 @@ mod checks;
 mod clearance;
 mod corpus;
 mod crosscheck;
+mod gallery;
 mod main_loads_with_gas;
 mod mounts_with_gas;
 mod optima;

@@ -157,7 +157,7 @@ fn an_inertia_geared_against_the_crank_counts_with_the_square_of_its_ratio_and_i
             let heavier = TurningInertia { flywheel: given.flywheel + square * inertia, ..given };
             let same = periodic(&engine, Some(&gas), speed, heavier);
             assert_close("fluctuation", ripple.fluctuation, same.fluctuation, 0.0, 1e-9, "rounding of J");
-            assert_close("shafts", ripple.inertia.shafts, square * inertia, 0.0, 1e-14, "J n^2");
+            assert_close("shafts", ripple.inertia.geared, square * inertia, 0.0, 1e-14, "J n^2");
             assert_close("mean", ripple.inertia.mean, same.inertia.mean, 0.0, 1e-12, "rounding");
         }
         // It swings less than without it: eq. (25.4).

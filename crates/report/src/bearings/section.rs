@@ -1,13 +1,11 @@
 //! The section of the report on what pistons, pins and bearings carry.
 
-use crate::bearings::tables::{
-    BearingSizes, bearing_parts_table, mains_tables, rod_bearings_tables, without_mains_words,
-};
+use crate::bearings::tables::{BearingSizes, bearings_tables, without_mains_words};
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::number;
 use crate::kit::plot::{AnglePlot, Series};
 use crate::kit::polar::polar_panel;
-use crate::kit::table::Table;
+use crate::kit::section::Section;
 use lanchester_mechanism::{BearingLoads, CylinderBearings};
 use num_complex::Complex64;
 
@@ -25,39 +23,24 @@ pub struct BearingsInput<'a> {
     pub sizes: BearingSizes,
 }
 
-/// What the section shows.
-pub(crate) struct BearingsSection {
-    pub paragraphs: Vec<String>,
-    pub figures: Vec<Figure>,
-    pub tables: Vec<Table>,
-}
-
-impl BearingsSection {
-    /// `None` where there is nothing to show.
-    pub fn of(input: &BearingsInput<'_>) -> Option<BearingsSection> {
-        let whole = input.parts.first()?;
-        let groups = alike(&whole.cylinders);
-        let mut figures = over_angle(input.parts, &groups);
-        figures.extend(crankpins(input.parts, &groups));
-        figures.extend(mains(input.parts));
-        let mut tables = rod_bearings_tables(whole, input.sizes);
-        tables.extend(mains_tables(whole, input.bare, input.sizes));
-        if input.parts.len() > 1 {
-            tables.push(bearing_parts_table(input.parts));
-        }
-        let rpm = number::terminal(number::rpm(whole.speed), 0);
-        let paragraph = format!(
-            "At {rpm} rpm under {}. Main bearings are loaded throw by throw, each stretch between two of them on its own.",
-            whole.part.name()
-        );
-        let paragraphs = [Some(paragraph), without_mains_words(whole)].into_iter().flatten().collect();
-        Some(BearingsSection { paragraphs, figures, tables })
-    }
-}
-
-/// Every figure of the report's section on pistons, pins and bearings.
-pub fn bearings_section_figures(input: &BearingsInput<'_>) -> Vec<Figure> {
-    BearingsSection::of(input).map_or_else(Vec::new, |section| section.figures)
+/// Pistons, pins and bearings, as a section of a report; `None` where there is nothing to show.
+pub fn bearings_section(input: &BearingsInput<'_>) -> Option<Section> {
+    let whole = input.parts.first()?;
+    let groups = alike(&whole.cylinders);
+    let mut figures = over_angle(input.parts, &groups);
+    figures.extend(crankpins(input.parts, &groups));
+    figures.extend(mains(input.parts));
+    let rpm = number::terminal(number::rpm(whole.speed), 0);
+    let words = format!(
+        "At {rpm} rpm under {}. Main bearings are loaded throw by throw, each stretch between two of them on its own.",
+        whole.part.name()
+    );
+    let section = Section::new("bearings", "Bearings", "Pistons, pins and bearings")
+        .words(words)
+        .paragraphs(without_mains_words(whole))
+        .rows(figures)
+        .tables(bearings_tables(whole, input.parts, input.bare, input.sizes));
+    Some(section)
 }
 
 /// Cylinders of which the loads are the same but for the time: places in the list.

@@ -128,12 +128,7 @@ pub fn bearings_text(
 ) -> String {
     let rpm = number::terminal(number::rpm(loads.speed), 0);
     let mut out = format!("{} at {rpm} rpm: {}\n", loads.engine, loads.part.name());
-    let mut tables = rod_bearings_tables(loads, sizes);
-    tables.extend(mains_tables(loads, bare, sizes));
-    if parts.len() > 1 {
-        tables.push(bearing_parts_table(parts));
-    }
-    for table in tables {
+    for table in bearings_tables(loads, parts, bare, sizes) {
         out.push('\n');
         out.push_str(&table.text());
     }
@@ -142,6 +137,21 @@ pub fn bearings_text(
         push_wrapped(&mut out, "", &words);
     }
     out
+}
+
+/// All tables of bearings: `parts` with more than one load apart, `bare` without counterweights.
+pub(crate) fn bearings_tables(
+    loads: &BearingLoads,
+    parts: &[BearingLoads],
+    bare: Option<&BearingLoads>,
+    sizes: BearingSizes,
+) -> Vec<Table> {
+    let mut tables = rod_bearings_tables(loads, sizes);
+    tables.extend(mains_tables(loads, bare, sizes));
+    if parts.len() > 1 {
+        tables.push(bearing_parts_table(parts));
+    }
+    tables
 }
 
 /// Crankshafts of which no bearing is told, and why.

@@ -1,7 +1,6 @@
 //! The section of the report on what balancing found.
 
-use crate::kit::figure::Figure;
-use crate::kit::table::Table;
+use crate::kit::section::Section;
 use crate::optimum::before_after::before_and_after_table;
 use crate::optimum::cancellation::{cancellation_proof_table, cancelled_orders_table};
 use crate::optimum::consequence_figures::consequence_figures;
@@ -31,53 +30,44 @@ pub struct OptimumInput<'a> {
     pub consequences: Option<&'a Consequences>,
 }
 
-/// What the section shows.
-pub(crate) struct OptimumSection {
-    /// What was reached, in a sentence.
-    pub headline: String,
-    /// How it was found, in a sentence.
-    pub method: String,
-    pub tables: Vec<Table>,
-    pub figures: Vec<Figure>,
-    /// What shakes the engine with the answer; empty without one.
-    pub left: String,
-}
-
-impl OptimumSection {
-    pub fn of(engine: &Engine, input: &OptimumInput<'_>) -> OptimumSection {
-        let answer = input.answer;
-        let (headline, method) = (headline(engine, answer), method_words(answer));
-        let equals = equals_words(engine, answer);
-        let worse = input.consequences.map_or_else(String::new, consequence_words);
-        let words = [headline, equals, worse].into_iter().filter(|words| !words.is_empty());
-        let headline = words.collect::<Vec<_>>().join(" ");
-        if let Outcome::Infeasible { closest, .. } = &answer.outcome {
-            let tables = match closest.is_empty() {
-                true => Vec::new(),
-                false => vec![closest_table(engine, answer, closest)],
-            };
-            return OptimumSection { headline, method, tables, figures: Vec::new(), left: String::new() };
-        }
-        let mut tables = Vec::new();
-        if !answer.weights.is_empty() {
-            tables.push(found_weights_table(answer));
-            tables.extend(web_bounds_table(answer));
-        }
-        tables.extend(found_shafts_table(answer));
-        tables.extend(found_inertias_table(answer));
-        tables.extend(before_and_after_table(engine, answer, input.consequences));
-        match &answer.cancellation {
-            Some(cancellation) => {
-                tables.push(cancelled_orders_table(engine, cancellation));
-                tables.extend(cancellation_proof_table(engine, cancellation));
-            }
-            None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),
-            None => {}
-        }
-        tables.extend(limits_table(engine, answer));
-        let mut figures = optimum_figures(engine, answer, input.before, input.fitted, input.after);
-        let pictures = input.consequences.map(|consequences| consequence_figures(input.fitted, consequences));
-        figures.extend(pictures.into_iter().flatten());
-        OptimumSection { headline, method, tables, figures, left: input.after.diagnosis.summary.clone() }
+/// What balancing found, as a section of a report.
+pub fn optimum_section(engine: &Engine, input: &OptimumInput<'_>) -> Section {
+    let answer = input.answer;
+    let equals = equals_words(engine, answer);
+    let worse = input.consequences.map_or_else(String::new, consequence_words);
+    let words = [headline(engine, answer), equals, worse].into_iter().filter(|words| !words.is_empty());
+    let method = format!(
+        "{} What may be done and what is wanted stands in the section [balance] of the engine file.",
+        method_words(answer)
+    );
+    let section = Section::new("optimum", "Optimum", "The optimum")
+        .lead(words.collect::<Vec<_>>().join(" "))
+        .words(method);
+    if let Outcome::Infeasible { closest, .. } = &answer.outcome {
+        let closest = (!closest.is_empty()).then(|| closest_table(engine, answer, closest));
+        return section.tables(closest);
     }
+    let mut tables = Vec::new();
+    if !answer.weights.is_empty() {
+        tables.push(found_weights_table(answer));
+        tables.extend(web_bounds_table(answer));
+    }
+    tables.extend(found_shafts_table(answer));
+    tables.extend(found_inertias_table(answer));
+    tables.extend(before_and_after_table(engine, answer, input.consequences));
+    match &answer.cancellation {
+        Some(cancellation) => {
+            tables.push(cancelled_orders_table(engine, cancellation));
+            tables.extend(cancellation_proof_table(engine, cancellation));
+        }
+        None if !answer.stages.is_empty() => tables.push(stages_table(engine, answer)),
+        None => {}
+    }
+    tables.extend(limits_table(engine, answer));
+    let mut figures = optimum_figures(engine, answer, input.before, input.fitted, input.after);
+    let pictures = input.consequences.map(|consequences| consequence_figures(input.fitted, consequences));
+    figures.extend(pictures.into_iter().flatten());
+    let left = &input.after.diagnosis.summary;
+    let left = if left.is_empty() { String::new() } else { format!("What is left. {left}") };
+    section.words(left).rows(figures).tables(tables)
 }

@@ -1,6 +1,7 @@
 //! The section of the report on the crankshaft as a real part.
 
 use crate::kit::figure::Figure;
+use crate::kit::section::Section;
 use crate::kit::table::Table;
 use crate::parts::counterweight_drawing::{DrawnCounterweight, counterweight_drawing};
 use crate::parts::crankshaft_tables::{
@@ -24,26 +25,20 @@ pub struct CrankshaftInput<'a> {
     pub swept_overlaps: &'a [SweptOverlap],
 }
 
-/// What the section shows.
-pub(crate) struct CrankshaftSection {
-    pub paragraphs: Vec<String>,
-    pub tables: Vec<Table>,
-    pub figures: Vec<Figure>,
-}
-
-impl CrankshaftSection {
-    pub fn of(engine: &Engine, input: &CrankshaftInput<'_>) -> CrankshaftSection {
-        let mut paragraphs: Vec<String> = input.bodies.iter().map(crank_body_words).collect();
-        paragraphs.extend(input.clearances.map(clearance_words));
-        paragraphs.extend(swept_overlap_words(input.swept_overlaps).lines().map(str::to_owned));
-        let mut tables: Vec<Table> = counterweight_parts_table(engine).into_iter().collect();
-        tables.extend(shaft_weight_parts_table(engine));
-        tables.extend(input.clearances.map(|clearances| clearances_table(clearances, true)));
-        tables.extend(input.bodies.iter().map(crank_sections_table));
-        let mut figures = counterweight_drawings(engine);
-        figures.extend(shaft_weight_drawings(engine));
-        CrankshaftSection { paragraphs, tables, figures }
-    }
+/// Crankshafts and counterweights as parts, as a section of a report.
+pub fn crankshaft_section(engine: &Engine, input: &CrankshaftInput<'_>) -> Section {
+    let mut tables: Vec<Table> = counterweight_parts_table(engine).into_iter().collect();
+    tables.extend(shaft_weight_parts_table(engine));
+    tables.extend(input.clearances.map(|clearances| clearances_table(clearances, true)));
+    tables.extend(input.bodies.iter().map(crank_sections_table));
+    let mut figures = counterweight_drawings(engine);
+    figures.extend(shaft_weight_drawings(engine));
+    Section::new("parts", "Counterweights", "Crankshaft and counterweights as parts")
+        .paragraphs(input.bodies.iter().map(crank_body_words))
+        .paragraphs(input.clearances.map(clearance_words))
+        .paragraphs(swept_overlap_words(input.swept_overlaps).lines().map(str::to_owned))
+        .rows(figures)
+        .tables(tables)
 }
 
 /// Weights whose drawings are the same.

@@ -3,6 +3,7 @@
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use crate::loads::text::push_wrapped;
+use crate::simulated::orders::{joints_table, orders_table};
 use lanchester_multibody::{MainRule, Occasion, PeriodicOutcome, Run, RunOutcome};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -29,6 +30,8 @@ pub struct SimulationResult {
     pub mounts: Vec<String>,
     /// Planes of the main bearings [m], by crankshaft.
     pub mains: Vec<Vec<f64>>,
+    /// The rule of main bearings that tables of one rule and pictures show.
+    pub main_rule: MainRule,
     /// How the search for a periodic motion ended, where one was asked for.
     pub periodic: Option<PeriodicResult>,
     /// The run.
@@ -147,6 +150,9 @@ pub(crate) fn simulation_words(result: &SimulationResult) -> Vec<String> {
             PeriodicOutcome::Stable => "stable",
             PeriodicOutcome::Neutral => "neutral, because the load does not depend on the speed",
             PeriodicOutcome::Unstable => "unstable",
+            PeriodicOutcome::Cancelled => {
+                "cancelled: a period of the best trial so far is shown, which need not close"
+            }
             PeriodicOutcome::NotFound => "not found: the last trial is shown, which does not close",
         };
         all.push(format!(
@@ -187,6 +193,8 @@ pub fn simulation_text(result: &SimulationResult) -> String {
 pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
     let mut tables = vec![speed_table(result)];
     tables.extend(block_tables(result));
+    tables.extend(orders_table(result));
+    tables.extend(joints_table(result));
     tables.extend(mains_table(result));
     tables.push(energy_table(&result.run));
     if !result.run.events.is_empty() {

@@ -2,40 +2,35 @@
 
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::flow::energy_flow;
-use crate::kit::table::Table;
+use crate::kit::section::Section;
 use crate::kit::xy_plot::{XyCurve, XyPlot};
+use crate::simulated::orders::reaction_figures;
 use crate::simulated::run::{SimulationResult, audit_words, simulation_tables, simulation_words};
 use std::f64::consts::{PI, TAU};
 
-/// What the section shows.
-pub(crate) struct SimulationSection {
-    pub paragraphs: Vec<String>,
-    pub figures: Vec<Figure>,
-    pub tables: Vec<Table>,
+/// A simulated run, as a section of a report.
+pub fn simulation_section(result: &SimulationResult) -> Section {
+    let (beside, broad): (Vec<Figure>, Vec<Figure>) =
+        simulation_figures(result).into_iter().partition(|figure| figure.panels.len() <= 1);
+    Section::new("simulated", "Simulated", "Simulated")
+        .words("The run that the file describes, with all parts as rigid bodies.")
+        .paragraphs(simulation_words(result))
+        .words(audit_words(&result.run))
+        .rows(beside)
+        .rows(broad)
+        .tables(simulation_tables(result))
 }
 
-impl SimulationSection {
-    pub fn of(result: &SimulationResult) -> SimulationSection {
-        let mut paragraphs = simulation_words(result);
-        paragraphs.push(audit_words(&result.run));
-        SimulationSection {
-            paragraphs,
-            figures: simulation_figures(result),
-            tables: simulation_tables(result),
-        }
-    }
-}
-
-fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
+pub(crate) fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
     let columns = panels.len().min(2);
     Figure { id: id.into(), title: title.into(), caption: caption.into(), panels, columns }
 }
 
-fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
+pub(crate) fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
     XyCurve { name: name.into(), style, points, dots: false }
 }
 
-fn panel(
+pub(crate) fn panel(
     [abscissa, ordinate]: [&str; 2],
     units: [&str; 2],
     polar: Option<f64>,
@@ -91,6 +86,7 @@ pub fn simulation_figures(result: &SimulationResult) -> Vec<Figure> {
         ));
     }
     figures.extend(block_figures(result));
+    figures.extend(reaction_figures(result));
     let e = &result.run.energy;
     let works = [
         ("gas", e.gas),

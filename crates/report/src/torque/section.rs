@@ -2,9 +2,8 @@
 
 use crate::gas::result::CycleResult;
 use crate::gas::tables::{cycle_figures, cycle_table};
-use crate::kit::figure::Figure;
 use crate::kit::number;
-use crate::kit::table::Table;
+use crate::kit::section::Section;
 use crate::torque::figures::{power_figure, ripple_figure, torque_figures};
 use crate::torque::tables::{
     flywheel_table, power_table, ripple_table, ripple_words, torque_speeds_table, torque_tables,
@@ -32,52 +31,39 @@ pub struct TorqueInput<'a> {
     pub power: Option<&'a PowerCurve>,
 }
 
-/// What the section shows.
-pub(crate) struct TorqueSection {
-    pub paragraphs: Vec<String>,
-    pub figures: Vec<Figure>,
-    pub tables: Vec<Table>,
-}
-
-impl TorqueSection {
-    pub fn of(input: &TorqueInput<'_>) -> TorqueSection {
-        let torque = input.torque;
-        let mut figures = torque_figures(torque);
-        if torque.cylinders.len() == 1 {
-            // One cylinder is the engine.
-            figures.retain(|figure| figure.id != "torque-by-cylinder");
-        }
-        figures.extend(ripple_figure(input.ripples));
-        if !input.cycles.is_empty() {
-            figures.extend(cycle_figures(input.cycles));
-        }
-        figures.extend(input.power.map(power_figure));
-        let mut tables = torque_tables(torque, input.brake);
-        // Orders stand below their figure.
-        tables.swap(1, 2);
-        if !input.cycles.is_empty() {
-            tables.push(cycle_table(input.cycles));
-        }
-        if input.ripples.iter().any(|ripple| ripple.periodic().is_some()) {
-            tables.push(ripple_table(input.ripples));
-        }
-        tables.extend(input.flywheel.map(flywheel_table));
-        if !input.speeds.is_empty() {
-            tables.push(torque_speeds_table(input.speeds));
-        }
-        tables.extend(input.power.map(power_table));
-        let mut paragraphs = vec![words(input)];
-        let words = ripple_words(input.ripples);
-        if !words.is_empty() {
-            paragraphs.push(words);
-        }
-        TorqueSection { paragraphs, figures, tables }
+/// Torque, as a section of a report.
+pub fn torque_section(input: &TorqueInput<'_>) -> Section {
+    let torque = input.torque;
+    let mut figures = torque_figures(torque);
+    if torque.cylinders.len() == 1 {
+        // One cylinder is the engine.
+        figures.retain(|figure| figure.id != "torque-by-cylinder");
     }
-}
-
-/// Every figure of the report's section on torque.
-pub fn torque_section_figures(input: &TorqueInput<'_>) -> Vec<Figure> {
-    TorqueSection::of(input).figures
+    figures.extend(ripple_figure(input.ripples));
+    if !input.cycles.is_empty() {
+        figures.extend(cycle_figures(input.cycles));
+    }
+    figures.extend(input.power.map(power_figure));
+    let mut tables = torque_tables(torque, input.brake);
+    // Orders stand below their figure.
+    tables.swap(1, 2);
+    if !input.cycles.is_empty() {
+        tables.push(cycle_table(input.cycles));
+    }
+    if input.ripples.iter().any(|ripple| ripple.periodic().is_some()) {
+        tables.push(ripple_table(input.ripples));
+    }
+    tables.extend(input.flywheel.map(flywheel_table));
+    if !input.speeds.is_empty() {
+        tables.push(torque_speeds_table(input.speeds));
+    }
+    tables.extend(input.power.map(power_table));
+    let title = if torque.with_gas { "Torque with gas" } else { "Torque of inertia" };
+    Section::new("torque-over-cycle", "Torque", title)
+        .words(words(input))
+        .words(ripple_words(input.ripples))
+        .by_width(figures)
+        .tables(tables)
 }
 
 /// Mean torque, power, what the flywheel holds, and where the pressures come from.

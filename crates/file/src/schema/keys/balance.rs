@@ -462,8 +462,8 @@ static FREE_INERTIA: Table = Table {
         key(
             "crank_inertia",
             Kind::Quantity(Inertia, Positive),
-            Required,
-            "Inertia of everything that turns with crankshaft 1, flywheel included.",
+            Optional,
+            "Inertia of everything that turns with crankshaft 1, flywheel included; default what `[flywheel]` and `[crank.body]` give, which it must not contradict.",
             "\"0.2 kg m2\"",
         ),
         quantity("most", Inertia, Positive, "Largest inertia; needed if it is optional.", "\"0.02 kg m2\""),

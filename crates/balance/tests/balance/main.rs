@@ -1,0 +1,11 @@
+//! All tests of the crate.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod branch;
+mod cancellation;
+mod consequences;
+mod optimum;
+mod published;
+mod published_methods;
+mod which_arrangement;
