@@ -3517,14 +3517,14 @@ export type TrainInertia = {
   big_ends: number;
   /** Its extremes over the samples. */
   extremes: Extremes;
+  /** Balance shafts and gears whose inertia is known, each times its speed ratio squared. */
+  geared: number;
   /** Flywheel and crankshafts as given. */
   given: TurningInertia;
   /** Mean of all of it. */
   mean: number;
   /** Mean over the cycle of pistons, small ends and what the rods' swing adds. */
   reciprocating_mean: number;
-  /** Balance shafts, where the file gives their inertia, times the square of their ratio: whichever way they turn. */
-  shafts: number;
   /** All of it over the period of the torque, at `theta`. */
   total: number[];
 };
