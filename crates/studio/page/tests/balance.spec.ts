@@ -70,7 +70,7 @@ test("the optimum comes with its proof, is adopted and undone; a locked weight s
   await page.getByRole("button", { name: "Optimise", exact: true }).click();
   const answer = page.getByRole("region", { name: "Optimise" });
   await expect(answer.getByRole("heading", { name: "Optimum found and proved" })).toBeVisible();
-  await expect(answer.getByRole("table", { name: "Before and after" })).toContainText("couple");
+  await expect(answer.getByRole("table", { name: "Before and after" })).toContainText("Couple");
   await expect(answer).toContainText("no choice of these devices");
   await expect(answer).toContainText("crank angles");
   await expect(answer.getByRole("row", { name: /^web 2/ })).toHaveCount(0);

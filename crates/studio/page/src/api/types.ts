@@ -3437,6 +3437,8 @@ export type Torque = {
   total_extremes: Extremes;
   /** [`TORQUE_VERSION`]. */
   version: number;
+  /** Whether there is gas. Without it its torques and works are 0, and pressures and volumes are left out. */
+  with_gas: boolean;
 };
 
 /** Torque, work and energy at one of several speeds. */
@@ -3515,6 +3517,8 @@ export type TrainInertia = {
   big_ends: number;
   /** Its extremes over the samples. */
   extremes: Extremes;
+  /** Balance shafts and gears whose inertia is known, each times its speed ratio squared. */
+  geared: number;
   /** Flywheel and crankshafts as given. */
   given: TurningInertia;
   /** Mean of all of it. */

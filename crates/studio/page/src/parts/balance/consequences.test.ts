@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Consequence, Consequences } from "../../api/types";
-import { partName, rows } from "./consequences";
+import { allRows, partName, rows } from "./consequences";
 
 const main = (number: number, before: number, after: number): Consequence => ({
   quantity: "main-load-peak",
@@ -40,6 +40,22 @@ test("rows of nothing are left out, the first of a quantity is marked", () => {
 
 test("a choice of quantities is kept", () => {
   expect(rows(found, ["balance-rate"]).map((row) => row.measure)).toEqual(["share"]);
+});
+
+test("every quantity is told once, what was asked for first", () => {
+  const effects = [
+    { criterion: { peak: { "main-load": 1 } }, without: 12, before: 5, after: 9 },
+    { criterion: "added-mass", without: 0, before: 2, after: 1 },
+    { criterion: { "main-rms": "all" }, without: 3, before: 2, after: 2 },
+  ] as const;
+  const shown = allRows(effects, found);
+  expect(shown.map((row) => [row.name, row.part, row.change])).toEqual([
+    ["Main-bearing load 2", "", "worse"],
+    ["Added mass", "", "better"],
+    ["Main-bearing load rms", "", "unchanged"],
+    ["Main-bearing load, peak", "main 1", "unchanged"],
+    ["Balance rate", "mains 2–3", "worse"],
+  ]);
 });
 
 test("parts of several crankshafts have its number", () => {
