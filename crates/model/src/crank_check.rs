@@ -14,6 +14,9 @@ use std::f64::consts::TAU;
 /// Lengths that exceed a limit by less than this part of it have it, to rounding.
 const ROUNDING: f64 = 1e-9;
 
+/// What webs of neighbouring throws must keep.
+const OVERLAP: &str = "such that it does not overlap the web before it: at most";
+
 /// A size of an element that does not fit the others. Lengths in m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrankFault {
@@ -29,6 +32,13 @@ pub struct CrankFault {
     pub got: f64,
     /// What to do.
     pub remedy: &'static str,
+}
+
+impl CrankFault {
+    /// Whether it is about a web that overlaps the one before it.
+    pub fn is_overlap(&self) -> bool {
+        self.bound == OVERLAP
+    }
 }
 
 /// Which element of a crankshaft.
@@ -169,7 +179,7 @@ fn of_web(
         found.push(CrankFault {
             place,
             key: "thickness",
-            bound: "such that it does not overlap the web before it: at most",
+            bound: OVERLAP,
             limit: element.length() - (before.faces[1] - element.faces[0]),
             got: element.length(),
             remedy: "make the webs thinner, or set the throws farther apart",

@@ -331,7 +331,8 @@ impl<'a> Reader<'a> {
             let span = self.place_span(section, place, "numbers");
             self.existing(own.journal as i64 + 1, Some(count), "journal", span);
         }
-        for fault in crank_faults(parts) {
+        // Webs that overlap are told with the throws, before the whole is known.
+        for fault in crank_faults(parts).into_iter().filter(|fault| !fault.is_overlap()) {
             let CrankFault { place, key, bound, limit, got, remedy } = fault;
             let [limit, got] = [limit, got].map(|length| readable(length, Dimension::Length));
             let message = format!("`{key}` of {} must be {bound} {limit}, got {got}", place.name());

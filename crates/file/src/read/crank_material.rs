@@ -4,7 +4,6 @@ use super::Reader;
 use crate::document::Field;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{CrankMaterial, Forging, MaterialPreset};
-use lanchester_units::{Dimension, readable};
 
 impl Reader<'_> {
     /// The material: the outer `None` says bad, the inner one absent.
@@ -54,7 +53,7 @@ impl Reader<'_> {
         if let (Some(limit), Some(tensile)) = (material.yield_strength(), material.tensile_strength())
             && limit.value > tensile.value
         {
-            let [limit, tensile] = [limit, tensile].map(|of| readable(of.value, Dimension::Pressure));
+            let [limit, tensile] = [limit, tensile].map(|of| format!("{} MPa", of.value / 1e6));
             let key = if section.has("yield_strength") { "yield_strength" } else { "tensile_strength" };
             let message = format!("the yield strength of {limit} is above the tensile strength of {tensile}");
             self.mistakes.push(

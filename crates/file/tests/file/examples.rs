@@ -1,6 +1,6 @@
 //! The worked examples that ship with the program.
 
-const EXAMPLES: [(&str, &str); 11] = [
+const EXAMPLES: [(&str, &str); 12] = [
     ("twin-in-line-in-phase", include_str!("../../../../examples/twin-in-line-in-phase.toml")),
     ("twin-in-line-out-of-phase", include_str!("../../../../examples/twin-in-line-out-of-phase.toml")),
     ("twin-boxer-in-phase", include_str!("../../../../examples/twin-boxer-in-phase.toml")),

@@ -2,7 +2,9 @@
 
 use crate::support::in_line;
 use crate::support::mounted::{block, mount};
-use lanchester_mechanism::{MountSystem, inertia_excitations, rotor_inertia_about_z};
+use lanchester_mechanism::{
+    MountSystem, TurningInertia, inertia_excitations, rotor_inertia_about_z, train_inertia,
+};
 use lanchester_model::{Block, Engine, Flywheel, Mount, MountSpring};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use num_complex::Complex64;
@@ -139,4 +141,26 @@ fn every_rotor_counts_with_its_sense() {
         })
         .unwrap();
     assert!((rotor_inertia_about_z(&engine, None) - (J + 0.03 - 0.002)).abs() < 1e-15);
+}
+
+/// A gear counts in the roll by its momentum, and in the inertia of the train by its energy.
+#[test]
+fn a_gear_counts_in_roll_and_in_the_train() {
+    let gear = lanchester_model::Gear {
+        name: "camshaft gear".into(),
+        ratio: lanchester_model::Ratio::new(-1, 2).expect("not 0"),
+        x: 0.08,
+        y: 0.0,
+        inertia: Some(0.004),
+        disc: None,
+    };
+    let (plain, geared) = (engine(), engine().with(|engine| engine.gears.push(gear)).unwrap());
+    assert_eq!(rotor_inertia_about_z(&geared, None), rotor_inertia_about_z(&plain, None) - 0.002);
+    let given = TurningInertia { flywheel: J, crankshaft: 0.01 };
+    let theta = [0.0, 1.0, 2.0];
+    let [plain, geared] = [plain, geared].map(|engine| train_inertia(&engine, given, &theta).unwrap());
+    assert_eq!((plain.geared, geared.geared), (0.0, 0.001));
+    for (with, without) in geared.total.iter().zip(&plain.total) {
+        assert!((with - without - 0.001).abs() < 1e-15);
+    }
 }
