@@ -80,8 +80,12 @@ const ARROWS: [(&str, &[&str]); 24] = [
     ("lanchester-files", &[]),
     ("lanchester-studio", &["lanchester", "lanchester-files"]),
     ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio", "lanchester-validation"]),
+    (TESTKIT, &["lanchester-file", "lanchester-model"]),
     ("xtask", &[]),
 ];
+
+/// What tests share: nobody imports it but for tests, and it stands in the table for what it imports itself.
+const TESTKIT: &str = "lanchester-testkit";
 
 /// Breaches of the table, from the output of `cargo metadata --no-deps`.
 pub fn check(metadata: &Value) -> Vec<String> {
@@ -98,7 +102,7 @@ pub fn check(metadata: &Value) -> Vec<String> {
         };
         for dependency in package["dependencies"].as_array().map(Vec::as_slice).unwrap_or_default() {
             let to = name(dependency);
-            let normal = dependency["kind"].is_null();
+            let normal = dependency["kind"].as_str() != Some("dev");
             if normal && members.contains(&to) && !allowed.contains(&to.as_str()) {
                 breaches.push(format!("crate {from} may not import {to}"));
             }
@@ -129,6 +133,15 @@ mod tests {
         assert_eq!(
             check(&json!({ "packages": packages })),
             ["crate lanchester-model may not import lanchester-mechanism"]
+        );
+        // What tests share is for tests.
+        packages.push(package("lanchester-testkit", &[("lanchester-model", None)]));
+        packages[0] = package("lanchester-model", &[("lanchester-testkit", Some("dev"))]);
+        assert!(check(&json!({ "packages": packages })).is_empty());
+        packages[0] = package("lanchester-model", &[("lanchester-testkit", None)]);
+        assert_eq!(
+            check(&json!({ "packages": packages })),
+            ["crate lanchester-model may not import lanchester-testkit"]
         );
         packages[0] = package("lanchester-attic", &[]);
         assert_eq!(check(&json!({ "packages": packages })).len(), 1);

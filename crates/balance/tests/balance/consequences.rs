@@ -1,13 +1,10 @@
 //! What other weights do to an engine: closed forms, marks, what is dropped.
 
 use lanchester_balance::{Affected, AffectedPart, Change, Consequences, balance_rates, consequences};
-use lanchester_file::{read, template, templates};
+use lanchester_file::{read, templates};
 use lanchester_mechanism::{BearingPart, BearingRequest, bearing_loads, main_inertia_loads};
 use lanchester_model::Engine;
-
-fn gallery(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine().unwrap()
-}
+use lanchester_testkit::gallery::gallery;
 
 /// Only its crank turns: one unbalance in the plane of every throw, nothing else has mass.
 fn crank_alone(name: &str) -> (Engine, f64) {

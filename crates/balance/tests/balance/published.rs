@@ -5,9 +5,10 @@ use lanchester_balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, Basis, EngineResidual, FourCylinderRule, MatrixBalance,
     MatrixMethod, Remark, ShaftPair, ThreeCylinderRule,
 };
-use lanchester_file::{read, template, templates};
+use lanchester_file::{template, templates};
 use lanchester_mechanism::{LoadRequest, loads, series_coefficients};
-use lanchester_model::Engine;
+use lanchester_testkit::gallery::{engine, gallery};
+use lanchester_testkit::{Within, assert_close};
 use num_complex::Complex64;
 
 const TOOL_PAPER_THREE: &str = include_str!("../../../../validation/balancing-tool-paper/in-line-three.toml");
@@ -16,15 +17,6 @@ const THESIS_THREE: &str =
     include_str!("../../../../validation/three-four-cylinder-thesis/three-cylinder.toml");
 const THESIS_FOUR: &str =
     include_str!("../../../../validation/three-four-cylinder-thesis/four-cylinder.toml");
-
-fn engine(text: &str) -> Engine {
-    let reading = read(text);
-    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
-}
-
-fn gallery(name: &str) -> Engine {
-    engine(template(name).expect("it is in the gallery").text)
-}
 
 fn pattern(webs: &str) -> Vec<bool> {
     webs.chars().map(|c| c == '1').collect()
@@ -45,7 +37,8 @@ fn tool_paper(webs: &str, alpha: Alpha) -> MatrixMethod {
 
 #[track_caller]
 fn close(what: &str, ours: f64, expected: f64, tolerance: f64) {
-    assert!((ours - expected).abs() <= tolerance, "{what}: {ours} is not {expected} within {tolerance}");
+    let reason = "half of the last printed digit, or rounding of some ten terms";
+    assert_close(what, ours, expected, Within::absolute(tolerance, reason));
 }
 
 #[test]

@@ -5,21 +5,17 @@ use lanchester_balance::published::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodFound,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
-use lanchester_file::{read, templates};
+use lanchester_file::templates;
 use lanchester_mechanism::{Kinematics, LoadRequest, Loads, Part, loads};
 use lanchester_model::Engine;
 use lanchester_task::{Criterion, Load};
+use lanchester_testkit::gallery::engine;
 use num_complex::Complex64;
 use proptest::prelude::*;
 
 const TOOL_PAPER_V4: &str = include_str!("../../../../validation/balancing-tool-paper/v4-90.toml");
 const THESIS_THREE: &str =
     include_str!("../../../../validation/three-four-cylinder-thesis/three-cylinder.toml");
-
-fn engine(text: &str) -> Engine {
-    let reading = read(text);
-    reading.engine().unwrap_or_else(|| panic!("{:?}", reading.diagnostics))
-}
 
 fn two_orders(engine: &Engine, kinematics: Kinematics) -> Loads {
     let request = LoadRequest { max_order: 2, samples: 8, kinematics, ..LoadRequest::default() };

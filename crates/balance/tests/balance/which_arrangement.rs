@@ -9,6 +9,7 @@ use lanchester_balance::*;
 use lanchester_file::{read, templates};
 use lanchester_model::*;
 use lanchester_task::*;
+use lanchester_testkit::{Within, assert_close};
 
 /// Relative difference of the thesis's series from the exact motion, where second and higher orders are left.
 const SERIES: f64 = 2e-3;
@@ -53,8 +54,10 @@ fn named<'a>(found: &'a Arrangements, spacing: usize, name: &str) -> &'a Arrange
         .unwrap_or_else(|| panic!("{name} is examined"))
 }
 
+#[track_caller]
 fn close(got: f64, want: f64, share: f64, what: &str) {
-    assert!((got - want).abs() <= share * want.abs(), "{what}: got {got}, want {want} within {share}");
+    let reason = "the thesis's series and its printed digits, or the solver's gap";
+    assert_close(what, got, want, Within::share(share, reason));
 }
 
 /// Amount of a weight of an arrangement [kg m].

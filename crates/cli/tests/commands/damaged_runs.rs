@@ -76,9 +76,12 @@ fn a_gap_in_the_middle_of_a_run_is_filled() {
     let folder = folder("runs-gap");
     gallery(&folder, "v6-60");
     let more = ["--even-firing", "--throw-angles", "every 5 deg", "--threads", "1"];
-    let mut arguments = search("cases.parquet", &more);
-    arguments[7] = "0.20 .. 0.45 by 0.005";
-    crate::runs::kill_twice(&folder, &arguments, "cases.parquet");
+    let killed = crate::runs::kill_twice(&folder, "cases.parquet", |times| {
+        let mut run: Vec<String> = search("cases.parquet", &more).iter().map(ToString::to_string).collect();
+        run[7] = format!("0.20 .. 0.45 by {}", 0.005 / f64::from(times));
+        run
+    });
+    let mut arguments: Vec<&str> = killed.iter().map(String::as_str).collect();
     let entries = fs::read_dir(folder.join("cases.parquet.run")).unwrap().flatten();
     let first = entries.map(|entry| entry.path()).filter(|path| path.extension().is_some()).min().unwrap();
     fs::remove_file(first).unwrap();

@@ -6,7 +6,7 @@ use lanchester::table::{TableReader, Values};
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A search, its rod ratios left open.
 const SEARCH: [&str; 7] = [
@@ -108,20 +108,33 @@ fn the_table_holds_every_judged_case_with_its_inputs_and_its_request() {
     assert!(other.contains("cases.parquet holds something else and is not overwritten"), "{other}");
 }
 
-/// Starts a run twice and kills it as soon as another piece of it is on the disk.
-pub fn kill_twice(folder: &Path, arguments: &[&str], table: &str) {
+/// Starts a run twice and kills it as soon as another piece of it is on the disk. Where a run is done before it is killed twice, the
+/// next one is twice as long, so that no machine is too fast; gives what makes the run that was killed.
+pub fn kill_twice(folder: &Path, table: &str, run: impl Fn(u32) -> Vec<String>) -> Vec<String> {
     let run_folder = folder.join(table.to_owned() + ".run");
+    for longer in 0..12 {
+        let arguments = run(1 << longer);
+        if is_killed_twice(folder, &arguments, &run_folder) {
+            return arguments;
+        }
+        fs::remove_file(folder.join(table)).unwrap();
+    }
+    panic!(
+        "a run four thousand times as long as the first is done before another piece of it is on the disk"
+    );
+}
+
+/// Whether the run was killed twice before it was done.
+fn is_killed_twice(folder: &Path, arguments: &[String], run_folder: &Path) -> bool {
     let tables = || {
-        let entries = fs::read_dir(&run_folder)
-            .map(|entries| entries.flatten().collect::<Vec<_>>())
-            .unwrap_or_default();
+        let entries =
+            fs::read_dir(run_folder).map(|entries| entries.flatten().collect::<Vec<_>>()).unwrap_or_default();
         entries
             .into_iter()
             .map(|entry| entry.path())
             .filter(|path| path.extension().is_some_and(|e| e == "parquet"))
             .collect::<Vec<_>>()
     };
-    let mut kills = 0;
     for wanted in [1, 2] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_lanchester"))
             .args(arguments)
@@ -130,20 +143,21 @@ pub fn kill_twice(folder: &Path, arguments: &[&str], table: &str) {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
-        let patience = Instant::now();
         while tables().len() < wanted && child.try_wait().unwrap().is_none() {
-            assert!(patience.elapsed() < Duration::from_secs(300), "nothing is put on the disk");
             std::thread::sleep(Duration::from_millis(20));
         }
-        kills += usize::from(child.try_wait().unwrap().is_none());
         let _ = child.kill();
-        child.wait().unwrap();
+        let ended = child.wait().unwrap();
         // What was written stays readable.
         for table in tables() {
             TableReader::open(File::open(table).unwrap()).unwrap();
         }
+        if ended.success() {
+            return false;
+        }
+        assert!(ended.code() != Some(2), "the run is refused: {arguments:?}");
     }
-    assert_eq!(kills, 2, "the run is too short to be killed twice");
+    true
 }
 
 /// A run killed again and again, without a warning, becomes the table of the run that was not.
@@ -152,10 +166,13 @@ fn a_killed_run_goes_on_to_the_same_bytes() {
     let folder = folder("runs-killed");
     gallery(&folder, "v6-60");
     // Seconds of one thread; what is done is put on the disk four times a second.
-    let ratios = "0.20 .. 0.45 by 0.005";
     let more = ["--even-firing", "--throw-angles", "every 5 deg", "--threads", "1"];
-    let arguments = search(ratios, "killed.parquet", &more);
-    kill_twice(&folder, &arguments, "killed.parquet");
+    let ratios = |times: u32| format!("0.20 .. 0.45 by {}", 0.005 / f64::from(times));
+    let killed = kill_twice(&folder, "killed.parquet", |times| {
+        search(&ratios(times), "killed.parquet", &more).iter().map(ToString::to_string).collect()
+    });
+    let arguments: Vec<&str> = killed.iter().map(String::as_str).collect();
+    let ratios = arguments[SEARCH.len()];
     let other = message(&folder, 2, &search("0.3", "killed.parquet", &[]));
     assert!(other.contains("holds what another run has begun"), "{other}");
     let went_on = lanchester(&folder, &arguments);

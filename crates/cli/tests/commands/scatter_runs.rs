@@ -148,11 +148,16 @@ fn the_table_holds_every_engine_with_its_deviations() {
 fn a_killed_production_goes_on_to_the_same_bytes() {
     let folder = folder("scatter-runs-killed");
     let file = tolerant(&folder, "v6-60", "common = { rod_length = { plus_minus = \"0.1 mm\" } }");
-    let arguments = production(&file, "600000", "killed.parquet", &["--threads", "1"]);
-    kill_twice(&folder, &arguments, "killed.parquet");
+    let killed = kill_twice(&folder, "killed.parquet", |times| {
+        let samples = (600_000 * times).to_string();
+        let run = production(&file, &samples, "killed.parquet", &["--threads", "1"]);
+        run.iter().map(ToString::to_string).collect()
+    });
+    let arguments: Vec<&str> = killed.iter().map(String::as_str).collect();
+    let samples = arguments[3];
     let went_on = lanchester(&folder, &arguments);
     assert!(String::from_utf8_lossy(&went_on.stderr).contains("going on after"), "{went_on:?}");
-    let whole = production(&file, "600000", "whole.parquet", &[]);
+    let whole = production(&file, samples, "whole.parquet", &[]);
     assert_eq!(output(&folder, 0, &whole).into_bytes(), went_on.stdout);
     assert!(bytes(&folder, "killed.parquet") == bytes(&folder, "whole.parquet"), "another table");
 }

@@ -226,18 +226,29 @@ fn send_to(server: &Server, path: &str, lane: &str, question: &Value) -> TcpStre
     stream
 }
 
+/// The server may come to a newer question before an older one, which is then the newer of the two: newer ones are sent until the older
+/// one is answered.
 #[test]
 fn a_newer_question_breaks_an_older_one_off() {
     let (folder, text) = three("studio-newer");
     let server = Server::start(&folder, "three.toml");
-    let mut older = send(&server, "balance", &long_search());
-    std::thread::sleep(Duration::from_millis(300));
-    let mut newer = send(&server, "balance", &json!({ "text": text }));
-    let mut answers = [String::new(), String::new()];
-    older.read_to_string(&mut answers[0]).unwrap();
-    newer.read_to_string(&mut answers[1]).unwrap();
-    assert!(answers[0].contains("409") && answers[0].contains("a newer question"), "{}", answers[0]);
-    assert!(answers[1].contains("200 OK"), "{}", answers[1]);
+    let older = send(&server, "balance", &long_search());
+    let older = std::thread::spawn(move || {
+        let (mut stream, mut answer) = (older, String::new());
+        stream.read_to_string(&mut answer).map(|_| answer)
+    });
+    let mut answered = 0;
+    while answered == 0 || !older.is_finished() {
+        let mut newer = send(&server, "balance", &json!({ "text": text }));
+        let mut answer = String::new();
+        newer.read_to_string(&mut answer).unwrap();
+        // Only the older one, where the server comes to it last, breaks this one off.
+        let broken_off = answer.contains("409") && answer.contains("a newer question");
+        assert!(broken_off || answer.contains("200 OK"), "{answer}");
+        answered += usize::from(!broken_off);
+    }
+    let answer = older.join().unwrap().unwrap();
+    assert!(answer.contains("409") && answer.contains("a newer question"), "{answer}");
 }
 
 #[test]
@@ -247,6 +258,7 @@ fn a_window_that_goes_away_holds_no_processor() {
     // More than there are processors: if they went on, nobody else would get an answer within the minute.
     let windows: Vec<TcpStream> =
         (0..64).map(|lane| send(&server, &lane.to_string(), &long_search())).collect();
+    // Some are being computed by then, or none on a slow machine: the answer comes in either case.
     std::thread::sleep(Duration::from_millis(300));
     drop(windows);
     assert!(server.post("/api/loads", &json!({ "text": text }))["speed"].is_number());

@@ -11,6 +11,7 @@ use lanchester_geometry::clearance::{
 };
 use lanchester_geometry::{Chamfer, Contour, Corner, Cut, Face, Outline, Point};
 use lanchester_model::{CrankBody, Engine, Envelope};
+use lanchester_testkit::{Within, assert_close};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -34,8 +35,14 @@ const SIDE: Obstacle = Obstacle::BigEndSide { cylinder: 1 };
 /// A search ends this far above its bound, which rounding may pass by some more [m].
 const GAP: f64 = CLEARANCE_GAP + 1e-12;
 
+#[track_caller]
 fn near(quantity: &str, got: f64, wanted: f64, tolerance: f64) {
-    assert!((got - wanted).abs() <= tolerance, "{quantity}: {got} for {wanted}");
+    assert_close(
+        quantity,
+        got,
+        wanted,
+        Within::absolute(tolerance, "the gap that the search proves, or rounding"),
+    );
 }
 
 /// One cylinder with a sector against its crankpin beside the rod.

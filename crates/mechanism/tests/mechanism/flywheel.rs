@@ -271,8 +271,16 @@ fn a_heavy_flywheel_follows_the_formula() {
 }
 
 /// Within a share of the value wanted.
+#[track_caller]
 fn near(got: f64, wanted: f64, share: f64) {
-    assert!((got - wanted).abs() <= share * wanted.abs(), "got {got}, wanted {wanted}");
+    assert_close(
+        "number",
+        got,
+        wanted,
+        0.0,
+        share,
+        "the printed digits, or the differences that it is made of",
+    );
 }
 
 /// A crank almost without masses whose torque and load are those of the file.

@@ -3,6 +3,7 @@
 use crate::support::assert_close;
 use lanchester_mechanism::*;
 use lanchester_model::*;
+use lanchester_testkit::gallery::engine as read;
 use std::f64::consts::{PI, TAU};
 
 /// A twin with a crankshaft for each cylinder; the second fires at its `number`-th top dead centre after the first one's firing.
@@ -111,9 +112,4 @@ fn the_effective_file_has_the_same_firing() {
         let angles = |engine: &Engine| engine.cylinders.iter().map(|c| c.firing_angle).collect::<Vec<_>>();
         assert_eq!(angles(&engine), angles(&again), "{ratio}");
     }
-}
-
-fn read(text: &str) -> Engine {
-    let reading = lanchester_file::read(text);
-    reading.engine().unwrap_or_else(|| panic!("{text}\n{:?}", reading.diagnostics))
 }

@@ -4,6 +4,7 @@
 
 use crate::support::random_outline::{any_star, star};
 use lanchester_shape::{Chamfer, Contour, Cut, Face, GeometryError, Insert, Outline, Part, Point};
+use lanchester_testkit::Within;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -25,11 +26,10 @@ fn milled(direction: f64, distance: f64, angle: f64, face: Face) -> Chamfer {
     Chamfer { cut: Cut::Milled { direction, distance }, angle, face }
 }
 
+#[track_caller]
 fn assert_close(ours: f64, exact: f64, scale: f64, what: &str) {
-    assert!(
-        (ours - exact).abs() <= 1e-13 * scale.abs().max(exact.abs()),
-        "{what}: {ours:e} against {exact:e}"
-    );
+    let within = Within::of(scale.abs().max(exact.abs()), 1e-13, "rounding of the terms of an exact sum");
+    lanchester_testkit::assert_close(what, ours, exact, within);
 }
 
 #[test]

@@ -3,13 +3,14 @@ use crate::support;
 use crate::support::parts;
 use lanchester_mechanism::{BeamModel, InternalRequest, LoadRequest, internal_moments, loads};
 use lanchester_study::explore::*;
+use lanchester_testkit::{Within, assert_close};
 use num_complex::Complex64;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
+#[track_caller]
 fn close(what: &str, got: Complex64, wanted: Complex64, scale: f64) {
-    let off = (got - wanted).norm();
-    assert!(off <= 1e-12 * scale, "{what}: got {got}, wanted {wanted}, off by {off:e} of {scale:e}");
+    assert_close(what, got, wanted, Within::of(scale, 1e-12, "rounding of all that is summed"));
 }
 
 fn sense() -> impl Strategy<Value = Sense> {

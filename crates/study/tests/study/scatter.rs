@@ -1,15 +1,11 @@
 //! Scatter: every sample is an engine, and what is told of them is what they have.
-use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, total_loads};
 use lanchester_model::Engine;
 use lanchester_study::explore::Sense;
 use lanchester_study::scatter::*;
 use lanchester_task::{Distribution, Extent, Tolerance, Varied};
+use lanchester_testkit::gallery::gallery as engine;
 use proptest::prelude::*;
-
-fn engine(name: &str) -> Engine {
-    read(template(name).expect("it is in the gallery").text).engine().expect("it is valid")
-}
 
 fn tolerance(quantity: Varied, half_width: f64, extent: Extent) -> Tolerance {
     Tolerance { quantity, half_width, distribution: Distribution::Normal { sigmas: 3.0 }, extent }

@@ -2,14 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, total_loads};
 use lanchester_model::Engine;
 use lanchester_study::sensitivity::*;
-
-fn engine(name: &str) -> Engine {
-    read(template(name).unwrap().text).engine().unwrap()
-}
+use lanchester_testkit::gallery::gallery as engine;
 
 /// Peaks, and orders 1 and 2, of all loads.
 fn outputs() -> Vec<Output> {

@@ -116,7 +116,19 @@ fn off(point: &OperatingPoint, input: Input, by: f64) -> OperatingPoint {
 
 fn coefficient(samples: &[Complex64], order: f64, period: f64) -> f64 {
     let step = period / samples.len() as f64;
-    let terms = samples.iter().enumerate().map(|(k, v)| v * Complex64::cis(-order * step * k as f64));
+    let turn = Complex64::cis(-order * step);
+    let terms = samples.chunks(48).enumerate().map(|(place, chunk)| {
+        // From 48 products of unit length no more than 48 roundings.
+        let start = Complex64::cis(-order * step * (48 * place) as f64);
+        chunk
+            .iter()
+            .scan(start, |phasor, value| {
+                let term = value * *phasor;
+                *phasor *= turn;
+                Some(term)
+            })
+            .sum::<Complex64>()
+    });
     terms.sum::<Complex64>().norm() / samples.len() as f64
 }
 
@@ -151,9 +163,13 @@ impl Ordinary {
             matches!(target, Target::Torque | Target::ExcessEnergy | Target::SpeedFluctuation)
                 || matches!(target, Target::BendingMoment(_))
         };
-        let request = InternalRequest { speed, samples: 1, ..InternalRequest::default() };
-        let bending = internal_moments(engine, &request).unwrap().crankshafts;
-        let bending = bending.iter().map(|own| own.free_beam.peak_moment.value).fold(0.0, f64::max);
+        let has_bending = outputs.iter().any(|output| matches!(output.target, Target::BendingMoment(_)));
+        let bending = || {
+            let request = InternalRequest { speed, samples: 1, ..InternalRequest::default() };
+            let found = internal_moments(engine, &request).unwrap().crankshafts;
+            found.iter().map(|own| own.free_beam.peak_moment.value).fold(0.0, f64::max)
+        };
+        let bending = if has_bending { bending() } else { 0.0 };
         let is_ripple = outputs.iter().any(|output| output.target == Target::SpeedFluctuation);
         let gas_of_ripple = outputs.iter().any(|output| output.needs().gas).then_some(gas);
         let ripple = || {

@@ -5,6 +5,7 @@ use crate::optimum::support::*;
 use lanchester_balance::{Answer, FoundLimit, LimitSide, optimise};
 use lanchester_model::*;
 use lanchester_task::*;
+use lanchester_testkit::{Within, assert_close};
 
 /// Share of a limit that it is moved by for a difference.
 const STEP: f64 = 1e-5;
@@ -36,8 +37,9 @@ fn limit<'a>(answer: &'a Answer, what: &str) -> &'a FoundLimit {
     found.unwrap_or_else(|| panic!("{what}: {:#?}", answer.limits))
 }
 
+#[track_caller]
 fn near(got: f64, want: f64) {
-    assert!((got - want).abs() < 1e-4 * want.abs(), "{got} {want}");
+    assert_close("price", got, want, Within::share(1e-4, "what is wanted is a quotient of differences"));
 }
 
 /// Force of a single-cylinder engine with one weight on its crank, whose best amount is `best`.

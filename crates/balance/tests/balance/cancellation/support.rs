@@ -1,16 +1,16 @@
 //! Engines of the gallery, tasks for them, and what an answer must hold.
 
 use lanchester_balance::*;
-use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::*;
 use lanchester_task::*;
+use lanchester_testkit::gallery::gallery;
+use lanchester_testkit::{Within, assert_close};
 use num_complex::Complex64;
 
 /// The engine of the gallery without counterweights and shafts.
 pub fn stripped(name: &str) -> Engine {
-    let text = template(name).expect("a template of the gallery").text;
-    let mut engine = read(text).engine().expect("a valid template");
+    let mut engine = gallery(name);
     engine = engine
         .with(|engine| {
             engine.counterweights.clear();
@@ -248,6 +248,7 @@ pub fn assert_cannot<'a>(engine: &Engine, answer: &'a Answer) -> &'a [Obstructio
     obstructions
 }
 
+#[track_caller]
 pub fn close(got: f64, want: f64, relative: f64, what: &str) {
-    assert!((got - want).abs() <= relative * want.abs(), "{what}: got {got}, expected {want}");
+    assert_close(what, got, want, Within::share(relative, "what the solver's gap leaves"));
 }

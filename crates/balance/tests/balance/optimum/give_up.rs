@@ -4,6 +4,7 @@ use crate::optimum::support::*;
 use lanchester_balance::{Answer, BalanceError, FoundStage, Outcome, optimise};
 use lanchester_model::*;
 use lanchester_task::*;
+use lanchester_testkit::{Within, assert_close};
 
 fn solved(engine: &Engine, task: &BalanceTask) -> Answer {
     let answer = optimise(engine, task).expect("a valid task");
@@ -31,8 +32,11 @@ fn limited(task: &BalanceTask, at: usize, limits: &[(Load, f64)]) -> BalanceTask
     }
 }
 
+#[track_caller]
 fn assert_near(got: f64, want: f64, what: &str) {
-    assert!((got - want).abs() < 2e-8 * want.abs().max(1e-9), "{what}: {got} instead of {want}");
+    let within =
+        Within::of(want.abs().max(1e-9), 2e-8, "the solver's gap, of this stage and of the one before");
+    assert_close(what, got, want, within);
 }
 
 fn given(stage: &FoundStage) -> lanchester_balance::StageGiveUp {

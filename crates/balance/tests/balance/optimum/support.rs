@@ -1,14 +1,11 @@
 //! Engines of the gallery and tasks for them.
 
 use lanchester_balance::{Answer, Outcome};
-use lanchester_file::{read, template};
 use lanchester_mechanism::{LoadRequest, Mechanism};
 use lanchester_model::*;
 use lanchester_task::*;
 
-pub fn engine(name: &str) -> Engine {
-    read(template(name).expect("a template of the gallery").text).engine().expect("a valid template")
-}
+pub use lanchester_testkit::gallery::gallery as engine;
 
 /// The engine without counterweights and shafts.
 pub fn stripped(name: &str) -> Engine {

@@ -1,7 +1,7 @@
 //! Random valid engines of many shapes: several throws and cylinders a throw, offsets, articulated rods, rods with
 //! inertia, a geared second crankshaft, counterweights and shafts.
 
-use super::{crankshaft, parts};
+use crate::hand_made::{crankshaft, parts};
 use lanchester_model::*;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
