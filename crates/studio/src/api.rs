@@ -3,7 +3,9 @@
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
-use crate::{balancing, counterweights, figures, files, reading, results, session, shape_preview};
+use crate::{
+    balancing, counterweights, figures, files, reading, results, session, shape_preview, simulation,
+};
 use axum::Router;
 use axum::body::Bytes;
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
@@ -72,6 +74,7 @@ impl Api {
         let api = files::questions(api);
         let api = reading::questions(api);
         let api = results::questions(api);
+        let api = simulation::questions(api);
         let api = figures::questions(api);
         let api = balancing::questions(api);
         let api = counterweights::questions(api);
