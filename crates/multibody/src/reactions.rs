@@ -58,6 +58,8 @@ pub struct CylinderReactions {
     pub lower_pin: Wrench,
     /// Force on the lower pin along the rod towards the piston, and a quarter turn on, as the pin bears on the rod [N].
     pub rod_frame: [f64; 2],
+    /// Travel of the piston pin along the cylinder axis relative to the block: position [m], speed [m/s], acceleration [m/s^2].
+    pub travel: [f64; 3],
     /// Force on the crankpin along its throw, and across it where it drives the crankshaft [N]; 0 for a knuckle pin.
     pub throw_frame: [f64; 2],
 }
@@ -216,7 +218,7 @@ impl Train {
         let u = in_plane(cylinder.axis, 0.0);
         let v = in_plane(cylinder.axis * Complex64::I, 0.0);
         let z = Vector3::z();
-        let [_, s1, s2] = place.travel;
+        let [s, s1, s2] = place.travel;
         let w = carrier.speed;
         // Without the pin and the wall the piston would need this more.
         let drive = (instant.gas[index] + instant.piston_damping * s1 * w) * u;
@@ -277,6 +279,7 @@ impl Train {
             piston_pin: Wrench::of(pin, pin_couple),
             lower_pin: Wrench::of(on_pin.force, on_pin.couple),
             rod_frame: [bearing.re, bearing.im],
+            travel: [s, s1 * w, s1 * instant.rates[6] + s2 * w * w],
             throw_frame,
         };
         // The wall takes the friction of the piston too.

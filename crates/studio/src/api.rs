@@ -4,7 +4,11 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
 use crate::{
+<<<<<<< HEAD
     balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview,
+=======
+    balancing, counterweights, figures, files, reading, results, session, shape_preview, simulation,
+>>>>>>> sim
 };
 use axum::Router;
 use axum::body::Bytes;
@@ -74,6 +78,7 @@ impl Api {
         let api = files::questions(api);
         let api = reading::questions(api);
         let api = results::questions(api);
+        let api = simulation::questions(api);
         let api = figures::questions(api);
         let api = balancing::questions(api);
         let api = counterweights::questions(api);

@@ -28,6 +28,7 @@ mod results;
 mod server;
 mod session;
 mod shape_preview;
+mod simulation;
 mod summary;
 mod typescript;
 mod watch;

@@ -221,6 +221,50 @@ pub(crate) fn joints_table(result: &SimulationResult) -> Option<Table> {
     })
 }
 
+/// Longest run that is shown as a whole over the angle [revolutions]; of a longer one its last period is.
+const WHOLE: f64 = 4.0;
+
+/// Motion of every piston, and force of every rod on its crankpin, over the crank angle.
+fn over_angle(result: &SimulationResult) -> Vec<Figure> {
+    let samples = &result.run.samples;
+    let turns =
+        samples.theta.last().zip(samples.theta.first()).map_or(0.0, |(end, start)| (end - start) / TAU);
+    let range = if turns <= WHOLE { 0..samples.reactions.len() } else { result.last_period() };
+    let (Some(reactions), Some(theta)) = (samples.reactions.get(range.clone()), samples.theta.get(range))
+    else {
+        return Vec::new();
+    };
+    let (Some(first), Some(start)) = (reactions.first(), theta.first()) else { return Vec::new() };
+    let count = first.cylinders.len();
+    let of =
+        |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64, index: usize| -> Vec<(f64, f64)> {
+            let values = reactions.iter().map(|all| pick(&all.cylinders[index]));
+            theta.iter().map(|theta| (theta - start) / TAU).zip(values).collect()
+        };
+    let each = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| -> Vec<_> {
+        (0..count).map(|index| curve(&format!("cylinder {}", index + 1), index, of(pick, index))).collect()
+    };
+    let motion = [("position", "m"), ("speed", "m/s"), ("acceleration", "m/s²")].into_iter().enumerate();
+    let motion = motion
+        .map(|(k, (name, unit))| panel(["revolutions", name], ["1", unit], None, each(&|c| c.travel[k])));
+    let pistons = figure(
+        "simulated-pistons",
+        "Motion of the pistons",
+        "Position of the piston pins along their cylinders from the crank axis, its speed and its acceleration, relative to the block.",
+        motion.collect(),
+    );
+    let forces = [("outwards along the throw", 0), ("across the throw", 1)];
+    let panels =
+        forces.map(|(name, k)| panel(["revolutions", name], ["1", "N"], None, each(&|c| c.throw_frame[k])));
+    let rods = figure(
+        "simulated-rod-forces",
+        "Forces of the rods on their crankpins",
+        "Along the throw (positive away from the crank axis) and across it (positive where it drives the crank).",
+        Vec::from(panels),
+    );
+    vec![pistons, rods]
+}
+
 /// Polar diagrams of the main bearings by the rule of the run, and of the crankpins about their throws.
 pub(crate) fn reaction_figures(result: &SimulationResult) -> Vec<Figure> {
     let Some(reactions) = result.run.samples.reactions.get(result.last_period()).filter(|all| all.len() > 2)
@@ -242,7 +286,7 @@ pub(crate) fn reaction_figures(result: &SimulationResult) -> Vec<Figure> {
             panels.push(panel(["y", "x"], ["N", "N"], Some(0.0), curves));
         }
     }
-    let mut figures = Vec::new();
+    let mut figures = over_angle(result);
     if !panels.is_empty() {
         let caption = format!(
             "Force of the journals on their bearings in the last period, axes of the block, by the rule `{}`.",

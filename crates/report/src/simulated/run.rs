@@ -53,7 +53,7 @@ pub struct PeriodicResult {
 
 impl SimulationResult {
     /// Samples of the last whole period, or all where there is none.
-    pub(crate) fn last_period(&self) -> std::ops::Range<usize> {
+    pub fn last_period(&self) -> std::ops::Range<usize> {
         let theta = &self.run.samples.theta;
         let Some(end) = theta.last() else { return 0..0 };
         let from = end - TAU * f64::from(self.revolutions) - 1e-9;
@@ -73,6 +73,11 @@ impl SimulationResult {
             _ => speed.first().copied().unwrap_or(0.0),
         };
         [most, least, mean]
+    }
+
+    /// Words for something that happened in the run.
+    pub fn happened(&self, what: Occasion) -> String {
+        occasion_words(what, &self.actions)
     }
 
     /// Main bearings: number of the crankshaft, of the main, plane, largest load by every rule [N].
@@ -134,7 +139,7 @@ fn table(id: &'static str, title: &str, note: &str, columns: Vec<Column>, rows: 
 }
 
 /// How the run ended, what was chosen for it, and what its audits say: a paragraph each.
-pub(crate) fn simulation_words(result: &SimulationResult) -> Vec<String> {
+pub fn simulation_words(result: &SimulationResult) -> Vec<String> {
     let run = &result.run;
     let [time, theta, speed] = run.end;
     let mut all = vec![format!(
@@ -402,6 +407,9 @@ pub fn simulation_reactions_csv(result: &SimulationResult) -> String {
         for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
             columns.push((format!("{name} piston_pin_{axis} [N]"), of(&|c| c.piston_pin.force[k])));
             columns.push((format!("{name} lower_pin_{axis} [N]"), of(&|c| c.lower_pin.force[k])));
+        }
+        for (k, unit) in ["position [m]", "speed [m/s]", "acceleration [m/s2]"].into_iter().enumerate() {
+            columns.push((format!("{name} piston_{unit}"), of(&|c| c.travel[k])));
         }
         columns.push((format!("{name} radial [N]"), of(&|c| c.throw_frame[0])));
         columns.push((format!("{name} tangential [N]"), of(&|c| c.throw_frame[1])));

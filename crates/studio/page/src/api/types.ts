@@ -1418,6 +1418,13 @@ export type Effect = {
   without: number;
 };
 
+/** A work, or a change of what is stored. */
+export type EnergyPart = {
+  /** [J]. */
+  energy: number;
+  name: string;
+};
+
 /** Accumulated energy of a torque over its period. */
 export type EnergyVariation = {
   /** Integral of `|T - T_mean|` over the own period [J], eq. (25.3), as the twin thesis counts it. */
@@ -2459,6 +2466,12 @@ export type MountedBody = {
   mass: number;
 };
 
+/** A curve with its name. */
+export type NamedCurve = {
+  name: string;
+  values: number[];
+};
+
 /** An engine under a name of its own. */
 export type NamedEngine = {
   /** What it is called in the answer. */
@@ -3167,6 +3180,78 @@ export type Similar = {
   length: number;
   /** Speed of the crankshaft, over that of the original. */
   speed: number;
+};
+
+/** A run to be made. What is left out is as the file says, else as `lanchester simulate` has it. */
+export type SimulateQuestion = {
+  /** Whether the gas of the file acts. */
+  gas: boolean | null;
+  /** Whether weight acts. */
+  gravity: boolean | null;
+  /** Whether a drive keeps the speed. */
+  imposed: boolean | null;
+  /** Torque of a constant load with its unit, or `none`, as `--load` takes it. */
+  load: string | null;
+  /** Numbers of cylinders that fire no more after the first revolution. */
+  misfire: number[];
+  /** Whether the block moves on its mounts. */
+  on_mounts: boolean | null;
+  /** Whether the periodic motion is searched instead. */
+  periodic: boolean;
+  /** Revolutions that it lasts. */
+  revolutions: number | null;
+  /** Speed of crankshaft 1 at the start [rad/s]. */
+  speed: number | null;
+  /** The engine file. */
+  text: string;
+};
+
+/** Something that happened on the way. */
+export type SimulatedEvent = {
+  /** At which speed [rad/s]. */
+  speed: number;
+  /** At which crank angle [rad]. */
+  theta: number;
+  /** When [s]. */
+  time: number;
+  /** What, in words. */
+  what: string;
+};
+
+/** A run. Every curve has one value a sample. */
+export type SimulationAnswer = {
+  /** Whether it ran to its end. */
+  complete: boolean;
+  /** What put energy in, positive, and what took or stores it, negative [J]. */
+  energy: EnergyPart[];
+  /** Largest error of the energy over its throughput. */
+  energy_error: number;
+  /** What happened on the way. */
+  events: SimulatedEvent[];
+  /** Force of the journals on every main bearing [N], its size, by the rule of the file. */
+  mains: NamedCurve[];
+  /** Force of the block on every mount [N], its size. */
+  mounts: NamedCurve[];
+  /** Turn of the block: unit quaternion w, x, y, z; empty with a fixed block. */
+  orientation: [number, number, number, number][];
+  /** First sample of the last period. */
+  period_start: number;
+  /** Where the block's origin is [m]: x, y and z; empty with a fixed block. */
+  position: [number, number, number][];
+  /** Side thrust of every cylinder [N]. */
+  side_thrust: NamedCurve[];
+  /** Its rate [rad/s]. */
+  speed: number[];
+  /** Highest, lowest and mean speed in the last period [rad/s]. */
+  speeds: [number, number, number];
+  /** Crank angle of crankshaft 1 relative to the block [rad]. */
+  theta: number[];
+  /** Time [s]. */
+  time: number[];
+  /** Torques that act somewhere in the run [N m]. */
+  torques: NamedCurve[];
+  /** How it ended, what was chosen for it, and what it does not use. */
+  words: string[];
 };
 
 /** The smallest clearance of all. */

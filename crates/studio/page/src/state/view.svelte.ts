@@ -2,6 +2,7 @@
 
 import { engine } from "./engine.svelte";
 
+<<<<<<< HEAD
 export const TABS = [
   "engine",
   "view",
@@ -11,6 +12,9 @@ export const TABS = [
   "compare",
   "bondgraph",
 ] as const;
+=======
+export const TABS = ["engine", "view", "balance", "counterweight", "results", "simulate", "compare"] as const;
+>>>>>>> sim
 export type Tab = (typeof TABS)[number];
 export type Theme = "light" | "dark";
 

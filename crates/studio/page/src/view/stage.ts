@@ -16,6 +16,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Scene } from "../api/types";
+import type { BlockPose } from "../parts/simulate/simulated";
 import { Arrows, type Shown } from "./arrows";
 import { type Body, bodies, matrixOf } from "./bodies";
 import { Finish, type Look } from "./finish";
@@ -197,6 +198,18 @@ export class Stage {
   moving(moving: boolean) {
     this.#moving = moving;
     clearTimeout(this.#still);
+    this.#changed();
+  }
+
+  /** Moves the whole engine, in its own frame; `null` puts it back. */
+  move(pose: BlockPose | null) {
+    const mirror = this.#root.scale.y;
+    const [x, y, z] = pose?.place ?? [0, 0, 0];
+    const [a, b, c, w] = pose?.turn ?? [0, 0, 0, 1];
+    this.#root.position.set(x, mirror * y, z);
+    // A turn about an axis in the mirror's plane is seen the other way round.
+    this.#root.quaternion.set(mirror * a, b, mirror * c, w);
+    this.#root.updateMatrixWorld(true);
     this.#changed();
   }
 

@@ -1,0 +1,84 @@
+import { describe, expect, it } from "vitest";
+import type { SimulationAnswer } from "../../api/types";
+import { blockAt, departure, fluctuation, ledger, overPeriod, sampleAt, thetaAt, turn } from "./simulated";
+
+const run: SimulationAnswer = {
+  words: [],
+  complete: true,
+  speeds: [102, 98, 100],
+  period_start: 2,
+  time: [0, 0.1, 0.2, 0.3],
+  theta: [0, 10, 20, 30],
+  speed: [100, 100, 98, 102],
+  torques: [],
+  position: [
+    [5, 0, 0],
+    [0, 0, 0],
+    [1, 2, 0],
+    [3, 4, 0],
+  ],
+  orientation: [
+    [1, 0, 0, 0],
+    [1, 0.001, 0, 0],
+    [-1, 0.001, 0, 0],
+    [1, 0, 0, 0.002],
+  ],
+  mounts: [],
+  mains: [],
+  side_thrust: [],
+  energy: [
+    { name: "gas", energy: 100 },
+    { name: "load", energy: -70 },
+    { name: "kinetic energy", energy: -30 },
+  ],
+  energy_error: 1e-12,
+  events: [],
+};
+
+describe("a simulated run", () => {
+  it("has its last period from its start", () => {
+    const [curve] = overPeriod(run, [{ name: "speed", values: run.speed }]);
+    expect(curve?.x).toEqual([0, 10]);
+    expect(curve?.y).toEqual([98, 102]);
+  });
+
+  it("departs from the mean place of the last period", () => {
+    expect(departure(run, 0)).toEqual([3, -2, -1, 1]);
+    expect(departure(run, 1).slice(2)).toEqual([-1, 1]);
+  });
+
+  it("turns the same way whichever sign its quaternion has", () => {
+    expect(turn(run, 0)).toEqual([0, 0.002, -0.002, 0]);
+    expect(turn(run, 2)[3]).toBe(0.004);
+  });
+
+  it("finds the sample at a time", () => {
+    expect([-1, 0, 0.15, 0.2, 9].map((time) => sampleAt(run, time))).toEqual([0, 0, 1, 2, 3]);
+  });
+
+  it("is played on straight lines between its samples", () => {
+    expect(thetaAt(run, 0.15)).toBeCloseTo(15);
+    expect(thetaAt(run, 5)).toBe(30);
+    const still = { ...run, position: [], orientation: [] };
+    expect(blockAt(still, 0.1, 10)).toBeNull();
+  });
+
+  it("draws the block's departure so many times as large, and turns it by a unit quaternion", () => {
+    const drawn = blockAt(run, 0.2, 10);
+    expect(drawn?.place).toEqual([-10, -10, 0]);
+    const [x, , z, w] = drawn?.turn ?? [];
+    // From its mean of -0.001 and 0.002 rad: -0.001 about x, -0.002 about z, ten times.
+    expect(x).toBeCloseTo(-0.005, 6);
+    expect(z).toBeCloseTo(-0.01, 6);
+    expect(Math.hypot(...(drawn?.turn ?? []))).toBeCloseTo(1, 12);
+    expect(w).toBeLessThan(1);
+  });
+
+  it("has two equal sides of its ledger", () => {
+    const { from, to } = ledger(run);
+    const sum = (side: typeof from) => side.reduce((all, part) => all + part.energy, 0);
+    expect(to.map((part) => part.name)).toEqual(["load", "kinetic energy"]);
+    expect(sum(from)).toBe(sum(to));
+    expect(fluctuation(run.speeds)).toBeCloseTo(0.04);
+  });
+});

@@ -1,0 +1,271 @@
+//! A run in time: the answer of `simulate`.
+
+use crate::api::Api;
+use crate::asker::Asker;
+use crate::problem::Problem;
+use crate::reading::engine_file;
+use crate::server::superseded;
+use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
+use lanchester::report::{SimulationResult, simulation_words};
+use lanchester::task::option;
+use lanchester::{RunLength, SimulateRequest, simulate_watched};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Most revolutions and seconds of a run that a page waits for.
+const MOST_REVOLUTIONS: f64 = 2000.0;
+const MOST_SECONDS: f64 = 120.0;
+
+/// Samples of every curve, at most.
+const MOST_SAMPLES: usize = 4000;
+
+/// A run to be made. What is left out is as the file says, else as `lanchester simulate` has it.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct SimulateQuestion {
+    /// The engine file.
+    text: String,
+    /// Speed of crankshaft 1 at the start [rad/s].
+    #[serde(default)]
+    speed: Option<f64>,
+    /// Revolutions that it lasts.
+    #[serde(default)]
+    revolutions: Option<f64>,
+    /// Whether the periodic motion is searched instead.
+    #[serde(default)]
+    periodic: bool,
+    /// Whether a drive keeps the speed.
+    #[serde(default)]
+    imposed: Option<bool>,
+    /// Whether the block moves on its mounts.
+    #[serde(default)]
+    on_mounts: Option<bool>,
+    /// Whether weight acts.
+    #[serde(default)]
+    gravity: Option<bool>,
+    /// Whether the gas of the file acts.
+    #[serde(default)]
+    gas: Option<bool>,
+    /// Torque of a constant load with its unit, or `none`, as `--load` takes it.
+    #[serde(default)]
+    load: Option<String>,
+    /// Numbers of cylinders that fire no more after the first revolution.
+    #[serde(default)]
+    misfire: Vec<usize>,
+}
+
+/// A run. Every curve has one value a sample.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SimulationAnswer {
+    /// How it ended, what was chosen for it, and what it does not use.
+    words: Vec<String>,
+    /// Whether it ran to its end.
+    complete: bool,
+    /// Highest, lowest and mean speed in the last period [rad/s].
+    speeds: [f64; 3],
+    /// First sample of the last period.
+    period_start: usize,
+    /// Time [s].
+    time: Vec<f64>,
+    /// Crank angle of crankshaft 1 relative to the block [rad].
+    theta: Vec<f64>,
+    /// Its rate [rad/s].
+    speed: Vec<f64>,
+    /// Torques that act somewhere in the run [N m].
+    torques: Vec<NamedCurve>,
+    /// Where the block's origin is [m]: x, y and z; empty with a fixed block.
+    position: Vec<[f64; 3]>,
+    /// Turn of the block: unit quaternion w, x, y, z; empty with a fixed block.
+    orientation: Vec<[f64; 4]>,
+    /// Force of the block on every mount [N], its size.
+    mounts: Vec<NamedCurve>,
+    /// Force of the journals on every main bearing [N], its size, by the rule of the file.
+    mains: Vec<NamedCurve>,
+    /// Side thrust of every cylinder [N].
+    side_thrust: Vec<NamedCurve>,
+    /// What put energy in, positive, and what took or stores it, negative [J].
+    energy: Vec<EnergyPart>,
+    /// Largest error of the energy over its throughput.
+    energy_error: f64,
+    /// What happened on the way.
+    events: Vec<SimulatedEvent>,
+}
+
+/// A curve with its name.
+#[derive(Debug, Serialize, JsonSchema)]
+struct NamedCurve {
+    name: String,
+    values: Vec<f64>,
+}
+
+/// A work, or a change of what is stored.
+#[derive(Debug, Serialize, JsonSchema)]
+struct EnergyPart {
+    name: String,
+    /// [J].
+    energy: f64,
+}
+
+/// Something that happened on the way.
+#[derive(Debug, Serialize, JsonSchema)]
+struct SimulatedEvent {
+    /// What, in words.
+    what: String,
+    /// When [s].
+    time: f64,
+    /// At which crank angle [rad].
+    theta: f64,
+    /// At which speed [rad/s].
+    speed: f64,
+}
+
+pub(crate) fn questions(api: Api) -> Api {
+    api.post("/api/simulate", "The crank train in time: `lanchester simulate`.", simulated)
+}
+
+fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnswer, Problem> {
+    let refused = |message: String| Err(Problem::refused(message));
+    if let Some(speed) = question.speed.filter(|speed| !(*speed >= 0.0 && speed.is_finite())) {
+        return refused(format!("the speed at the start must be 0 or more, got {speed} rad/s"));
+    }
+    let fits = |turns: &f64| *turns > 0.0 && *turns <= MOST_REVOLUTIONS;
+    if let Some(turns) = question.revolutions.filter(|turns| !fits(turns)) {
+        return refused(format!(
+            "a run here lasts above 0 and up to {MOST_REVOLUTIONS} revolutions, got {turns}\nhint: `lanchester simulate` runs longer"
+        ));
+    }
+    let file = engine_file(&question.text)?;
+    let count = file.engine.cylinders.len();
+    if let Some(number) = question.misfire.iter().find(|number| !(1..=count).contains(*number)) {
+        return refused(format!("cylinders are numbered from 1 to {count}, got {number}"));
+    }
+    let load = match question.load.as_deref().map(str::trim) {
+        None | Some("") => None,
+        Some("none") => Some(LoadLaw::None),
+        Some(text) => Some(LoadLaw::Constant(option::torque(text, "load").map_err(Problem::refused)?)),
+    };
+    let length = match (question.periodic, question.revolutions) {
+        (true, _) => Some(RunLength::Periodic),
+        (false, turns) => turns.map(RunLength::Revolutions),
+    };
+    let request = SimulateRequest {
+        speed: question.speed,
+        length,
+        imposed: question.imposed,
+        on_mounts: question.on_mounts,
+        gravity: question.gravity,
+        gas: question.gas,
+        load,
+        misfire: question.misfire.iter().map(|number| number - 1).collect(),
+        ..SimulateRequest::default()
+    };
+    let in_file = file.tasks.simulation.as_ref().and_then(|input| input.gas);
+    let traces = match request.gas.or(in_file) {
+        Some(false) => Vec::new(),
+        _ => asker.studio.folder.traces(&file.engine)?,
+    };
+    // What nobody waits for any more ends, and so does what would keep a page waiting for minutes.
+    let result =
+        simulate_watched(&file, &traces, &request, &|state| asker.waits() && state.time < MOST_SECONDS);
+    if !asker.waits() {
+        return Err(superseded());
+    }
+    Ok(answer(&result.map_err(Problem::refused)?))
+}
+
+fn answer(result: &SimulationResult) -> SimulationAnswer {
+    let run = &result.run;
+    let samples = &run.samples;
+    let count = samples.time.len();
+    let every = count.div_ceil(MOST_SAMPLES).max(1);
+    // The last sample belongs to them.
+    let kept: Vec<usize> = (0..count).rev().step_by(every).collect::<Vec<_>>().into_iter().rev().collect();
+    let thin =
+        |values: &[f64]| kept.iter().filter_map(|index| values.get(*index).copied()).collect::<Vec<f64>>();
+    let size = |force: &[f64]| force.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let torques = [
+        ("gas", &samples.gas_torque),
+        ("load", &samples.load_torque),
+        ("starter", &samples.starter_torque),
+        ("friction", &samples.friction_torque),
+        ("driveline", &samples.driveline_torque),
+        ("drive and others", &samples.outside_torque),
+    ];
+    let acting = torques.into_iter().filter(|(_, values)| values.iter().any(|torque| *torque != 0.0));
+    let named = |name: String, value: &dyn Fn(usize) -> f64| NamedCurve {
+        name,
+        values: kept.iter().map(|index| value(*index)).collect(),
+    };
+    let mounts = result.mounts.iter().enumerate().map(|(mount, name)| {
+        named(name.clone(), &|k| {
+            samples.mounts.get(k).and_then(|all| all.get(mount)).map_or(0.0, |f| size(f))
+        })
+    });
+    let rule = MainRule::ALL.iter().position(|rule| *rule == result.main_rule).unwrap_or(0);
+    let places = result
+        .mains
+        .iter()
+        .enumerate()
+        .flat_map(|(shaft, planes)| (0..planes.len()).map(move |main| (shaft, main)));
+    let mains = places.map(|(shaft, main)| {
+        named(format!("main {}.{}", shaft + 1, main + 1), &|k| {
+            let rotor = samples.reactions.get(k).and_then(|all| all.rotors.get(shaft));
+            rotor.and_then(|rotor| rotor.mains[rule].get(main)).map_or(0.0, |force| size(force))
+        })
+    });
+    let cylinders = samples.reactions.first().map_or(0, |all| all.cylinders.len());
+    let side_thrust = (0..cylinders).map(|index| {
+        named(format!("cylinder {}", index + 1), &|k| {
+            samples.reactions.get(k).map_or(0.0, |all| all.cylinders[index].side_thrust)
+        })
+    });
+    let e = &run.energy;
+    let energy = [
+        ("gas", e.gas),
+        ("load", e.load),
+        ("starter", e.starter),
+        ("friction", e.friction),
+        ("friction of the pistons", e.piston_friction),
+        ("drive and others", e.outside),
+        ("dampers of the mounts", e.mount_damping),
+        ("dampers of the driveline", e.driveline_damping),
+        ("kinetic energy", e.kinetic[0] - e.kinetic[1]),
+        ("springs of the mounts", e.mounts[0] - e.mounts[1]),
+        ("gravity", e.gravity[0] - e.gravity[1]),
+        ("springs of the driveline", e.driveline[0] - e.driveline[1]),
+    ];
+    let energy = energy.into_iter().filter(|(_, energy)| *energy != 0.0);
+    let first = result.last_period().start;
+    SimulationAnswer {
+        words: simulation_words(result),
+        complete: matches!(
+            run.outcome,
+            RunOutcome::Complete | RunOutcome::Stopped | RunOutcome::AtRest { .. }
+        ),
+        speeds: result.speeds(),
+        period_start: kept.partition_point(|index| *index < first),
+        time: thin(&samples.time),
+        theta: thin(&samples.theta),
+        speed: thin(&samples.speed),
+        torques: acting
+            .map(|(name, values)| NamedCurve { name: name.to_owned(), values: thin(values) })
+            .collect(),
+        position: kept.iter().filter_map(|index| samples.position.get(*index).copied()).collect(),
+        orientation: kept.iter().filter_map(|index| samples.orientation.get(*index).copied()).collect(),
+        mounts: mounts.collect(),
+        mains: mains.collect(),
+        side_thrust: side_thrust.collect(),
+        energy: energy.map(|(name, energy)| EnergyPart { name: name.to_owned(), energy }).collect(),
+        energy_error: run.audit.energy,
+        events: run
+            .events
+            .iter()
+            .map(|event| SimulatedEvent {
+                what: result.happened(event.what),
+                time: event.time,
+                theta: event.theta,
+                speed: event.speed,
+            })
+            .collect(),
+    }
+}
