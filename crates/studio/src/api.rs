@@ -4,11 +4,7 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
 use crate::{
-<<<<<<< HEAD
-    balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview,
-=======
-    balancing, counterweights, figures, files, reading, results, session, shape_preview, simulation,
->>>>>>> sim
+    balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview, simulation,
 };
 use axum::Router;
 use axum::body::Bytes;

@@ -2,19 +2,16 @@
 
 import { engine } from "./engine.svelte";
 
-<<<<<<< HEAD
 export const TABS = [
   "engine",
   "view",
   "balance",
   "counterweight",
   "results",
+  "simulate",
   "compare",
   "bondgraph",
 ] as const;
-=======
-export const TABS = ["engine", "view", "balance", "counterweight", "results", "simulate", "compare"] as const;
->>>>>>> sim
 export type Tab = (typeof TABS)[number];
 export type Theme = "light" | "dark";
 
