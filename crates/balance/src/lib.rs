@@ -57,6 +57,7 @@ pub use gas_over_speed::GasOverSpeed;
 pub use optimum::{optimise, optimise_watched, optimise_with};
 pub use robust::{
     ROBUST_VERSION, RobustAnswer, RobustLimit, RobustMeasure, RobustRequest, RobustStage, optimise_robust,
+    optimise_robust_while,
 };
 pub use settings::{BalanceSettings, Next, SearchState, StopCause};
 pub use swept::{SWEPT_VERSION, Swept, swept};

@@ -156,6 +156,20 @@ pub fn optimise_robust(
     task: &BalanceTask,
     request: &RobustRequest<'_>,
 ) -> Result<RobustAnswer, BalanceError> {
+    optimise_robust_while(engine, task, request, &|| true)
+}
+
+/// As [`optimise_robust`], as long as `goes_on` says so: it is asked between samples and between cone programmes.
+///
+/// # Errors
+/// As [`optimise_robust`]; [`BalanceError::BrokenOff`] where it no longer goes on.
+pub fn optimise_robust_while(
+    engine: &Engine,
+    task: &BalanceTask,
+    request: &RobustRequest<'_>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<RobustAnswer, BalanceError> {
+    let check_on = || if goes_on() { Ok(()) } else { Err(BalanceError::BrokenOff) };
     check(engine, task)?;
     let criterion = suits(engine, task, request)?;
     let operator = Operator::new(&bare(engine, task), task, Kinematics::Exact, &middle(engine, task))?;
@@ -165,20 +179,22 @@ pub fn optimise_robust(
         let hint = "relax the limits: they hold for the engine as it is meant";
         unsuited("limits that can hold together", "some that cannot".into(), hint)
     })?;
-    let samples = Samples::of(&problem, task, criterion, request.samples)?;
+    let samples = Samples::of(&problem, task, criterion, request.samples, goes_on)?;
     let count = samples.groups.len();
     let averaged = match request.measure {
         RobustMeasure::Worst => 1,
         RobustMeasure::MeanOfWorst(share) => ((share * count as f64).round() as usize).clamp(1, count),
     };
-    let search = Search { problem: &problem, samples: &samples, averaged };
+    let search = Search { problem: &problem, samples: &samples, averaged, goes_on };
     let (best, bound) = search.best(&ordinary.x, &mut solves);
+    check_on()?;
     let least = mean_of_largest(&samples.values(&best), averaged);
     let scale = samples.scale;
-    let (x, later) = later_stages(&search, &best, least, &mut solves)?;
+    let (x, later) =
+        later_stages(&search, &best, least, &mut solves).or_else(|error| check_on().and(Err(error)))?;
     let values = samples.values(&x);
     let value = mean_of_largest(&values, averaged);
-    let second = Samples::of(&problem, task, criterion, request.second)?;
+    let second = Samples::of(&problem, task, criterion, request.second, goes_on)?;
     let second_averaged = (averaged * second.groups.len()).div_ceil(count).max(1);
     let judged = &problem.stages[0][0].1;
     Ok(RobustAnswer {
@@ -194,7 +210,7 @@ pub fn optimise_robust(
         least: scale * least,
         lower_bound: scale * bound.min(least),
         later,
-        limits: limits(&problem, task, request.samples, &x)?,
+        limits: limits(&problem, task, request.samples, &x, goes_on)?,
         standard_error: scale * standard_error(&values, averaged, request.seed),
         second_value: (!second.groups.is_empty())
             .then(|| scale * mean_of_largest(&second.values(&x), second_averaged)),
@@ -246,12 +262,13 @@ fn limits(
     task: &BalanceTask,
     engines: &[Engine],
     x: &[f64],
+    goes_on: &dyn Fn() -> bool,
 ) -> Result<Vec<RobustLimit>, BalanceError> {
     let of_one = |(limit, judged): (&Limit, &Judged)| {
         let is_peak = matches!(limit.criterion, Criterion::Peak(load) | Criterion::Order(load, _) if load != Load::BendingMoment);
         let worst = match is_peak {
             true => {
-                let samples = Samples::of(problem, task, limit.criterion, engines)?;
+                let samples = Samples::of(problem, task, limit.criterion, engines, goes_on)?;
                 let values = samples.values(x).into_iter().map(|level| samples.scale * level);
                 Some(values.collect::<Vec<f64>>())
             }
@@ -348,11 +365,15 @@ impl Samples {
         task: &BalanceTask,
         criterion: Criterion,
         engines: &[Engine],
+        goes_on: &dyn Fn() -> bool,
     ) -> Result<Samples, BalanceError> {
         let scale = problem.stages[0][0].1.scale;
         let grid = std::rc::Rc::clone(&problem.operator.grid);
         let mut groups = Vec::new();
         for engine in engines {
+            if !goes_on() {
+                return Err(BalanceError::BrokenOff);
+            }
             let places = middle(engine, task);
             let operator = Operator::new(&bare(engine, task), task, Kinematics::Exact, &places)?;
             // A variable means the same unbalance in every sample.
@@ -416,6 +437,7 @@ struct Search<'a> {
     problem: &'a Problem,
     samples: &'a Samples,
     averaged: usize,
+    goes_on: &'a dyn Fn() -> bool,
 }
 
 impl Search<'_> {
@@ -426,6 +448,9 @@ impl Search<'_> {
         let mut bound = 0.0f64;
         let mut rows = largest(&self.samples.values(start), FIRST * self.averaged);
         for _ in 0..MOST_ROUNDS {
+            if !(self.goes_on)() {
+                break;
+            }
             let Some((x, weights)) = self.over(&rows, solves) else { break };
             if value(&x) < least {
                 (least, best) = (value(&x), x.clone());
@@ -509,6 +534,9 @@ impl Search<'_> {
         let (cost, ..) = self.problem.cost(terms);
         let mut rows = largest(&self.samples.values(start), FIRST * self.averaged);
         for _ in 0..MOST_ROUNDS {
+            if !(self.goes_on)() {
+                return None;
+            }
             let mut asked = self.with_samples(&rows);
             asked.programme.cost[..cost.len()].copy_from_slice(&cost);
             let nothing = vec![0.0; asked.wider.columns];

@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 mod law;
+mod rule;
 
 /// More elements or bonds are refused.
 const MOST: usize = 5000;
@@ -93,6 +94,7 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
     for index in 0..checker.elements.len() {
         checker.law(index);
     }
+    let rules = checker.rules();
     let simulation = checker.asked();
     (!checker.mistakes.any()).then(|| Graph {
         name: description.name.clone(),
@@ -101,6 +103,7 @@ pub(crate) fn check(description: &Description, mistakes: &mut Mistakes) -> Optio
         elements: checker.elements,
         bonds: checker.bonds,
         signals: checker.signals,
+        rules,
         simulation,
         source: String::new(),
     })

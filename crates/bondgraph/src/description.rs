@@ -45,6 +45,15 @@ pub struct Use {
     pub parameters: Vec<(Text, Text)>,
 }
 
+/// Something that happens where a quantity rises through zero: states are set anew.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Happening {
+    /// The quantity.
+    pub when: Text,
+    /// States, `ball.momentum` or a signal that is an integral, and their new values by the values just before.
+    pub set: Vec<(Text, Text)>,
+}
+
 /// A bond graph as it is described, unchecked; [`crate::Graph::new`] checks it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Description {
@@ -62,6 +71,10 @@ pub struct Description {
     pub bonds: Vec<Text>,
     /// Tables that expressions read: `table(name, x)`.
     pub tables: Vec<(Text, Curve)>,
+    /// Stores before which a spring and a damper are put, with `stiffness` and `damping`.
+    pub relax: Vec<Entry>,
+    /// What happens on the way.
+    pub events: Vec<Happening>,
     /// Duration, samples and tolerance of a simulation.
     pub simulation: Vec<(Text, Text)>,
 }
@@ -100,6 +113,23 @@ impl Description {
     #[must_use]
     pub fn bonds(mut self, bonds: &[&str]) -> Description {
         self.bonds.extend(bonds.iter().map(|bond| (*bond).into()));
+        self
+    }
+
+    /// Adds what happens where `when` rises through zero: `set` gives states their new values.
+    #[must_use]
+    pub fn event(mut self, when: &str, set: &[(&str, &str)]) -> Description {
+        let set = set.iter().map(|(state, value)| ((*state).into(), (*value).into())).collect();
+        self.events.push(Happening { when: when.into(), set });
+        self
+    }
+
+    /// Puts a spring, and where `damping` is given a damper, before a store that would follow.
+    #[must_use]
+    pub fn relax(mut self, store: &str, stiffness: &str, damping: Option<&str>) -> Description {
+        let mut keys = vec![("stiffness".into(), stiffness.into())];
+        keys.extend(damping.map(|damping| ("damping".into(), damping.into())));
+        self.relax.push(Entry { name: store.into(), keys });
         self
     }
 

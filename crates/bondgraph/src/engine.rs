@@ -25,14 +25,16 @@ mod body;
 mod cylinder;
 mod gas;
 mod gas_file;
+mod gas_walls;
 mod numbers;
 mod request;
 mod rotor;
+mod torques;
 mod words;
 
 pub use request::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
-    GasWalls, LoadTorque,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
+    EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw,
 };
 
 use crate::description::Description;
@@ -277,31 +279,6 @@ impl Builder<'_> {
             ("r33", "1 - 2*(turn_x^2 + turn_y^2)"),
         ] {
             self.signal(name, value);
-        }
-    }
-
-    /// Load, friction and drive.
-    fn torques(&mut self) {
-        let absolute = if self.moves() { "spin" } else { "crank" };
-        let load = &self.request.load;
-        let law = match load.torque {
-            LoadTorque::None => None,
-            LoadTorque::Constant(torque) => Some(format!("{}*sign(f)", quantity(torque, "N m"))),
-            LoadTorque::Viscous(factor) => Some(format!("{}*f", quantity(factor, "N m s"))),
-            LoadTorque::Quadratic(factor) => Some(format!("{}*f*abs(f)", quantity(factor, "N m s2"))),
-        };
-        if let Some(law) = law {
-            self.element("load", "R", &[("effort", &law)]);
-            self.bond(if load.reacts_on_block { "crank" } else { absolute }, "load");
-        }
-        if self.request.friction_torque != 0.0 {
-            let law = format!("{}*sign(f)", quantity(self.request.friction_torque, "N m"));
-            self.element("friction", "R", &[("effort", &law)]);
-            self.bond("crank", "friction");
-        }
-        if self.request.drive == EngineDrive::Imposed {
-            self.element("drive", "Sf", &[("flow", &quantity(self.request.speed, "rad/s"))]);
-            self.bond("drive", "crank");
         }
     }
 

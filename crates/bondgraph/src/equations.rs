@@ -57,6 +57,8 @@ pub struct Equations {
     pub(crate) efforts: Vec<Id>,
     pub(crate) flows: Vec<Id>,
     pub(crate) signals: Vec<Id>,
+    /// What happens where a quantity rises through zero: the quantity, states and their new values.
+    pub(crate) rules: Vec<(Id, Vec<(u32, Id)>)>,
     /// Mass matrix and right-hand side, where stores follow: M x' = f.
     pub(crate) mass: Option<(Vec<Vec<Id>>, Vec<Id>)>,
 }
@@ -103,15 +105,18 @@ pub fn equations(graph: &Graph) -> Result<Equations, Vec<Diagnostic>> {
     let mut flows: Vec<Id> = (0..count).map(|bond| resolver.resolve(Var::Flow(bond))).collect();
     let mut signals: Vec<Id> =
         (0..graph.signals.len() as u32).map(|signal| resolver.resolve(Var::Signal(signal))).collect();
+    let mut rules = resolver.rules();
     // Linear loops first: a store may follow through one.
     let mut outputs: Vec<&mut Id> = states.iter_mut().map(|state| &mut state.rate).collect();
     outputs.extend(efforts.iter_mut().chain(&mut flows).chain(&mut signals));
+    outputs.extend(of_rules(&mut rules));
     resolver.eliminate(&mut outputs, true);
     drop(outputs);
     resolver.follow(&states);
     let mass = resolver.mass(&states);
     let mut outputs: Vec<&mut Id> = states.iter_mut().map(|state| &mut state.rate).collect();
     outputs.extend(efforts.iter_mut().chain(&mut flows).chain(&mut signals));
+    outputs.extend(of_rules(&mut rules));
     resolver.eliminate(&mut outputs, false);
     let Resolver { pool, unknowns, mistakes, .. } = resolver;
     if mistakes.any() {
@@ -119,10 +124,40 @@ pub fn equations(graph: &Graph) -> Result<Equations, Vec<Diagnostic>> {
     }
     let mut graph = graph.clone();
     graph.pool = pool;
-    Ok(Equations { graph, causality, states, unknowns, efforts, flows, signals, mass })
+    Ok(Equations { graph, causality, states, unknowns, efforts, flows, signals, rules, mass })
+}
+
+/// All expressions of events.
+fn of_rules(rules: &mut [(Id, Vec<(u32, Id)>)]) -> impl Iterator<Item = &mut Id> {
+    rules
+        .iter_mut()
+        .flat_map(|(when, set)| std::iter::once(when).chain(set.iter_mut().map(|(_, value)| value)))
 }
 
 impl Resolver<'_> {
+    /// Events by states.
+    fn rules(&mut self) -> Vec<(Id, Vec<(u32, Id)>)> {
+        let graph = self.graph;
+        let mut rules = Vec::new();
+        for rule in &graph.rules {
+            let when = self.expand(rule.when);
+            let mut set = Vec::new();
+            for (var, value) in &rule.set {
+                let value = self.expand(*value);
+                match self.state_of.get(var) {
+                    Some(state) => set.push((*state, value)),
+                    None => {
+                        let message = "the event sets a store that follows others";
+                        let hint = "set the store that it follows";
+                        self.mistakes.push("E1714", &rule.span, message, hint);
+                    }
+                }
+            }
+            rules.push((when, set));
+        }
+        rules
+    }
+
     /// The states, and their rates in the variables of the bonds.
     fn states(&mut self, causality: &Causality) -> (Vec<State>, Vec<Id>) {
         let (mut states, mut rates): (Vec<State>, Vec<Id>) = (Vec::new(), Vec::new());

@@ -1,7 +1,7 @@
 //! The graph file: TOML text to a description.
 
 use crate::curve::Curve;
-use crate::description::{Description, Entry, Text, Use};
+use crate::description::{Description, Entry, Happening, Text, Use};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use std::ops::Range;
@@ -43,6 +43,10 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
             ("simulation", Value::Table(table)) => description.simulation = texts(table, mistakes),
             ("tables", Value::Table(table)) => description.tables = curves(table, mistakes),
             ("use", Value::Array(list)) => description.uses = list.iter().filter_map(|item| used(item, mistakes)).collect(),
+            ("relax", Value::Table(table)) => description.relax = entries(table, mistakes),
+            ("event", Value::Array(list)) => {
+                description.events = list.iter().filter_map(|item| happening(item, mistakes)).collect();
+            }
             ("bonds", Value::Table(table)) => {
                 for (key, item) in table {
                     match (key.name, item.value()) {
@@ -70,7 +74,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                     }
                 }
             }
-            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "use" | "bonds", _) => {
+            ("name" | "parameters" | "elements" | "signals" | "simulation" | "tables" | "use" | "event" | "relax" | "bonds", _) => {
                 mistakes.push(
                     "E1701",
                     &place,
@@ -82,7 +86,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
                 "E1702",
                 &place,
                 format!("a graph file has no `{other}`"),
-                "it has name, note, [parameters], [tables], [[use]], [elements], [signals], [bonds] and [simulation]",
+                "it has name, note, [parameters], [tables], [[use]], [elements], [signals], [bonds], [relax], [[event]] and [simulation]",
             ),
         }
     }
@@ -124,6 +128,37 @@ fn used(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Use> {
     }
     if found.graph.text.is_empty() || found.prefix.text.is_empty() {
         mistakes.push("E1709", &place, "[[use]] needs a graph and the prefix of its names", hint);
+        return None;
+    }
+    Some(found)
+}
+
+/// One `[[event]]`: `when` and `set`.
+fn happening(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Happening> {
+    let hint = "write when = \"-height\" and set = { \"ball.momentum\" = \"-0.8*ball.momentum\" }";
+    let place = span(item);
+    let Some(table) = item.as_table() else {
+        mistakes.push("E1701", &place, "[[event]] needs a table", hint);
+        return None;
+    };
+    let mut found = Happening::default();
+    for (key, item) in table {
+        match (key.name, item.as_str(), item.as_table()) {
+            ("when", Some(text), _) => found.when = Text { text: text.to_owned(), span: span(item) },
+            ("set", _, Some(table)) => found.set = texts(table, mistakes),
+            _ => {
+                let message = format!("[[event]] has no `{}` of this form", key.name);
+                mistakes.push("E1702", &span(item), message, hint);
+            }
+        }
+    }
+    if found.when.text.is_empty() || found.set.is_empty() {
+        mistakes.push(
+            "E1709",
+            &place,
+            "[[event]] needs a quantity that rises through zero, and what it sets",
+            hint,
+        );
         return None;
     }
     Some(found)

@@ -2,7 +2,7 @@
 
 use crate::description::{Description, Text};
 use crate::domain::Domain;
-use crate::expression::{Id, Pool};
+use crate::expression::{Id, Pool, Var};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
 use crate::{check, file};
@@ -18,6 +18,8 @@ pub struct Graph {
     pub(crate) elements: Vec<Element>,
     pub(crate) bonds: Vec<Bond>,
     pub(crate) signals: Vec<Signal>,
+    /// What happens on the way.
+    pub(crate) rules: Vec<Rule>,
     /// Duration [s], number of samples, tolerance, as the file asks for.
     pub simulation: Asked,
     /// The text that it was read from, for the places of diagnostics; empty where it was described by calls.
@@ -144,6 +146,15 @@ pub(crate) struct Signal {
     pub(crate) start: Option<f64>,
 }
 
+/// Something that happens where a quantity rises through zero.
+#[derive(Debug, Clone)]
+pub(crate) struct Rule {
+    pub(crate) when: Id,
+    /// States and their new values.
+    pub(crate) set: Vec<(Var, Id)>,
+    pub(crate) span: std::ops::Range<usize>,
+}
+
 impl Graph {
     /// Checks a description.
     ///
@@ -151,7 +162,9 @@ impl Graph {
     /// Every mistake at once, each with what mends it.
     pub fn new(description: &Description) -> Result<Graph, Vec<Diagnostic>> {
         let mut mistakes = Mistakes::default();
-        let graph = check::check(description, &mut mistakes);
+        let mut description = description.clone();
+        crate::relax::relax(&mut description, &mut mistakes);
+        let graph = check::check(&description, &mut mistakes);
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(""))
     }
 
@@ -171,6 +184,7 @@ impl Graph {
         let mut mistakes = Mistakes::default();
         let mut description = file::read(text, &mut mistakes);
         crate::subgraph::assemble(&mut description, look_up, 0, &mut mistakes);
+        crate::relax::relax(&mut description, &mut mistakes);
         let graph = check::check(&description, &mut mistakes);
         let graph = graph.map(|graph| Graph { source: text.to_owned(), ..graph });
         graph.filter(|_| !mistakes.any()).ok_or_else(|| mistakes.into_diagnostics(text))

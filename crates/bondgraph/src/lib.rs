@@ -19,52 +19,45 @@
 //! ```
 #![forbid(unsafe_code)]
 
-mod audit;
 mod causality;
 mod check;
-mod compiled;
 mod curve;
 mod description;
 mod domain;
-mod draw;
 mod engine;
 mod equations;
-mod export;
 mod expression;
 mod file;
-mod following;
 mod graph;
-mod held;
 mod linear;
 mod mistake;
-mod shown;
-mod simulate;
+mod output;
+mod relax;
+mod run;
 mod subgraph;
-mod tape;
-mod text;
 mod unit;
-mod write;
 
-pub use audit::{Audit, BondEnergy, ElementEnergy, Residual};
 pub use causality::{Causality, Follower, Preference, Step, causality};
 pub use curve::Curve;
-pub use description::{Description, Entry, Text, Use};
+pub use description::{Description, Entry, Happening, Text, Use};
 pub use domain::Domain;
-pub use draw::drawing;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, EngineStart, GasStates, GasValve,
-    GasWalls, LoadTorque, engine_graph,
+    EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
+    EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw, engine_graph,
 };
 pub use equations::{Equations, equations};
-pub use export::{graphml, modelica};
 pub use file::{is_graph_file, used_graphs};
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
-pub use shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
-pub use simulate::{Event, Method, Series, Simulation, SimulationRequest};
-pub use text::{
+pub use output::draw::{DrawnBond, DrawnElement, Placed, drawing, moving_drawing, placed};
+pub use output::export::{graphml, modelica};
+pub use output::mathml::mathml;
+pub use output::shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
+pub use output::text::{
     audit_text, causality_text, equations_latex, equations_text, linear_text, simulation_csv, simulation_text,
 };
+pub use output::write::graph_file;
+pub use run::audit::{Audit, BondEnergy, ElementEnergy, Residual};
+pub use run::simulate::{Event, Method, Series, Simulation, SimulationRequest};
 pub use unit::{Unit, duration};
-pub use write::graph_file;

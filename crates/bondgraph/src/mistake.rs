@@ -79,7 +79,10 @@ pub fn diagnostic_codes() -> &'static [(&'static str, &'static str)] {
         ("E1711", "signals or parameters that need each other in a circle"),
         ("E1712", "an inertia, capacitance or resistance that is not positive"),
         ("E1713", "a conflict of causality"),
-        ("E1714", "an algebraic loop or a following store that stays singular"),
+        (
+            "E1714",
+            "an algebraic loop or a following store that stays singular, or a following store that an event sets",
+        ),
         ("E1715", "too much: elements, bonds or brackets"),
     ]
 }

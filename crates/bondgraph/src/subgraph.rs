@@ -1,6 +1,6 @@
 //! Graphs within graphs: a used graph's names get a prefix, and its parameters may be given anew.
 
-use crate::description::{Description, Entry, Text, Use};
+use crate::description::{Description, Entry, Happening, Text, Use};
 use crate::mistake::Mistakes;
 use crate::unit::leading_unit;
 use std::collections::HashSet;
@@ -87,6 +87,11 @@ fn include(description: &mut Description, other: &Description, used: &Use, mista
     };
     description.elements.extend(other.elements.iter().map(entry));
     description.signals.extend(other.signals.iter().map(entry));
+    description.relax.extend(other.relax.iter().map(entry));
+    for event in &other.events {
+        let set = event.set.iter().map(|(state, value)| (renamed(state), renamed(value))).collect();
+        description.events.push(Happening { when: renamed(&event.when), set });
+    }
     for bond in &other.bonds {
         let ends: Vec<String> = bond.text.split('>').map(|end| prefixed(end.trim()).text).collect();
         description.bonds.push(Text { text: ends.join(" > "), span: span.clone() });

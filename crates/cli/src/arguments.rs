@@ -340,8 +340,9 @@ pub struct ReportArguments {
     #[arg(long, conflicts_with = "figures")]
     pub all_arrangements: bool,
     /// The page to write, `-` for standard output; default: the engine file's name with `.html` (or
-    /// `-arrangements.html`), in this folder.
-    #[arg(long, short, value_name = "HTML")]
+    /// `-arrangements.html`), in this folder. A name that ends in `.txt` gets the same words and tables as plain text, one
+    /// that ends in `.csv` all tables, each under a line with its name.
+    #[arg(long, short, value_name = "PAGE")]
     pub output: Option<PathBuf>,
     /// Also write every figure as an SVG file of its own into this folder.
     #[arg(long, value_name = "FOLDER")]

@@ -31,6 +31,9 @@ pub struct BondgraphArguments {
     /// Which text `export` writes.
     #[arg(long, value_enum, default_value_t = ExportOption::Modelica)]
     pub to: ExportOption,
+    /// `draw`: bonds as wide as the power through them, over the simulation, in ten seconds.
+    #[arg(long)]
+    pub moving: bool,
     /// What the graph of an engine file holds.
     #[command(flatten)]
     pub engine: EngineOptions,

@@ -4,6 +4,7 @@ use crate::explore_arguments::{ExploreArguments, SpaceArguments};
 use crate::failure::Failure;
 use crate::value_list::value_list;
 use lanchester::model::Engine;
+use lanchester::results::Output;
 use lanchester::study::explore::{
     Constraint, CounterweightPattern, ExploreRequest, Explorer, Objective, Removes, Sense, ShaftDesign,
     ShaftSet, even_angles,
@@ -115,49 +116,15 @@ fn limit(text: &str) -> Result<Constraint, Failure> {
 
 /// The names of all objectives.
 const NAMES: &str = "force order 1, couple order 2, forward force order 1, backward couple order 1, roll moment order 2, inertia \
-                     torque order 1, bending moment, main load, uneven firing, firing order 1.5, neighbours, length, height, \
-                     counterweights, shafts";
+                     torque order 1, bending moment, main-bearing load, uneven firing, firing order 1.5, neighbours, length, \
+                     height, counterweights, shafts";
 
 fn objective(text: &str, option: &str) -> Result<Objective, Failure> {
-    let words: Vec<&str> = text.split_whitespace().collect();
-    let order = |text: &str| text.parse::<u32>().ok().filter(|order| (1..=2).contains(order));
-    let found = match words[..] {
-        ["force", "order", n] => order(n).map(|order| Objective::Force { order }),
-        ["couple", "order", n] => order(n).map(|order| Objective::Couple { order }),
-        [sense, load @ ("force" | "couple"), "order", n] => {
-            let sense = match sense {
-                "forward" => Some(Sense::Forward),
-                "backward" => Some(Sense::Backward),
-                _ => None,
-            };
-            sense.zip(order(n)).map(|(sense, order)| match load {
-                "force" => Objective::ForceSense { order, sense },
-                _ => Objective::CoupleSense { order, sense },
-            })
-        }
-        ["roll", "moment", "order", n] => order(n).map(|order| Objective::RollMoment { order }),
-        ["inertia", "torque", "order", n] => order(n).map(|order| Objective::InertiaTorque { order }),
-        ["bending", "moment"] => Some(Objective::BendingMoment),
-        ["main", "load"] => Some(Objective::MainLoad),
-        ["uneven", "firing"] => Some(Objective::FiringUnevenness),
-        ["firing", "order", n] => n.parse::<f64>().ok().and_then(|order| {
-            let halves = 2.0 * order;
-            let whole = halves.fract() == 0.0 && (1.0..=1000.0).contains(&halves);
-            whole.then_some(Objective::FiringHarmonic { half_orders: halves as u32 })
-        }),
-        ["neighbours"] => Some(Objective::NeighbourFirings),
-        ["length"] => Some(Objective::Length),
-        ["height"] => Some(Objective::Height),
-        ["counterweights"] => Some(Objective::CounterweightUnbalance),
-        ["shafts"] => Some(Objective::Shafts),
-        _ => None,
-    };
-    found.ok_or_else(|| {
-        Failure::input(
-            format_args!("{option} knows no objective `{}`", text.trim()),
-            format_args!("objectives are {NAMES}; loads have orders 1 and 2"),
-        )
-    })
+    let hint = || format!("objectives are {NAMES}; loads have orders 1 and 2");
+    let output: Output =
+        text.parse().map_err(|error| Failure::input(format!("`{option}`: {error}"), hint()))?;
+    let unknown = || Failure::input(format!("layouts are not judged by `{output}` ({option})"), hint());
+    Objective::of(&output).ok_or_else(unknown)
 }
 
 fn choices(engine: &Engine, arguments: &SpaceArguments) -> Result<LayoutChoices, Failure> {

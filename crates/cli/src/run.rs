@@ -180,8 +180,7 @@ pub fn join_tables<S: Study>(
     let columns = study.columns();
     let mut kept = study.nothing();
     for table in tables {
-        let held = Held::of(&table_file::open(table)?, table)?;
-        kept = study.join(kept, held.kept()?).map_err(Failure::refused)?;
+        kept = study.join(kept, read_held(table)?.kept()?).map_err(Failure::refused)?;
     }
     let metadata = head.metadata(blocks, study.blocks(), &kept)?;
     let last = study.last_rows(&kept).map_err(Failure::refused)?;
@@ -192,8 +191,9 @@ pub fn join_tables<S: Study>(
         }
         for table in tables {
             let mut reader = table_file::open(table)?;
+            let held = Held::of(&reader, table)?;
             while let Some(rows) =
-                reader.next(&columns).map_err(|error| table_file::cannot_read(table, error))?
+                reader.next(&columns).map_err(|error| table_file::cannot_read_rows(table, &held, error))?
             {
                 writer.push(rows).map_err(cannot)?;
             }

@@ -86,6 +86,8 @@ pub enum SimulationTable {
     Trace,
     /// Side thrust, pins and main bearings at every sample.
     Reactions,
+    /// Loads, torque, speed and motion of the block by order of the last period, real and imaginary parts.
+    Orders,
     /// Works and stored energies.
     Energy,
     /// Events.

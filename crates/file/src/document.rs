@@ -172,6 +172,11 @@ impl Section {
         }
     }
 
+    /// Whether there is such a key, given or not.
+    pub(crate) fn knows(&self, name: &str) -> bool {
+        self.table.key(name).is_some()
+    }
+
     /// How many tables the key may hold.
     pub(crate) fn limit(&self, name: &str) -> Option<usize> {
         match self.table.key(name)?.kind {

@@ -1,6 +1,8 @@
 //! The general form of an engine as an engine file.
 
 mod balance;
+mod bearings;
+mod crank_details;
 mod gas;
 mod mount;
 mod part;
@@ -48,6 +50,7 @@ pub fn expanded(file: &EngineFile) -> String {
     text.firing(engine);
     text.crankshafts(engine);
     text.crank_body(engine);
+    text.crank_material(engine);
     for (index, throw) in engine.throws.iter().enumerate() {
         text.throw(index, throw, engine.crank_body.is_some());
     }
@@ -153,15 +156,8 @@ impl File {
             self.entry_unless_zero("unbalance", throw.unbalance, Dimension::Unbalance);
         }
         if let Some([front, rear]) = throw.webs {
-            let z = throw.z;
-            let fits = |distance: f64| z - distance / 2.0 == front && z + distance / 2.0 == rear;
-            // Rounding has lost some of the distance: each of these may be the one that was given.
-            let guesses = [rear - front, 2.0 * (z - front), 2.0 * (rear - z), (z - front) + (rear - z)];
-            let distance = guesses
-                .into_iter()
-                .find(|guess| neighbours(*guess).into_iter().any(fits))
-                .unwrap_or(rear - front);
-            let text = text_that(distance, Dimension::Length, fits);
+            let text = web_distance(throw)
+                .unwrap_or_else(|| text_that(rear - front, Dimension::Length, |read| read == rear - front));
             self.entry("web_distance", &format!("\"{text}\""));
         }
     }
@@ -231,7 +227,34 @@ impl File {
             let list: String = shaft.weights.iter().map(shaft_part::weight_line).collect();
             self.entry("weights", &format!("[\n{list}]"));
         }
+        for gear in &engine.gears {
+            self.header("[[gear]]", "");
+            self.entry("name", &quoted(&gear.name));
+            self.entry("ratio", &ratio(gear.ratio));
+            self.entry_unless_zero("x", gear.x, Dimension::Length);
+            self.entry_unless_zero("y", gear.y, Dimension::Length);
+            if let Some(inertia) = gear.inertia {
+                self.entry("inertia", &quantity(inertia, Dimension::Inertia));
+            }
+            if let Some(disc) = gear.disc {
+                self.entry("diameter", &quantity(disc.diameter, Dimension::Length));
+                self.entry("width", &quantity(disc.width, Dimension::Length));
+                self.entry("density", &quantity(disc.density, Dimension::Density));
+                self.entry_unless_zero("bore", disc.bore, Dimension::Length);
+            }
+        }
     }
+}
+
+/// The distance of webs that stand at half of it from the plane of their throw; `None` for others.
+fn web_distance(throw: &Throw) -> Option<String> {
+    let ([front, rear], z) = (throw.webs?, throw.z);
+    let fits = |distance: f64| z - distance / 2.0 == front && z + distance / 2.0 == rear;
+    // Rounding has lost some of the distance: each of these may be the one that was given.
+    let guesses = [rear - front, 2.0 * (z - front), 2.0 * (rear - z), (z - front) + (rear - z)];
+    let mut near = guesses.into_iter();
+    let distance = near.find(|guess| neighbours(*guess).into_iter().any(fits))?;
+    Some(text_that(distance, Dimension::Length, fits))
 }
 
 /// The masses of a rod by the rule by which they were given.
@@ -260,6 +283,9 @@ fn rod_masses(rod: &Rod) -> String {
     };
     if let Some(inertia) = rod.inertia {
         let _ = write!(text, ", inertia = {}", quantity(inertia, Dimension::Inertia));
+    }
+    if rod.axial_inertia > 0.0 {
+        let _ = write!(text, ", axial_inertia = {}", quantity(rod.axial_inertia, Dimension::Inertia));
     }
     text
 }

@@ -2,14 +2,18 @@
 
 mod arrangement;
 mod balance;
+mod bearing_design;
 mod chamber;
 mod clearance;
 mod crank;
 mod crank_body;
+mod crank_details;
+mod crank_material;
 mod cylinder;
 mod design;
 mod firing;
 mod gas;
+mod gear;
 mod geometry;
 mod layers;
 mod linkage;
@@ -107,14 +111,17 @@ impl<'a> Reader<'a> {
         let firing = self.firing_section();
 
         let crankshafts = self.crankshafts();
-        let drafts = self.throws_and_cylinders(strokes, crankshafts.as_deref(), firing);
+        let mut drafts = self.throws_and_cylinders(strokes, crankshafts.as_deref(), firing);
         let shafts = self.shafts();
+        let gears = self.gears();
         self.check_period(crankshafts.as_deref(), shafts.as_deref());
         let mounts = self.mounts();
         let block = self.block();
         let count = drafts.as_ref().map(|drafts| drafts.throws.len());
-        let body = self.crank_body();
-        let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len), &body);
+        let body_draft = self.body_draft(drafts.as_mut(), crankshafts.as_ref().map(Vec::len));
+        let body = body_draft.uniform;
+        let material = self.crank_material();
+        let weights = self.weight_drafts(count, crankshafts.as_ref().map(Vec::len), &body_draft);
         let shape_task = self.shape_task(&body);
         let shaft_weight_task = self.shaft_weight_task();
         let envelope = self.clearance();
@@ -122,6 +129,7 @@ impl<'a> Reader<'a> {
         let friction = self.friction();
         let flywheel = self.flywheel(speed, &body);
         let bearings = self.bearings(&body);
+        let bearing_design = self.bearing_design();
         let simulation = self.simulation(drafts.as_ref().map(|drafts| drafts.cylinders.len()));
         let tolerances = self.tolerances();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
@@ -134,10 +142,10 @@ impl<'a> Reader<'a> {
         self.check_places(&drafts, crankshafts.as_deref());
         self.check_mains(&drafts, crankshafts.as_deref());
         self.check_linkages(&drafts);
-        self.check_body(&body, &drafts);
+        self.check_body(&body_draft, &drafts);
         self.check_bores(&envelope, &drafts);
         self.check_gas(&drafts);
-        self.check_bearings(&bearings, &body, &drafts);
+        self.check_bearings(&bearings, &body_draft, &drafts);
         self.check_sizes(&drafts);
 
         let middle = drafts.middle();
@@ -153,11 +161,11 @@ impl<'a> Reader<'a> {
         }
         let mut throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
         if let Some(throws) = &mut throws {
-            crank_body::weigh(throws, &body);
+            crank_body::weigh(throws, &body_draft);
         }
         let counterweights = match (&throws, &cylinders, weights, origin) {
             (Some(throws), Some(cylinders), Some(weights), Some(origin)) => {
-                self.counterweights(weights, throws, cylinders, &body, origin)
+                self.counterweights(weights, throws, cylinders, &body_draft, origin)
             }
             _ => None,
         };
@@ -175,14 +183,18 @@ impl<'a> Reader<'a> {
             cylinders: cylinders?.into_iter().map(|draft| draft.cylinder).collect(),
             counterweights: counterweights?,
             shafts: shafts?,
+            gears: gears?,
             mounts: mounts?,
             block: block?,
             crank_body: body?,
+            crank_details: body_draft.into_details()?,
+            crank_material: material?,
             envelope: envelope?,
             gas: gas?,
             friction: friction?,
             flywheel: flywheel?,
             bearings: bearings?,
+            bearing_design: bearing_design?,
         };
         let origin = origin?;
         for main in parts.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten() {
@@ -207,6 +219,8 @@ impl<'a> Reader<'a> {
         for (cylinder, chamber) in parts.cylinders.iter_mut().zip(&chambers) {
             cylinder.chamber = chamber.as_ref().map(|chamber| chamber.0);
         }
+        self.check_elements(&parts);
+        self.check_bearing_numbers(&parts);
         let engine = self.valid(parts)?;
         self.check_chambers(&engine, &chambers)?;
         let tolerances = tolerances?;

@@ -96,21 +96,10 @@ impl<'a> Reader<'a> {
     }
 
     /// A name that another table of its kind has already.
-    fn check_names(&mut self, sections: &'a [Section], names: &[Option<String>], what: &str) {
-        for (index, name) in names.iter().enumerate() {
-            let Some(name) = name else { continue };
-            if let Some(first) = names[..index].iter().position(|other| other.as_ref() == Some(name)) {
-                self.mistakes.push(
-                    Mistake::error(
-                        "E1101",
-                        sections[index].value_span("name"),
-                        format!("two {what}s are called \"{name}\""),
-                    )
-                    .label("second of this name")
-                    .related(sections[first].value_span("name"), "first of this name")
-                    .hint("give each its own name"),
-                );
-            }
-        }
+    fn check_names(&mut self, sections: &[Section], names: &[Option<String>], what: &str) {
+        let named = sections.iter().zip(names);
+        let names: Vec<_> =
+            named.filter_map(|(section, name)| Some((name.clone()?, section.value_span("name")))).collect();
+        self.refuse_same_names("E1101", what, &names);
     }
 }

@@ -27,7 +27,7 @@ pub fn counterweight_properties(
     };
     let (own_thickness, own_density) = (part.part.thickness(), part.part.density());
     let web = plain_web(engine, part)?;
-    let less = match (&part.form, web, engine.crank_body) {
+    let less = match (&part.form, web, part.web.and_then(|web| engine.body_at_web(web))) {
         (CounterweightForm::Family(_), Some(web), Some(body)) => {
             let outline = part.part.outline();
             let shared = outline.moments() + web.moments() - outline.union(&web)?.moments();

@@ -3,12 +3,16 @@
 use crate::crosscheck::rotor_inertia;
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use lanchester_bondgraph::{
-    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLoad, EngineRequest, GasStates,
-    LoadTorque, Unit, engine_graph,
+    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest,
+    EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
 };
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, PeriodicCurve, TorqueError, TorqueRequest, torque};
-use lanchester_model::Engine;
+use lanchester_model::{
+    Action, BlockKind, Engine, ImposedAgainst, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind,
+    StartOfBlock,
+};
 use lanchester_multibody::STANDARD_GRAVITY;
+use std::f64::consts::{PI, TAU};
 
 /// What the graph of an engine file is to hold; the rest follows from the engine.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,17 +23,19 @@ pub struct BondGraphRequest {
     pub block: Option<EngineBlock>,
     /// Whether the speed is imposed; `None`: where nothing gives the crankshaft an inertia.
     pub imposed: Option<bool>,
-    /// Whether weight acts.
+    /// Whether weight acts; `true`: as the file says.
     pub gravity: bool,
-    /// Whether the gas of the file acts.
+    /// Whether the gas of the file acts; `true`: as the file says.
     pub gas: bool,
     /// Whether the gas is states of the graph, with valves and heat release, instead of pressures that are computed before.
     pub gas_as_states: bool,
-    /// Torque of the load; `None`: with gas the mean that the engine gives at the start speed, without none.
+    /// What the file says of a run: load, starter, driveline, torques, start. What is given here goes before it.
+    pub simulation: SimulationInput,
+    /// Torque of the load; `None`: that of the file, else with gas the mean that the engine gives at the start speed, without none.
     pub load: Option<LoadTorque>,
-    /// Whether the load is bolted to the block.
+    /// Whether the load is bolted to the block; `false`: as the file says, else from the ground.
     pub load_on_block: bool,
-    /// Revolutions of a simulation at the start speed.
+    /// Revolutions of a simulation at the start speed, where the file gives no duration.
     pub revolutions: f64,
 }
 
@@ -42,6 +48,7 @@ impl Default for BondGraphRequest {
             gravity: true,
             gas: true,
             gas_as_states: false,
+            simulation: SimulationInput::default(),
             load: None,
             load_on_block: false,
             revolutions: 2.0,
@@ -94,32 +101,53 @@ pub fn engine_bond_graph(
     traces: &[TraceFile],
     request: &BondGraphRequest,
 ) -> Result<EngineBondGraph, BondGraphError> {
-    let speed = request.speed.unwrap_or(engine.speed.highest);
+    let input = &request.simulation;
     let mut notes = Vec::new();
     let inertia = rotor_inertia(engine);
     let known = |list: &[Option<f64>]| -> Vec<f64> { list.iter().map(|own| own.unwrap_or(0.0)).collect() };
     let crankshaft_inertia = known(&inertia.crankshafts);
     let has_inertia = crankshaft_inertia.first().is_some_and(|own| *own > 0.0);
-    let imposed = request.imposed.unwrap_or(!has_inertia);
-    if imposed && request.imposed.is_none() {
+    let wanted = request.imposed.or(input.speed.map(|kind| kind == SpeedKind::Imposed));
+    let imposed = wanted.unwrap_or(!has_inertia);
+    if imposed && wanted.is_none() {
         notes.push(
             "The speed is imposed: nothing gives the crankshaft an inertia ([flywheel] or [crank.body] do)."
                 .to_owned(),
         );
     }
-    let block =
-        request.block.unwrap_or(if can_move(engine) { EngineBlock::Space } else { EngineBlock::Fixed });
-    if request.block.is_none() && block == EngineBlock::Fixed {
+    let profile = if imposed && request.speed.is_none() { input.imposed.clone() } else { Vec::new() };
+    let first = profile.first().map(|point| point[1]);
+    let speed = request.speed.or(first).or(input.start_speed).unwrap_or(engine.speed.highest);
+    // Pressures, friction and durations need a speed of the running engine.
+    let reference = if speed > 0.0 { speed } else { engine.speed.lowest };
+    let of_file = input.block.map(|kind| match kind {
+        BlockKind::Fixed => EngineBlock::Fixed,
+        BlockKind::Mounts => EngineBlock::Space,
+    });
+    let asked = request.block.or(of_file.filter(|block| *block == EngineBlock::Fixed || can_move(engine)));
+    let block = asked.unwrap_or(if can_move(engine) { EngineBlock::Space } else { EngineBlock::Fixed });
+    if asked.is_none() && block == EngineBlock::Fixed {
         notes.push(
             "The block is fixed: the file gives no [block] on mounts with stiffness and viscous damping."
                 .to_owned(),
         );
     }
-    let report = match (&engine.gas, request.gas) {
-        (Some(_), true) => Some(cylinder_gas(engine, traces, speed)?),
+    let with_gas = request.gas && input.gas.unwrap_or(true);
+    let report = match (&engine.gas, with_gas) {
+        (Some(_), true) => Some(cylinder_gas(engine, traces, reference)?),
         _ => None,
     };
-    let mut found = EngineRequest::free(speed, request.revolutions);
+    let mut found = EngineRequest::free(speed, 1.0);
+    found.duration = match input.duration {
+        Some(RunLength::Time(time)) => time,
+        Some(RunLength::Revolutions(turns)) => turns * TAU / reference,
+        Some(RunLength::Periodic) | None => request.revolutions * TAU / reference,
+    };
+    found.start_angle = input.start_angle.unwrap_or(0.0);
+    found.tolerance = input.tolerance.unwrap_or(found.tolerance);
+    if let Some(step) = input.step {
+        found.samples = (found.duration * reference / step).ceil().clamp(1.0, 1e6) as usize;
+    }
     if request.gas_as_states {
         found.gas_states = Some(GasStates::of(engine)?);
     }
@@ -127,35 +155,130 @@ pub fn engine_bond_graph(
     if let Some(report) = &report {
         if !request.gas_as_states {
             found.pressures = gauge_pressures(&report.cylinders);
+            notes.push(format!("Gas: pressures at {:.0} rpm, whatever the speed.", reference * 30.0 / PI));
         }
         mean = GasTrain::new(engine, &report.cylinders, Lever::Exact)?.mean_torques().iter().sum();
         if let Some(friction) = engine.friction {
-            let asked =
-                TorqueRequest { speed: Some(speed), samples: 4, max_order: 1, ..TorqueRequest::default() };
+            let asked = TorqueRequest {
+                speed: Some(reference),
+                samples: 4,
+                max_order: 1,
+                ..TorqueRequest::default()
+            };
             let given = torque(engine, &report.cylinders, &asked)?;
-            let brake = given.indicated.brake(&friction, speed);
+            let brake = given.indicated.brake(&friction, reference);
             found.friction_torque = (given.indicated.torque - brake.torque).max(0.0);
+            notes.push(format!(
+                "Friction: {:.4} N m, its mean effective pressure at {:.0} rpm as a constant torque.",
+                found.friction_torque,
+                reference * 30.0 / PI
+            ));
         }
     }
-    let law = match request.load {
-        Some(law) => law,
-        None if imposed || report.is_none() => LoadTorque::None,
-        None => {
+    let law = match (&request.load, &input.load) {
+        (Some(law), _) => law.clone(),
+        (None, Some(load)) => load_torque(&load.law),
+        (None, None) if imposed || report.is_none() => LoadTorque::None,
+        (None, None) => {
             let load = mean - found.friction_torque;
             notes.push(format!(
-                "Load: {load:.4} N m, constant, the mean that the engine gives at the start speed."
+                "Load: {load:.4} N m, constant, the mean that the engine gives at {:.0} rpm.",
+                reference * 30.0 / PI
             ));
             LoadTorque::Constant(load)
         }
     };
     found.drive = if imposed { EngineDrive::Imposed } else { EngineDrive::Free };
+    found.profile = profile;
+    found.against_ground = input.imposed_against == Some(ImposedAgainst::Ground);
     found.block = block;
     found.mounts = engine.mounts.iter().any(|mount| mount.spring.is_some());
-    found.gravity = if request.gravity { STANDARD_GRAVITY } else { 0.0 };
+    found.gravity = if request.gravity { input.gravity.unwrap_or(STANDARD_GRAVITY) } else { 0.0 };
     found.crankshaft_inertia = crankshaft_inertia;
     found.shaft_inertia = known(&inertia.shafts);
-    found.load = EngineLoad { torque: law, reacts_on_block: request.load_on_block };
+    let on_block = input.load.as_ref().is_some_and(|load| load.reacts_on == ReactsOn::Block);
+    found.load = EngineLoad { torque: law, reacts_on_block: request.load_on_block || on_block };
+    found.piston_damping = input.piston_damping.unwrap_or(0.0);
+    found.driveline = (input.driveline.iter())
+        .map(|link| EngineLink {
+            inertia: link.inertia,
+            stiffness: link.stiffness,
+            damping: link.damping,
+            ratio: link.ratio,
+        })
+        .collect();
+    found.starter = input.starter.map(|starter| EngineStarter {
+        stall_torque: starter.stall_torque,
+        free_speed: starter.free_speed,
+        ratio: starter.ratio,
+        until: starter.until,
+        reacts_on_block: starter.reacts_on == ReactsOn::Block,
+    });
+    found.torque = input.torque.iter().map(|order| [order.order, order.sin, order.cos]).collect();
+    let unused = left_out(engine, input, &found, request);
+    if !unused.is_empty() {
+        notes.push(format!("Left out of the graph: {}.", unused.join(", ")));
+    }
     Ok(EngineBondGraph { description: engine_graph(engine, &found)?, notes })
+}
+
+/// The torque law of a load.
+fn load_torque(law: &LoadLaw) -> LoadTorque {
+    match law {
+        LoadLaw::None => LoadTorque::None,
+        LoadLaw::Constant(torque) => LoadTorque::Constant(*torque),
+        LoadLaw::Viscous { torque, at } => LoadTorque::Viscous(torque / at),
+        LoadLaw::Quadratic { torque, at } => LoadTorque::Quadratic(torque / (at * at)),
+        LoadLaw::Power { power, least_speed } => {
+            LoadTorque::Power { power: *power, least_speed: *least_speed }
+        }
+        LoadLaw::Table(points) => LoadTorque::Speed(points.clone()),
+        LoadLaw::Angle { period, points } => LoadTorque::Angle { period: *period, points: points.clone() },
+    }
+}
+
+/// What the file gives for a run and the graph does not hold.
+fn left_out(
+    engine: &Engine,
+    input: &SimulationInput,
+    found: &EngineRequest,
+    request: &BondGraphRequest,
+) -> Vec<&'static str> {
+    let moves = found.block != EngineBlock::Fixed;
+    let imposed = found.drive == EngineDrive::Imposed;
+    let driveline_torque = engine.block.as_ref().is_some_and(|block| block.driveline_torque != [0.0; 3]);
+    let does = |wanted: fn(&Action) -> bool| input.events.iter().any(|event| wanted(&event.action));
+    [
+        ("[governor]", input.governor.is_some()),
+        (
+            "misfires and fuel of [[simulation.event]]",
+            does(|a| matches!(a, Action::Misfire(_) | Action::Fuel(_))),
+        ),
+        ("changes of the load of [[simulation.event]]", does(|a| matches!(a, Action::Load(_)))),
+        ("the clutch of [[simulation.event]]", does(|a| matches!(a, Action::ClutchOpen))),
+        ("the stop of [[simulation.event]]", does(|a| matches!(a, Action::Stop))),
+        ("`duration = \"periodic\"`", input.duration == Some(RunLength::Periodic)),
+        ("`imposed_against`", input.imposed_against.is_some() && !(imposed && moves)),
+        ("`imposed`", !input.imposed.is_empty() && !(imposed && request.speed.is_none())),
+        (
+            "`block = \"equilibrium\"` of `start`",
+            moves && input.start_block == Some(StartOfBlock::Equilibrium),
+        ),
+        ("`guidance`", input.guidance.is_some()),
+        ("`main_stiffness`", !input.main_stiffness.is_empty()),
+        ("`driveline_torque` of [block]", driveline_torque),
+        (
+            "friction without gas",
+            engine.friction.is_some() && found.friction_torque == 0.0 && engine.gas.is_none(),
+        ),
+        (
+            "loss factors of mounts",
+            !moves && engine.mounts.iter().any(|mount| mount.spring.is_some()) && !can_move(engine),
+        ),
+    ]
+    .into_iter()
+    .filter_map(|(what, is_left_out)| is_left_out.then_some(what))
+    .collect()
 }
 
 /// Whether the block stands on mounts that have a course in time.

@@ -13,7 +13,7 @@ use lanchester_file::EngineFile;
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,
     SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,
-    merged_orders, motion, torque, total_loads,
+    merged_orders, motion, rotor_inertia_about_z, torque, total_loads,
 };
 use lanchester_model::{Engine, EngineParts, Fault, Mount, SpeedRange};
 use lanchester_study::compare::{
@@ -301,6 +301,8 @@ struct Candidate {
     speed: f64,
     displacement: Option<f64>,
     gas: Option<Gas>,
+    /// Torques over the angle that its file gives, in the size of the file.
+    outer: OuterTorque,
     traces: Vec<TraceFile>,
 }
 
@@ -344,7 +346,9 @@ impl Candidate {
             .map(|(cylinder, motion)| Some(PI / 4.0 * cylinder.bore?.powi(2) * motion.stroke));
         let displacement = swept.sum();
         let gas = Gas::of(&engine, &entry.traces, speed, warnings)?;
-        Ok(Candidate { displacement, gas, with, speed, engine, traces: entry.traces.clone() })
+        let outer = OuterTorque::of(entry.file.tasks.simulation.as_deref())
+            .map_err(|error| CompareError::Load { engine: engine.name.clone(), error: Box::new(error) })?;
+        Ok(Candidate { displacement, gas, outer, with, speed, engine, traces: entry.traces.clone() })
     }
 
     /// Net indicated power in the size of the file [W]; `None` without gas.
@@ -483,8 +487,9 @@ impl Candidate {
                 excitation.orders = merged_orders(&excitation.orders, &train.orders(MOUNT_ORDERS));
             }
         }
+        let rotors = rotor_inertia_about_z(&self.engine, known_inertia(&self.engine).crankshaft);
         let response = MountSystem::new(&self.engine)
-            .and_then(|system| system.response(&excitations))
+            .and_then(|system| system.with_rotors(rotors).response(&excitations))
             .map_err(refused)?;
         let largest = |at: &SpeedResponse| at.peaks.iter().map(|peak| peak.value).fold(0.0, f64::max);
         Ok(response.speeds.iter().map(largest).collect())
@@ -500,15 +505,9 @@ impl Candidate {
         // The pressures are those of the engine at its own speed, the inertia that of equal piston speed.
         let found = self.torque_at(self.speed * similar.speed_of_original(), gas)?;
         let lowest = engine.speed.lowest * similar.speed_of_original();
-        let need = flywheel_need(
-            engine,
-            Some(&gas.lowest),
-            lowest,
-            &OuterTorque::default(),
-            known_inertia(engine),
-            fluctuation,
-        )
-        .map_err(|error| self.no_torque(error))?;
+        let need =
+            flywheel_need(engine, Some(&gas.lowest), lowest, &self.outer, known_inertia(engine), fluctuation)
+                .map_err(|error| self.no_torque(error))?;
         let moment = similar.moment();
         let work = found.indicated.torque * found.energy.own_period;
         Ok(Some(ComparedTorque {

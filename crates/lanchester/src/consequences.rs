@@ -1,5 +1,6 @@
 //! What other weights do to an engine, with the masses of counterweights where they are known.
 
+use crate::torque_report::with_known_rotors;
 use lanchester_balance::{BalanceError, Consequences, consequences as of_masses};
 use lanchester_geometry::counterweight_properties;
 use lanchester_model::{Counterweight, Engine};
@@ -32,7 +33,8 @@ pub fn consequences(
     after: &Engine,
     task: Option<&BalanceTask>,
 ) -> Result<Consequences, BalanceError> {
-    of_masses(before, after, |engine, weight| mass(engine, weight, task))
+    let (before, after) = (with_known_rotors(before), with_known_rotors(after));
+    of_masses(&before, &after, |engine, weight| mass(engine, weight, task))
 }
 
 fn mass(engine: &Engine, weight: &Counterweight, task: Option<&BalanceTask>) -> Option<f64> {

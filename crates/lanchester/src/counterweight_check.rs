@@ -6,6 +6,7 @@ use lanchester_geometry::clearance::{Clearances, SweptOverlap, swept_overlaps};
 use lanchester_geometry::counterweight_properties;
 use lanchester_geometry::crankshaft::{CrankshaftBody, crankshaft};
 use lanchester_model::Engine;
+use lanchester_report::{CrankshaftInput, Section, crankshaft_section};
 use serde::Serialize;
 
 /// Version of [`CounterweightCheck`]; raised when a field changes its meaning or goes.
@@ -85,6 +86,15 @@ pub struct CounterweightCheck {
     pub clearances: Option<Clearances>,
     /// Whether every counterweight and weight of a shaft has its unbalance and every clearance is kept.
     pub is_kept: bool,
+}
+
+impl CounterweightCheck {
+    /// As a section of a report.
+    pub fn section(&self, engine: &Engine) -> Section {
+        let clearances = self.clearances.as_ref();
+        let CounterweightCheck { crankshafts: bodies, swept_overlaps, .. } = self;
+        crankshaft_section(engine, &CrankshaftInput { bodies, clearances, swept_overlaps })
+    }
 }
 
 /// Checks what the engine says of its crankshaft as parts.

@@ -163,11 +163,7 @@ impl Pair<'_> {
     }
 
     /// Reactions of the simulation at `theta`, speed imposed, block fixed.
-    pub(crate) fn reactions(
-        &self,
-        theta: f64,
-        shares: &[[Option<lanchester_multibody::MainShares>; 3]],
-    ) -> Reactions {
+    pub(crate) fn reactions(&self, theta: f64, shares: &[lanchester_multibody::RotorShares]) -> Reactions {
         let forces: Vec<f64> = (0..self.train.cylinders.len())
             .map(|index| {
                 let own = self.train.own_angle(index, theta);

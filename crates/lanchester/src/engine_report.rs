@@ -12,9 +12,8 @@ use lanchester_mechanism::{
 };
 use lanchester_model::Engine;
 use lanchester_report::{
-    CrankshaftInput, Figure, OptimumInput, Provenance, ReportInput, bearings_section_figures,
-    consequence_figures, figures, internal_figures, mount_figures, optimum_figures, report,
-    simulation_figures, torque_section_figures,
+    Figure, OptimumInput, Provenance, ReportHead, Section, bending_section, engine_section, figures,
+    loads_sections, motion_section, optimum_section, report,
 };
 use lanchester_task::Tasks;
 
@@ -75,49 +74,44 @@ impl<'a> EngineReport<'a> {
         Ok(EngineReport { engine, loads, internal, optimum, crankshaft, running, warnings, told })
     }
 
-    fn input<'b>(&'b self, provenance: &'b Provenance) -> ReportInput<'b> {
-        ReportInput {
-            engine: self.engine,
-            loads: &self.loads,
-            internal: &self.internal,
-            optimum: self.optimum.as_ref().map(FoundOptimum::input),
-            crankshaft: self.crankshaft.as_ref().map(|checked| CrankshaftInput {
-                bodies: &checked.crankshafts,
-                clearances: checked.clearances.as_ref(),
-                swept_overlaps: &checked.swept_overlaps,
-            }),
-            torque: self.running.torque_input(),
-            bearings: self.running.bearings_input(self.engine),
-            mounts: self.running.mounts.as_ref(),
-            simulation: self.running.simulation.as_ref(),
-            provenance,
-            warnings: &self.warnings,
-        }
+    /// All that it tells, topic by topic, in the order of reading. A new topic is one more line here.
+    pub fn sections(&self) -> Vec<Section> {
+        let EngineReport { engine, loads, running, .. } = self;
+        let mut sections = loads_sections(engine, loads);
+        sections.extend(self.optimum.as_ref().map(|found| optimum_section(engine, &found.input())));
+        sections.extend(bending_section(engine, &self.internal));
+        sections.extend(self.crankshaft.as_ref().map(|checked| checked.section(engine)));
+        sections.extend(running.sections(engine));
+        sections.extend([motion_section(loads), engine_section(engine)]);
+        sections
     }
 
     /// The page.
     pub fn page(&self, provenance: &Provenance) -> String {
-        report(&self.input(provenance))
+        let EngineReport { engine, loads, warnings, .. } = self;
+        report(&ReportHead { engine, speed: loads.speed, provenance, warnings }, &self.sections())
+    }
+
+    /// The words and tables of the page as plain text, under the titles of their sections.
+    pub fn text(&self) -> String {
+        let titled = |section: Section| {
+            let line = "=".repeat(section.title.chars().count());
+            format!("{}\n{line}\n\n{}", section.title, section.text())
+        };
+        let told = self.sections().into_iter().filter(Section::has_text).map(titled);
+        format!("{}\n\n{}", self.engine.name, told.collect::<Vec<_>>().join("\n"))
+    }
+
+    /// All tables of the page as CSV, each under a line with its name.
+    pub fn csv(&self) -> String {
+        let tables =
+            self.sections().iter().map(Section::csv).filter(|csv| !csv.is_empty()).collect::<Vec<_>>();
+        tables.join("\n")
     }
 
     /// All figures of the page.
     pub fn figures(&self) -> Vec<Figure> {
-        let of_optimum = |o: OptimumInput| {
-            let figures = optimum_figures(self.engine, o.answer, o.before, o.fitted, o.after);
-            let consequences = o.consequences.map(|found| consequence_figures(o.fitted, found));
-            figures.into_iter().chain(consequences.into_iter().flatten()).collect::<Vec<_>>()
-        };
-        let (torque, bearings) = (self.running.torque_input(), self.running.bearings_input(self.engine));
-        let mut all = figures(self.engine, &self.loads);
-        all.extend(internal_figures(self.engine, &self.internal));
-        all.extend(self.optimum.as_ref().map(FoundOptimum::input).map_or_else(Vec::new, of_optimum));
-        all.extend(torque.as_ref().map_or_else(Vec::new, torque_section_figures));
-        all.extend(bearings.as_ref().map_or_else(Vec::new, bearings_section_figures));
-        all.extend(
-            self.running.mounts.as_ref().map_or_else(Vec::new, |study| mount_figures(self.engine, study)),
-        );
-        all.extend(self.running.simulation.as_ref().map_or_else(Vec::new, simulation_figures));
-        all
+        figures(self.engine, &self.sections())
     }
 }
 

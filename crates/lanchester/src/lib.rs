@@ -32,6 +32,7 @@ mod crosscheck_orders;
 mod crosscheck_ripple;
 mod cycle_results;
 mod engine_report;
+mod inertias;
 mod layout_search;
 mod layout_space;
 mod layout_study;
@@ -77,6 +78,7 @@ pub use crankshaft_parts::{crankshaft_parts, engine_parts, shaft_parts};
 pub use crosscheck::{CrossCheckError, CrossCheckRequest, crosscheck, rotor_inertia};
 pub use cycle_results::cycle_results;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
+pub use inertias::{DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, shaped_crankshafts};
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
@@ -86,6 +88,7 @@ pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_multibody as multibody;
 pub use lanchester_report as report;
+pub use lanchester_results as results;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
 pub use lanchester_task as task;
@@ -100,7 +103,7 @@ pub use pressure::{
     ComputedCycle, CylinderCycle, GAS_REPORT_VERSION, GasError, GasReport, TraceFile, cylinder_gas,
     trace_names,
 };
-pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance};
+pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance, robust_balance_while};
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};

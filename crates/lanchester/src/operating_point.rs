@@ -2,11 +2,12 @@
 
 use crate::pressure::{GasError, TraceFile, cylinder_gas};
 use crate::torque_report::known_inertia;
+use lanchester_mechanism::OuterTorque;
 use lanchester_model::Engine;
 use lanchester_study::sensitivity::{Needs, OperatingPoint, Weights};
 
 /// `engine` at a speed of crankshaft 1 [rad/s] with what is needed of its gas, flywheel and crankshafts; and what the user should know
-/// of the gas. `traces` holds the files that [`crate::trace_names`] names.
+/// of the gas. Torques over the angle are the caller's to add. `traces` holds the files that [`crate::trace_names`] names.
 ///
 /// # Errors
 /// [`GasError`] where the pressures are needed and the file gives some that cannot be computed. A file that says nothing of gas makes a point
@@ -23,6 +24,8 @@ pub fn operating_point(
     };
     let (gas, warnings) = report.map(|report| (report.cylinders, report.warnings)).unzip();
     let turning = known_inertia(engine);
-    let point = OperatingPoint { engine: engine.clone(), speed, gas, turning, weights: Weights::Fixed };
+    let outer = OuterTorque::default();
+    let point =
+        OperatingPoint { engine: engine.clone(), speed, gas, turning, outer, weights: Weights::Fixed };
     Ok((point, warnings.unwrap_or_default()))
 }

@@ -1,6 +1,6 @@
 //! The best weights for engines as the tolerances of the file make them.
 
-use lanchester_balance::{BalanceError, RobustAnswer, RobustMeasure, RobustRequest, optimise_robust};
+use lanchester_balance::{BalanceError, RobustAnswer, RobustMeasure, RobustRequest, optimise_robust_while};
 use lanchester_model::Engine;
 use lanchester_study::scatter::{Output, ScatterError, ScatterRequest, Scattering};
 use lanchester_task::{BalanceTask, Tolerance};
@@ -47,6 +47,20 @@ pub fn robust_balance(
     task: &BalanceTask,
     options: &RobustOptions,
 ) -> Result<RobustAnswer, RobustError> {
+    robust_balance_while(engine, tolerances, task, options, &|| true)
+}
+
+/// As [`robust_balance`], as long as `goes_on` says so.
+///
+/// # Errors
+/// [`RobustError`]; [`BalanceError::BrokenOff`] in it where it no longer goes on.
+pub fn robust_balance_while(
+    engine: &Engine,
+    tolerances: &[Tolerance],
+    task: &BalanceTask,
+    options: &RobustOptions,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<RobustAnswer, RobustError> {
     let RobustOptions { engines, seed, measure } = *options;
     if !(1..=MOST_ENGINES).contains(&engines) {
         return Err(RobustError::Engines(engines));
@@ -62,5 +76,6 @@ pub fn robust_balance(
         seed,
     })?;
     let (samples, second) = (scattering.engines(0..engines)?, scattering.engines(engines..2 * engines)?);
-    Ok(optimise_robust(engine, task, &RobustRequest { samples: &samples, second: &second, measure, seed })?)
+    let request = RobustRequest { samples: &samples, second: &second, measure, seed };
+    Ok(optimise_robust_while(engine, task, &request, goes_on)?)
 }

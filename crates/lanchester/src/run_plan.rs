@@ -38,7 +38,7 @@ pub(crate) fn action_words(action: &Action) -> String {
 pub(crate) fn plan(
     engine: &Engine,
     input: Option<&SimulationInput>,
-    train: &Train,
+    train: &mut Train,
     request: &SimulateRequest,
 ) -> Result<RunPlan, MultibodyError> {
     let none = SimulationInput::default();
@@ -99,16 +99,20 @@ pub(crate) fn plan(
     for &cylinder in &request.misfire {
         simulation.events.push(Event { when: When::Angle(TAU), action: Action::Misfire(cylinder) });
     }
-    let can_move =
-        train.fixed_because.is_none() && train.mounts.iter().all(|mount| !mount.frequency_dependent);
     let wanted = request.on_mounts.or(input.block.map(|block| block == BlockKind::Mounts));
+    let fitted = match wanted {
+        Some(false) => Ok(None),
+        _ => fit_mounts(engine, train, &simulation, input.governor.map(|governor| governor.speed)),
+    };
+    let can_move = train.fixed_because.is_none() && fitted.is_ok();
     if wanted.unwrap_or(can_move) {
+        notes.extend(fitted?);
         simulation.block = BlockMotion::Mounts;
     } else {
-        let given = train
-            .fixed_because
-            .clone()
-            .unwrap_or_else(|| "a mount's stiffness or loss depends on frequency".into());
+        let given = match fitted {
+            Err(error) => error.to_string(),
+            Ok(_) => train.fixed_because.clone().unwrap_or_default(),
+        };
         let because = if can_move { "as asked for".to_owned() } else { given };
         notes.push(format!("The block is fixed: {because}."));
     }
@@ -118,6 +122,61 @@ pub(crate) fn plan(
     }
     let reference_speed = if speed > 0.0 { speed } else { engine.speed.lowest };
     Ok(RunPlan { simulation, length, reference_speed, notes })
+}
+
+/// Largest error of a fit of mounts that a run is made with.
+const MOST_MISFIT: f64 = 0.1;
+
+/// Highest order of the band over which mounts are fitted.
+const FITTED_ORDER: f64 = 4.0;
+
+/// Fits Maxwell chains to mounts with loss factors or tables over frequency, and says over which band and how well.
+fn fit_mounts(
+    engine: &Engine,
+    train: &mut Train,
+    simulation: &Simulation,
+    governed: Option<f64>,
+) -> Result<Option<String>, MultibodyError> {
+    if train.mounts.iter().all(|mount| !mount.frequency_dependent) {
+        return Ok(None);
+    }
+    let mut speeds: Vec<f64> = match &simulation.drive {
+        Drive::Imposed { profile, .. } => profile.iter().map(|point| point[1]).collect(),
+        Drive::Free => vec![simulation.start_speed],
+    };
+    speeds.extend(governed);
+    speeds.retain(|speed| *speed > 0.0);
+    if speeds.is_empty() {
+        speeds = vec![engine.speed.lowest, engine.speed.highest];
+    }
+    let lowest_order = if engine.gas.is_some() { 1.0 / f64::from(train.strokes) } else { 1.0 };
+    let low = lowest_order * speeds.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = FITTED_ORDER * speeds.iter().copied().fold(0.0, f64::max);
+    let mut names = Vec::new();
+    let mut most: f64 = 0.0;
+    for mount in train.mounts.iter_mut().filter(|mount| mount.frequency_dependent) {
+        let error = mount.fit([low, high]);
+        most = most.max(error);
+        names.push(mount.name.clone());
+        if error > MOST_MISFIT {
+            return Err(MultibodyError::NoMounts {
+                missing: format!(
+                    "springs and dashpots come no closer than {:.0} % to the loss factor or table of mount `{}` between {:.1} and {:.1} Hz, where 10 % is allowed: it needs its `damping` instead",
+                    100.0 * error,
+                    mount.name,
+                    low / TAU,
+                    high / TAU
+                ),
+            });
+        }
+    }
+    Ok(Some(format!(
+        "Loss factors and tables of {} are Maxwell chains, fitted from {:.1} to {:.1} Hz: at most {:.1} % off.",
+        names.join(", "),
+        low / TAU,
+        high / TAU,
+        100.0 * most
+    )))
 }
 
 /// Keys that the file gives and this run has no use for.

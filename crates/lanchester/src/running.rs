@@ -4,13 +4,12 @@ use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::TraceFile;
 use crate::simulation::{SimulateRequest, simulate};
 use crate::torque_report::{
-    BearingStudy, TorqueReport, TorqueReportRequest, bearing_sizes, bearing_study, power_speeds,
-    torque_report,
+    BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
-use lanchester_report::{BearingsInput, SimulationResult, TorqueInput};
+use lanchester_report::{Section, SimulationResult, mounts_section, simulation_section};
 
 /// Speeds and highest order of the section on mounts.
 const MOUNT_SPEEDS: usize = 31;
@@ -22,7 +21,7 @@ const POWER_SPEEDS: usize = 7;
 /// The running engine, as far as its file tells.
 #[derive(Debug, Clone, Default)]
 pub struct Running {
-    /// Torque with gas, where the file says something of it.
+    /// Torque with gas, where the file says something of it; with a flywheel alone that of inertia.
     pub torque: Option<TorqueReport>,
     /// Loads of the bearings.
     pub bearings: Option<BearingStudy>,
@@ -37,7 +36,8 @@ pub struct Running {
 /// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
 pub fn is_running(file: &EngineFile) -> bool {
     let EngineFile { engine, tasks } = file;
-    engine.gas.is_some() || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
+    let turns = engine.gas.is_some() || engine.flywheel.is_some();
+    turns || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
 }
 
 /// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; `traces`: the pressures, or why they cannot be
@@ -46,7 +46,8 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     let EngineFile { engine, tasks } = file;
     let has_bearings = engine.gas.is_some() || engine.bearings.is_some();
     let mut warnings = Vec::new();
-    let torque = section(engine.gas.is_some(), "torque with gas is", &traces, &mut warnings, |traces| {
+    let has_torque = engine.gas.is_some() || engine.flywheel.is_some();
+    let torque = section(has_torque, torque_name(engine.gas.is_some()), &traces, &mut warnings, |traces| {
         let request = TorqueReportRequest {
             torque: TorqueRequest { speed: Some(speed), ..TorqueRequest::default() },
             speeds: power_speeds(engine, POWER_SPEEDS),
@@ -70,6 +71,11 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     Running { torque, bearings, mounts, simulation, warnings }
 }
 
+/// What the section on torque is called where it is left out.
+fn torque_name(with_gas: bool) -> &'static str {
+    if with_gas { "torque with gas is" } else { "torque is" }
+}
+
 impl Running {
     /// What was left out, then what the results warn of, each once.
     pub fn all_warnings(&self) -> Vec<String> {
@@ -84,24 +90,13 @@ impl Running {
         all
     }
 
-    /// Torque for the report.
-    pub fn torque_input(&self) -> Option<TorqueInput<'_>> {
-        self.torque.as_ref().map(|report| TorqueInput {
-            torque: &report.torque,
-            source: &report.source,
-            brake: report.brake.as_ref(),
-            cycles: &report.cycles,
-            ripples: &report.ripples,
-            flywheel: report.flywheel.as_ref(),
-            speeds: &report.speeds,
-            power: report.power.as_ref(),
-        })
-    }
-
-    /// Bearings for the report.
-    pub fn bearings_input(&self, engine: &Engine) -> Option<BearingsInput<'_>> {
-        let study = self.bearings.as_ref()?;
-        Some(BearingsInput { parts: &study.parts, bare: study.bare.as_ref(), sizes: bearing_sizes(engine) })
+    /// What is told, topic by topic.
+    pub fn sections(&self, engine: &Engine) -> Vec<Section> {
+        let torque = self.torque.as_ref().map(TorqueReport::section);
+        let bearings = self.bearings.as_ref().and_then(|study| study.section(engine));
+        let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
+        let simulated = self.simulation.as_ref().map(simulation_section);
+        [torque, bearings, mounts, simulated].into_iter().flatten().collect()
     }
 }
 

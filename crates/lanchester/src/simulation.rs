@@ -6,9 +6,10 @@ use crate::run_plan::{RunPlan, action_words, plan};
 use crate::simulated_gas::{GivenGas, gas_over_speed};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
+use lanchester_model::MainSharing;
 pub use lanchester_model::RunLength;
 use lanchester_multibody::{
-    BlockMotion, Drive, GasPressure, Load, LoadLaw, Occasion, ReactsOn, RunState, Train,
+    BlockMotion, Drive, GasPressure, Load, LoadLaw, MainRule, Occasion, ReactsOn, RunState, Train,
 };
 use lanchester_report::{PeriodicResult, SIMULATION_VERSION, SimulationResult};
 use std::f64::consts::PI;
@@ -66,7 +67,7 @@ pub fn simulate(
     simulate_watched(file, traces, request, &|_| true)
 }
 
-/// The same; after every step `watch` sees how far the run is, and `false` ends it with the samples so far. The search for a periodic motion is not watched.
+/// The same; after every step `watch` sees how far the run is, and `false` ends it with the samples so far.
 ///
 /// # Errors
 /// As [`simulate`].
@@ -78,9 +79,9 @@ pub fn simulate_watched(
 ) -> Result<SimulationResult, CrossCheckError> {
     let EngineFile { engine, tasks } = file;
     let input = tasks.simulation.as_deref();
-    let train = Train::new(engine, &rotor_inertia(engine))?;
+    let mut train = Train::new(engine, &rotor_inertia(engine))?;
     let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
-        plan(engine, input, &train, request)?;
+        plan(engine, input, &mut train, request)?;
     let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
     let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
     let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);
@@ -144,7 +145,7 @@ pub fn simulate_watched(
     let gas = given.as_ref().map(|given| given as &dyn GasPressure);
     let (run, periodic) = match length {
         RunLength::Periodic => {
-            let found = train.periodic(&simulation, gas)?;
+            let found = train.periodic_watched(&simulation, gas, watch)?;
             let (outcome, residual, iterations) = (found.outcome, found.residual, found.iterations);
             (
                 found.run,
@@ -169,6 +170,11 @@ pub fn simulate_watched(
         actions: simulation.events.iter().map(|event| action_words(&event.action)).collect(),
         mounts: train.mounts.iter().filter(|_| on_mounts).map(|mount| mount.name.clone()).collect(),
         mains: train.rotors[..train.crankshafts].iter().map(|rotor| rotor.mains.clone()).collect(),
+        main_rule: match input.and_then(|input| input.mains) {
+            Some(MainSharing::Springs) => MainRule::Springs,
+            Some(MainSharing::Beam) => MainRule::Beam,
+            Some(MainSharing::Cut) | None => MainRule::Cut,
+        },
         periodic,
         run,
     })

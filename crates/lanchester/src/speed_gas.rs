@@ -2,6 +2,7 @@
 
 use crate::mounted::depends_on_speed;
 use crate::pressure::{TraceFile, cylinder_gas};
+use crate::torque_report::with_known_rotors;
 use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,
 };
@@ -17,7 +18,7 @@ const STEPS: usize = 12;
 
 /// The best that exists for `task`, as [`optimise_watched`]; loads with gas have the pressures of the file, with the `traces` that it
 /// names or why they cannot be read. A cycle is computed at 13 speeds of the range at most; between them the pressures
-/// over the angle are interpolated, as those of measured traces are.
+/// over the angle are interpolated, as those of measured traces are. The mounts feel the spin of what turns, of crankshafts that are bodies too.
 ///
 /// # Errors
 /// As [`optimise_watched`].
@@ -47,7 +48,7 @@ pub fn optimised(
 ) -> Result<Answer, BalanceError> {
     let gas = SpeedGas::new(engine, traces);
     let gas: Option<&dyn GasOverSpeed> = if engine.gas.is_some() { Some(&gas) } else { None };
-    optimise_watched(engine, task, gas, settings, watch)
+    optimise_watched(&with_known_rotors(engine), task, gas, settings, watch)
 }
 
 /// The pressures of an engine, each computed once.

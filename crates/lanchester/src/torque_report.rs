@@ -1,18 +1,22 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
 use crate::cycle_results::cycle_results;
-use crate::pressure::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::{GasError, GasReport, TraceFile, cylinder_gas};
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, OuterTorque,
     PowerCurve, RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads,
-    flywheel_need, speed_ripple, torque,
+    flywheel_need, speed_ripple, torque, torque_without_gas,
 };
 use lanchester_model::{
-    Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint, SimulationInput, SpeedRange,
+    CrankElementForm, Engine, EngineParts, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
+    SimulationInput, SpeedRange,
 };
-use lanchester_report::{BearingSizes, CycleResult};
+use lanchester_report::{
+    BearingSizes, BearingsInput, CycleResult, Section, TorqueInput, bearings_section, torque_section,
+};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Version of the form of [`TorqueReport`].
 pub const TORQUE_REPORT_VERSION: u32 = 2;
@@ -81,10 +85,10 @@ pub enum TorqueReportError {
     },
 }
 
-/// Torque of `engine` with its own gas; `traces` holds the files that its file names.
+/// Torque of `engine` with its own gas, without gas in the file that of inertia alone; `traces` holds the files that its file names.
 ///
 /// # Errors
-/// [`TorqueReportError`] where the file says nothing of gas, or too little.
+/// [`TorqueReportError`] where the file says too little of its gas.
 pub fn torque_report(
     engine: &Engine,
     traces: &[TraceFile],
@@ -92,10 +96,16 @@ pub fn torque_report(
 ) -> Result<TorqueReport, TorqueReportError> {
     let speed = request.torque.speed.unwrap_or(engine.speed.highest);
     let outer = OuterTorque::of(request.simulation.as_deref()).map_err(TorqueError::from)?;
-    let gas = cylinder_gas(engine, traces, speed)?;
-    let found = torque(engine, &gas.cylinders, &request.torque)?;
-    let mut warnings = gas.warnings.clone();
-    let friction = request.friction.or(engine.friction);
+    let gas_at = |speed: f64| engine.gas.as_ref().map(|_| cylinder_gas(engine, traces, speed)).transpose();
+    let torque_at = |gas: Option<&GasReport>, request: &TorqueRequest| match gas {
+        Some(gas) => torque(engine, &gas.cylinders, request),
+        None => torque_without_gas(engine, request),
+    };
+    let gas = gas_at(speed)?;
+    let found = torque_at(gas.as_ref(), &request.torque)?;
+    let mut warnings = gas.as_ref().map(|gas| gas.warnings.clone()).unwrap_or_default();
+    // Without gas nothing drives the engine: what friction takes is not told.
+    let friction = request.friction.or(engine.friction).filter(|_| gas.is_some());
     let none = Flywheel::default();
     let wheel = engine.flywheel.as_ref().unwrap_or(&none);
     let of_file = known_inertia(engine);
@@ -110,11 +120,11 @@ pub fn torque_report(
     let mut ripples = Vec::new();
     let mut flywheel: Option<FlywheelNeed> = None;
     for own in speeds {
-        let own_gas =
-            if own == speed { gas.cylinders.clone() } else { cylinder_gas(engine, traces, own)?.cylinders };
-        ripples.push(speed_ripple(engine, Some(&own_gas), own, &outer, given)?);
+        let own_gas = if own == speed { gas.clone() } else { gas_at(own)? };
+        let own_gas = own_gas.as_ref().map(|gas| gas.cylinders.as_slice());
+        ripples.push(speed_ripple(engine, own_gas, own, &outer, given)?);
         if let Some(wanted) = fluctuation.filter(|_| own == idle || !wheel.speeds.is_empty()) {
-            let need = flywheel_need(engine, Some(&own_gas), own, &outer, given, wanted)?;
+            let need = flywheel_need(engine, own_gas, own, &outer, given, wanted)?;
             // None that keeps it is more than any.
             let amount = |need: &FlywheelNeed| need.flywheel.unwrap_or(f64::INFINITY);
             if flywheel.as_ref().is_none_or(|most| amount(&need) > amount(most)) {
@@ -124,11 +134,11 @@ pub fn torque_report(
     }
     let mut over_speeds = Vec::new();
     for &speed in &request.speeds {
-        let gas = cylinder_gas(engine, traces, speed)?;
+        let gas = gas_at(speed)?;
         // Means do not need the traces or the orders.
         let own = TorqueRequest { speed: Some(speed), samples: 1, max_order: 1, ..request.torque.clone() };
-        over_speeds.push(torque(engine, &gas.cylinders, &own)?.at_speed());
-        for warning in gas.warnings {
+        over_speeds.push(torque_at(gas.as_ref(), &own)?.at_speed());
+        for warning in gas.into_iter().flat_map(|gas| gas.warnings) {
             if !warnings.contains(&warning) {
                 warnings.push(warning);
             }
@@ -143,17 +153,21 @@ pub fn torque_report(
         .collect();
     let power = match points.len() {
         0 => None,
+        _ if gas.is_none() => None,
         got => Some(PowerCurve::fit(&points).ok_or(TorqueReportError::Speeds { got })?),
     };
     let brake = friction.map(|friction| found.indicated.brake(&friction, speed));
     if brake.is_some_and(|brake| brake.torque <= 0.0) {
         warnings.push("friction takes more than the gas gives: the engine does not turn by itself".into());
     }
-    let cycles = cycle_results(engine, &gas).map_err(GasError::from)?;
+    let cycles = match &gas {
+        Some(gas) => cycle_results(engine, gas).map_err(GasError::from)?,
+        None => Vec::new(),
+    };
     Ok(TorqueReport {
         version: TORQUE_REPORT_VERSION,
         cycles,
-        source: gas.source,
+        source: gas.map_or_else(|| WITHOUT_GAS.to_owned(), |gas| gas.source),
         brake,
         torque: found,
         ripples,
@@ -163,6 +177,9 @@ pub fn torque_report(
         warnings,
     })
 }
+
+/// What stands for the source of the pressures where there are none.
+const WITHOUT_GAS: &str = "no gas in the engine file, inertia alone";
 
 /// What the user is told of a flywheel where the inertia of the crankshafts is not known.
 pub(crate) const UNKNOWN_CRANKSHAFT: &str =
@@ -174,6 +191,19 @@ pub(crate) fn known_inertia(engine: &Engine) -> KnownInertia {
     let crankshaft =
         wheel.and_then(|wheel| wheel.crankshaft_inertia).or_else(|| crankshaft_of_bodies(engine));
     KnownInertia { flywheel: wheel.and_then(|wheel| wheel.inertia), crankshaft }
+}
+
+/// `engine` with the inertia of its crankshafts as bodies among its numbers, for kernels that know the numbers alone: mounts that feel what turns.
+pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
+    let given = engine.flywheel.as_ref().and_then(|wheel| wheel.crankshaft_inertia);
+    let bodies = if given.is_none() && engine.is_on_springs() { crankshaft_of_bodies(engine) } else { None };
+    let with = |inertia| {
+        let add = |parts: &mut EngineParts| {
+            parts.flywheel.get_or_insert_with(Flywheel::default).crankshaft_inertia = Some(inertia);
+        };
+        engine.with(add).ok().map(Cow::Owned)
+    };
+    bodies.and_then(with).unwrap_or(Cow::Borrowed(engine))
 }
 
 /// Inertia of all crankshafts as bodies, seen at crankshaft 1 [kg m^2].
@@ -209,6 +239,30 @@ pub struct BearingStudy {
     pub parts: Vec<BearingLoads>,
     /// All loads without counterweights, where the engine has some.
     pub bare: Option<BearingLoads>,
+}
+
+impl BearingStudy {
+    /// As a section of a report; `None` where there is nothing to show.
+    pub fn section(&self, engine: &Engine) -> Option<Section> {
+        let sizes = bearing_sizes(engine);
+        bearings_section(&BearingsInput { parts: &self.parts, bare: self.bare.as_ref(), sizes })
+    }
+}
+
+impl TorqueReport {
+    /// As a section of a report.
+    pub fn section(&self) -> Section {
+        torque_section(&TorqueInput {
+            torque: &self.torque,
+            source: &self.source,
+            brake: self.brake.as_ref(),
+            cycles: &self.cycles,
+            ripples: &self.ripples,
+            flywheel: self.flywheel.as_ref(),
+            speeds: &self.speeds,
+            power: self.power.as_ref(),
+        })
+    }
 }
 
 /// Loads of the bearings of `engine` at a speed of crankshaft 1 [rad/s].
@@ -255,7 +309,7 @@ pub fn power_speeds(engine: &Engine, count: usize) -> Vec<f64> {
 }
 
 /// Sizes of the bearings: those of the file, else of the crank's body. Of the body come the diameters; crankpins as long as the webs leave
-/// room, shared by the rods that sit on them, main journals as long as the shortest stretch between the webs of neighbouring throws.
+/// room, shared by the rods that sit on them, main journals as long as the shortest one; of pins and journals that differ the smallest.
 pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
     let body = body_bearings(engine);
     let given = engine.bearings.unwrap_or_default();
@@ -274,31 +328,26 @@ pub fn bearing_sizes(engine: &Engine) -> BearingSizes {
 }
 
 fn body_bearings(engine: &Engine) -> BearingSizes {
-    let Some(body) = &engine.crank_body else { return BearingSizes::default() };
-    let size = |diameter: f64, width: f64| {
-        (diameter > 0.0 && width > 0.0 && width.is_finite()).then_some(BearingSize { diameter, width })
-    };
-    let least = |widths: &mut dyn Iterator<Item = f64>| widths.fold(f64::INFINITY, f64::min);
     let rods = |throw: usize| {
         let on_pin = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
         on_pin.filter(|c| matches!(c.rod.joint, RodJoint::Crankpin)).count().max(1) as f64
     };
-    let pin = least(&mut engine.throws.iter().enumerate().filter_map(|(index, throw)| {
-        let [front, rear] = throw.webs?;
-        Some((rear - front - body.web_thickness) / rods(index))
-    }));
-    let mut rising: Vec<(usize, [f64; 2])> =
-        engine.throws.iter().filter_map(|throw| Some((throw.crankshaft, throw.webs?))).collect();
-    rising.sort_by(|a, b| a.0.cmp(&b.0).then(a.1[0].total_cmp(&b.1[0])));
-    let same = rising.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-    // Where webs touch or are one there is no journal.
-    let journals =
-        same.map(|pair| pair[1].1[0] - pair[0].1[1] - body.web_thickness).filter(|gap| *gap > 1e-9);
-    let between = least(&mut { journals });
-    let main = between.min(body.end_journals[0]).min(body.end_journals[1]);
-    BearingSizes {
-        piston_pin: None,
-        crankpin: size(body.pin_diameter, pin),
-        main: size(body.journal_diameter, main),
+    // Of pins and journals that differ the smallest.
+    let (mut pin, mut main): (Option<BearingSize>, Option<BearingSize>) = (None, None);
+    let smaller = |known: &mut Option<BearingSize>, diameter: f64, width: f64| {
+        let least = known.unwrap_or(BearingSize { diameter, width });
+        *known = Some(BearingSize { diameter: least.diameter.min(diameter), width: least.width.min(width) });
+    };
+    for crankshaft in 0..engine.crankshafts.len() {
+        for element in engine.crank_elements(crankshaft).unwrap_or_default() {
+            match element.form {
+                CrankElementForm::Pin { throw, bar, .. } => {
+                    smaller(&mut pin, bar.diameter, element.length() / rods(throw));
+                }
+                CrankElementForm::Journal { bar, .. } => smaller(&mut main, bar.diameter, element.length()),
+                _ => {}
+            }
+        }
     }
+    BearingSizes { piston_pin: None, crankpin: pin, main }
 }

@@ -35,6 +35,7 @@ fn engine(axes: &[f64], pins: &[f64], riders: usize) -> Engine {
                     big_end_mass: 0.4 + 0.01 * own,
                     small_end_mass: 0.2 + 0.005 * own,
                     inertia: Some(0.002 + 1e-5 * own),
+                    axial_inertia: 0.0,
                     mass_rule: RodMassRule::WeighedEnds,
                     joint: RodJoint::Crankpin,
                 },

@@ -154,6 +154,19 @@ pub fn firing_chart(engine: &Engine) -> Result<FiringChart, TorqueError> {
     chart(engine, &motion, TAU * f64::from(firing_period(engine)?))
 }
 
+/// The chart of an engine that fires nowhere.
+pub(crate) fn no_firing(engine: &Engine, period: f64) -> FiringChart {
+    FiringChart {
+        strokes: engine.strokes,
+        period,
+        firings: Vec::new(),
+        even_interval: 0.0,
+        unevenness: 0.0,
+        stars: Vec::new(),
+        cylinders: Vec::new(),
+    }
+}
+
 pub(crate) fn chart_of(engine: &Engine, gas: &GasTrain) -> Result<FiringChart, TorqueError> {
     chart(engine, &gas.motion, gas.period())
 }

@@ -7,7 +7,7 @@
 //! J w w'    = T_gas - T_mean - 1/2 J' w^2
 //! C:  2 pi R / w_mean = INTEGRAL over R revolutions of dtheta / w                                        (25.8)
 //! ```
-//! `J_0`: flywheel, crankshaft, the rods' big ends at their pins, each times the square of its speed ratio; constant. The rest
+//! `J_0`: flywheel, crankshaft, balance shafts and gears of known inertia, the rods' big ends at their pins, each times the square of its speed ratio; constant. The rest
 //! as in [`crate::train`], with `m_K` the big-end mass on a knuckle pin less what it has on the crankpin. The torque of inertia is
 //! in `J(theta)`: only the gas does work. No friction and a load that takes the mean torque at every angle: the speed is periodic.
 
@@ -46,6 +46,8 @@ pub struct TurningInertia {
 pub struct TrainInertia {
     /// Flywheel and crankshafts as given.
     pub given: TurningInertia,
+    /// Balance shafts and gears whose inertia is known, each times its speed ratio squared.
+    pub geared: f64,
     /// Big ends of the rods at their crankpins.
     pub big_ends: f64,
     /// Mean over the cycle of pistons, small ends and what the rods' swing adds.
@@ -116,6 +118,8 @@ struct KineticTrain {
     /// What does not change with the angle [kg m^2].
     constant: f64,
     big_ends: f64,
+    /// Balance shafts and gears of known inertia.
+    geared: f64,
     given: TurningInertia,
     /// Revolutions of crankshaft 1 after which all shafts stand as before.
     revolutions: u32,
@@ -143,10 +147,12 @@ impl KineticTrain {
                 cylinder.rod.big_end_mass * (throw.radius * ratio).powi(2)
             })
             .sum::<f64>();
+        let geared = engine.geared_inertia();
         Ok(KineticTrain {
             mechanism,
-            constant: given.flywheel + given.crankshaft + big_ends,
+            constant: given.flywheel + given.crankshaft + geared + big_ends,
             big_ends,
+            geared,
             given,
             revolutions: period(engine)?,
         })
@@ -210,6 +216,7 @@ fn inertia_over(train: &KineticTrain, theta: &[f64]) -> TrainInertia {
     }
     TrainInertia {
         given: train.given,
+        geared: train.geared,
         big_ends: train.big_ends,
         reciprocating_mean,
         mean: train.constant + reciprocating_mean,

@@ -397,7 +397,18 @@ pub(crate) fn firing_angle(engine: &Engine, motion: &CylinderMotion) -> Result<f
     motion.firing_angle.or(lone).ok_or(TorqueError::NoFiring { cylinder: motion.cylinder })
 }
 
-fn area(bore: f64) -> f64 {
+/// Refuses the lever `r sin phi` where the linkage is another one.
+pub(crate) fn check_lever(engine: &Engine, index: usize, lever: Lever) -> Result<(), TorqueError> {
+    let cylinder = &engine.cylinders[index];
+    let found = match cylinder.rod.joint {
+        _ if lever != Lever::Sine => None,
+        RodJoint::Articulated { .. } => Some("an articulated rod"),
+        _ => (cylinder.net_offset() != 0.0).then_some("an offset"),
+    };
+    found.map_or(Ok(()), |found| Err(TorqueError::SineLever { cylinder: index + 1, found }))
+}
+
+pub(crate) fn area(bore: f64) -> f64 {
     PI / 4.0 * bore * bore
 }
 
@@ -419,15 +430,7 @@ fn gas_piston(
             return Err(TorqueError::Period { cylinder: number, needed, got });
         }
     }
-    if lever == Lever::Sine {
-        let found = match cylinder.rod.joint {
-            RodJoint::Articulated { .. } => Some("an articulated rod"),
-            _ => (cylinder.net_offset() != 0.0).then_some("an offset"),
-        };
-        if let Some(found) = found {
-            return Err(TorqueError::SineLever { cylinder: number, found });
-        }
-    }
+    check_lever(engine, index, lever)?;
     let area = area(bore);
     let force = PeriodicCurve::sum(&[(area, &gas.cylinder), (-area, &gas.crankcase)])
         .map_err(|source| TorqueError::Curve { cylinder: number, source })?;

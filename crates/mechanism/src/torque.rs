@@ -33,7 +33,7 @@ pub(crate) struct InertiaTorque {
 }
 
 impl InertiaTorque {
-    fn of(
+    pub(crate) fn of(
         engine: &Engine,
         request: &TorqueRequest,
         selection: Selection,
@@ -44,8 +44,13 @@ impl InertiaTorque {
     }
 
     /// At crankshaft 1 [N m], at constant speed, positive in the sense of rotation.
-    fn at(&self, theta: f64) -> f64 {
+    pub(crate) fn at(&self, theta: f64) -> f64 {
         self.at_turned(&Turned::at(theta))
+    }
+
+    /// Speed of crankshaft 1 [rad/s].
+    pub(crate) fn speed(&self) -> f64 {
+        self.mechanism.speed
     }
 
     fn at_turned(&self, turned: &Turned) -> f64 {
@@ -142,6 +147,7 @@ pub fn torque(engine: &Engine, gas: &[CylinderGas], request: &TorqueRequest) -> 
         engine: engine.name.clone(),
         speed,
         lever: request.lever,
+        with_gas: true,
         period,
         gas: sum(|cylinder| &cylinder.gas),
         inertia: sum(|cylinder| &cylinder.inertia),
@@ -202,7 +208,7 @@ impl GasTrain {
 
 /// Orders of the inertia loads; with the lever `r sin phi` their torque is the one with that lever, and the roll moment
 /// reacts on it.
-fn inertia_orders(inertia: &InertiaTorque) -> Vec<OrderLoads> {
+pub(crate) fn inertia_orders(inertia: &InertiaTorque) -> Vec<OrderLoads> {
     let mut orders = inertia.mechanism.orders();
     if inertia.lever == Lever::Sine {
         for loads in &mut orders {

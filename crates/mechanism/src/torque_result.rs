@@ -23,6 +23,8 @@ pub struct Torque {
     pub speed: f64,
     /// Lever of gas and inertia.
     pub lever: Lever,
+    /// Whether there is gas. Without it its torques and works are 0, and pressures and volumes are left out.
+    pub with_gas: bool,
     /// Period [rad] of crankshaft 1: whole revolutions and whole working cycles.
     pub period: f64,
     /// Crank angle [rad] of every trace, from 0, one period, end point excluded.
@@ -147,7 +149,7 @@ pub struct CylinderTorque {
 }
 
 /// Work of one cylinder in one working cycle [J], by routes that share no quadrature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct IndicatedWork {
     /// Swept volume [m^3].
     pub swept: f64,

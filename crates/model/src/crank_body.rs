@@ -1,12 +1,11 @@
 //! The crankshaft as a body: its journals, pins and webs, counterweights as parts, and what they must stay clear of.
 
-use lanchester_shape::{Contour, Corner, CounterweightShape, GeometryError, Outline, Part, Point};
+use crate::crank_elements::{Disc, hull};
+use lanchester_shape::{CounterweightShape, GeometryError, Outline, Part, Point};
 use serde::Serialize;
 
-/// Pins whose distance is a smaller share of the radius of a web's end are in line.
-const IN_LINE: f64 = 1e-9;
-
-/// Journals, pins and webs, the same for all throws: the file's `[crank.body]`.
+/// Journals, pins and webs, the same for all throws: the file's `[crank.body]`. What differs is in [`crate::CrankDetails`]; the elements one
+/// by one are [`crate::EngineParts::crank_elements`].
 ///
 /// A web is the convex hull of a disc about the crank axis and a disc about the crankpin; pins and journals fill what is
 /// between the webs, and the first and the last journal stand out by their own lengths.
@@ -39,30 +38,10 @@ impl CrankBody {
     /// # Errors
     /// Where one of the discs lies within the other.
     pub fn web(&self, throw: f64) -> Result<Outline, GeometryError> {
-        let (disc, end) = (self.web_radius, self.pin_end_radius);
-        // Where the tangents touch both discs: the component of their normal towards the crankpin.
-        let along = (disc - end) / throw;
-        if along.abs() >= 1.0 {
-            return Err(GeometryError::Number {
-                quantity: "radius of the web's end about the crankpin [m]",
-                needed: "such that neither of the two discs of a web lies within the other",
-                got: end,
-                hint: "it differs from the radius of the web's disc by less than the crank radius",
-            });
-        }
-        let across = ((1.0 - along) * (1.0 + along)).sqrt();
-        let pin = Point::new(-throw, 0.0);
-        let normal = |side: f64| Point::new(-along, side * across);
-        // Included angles: of the arc about the crankpin 2 acos(along), of the one about the crank axis the rest of the turn.
-        let quarter = along.acos() / 2.0;
-        let bulge_at_pin = quarter.tan();
-        let corners = [
-            Corner { at: normal(1.0) * disc, bulge: 0.0 },
-            Corner { at: pin + normal(1.0) * end, bulge: bulge_at_pin },
-            Corner { at: pin + normal(-1.0) * end, bulge: 0.0 },
-            Corner { at: normal(-1.0) * disc, bulge: bulge_at_pin.recip() },
-        ];
-        Outline::new(Contour::new(&corners)?, Vec::new())
+        hull([
+            Disc { centre: Point::ORIGIN, radius: self.web_radius },
+            Disc { centre: Point::new(-throw, 0.0), radius: self.pin_end_radius },
+        ])
     }
 
     /// Outline of a web between two crankpins that stand at these points: the convex hull of two discs about them, as round as the
@@ -71,20 +50,7 @@ impl CrankBody {
     /// # Errors
     /// Where the numbers are beyond any crankshaft.
     pub fn shared_web(&self, front: Point, rear: Point) -> Result<Outline, GeometryError> {
-        let (end, apart) = (self.pin_end_radius, rear - front);
-        if apart.norm() <= IN_LINE * end {
-            return Outline::new(Contour::circle((front + rear) * 0.5, end)?, Vec::new());
-        }
-        let along = apart * (1.0 / apart.norm());
-        let across = Point::new(-along.y, along.x) * end;
-        // Half a turn about each pin.
-        let corners = [
-            Corner { at: front - across, bulge: 0.0 },
-            Corner { at: rear - across, bulge: 1.0 },
-            Corner { at: rear + across, bulge: 0.0 },
-            Corner { at: front + across, bulge: 1.0 },
-        ];
-        Outline::new(Contour::new(&corners)?, Vec::new())
+        hull([front, rear].map(|centre| Disc { centre, radius: self.pin_end_radius }))
     }
 }
 

@@ -8,13 +8,17 @@
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
+use crate::bearing_design::BearingDesign;
 use crate::bearings::Bearings;
 use crate::block::Block;
 use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
+use crate::crank_details::CrankDetails;
+use crate::crank_material::CrankMaterial;
 use crate::fault::Fault;
 use crate::flywheel::Flywheel;
 use crate::friction::Friction;
 use crate::gas::Gas;
+use crate::gear::Gear;
 use crate::mount::Mount;
 use crate::ratio::Ratio;
 use crate::shaft_part::ShaftWeightPart;
@@ -69,6 +73,9 @@ pub struct EngineParts {
     pub counterweights: Vec<Counterweight>,
     /// Balance shafts.
     pub shafts: Vec<BalanceShaft>,
+    /// Gears, pulleys and other wheels that turn with the crank at a fixed ratio.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gears: Vec<Gear>,
     /// Engine mounts.
     pub mounts: Vec<Mount>,
     /// The body that stands on them, if the file gives it.
@@ -77,6 +84,12 @@ pub struct EngineParts {
     /// Journals, pins and webs, if the file gives them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub crank_body: Option<CrankBody>,
+    /// Elements of it that differ, fillets and oil holes, if the file gives some.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crank_details: Option<CrankDetails>,
+    /// What the crankshafts are made of, if the file says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub crank_material: Option<CrankMaterial>,
     /// What the crankshaft must stay clear of.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub envelope: Option<Envelope>,
@@ -92,6 +105,9 @@ pub struct EngineParts {
     /// Sizes of its bearings, if the file gives some.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearings: Option<Bearings>,
+    /// What its main and crankpin bearings are like beyond their sizes, if the file says so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bearing_design: Option<BearingDesign>,
 }
 
 /// Strokes in a working cycle.
@@ -252,6 +268,8 @@ pub struct Rod {
     pub small_end_mass: f64,
     /// Moment of inertia about the rod's own centre of gravity [kg m^2], where the file gives it.
     pub inertia: Option<f64>,
+    /// Moment of inertia along the line of its eyes [kg m^2], for a block that turns in a run in time; 0: slender.
+    pub axial_inertia: f64,
     /// How the file gave its mass.
     pub mass_rule: RodMassRule,
     /// What its big end sits on.
@@ -273,6 +291,7 @@ impl Rod {
             big_end_mass: mass * 2.0 / 3.0,
             small_end_mass: mass / 3.0,
             inertia: None,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::Thirds,
             joint: RodJoint::Crankpin,
         }

@@ -3,6 +3,7 @@
 use crate::block::Block;
 use crate::engine::{BalanceShaft, Counterweight, Crankshaft, Cylinder, EngineParts, RodJoint, Throw};
 use crate::fault::{Fault, Part, unique};
+use crate::gear::Gear;
 use crate::linkage::{CLEARANCE, MARGIN, largest_reach};
 use crate::mount::Mount;
 use crate::ratio::Ratio;
@@ -39,9 +40,14 @@ pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
         of_block(block, &mut Part { faults, name: &|| "block".into() });
     }
     of_sizes(parts, faults);
+    crate::crank_check::check(parts, faults);
     unique("crankshafts", crankshafts.iter().map(|crankshaft| crankshaft.name.as_str()), faults);
     unique("counterweights", counterweights.iter().map(|weight| weight.name.as_str()), faults);
+    for (index, gear) in parts.gears.iter().enumerate() {
+        of_gear(gear, &mut Part { faults, name: &|| format!("gears[{index}]") });
+    }
     unique("shafts", shafts.iter().map(|shaft| shaft.name.as_str()), faults);
+    unique("gears", parts.gears.iter().map(|gear| gear.name.as_str()), faults);
     unique("mounts", mounts.iter().map(|mount| mount.name.as_str()), faults);
 }
 
@@ -105,6 +111,7 @@ fn of_cylinder(parts: &EngineParts, index: usize, faults: &mut Vec<Fault>) {
     part.positive("length [m]", rod.length);
     part.not_negative("big_end_mass [kg]", rod.big_end_mass);
     part.not_negative("small_end_mass [kg]", rod.small_end_mass);
+    part.not_negative("axial_inertia [kg m^2]", rod.axial_inertia);
     rod.inertia.iter().for_each(|inertia| part.not_negative("inertia [kg m^2]", *inertia));
     if has_throw {
         turns(parts, cylinder, part);
@@ -162,6 +169,28 @@ fn of_shaft(shaft: &BalanceShaft, index: usize, faults: &mut Vec<Fault>) {
         part.finite("z [m]", weight.z);
         part.not_negative("unbalance [kg m]", weight.unbalance);
         part.finite("phase [rad]", weight.phase);
+    }
+}
+
+fn of_gear(gear: &Gear, part: &mut Part<'_>) {
+    part.finite("x [m]", gear.x);
+    part.finite("y [m]", gear.y);
+    gear.inertia.iter().for_each(|inertia| part.not_negative("inertia [kg m^2]", *inertia));
+    let Some(disc) = gear.disc else { return };
+    part.positive("diameter [m]", disc.diameter);
+    part.positive("width [m]", disc.width);
+    part.positive("density [kg/m^3]", disc.density);
+    part.not_negative("bore [m]", disc.bore);
+    if disc.bore >= disc.diameter {
+        part.add(
+            "bore [m]",
+            format!("less than the diameter {}", disc.diameter),
+            disc.bore,
+            "give a smaller bore",
+        );
+    }
+    if gear.inertia.is_some() {
+        part.add("inertia [kg m^2]", "from one source", "a number and a shape", "leave out one of them");
     }
 }
 

@@ -45,7 +45,15 @@ mod tests {
 
     fn cylinder(angle: f64, length: f64, offset: f64, joint: RodJoint) -> Cylinder {
         let mass_rule = RodMassRule::Thirds;
-        let rod = Rod { length, big_end_mass: 0.4, small_end_mass: 0.2, inertia: None, mass_rule, joint };
+        let rod = Rod {
+            length,
+            big_end_mass: 0.4,
+            small_end_mass: 0.2,
+            inertia: None,
+            axial_inertia: 0.0,
+            mass_rule,
+            joint,
+        };
         Cylinder {
             throw: 0,
             angle,

@@ -50,11 +50,12 @@ impl EngineParts {
     /// # Errors
     /// [`PartFault`] if no single weight is the same.
     pub fn part_weight(&self, part: &CounterweightPart) -> Result<PartWeight, PartFault> {
-        part_weight(part, &self.throws, self.crank_body.as_ref())
+        let body = part.web.map_or(self.crank_body, |web| self.body_at_web(web));
+        part_weight(part, &self.throws, body.as_ref())
     }
 }
 
-/// As [`EngineParts::part_weight`], while the engine is still being read.
+/// As [`EngineParts::part_weight`], while the engine is still being read: `body` has the sizes at the web on which the part sits.
 pub fn part_weight(
     part: &CounterweightPart,
     throws: &[Throw],

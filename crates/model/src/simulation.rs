@@ -31,6 +31,8 @@ pub struct SimulationInput {
     pub tolerance: Option<f64>,
     /// Which pin guides the rods along the crank axis.
     pub guidance: Option<RodGuidance>,
+    /// How loads that rigid crankshafts leave open are shared by their main bearings.
+    pub mains: Option<MainSharing>,
     /// Stiffness of the main bearings of crankshaft 1 for the rule `springs` [N/m]; empty: all alike.
     pub main_stiffness: Vec<f64>,
     /// Torque on crankshaft 1 over its angle, from the ground.
@@ -109,6 +111,18 @@ pub enum RodGuidance {
     Crankpin,
     /// The piston pin.
     Piston,
+}
+
+/// How the main bearings of a crankshaft share what a rigid shaft on more than two leaves open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MainSharing {
+    /// The shaft cut at every main bearing.
+    Cut,
+    /// A rigid shaft on radial springs.
+    Springs,
+    /// A uniform continuous beam on rigid bearings.
+    Beam,
 }
 
 /// One order of a torque over the crank angle: `sin sin(order theta) + cos cos(order theta)`.

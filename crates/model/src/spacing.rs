@@ -30,6 +30,7 @@ impl EngineParts {
             weight.part = None;
         }
         self.crank_body = None;
+        self.crank_details = None;
         for mains in self.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()) {
             mains.iter_mut().for_each(|z| *z *= factor);
         }

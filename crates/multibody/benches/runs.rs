@@ -51,7 +51,7 @@ fn engine(name: &str) -> Engine {
     });
     for (y, z) in [(0.25, 0.3), (-0.25, 0.28), (0.22, -0.25), (-0.25, -0.27)] {
         let spring = MountSpring { damping: [400.0; 3], ..MountSpring::along_frame([2e5, 1.2e5, 1e5]) };
-        engine.mounts.push(Mount { name: "mount".into(), x: -0.1, y, z, spring: Some(spring) });
+        engine.mounts.push(Mount { name: format!("mount {y} {z}"), x: -0.1, y, z, spring: Some(spring) });
     }
     Engine::new(engine).expect("it is valid")
 }

@@ -57,10 +57,10 @@ impl Auditor {
         }
     }
 
-    /// Compares at one sample, whose places are those of `powered`.
-    pub fn look(&mut self, powered: &mut Powered<'_>, theta: f64, state: &[f64]) {
+    /// Compares at one sample, which is the last evaluation of `powered`.
+    pub fn look(&mut self, powered: &Powered<'_>, theta: f64, state: &[f64]) {
         self.audit.loops = self.audit.loops.max(powered.train.loop_residual(&powered.places));
-        let energy = powered.energy(theta, state);
+        let energy = powered.energy_here(theta, state);
         let works = &state[powered.layout.works()..];
         let stored: f64 = energy.iter().sum::<f64>() - self.start.iter().sum::<f64>();
         self.off = self.off.max((stored - works.iter().sum::<f64>()).abs());

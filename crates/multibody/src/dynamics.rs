@@ -16,9 +16,10 @@
 //! moment  A x L(S) + z x L(P) + S x (Omega x v + Omega x (Omega x A)) + P x (Omega x (Omega x z)) + J (Omega_z + rho w) Omega x z
 //! ```
 
-use crate::block_body::{bodies, in_plane, point_inertia};
+use crate::block_body::in_plane;
 use crate::motion::Motion;
 use crate::place::{Place, dot};
+use crate::plane_sums::PlaneSums;
 use crate::train::{Rotor, Train};
 use nalgebra::{Matrix3, Vector3};
 use num_complex::Complex64;
@@ -77,6 +78,16 @@ impl Train {
         CrankInertia { inertia, bias }
     }
 
+    /// Mass times place of all that moves in the block, with the block's own body where it has one [kg m].
+    pub fn first_moment(&self, theta: f64, places: &[Place]) -> Vector3<f64> {
+        let mut sum = self.block.map_or_else(Vector3::zeros, |block| block.first_moment);
+        sum += PlaneSums::new(self, places).first_moment();
+        for rotor in &self.rotors {
+            sum += in_plane(rotor.first_moment * Complex64::cis(rotor.ratio * theta), 0.0);
+        }
+        sum
+    }
+
     /// The seven equations at `motion`, with the block's own body where it has one.
     pub fn equations(&self, motion: &Motion, places: &[Place]) -> Equations {
         let mut sum = Sum::default();
@@ -89,21 +100,16 @@ impl Train {
             sum.force = block.mass * turning + omega.cross(&omega.cross(&block.first_moment));
             sum.moment = block.first_moment.cross(&turning) + omega.cross(&(block.inertia * omega));
         }
-        for (index, (place, cylinder)) in places.iter().zip(&self.cylinders).enumerate() {
-            let [piston, rod] = bodies(self, index, place);
-            let axis = in_plane(cylinder.axis, 0.0);
-            sum.add_point(
-                piston.0,
-                [piston.1, place.travel[1] * axis, place.travel[2] * axis],
-                omega,
-                w,
-                turning,
-            );
-            let centre = place.on_rod(cylinder.rod.centre);
-            let [rate, bend] = [1, 2].map(|k| in_plane(centre[k], 0.0));
-            sum.add_point(rod.0, [rod.1, rate, bend], omega, w, turning);
-            sum.add_turning(rod.2, place.swing, omega, w);
-        }
+        let moving = PlaneSums::new(self, places);
+        let (force, moment, torque) = moving.bias(omega, w, turning);
+        let [drift, swing] = moving.columns();
+        sum.mass += moving.mass;
+        sum.first += moving.first_moment();
+        sum.inertia += moving.inertia();
+        (sum.drift, sum.swing, sum.crank) = (drift, swing, moving.crank());
+        sum.force += force;
+        sum.moment += moment;
+        sum.torque += torque;
         for rotor in &self.rotors {
             sum.add_rotor(rotor, &TurnedRotor::new(rotor, motion.theta), omega, w, turning);
         }
@@ -127,40 +133,6 @@ struct Sum {
 }
 
 impl Sum {
-    fn add_point(
-        &mut self,
-        mass: f64,
-        c: [Vector3<f64>; 3],
-        omega: Vector3<f64>,
-        w: f64,
-        turning: Vector3<f64>,
-    ) {
-        let [at, rate, bend] = c;
-        self.mass += mass;
-        self.first += mass * at;
-        self.inertia += point_inertia(mass, at);
-        self.drift += mass * rate;
-        self.swing += mass * at.cross(&rate);
-        self.crank += mass * rate.norm_squared();
-        let bias = turning + omega.cross(&(omega.cross(&at) + 2.0 * w * rate)) + w * w * bend;
-        self.force += mass * bias;
-        self.moment += mass * at.cross(&bias);
-        self.torque += mass * rate.dot(&bias);
-    }
-
-    fn add_turning(&mut self, inertia: Matrix3<f64>, swing: [f64; 2], omega: Vector3<f64>, w: f64) {
-        let z = Vector3::z();
-        let [rate, bend] = swing;
-        self.inertia += inertia;
-        self.swing += rate * inertia * z;
-        self.crank += rate * rate * inertia[(2, 2)];
-        let spin = omega + rate * w * z;
-        let bias = bend * w * w * z + rate * w * omega.cross(&z);
-        let moment = inertia * bias + spin.cross(&(inertia * spin));
-        self.moment += moment;
-        self.torque += rate * moment.z;
-    }
-
     fn add_rotor(
         &mut self,
         rotor: &Rotor,

@@ -36,6 +36,16 @@ pub(crate) fn place(runner: &mut Runner<'_>) {
     let (position, orientation) = pose(&turned);
     runner.state[at..at + 3].copy_from_slice(position.as_slice());
     runner.state[at + 3..at + 7].copy_from_slice(&orientation);
+    let mut motion = crate::motion::Motion::fixed(runner.state[0], 0.0);
+    (motion.position, motion.orientation) = (position, orientation);
+    let places: Vec<Vector3<f64>> =
+        runner.powered.mounts(&motion).map(|[_, displacement, _]| displacement).collect();
+    let mut at = runner.powered.layout.relaxing();
+    for (mount, displacement) in runner.powered.train.mounts.iter().zip(places) {
+        let count = mount.branches();
+        mount.settle(displacement, &mut runner.state[at..at + count]);
+        at += count;
+    }
 }
 
 fn pose(turned: &Vector6<f64>) -> (Vector3<f64>, [f64; 4]) {

@@ -9,14 +9,15 @@
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::run::Runner;
-use crate::run_result::{Run, RunOutcome};
+use crate::run_result::{Run, RunOutcome, RunState};
 use crate::simulation::{Drive, Duration, Simulation};
 use crate::train::Train;
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
+use std::cell::Cell;
 
 /// Newton's iterations.
-const ITERATIONS: usize = 20;
+const ITERATIONS: usize = 30;
 
 /// What counts as closed: change over one period over the size of each kind of state.
 const CLOSED: f64 = 1e-10;
@@ -27,6 +28,9 @@ const NEARLY: f64 = 1e-8;
 
 /// Iterations without half the best residual so far after which none helps any more.
 const IDLE: usize = 3;
+
+/// Share of the residual before below which the derivative that gave the step is kept.
+const HELPS: f64 = 0.05;
 
 /// Step of the differences, as a share of the size of each kind of state.
 const SHARE: f64 = 1e-5;
@@ -61,6 +65,8 @@ pub enum PeriodicOutcome {
     Unstable,
     /// Not found: the run shows the last trial, which does not close.
     NotFound,
+    /// Whoever watched the search ended it: the run is a period of the best trial so far, which need not close.
+    Cancelled,
 }
 
 impl Train {
@@ -74,6 +80,19 @@ impl Train {
         simulation: &Simulation,
         gas: Option<&dyn GasPressure>,
     ) -> Result<Periodic, MultibodyError> {
+        self.periodic_watched(simulation, gas, &|_| true)
+    }
+
+    /// The same; after every step `watch` sees how far a period is, and `false` ends the search: the run is then a period of the best trial so far, marked.
+    ///
+    /// # Errors
+    /// As [`Train::run`].
+    pub fn periodic_watched(
+        &self,
+        simulation: &Simulation,
+        gas: Option<&dyn GasPressure>,
+        watch: &dyn Fn(RunState) -> bool,
+    ) -> Result<Periodic, MultibodyError> {
         let revolutions = f64::from(self.revolutions);
         let tolerance = simulation.tolerance.min(1e-11);
         let quiet = Simulation {
@@ -83,13 +102,24 @@ impl Train {
             tolerance,
             ..simulation.clone()
         };
-        let mut search = Search::new(Runner::new(self, &quiet, gas)?);
+        let cancelled = Cell::new(false);
+        let watch = |state| {
+            let goes_on = watch(state);
+            cancelled.set(cancelled.get() || !goes_on);
+            goes_on
+        };
+        let mut runner = Runner::new(self, &quiet, gas)?;
+        runner.watch = &watch;
+        let mut search = Search::new(runner);
         let mut x = search.start.clone();
         let mut iterations = 0;
         let mut found = None;
-        let mut slope = None;
+        // A derivative from farther away serves until it no longer helps; the multipliers take one at the motion itself.
+        let (mut slope, mut helps) = (None, false);
+        let mut at_motion = None;
         let mut best: Option<(f64, DVector<f64>)> = None;
         let mut idle = 0;
+        let mut last = f64::INFINITY;
         while iterations < ITERATIONS {
             let Some(change) = search.change(&x) else { break };
             let off = change.iter().zip(search.sizes.iter()).map(|(c, s)| (c / s).abs()).fold(0.0, f64::max);
@@ -101,35 +131,46 @@ impl Train {
             if idle >= IDLE && best.as_ref().is_some_and(|(least, _)| *least < NEARLY) {
                 break;
             }
-            if off < CLOSED && slope.is_some() {
-                break;
-            }
-            let Some(matrix) = search.slope(&x, &change) else { break };
-            let step = search.step(&matrix, &change);
-            slope = Some(matrix);
             if off < CLOSED {
+                at_motion = search.slope(&x, &change, true);
                 break;
             }
-            let Some(step) = step else { break };
+            helps = helps && off < HELPS * last;
+            last = off;
+            if !helps {
+                slope = search.slope(&x, &change, false);
+                helps = true;
+            }
+            let Some(step) = slope.as_ref().and_then(|matrix| search.step(matrix, &change)) else { break };
             x += step;
             iterations += 1;
         }
         let mut residual = found.unwrap_or(f64::INFINITY);
-        if let Some((least, place)) = best.filter(|(least, _)| *least < NEARLY && *least < residual) {
+        if let Some((least, place)) =
+            best.filter(|(least, _)| (cancelled.get() || *least < NEARLY) && *least < residual)
+        {
             (residual, x) = (least, place);
         }
-        let multipliers = slope.as_ref().map_or_else(Vec::new, multipliers);
+        if at_motion.is_none() && residual < NEARLY && !cancelled.get() {
+            let change = search.change(&x);
+            at_motion = change.and_then(|change| search.slope(&x, &change, true));
+        }
+        let multipliers = at_motion.as_ref().or(slope.as_ref()).map_or_else(Vec::new, multipliers);
         let largest = multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
         // What the noise of the map does to its differences.
         let neutral = NEUTRAL.max(residual / SHARE);
         let outcome = match residual < NEARLY {
+            _ if cancelled.get() => PeriodicOutcome::Cancelled,
             false => PeriodicOutcome::NotFound,
             true if largest > 1.0 + neutral => PeriodicOutcome::Unstable,
             true if largest > 1.0 - neutral && search.moves_freely => PeriodicOutcome::Neutral,
             true => PeriodicOutcome::Stable,
         };
         let shown = Simulation { duration: quiet.duration, tolerance, ..simulation.clone() };
-        let run = self.run_from(&shown, gas, Some(x.as_slice()), &|_| true)?;
+        let mut run = self.run_from(&shown, gas, Some(x.as_slice()), &|_| true)?;
+        if cancelled.get() {
+            run.outcome = RunOutcome::Cancelled;
+        }
         Ok(Periodic { outcome, residual, iterations, multipliers, run })
     }
 }
@@ -170,6 +211,7 @@ impl<'a> Search<'a> {
         if layout.governed {
             sizes.extend([1.0; 2]);
         }
+        sizes.extend(std::iter::repeat_n(1e-3, layout.branches));
         Search { runner, start, sizes, moves_freely }
     }
 
@@ -182,14 +224,18 @@ impl<'a> Search<'a> {
             .filter(|change| change.iter().all(|value| value.is_finite()))
     }
 
-    /// `dG/dx` by central differences.
-    fn slope(&mut self, x: &DVector<f64>, change: &DVector<f64>) -> Option<DMatrix<f64>> {
+    /// `dG/dx` by differences to one side, or to both.
+    fn slope(&mut self, x: &DVector<f64>, change: &DVector<f64>, central: bool) -> Option<DMatrix<f64>> {
         let mut matrix = DMatrix::zeros(change.len(), x.len());
         for k in 0..x.len() {
             let step = SHARE * self.sizes[k];
             let mut beside = x.clone();
             beside[k] += step;
             let above = self.change(&beside)?;
+            if !central {
+                matrix.set_column(k, &((above - change) / step));
+                continue;
+            }
             beside[k] -= 2.0 * step;
             let below = self.change(&beside)?;
             matrix.set_column(k, &((above - below) / (2.0 * step)));
@@ -233,6 +279,7 @@ impl Runner<'_> {
         if layout.governed {
             all.extend(&self.state[layout.governor()..layout.governor() + 2]);
         }
+        all.extend(&self.state[layout.relaxing()..layout.works()]);
         all
     }
 
@@ -266,5 +313,6 @@ impl Runner<'_> {
             let at = layout.governor();
             (self.state[at], self.state[at + 1]) = (next(), next());
         }
+        self.state[layout.relaxing()..layout.works()].iter_mut().for_each(|own| *own = next());
     }
 }

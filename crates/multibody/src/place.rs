@@ -50,16 +50,21 @@ impl Place {
         let along = ((length - across) * (length + across)).sqrt();
         let d = Complex64::new(along, across) * axis;
         let s = dot(lower_pin[0], axis) + along;
-        let s1 = dot(d, lower_pin[1]) / along;
+        // One division for all: they take most of the time.
+        let [by_along, by_square] = {
+            let square = length * length;
+            let both = 1.0 / (along * square);
+            [square * both, along * both]
+        };
+        let s1 = dot(d, lower_pin[1]) * by_along;
         let d1 = s1 * axis - lower_pin[1];
-        let s2 = (dot(d, lower_pin[2]) - d1.norm_sqr()) / along;
+        let s2 = (dot(d, lower_pin[2]) - d1.norm_sqr()) * by_along;
         let d2 = s2 * axis - lower_pin[2];
-        let square = length * length;
         Place {
             lower_pin,
             rod: [d, d1, d2],
             travel: [s, s1, s2],
-            swing: [cross(d, d1) / square, cross(d, d2) / square],
+            swing: [cross(d, d1) * by_square, cross(d, d2) * by_square],
         }
     }
 
@@ -74,12 +79,17 @@ impl Train {
     /// Places of all cylinders at crank angle `theta` [rad], into `places`.
     pub fn places_into(&self, theta: f64, places: &mut Vec<Place>) {
         places.resize(self.cylinders.len(), Place::default());
+        // Cylinders on shafts of one speed share the direction.
+        let mut turned = (1.0, Complex64::cis(theta));
         for &index in &self.order {
             let cylinder = &self.cylinders[index];
             let lower_pin = match cylinder.lower_pin {
                 LowerPin::Crankpin => {
                     let ratio = self.rotors[cylinder.rotor].ratio;
-                    let pin = cylinder.crankpin * Complex64::cis(ratio * theta);
+                    if ratio != turned.0 {
+                        turned = (ratio, Complex64::cis(ratio * theta));
+                    }
+                    let pin = cylinder.crankpin * turned.1;
                     [pin, pin * Complex64::I * ratio, -ratio * ratio * pin]
                 }
                 LowerPin::Knuckle { master, place } => {

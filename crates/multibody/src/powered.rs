@@ -2,8 +2,10 @@
 //!
 //! Unknown accelerations are those of block, crank and driveline; works of everything that gives or takes energy are integrated beside the states.
 
+use crate::dynamics::Equations;
 use crate::gas_pressure::GasPressure;
 use crate::loads::Loads;
+use crate::maxwell::MOST_BRANCHES;
 use crate::motion::Motion;
 use crate::place::Place;
 use crate::simulation::{
@@ -32,6 +34,8 @@ pub(crate) struct Layout {
     pub links: usize,
     pub moving: bool,
     pub governed: bool,
+    /// Branches of all mounts.
+    pub branches: usize,
 }
 
 impl Layout {
@@ -47,8 +51,12 @@ impl Layout {
         self.pose() + if self.moving { 13 } else { 0 }
     }
 
-    pub fn works(self) -> usize {
+    pub fn relaxing(self) -> usize {
         self.governor() + if self.governed { 2 } else { 0 }
+    }
+
+    pub fn works(self) -> usize {
+        self.relaxing() + self.branches
     }
 
     pub fn dimension(self) -> usize {
@@ -104,6 +112,8 @@ pub(crate) struct Powered<'a> {
     /// Gas force on every piston towards the crank [N].
     pub forces: Vec<f64>,
     pub torques: Torques,
+    /// Of the last evaluation where the block moves.
+    pub equations: Option<Equations>,
     /// Torque that keeps the crank from turning where it is held, or at its imposed speed [N m].
     pub holding: f64,
 }
@@ -135,7 +145,7 @@ impl<'a> Powered<'a> {
         self.layout.moving && self.simulation.block == BlockMotion::Mounts
     }
 
-    /// Force of every mount on the block [N], axes of the frame, with displacement and rate of its point.
+    /// Force of every mount on the block [N] without its branches, axes of the frame, with displacement and rate of its point.
     pub fn mounts(&self, motion: &Motion) -> impl Iterator<Item = [Vector3<f64>; 3]> + '_ {
         let rotation = motion.rotation();
         let (position, velocity, spin) = (motion.position, motion.velocity, motion.spin);
@@ -145,6 +155,35 @@ impl<'a> Powered<'a> {
             let rate = rotation * (velocity + spin.cross(&mount.at));
             [mount.force(displacement, rate), displacement, rate]
         })
+    }
+
+    /// What the branches of every mount do in a state: force on the block [N], energy stored [J] and power lost [W]; rates of their dashpots into `rates`.
+    pub fn branches(
+        &self,
+        motion: &Motion,
+        state: &[f64],
+        mut rates: impl FnMut(usize, f64),
+    ) -> Vec<(Vector3<f64>, f64, f64)> {
+        let mut at = self.layout.relaxing();
+        let mut own = [0.0; 3 * MOST_BRANCHES];
+        let each = self.train.mounts.iter().zip(self.mounts(motion)).map(|(mount, [_, displacement, _])| {
+            let count = mount.branches();
+            let done = mount.relax(displacement, &state[at..at + count], &mut own);
+            (0..count).for_each(|k| rates(at + k, own[k]));
+            at += count;
+            done
+        });
+        each.collect()
+    }
+
+    /// Force of the block on every mount [N], axes of the frame.
+    pub fn mount_forces(&self, motion: &Motion, state: &[f64]) -> Vec<[f64; 3]> {
+        let mut forces: Vec<Vector3<f64>> = self.mounts(motion).map(|[force, ..]| -force).collect();
+        if self.layout.branches > 0 {
+            let branches = self.branches(motion, state, |_, _| ());
+            forces.iter_mut().zip(branches).for_each(|(force, (on_block, ..))| *force -= on_block);
+        }
+        forces.into_iter().map(Into::into).collect()
     }
 
     /// Largest torque by which friction and load can hold the crank at standstill [N m].
@@ -255,6 +294,15 @@ impl<'a> Powered<'a> {
                     moment += mount.at.cross(&own);
                     damped -= rate.dot(&(mount.damping * rate));
                 }
+                if layout.branches > 0 {
+                    let branches = self.branches(&motion, state, |at, rate| rates[at] = rate);
+                    for (mount, (on_block, _, lost)) in self.train.mounts.iter().zip(branches) {
+                        let own = rotation.transpose() * on_block;
+                        force += own;
+                        moment += mount.at.cross(&own);
+                        damped -= lost;
+                    }
+                }
             }
             let equations = self.train.equations(&motion, &places);
             let loads = Loads {
@@ -271,6 +319,7 @@ impl<'a> Powered<'a> {
                 matrix[i][..7].copy_from_slice(&equations.mass[i]);
                 rhs[i] = forces[i] - equations.bias[i];
             }
+            self.equations = Some(equations);
         } else {
             let inertia = self.train.crank_inertia(&places);
             matrix[0][0] = inertia.inertia;
@@ -308,7 +357,8 @@ impl<'a> Powered<'a> {
         }
         self.holding = drive;
 
-        rates.fill(0.0);
+        // The dashpots of the mounts have theirs already.
+        rates[..layout.relaxing()].fill(0.0);
         rates[0] = speed;
         rates[1] = rhs[crank];
         for link in 0..layout.links {
@@ -416,27 +466,42 @@ impl<'a> Powered<'a> {
 
     /// Energy stored [J]: kinetic, of mounts, of gravity, of the driveline's springs.
     pub fn energy(&mut self, theta: f64, state: &[f64]) -> [f64; 4] {
-        let layout = self.layout;
         let mut places = std::mem::take(&mut self.places);
         self.train.places_into(theta, &mut places);
+        if self.layout.moving {
+            self.equations = Some(self.train.equations(&self.motion(theta, state), &places));
+        }
+        self.places = places;
+        self.energy_here(theta, state)
+    }
+
+    /// The same at the state of the last evaluation.
+    pub fn energy_here(&self, theta: f64, state: &[f64]) -> [f64; 4] {
+        let layout = self.layout;
         let motion = self.motion(theta, state);
-        let equations = self.train.equations(&motion, &places);
-        let mut kinetic = if layout.moving {
-            equations.kinetic_energy(&motion.speeds())
-        } else {
-            0.5 * self.train.crank_inertia(&places).inertia * motion.speed * motion.speed
+        let gravity = self.gravity();
+        let (mut kinetic, lift) = match &self.equations {
+            Some(equations) if layout.moving => {
+                let first = Vector3::new(equations.mass[1][5], equations.mass[2][3], equations.mass[0][4]);
+                let centre = equations.mass[0][0] * motion.position + motion.rotation() * first;
+                (equations.kinetic_energy(&motion.speeds()), -gravity.dot(&centre))
+            }
+            _ => {
+                let inertia = self.train.crank_inertia(&self.places).inertia;
+                let weighs = self.simulation.gravity != 0.0;
+                let lift =
+                    if weighs { -gravity.dot(&self.train.first_moment(theta, &self.places)) } else { 0.0 };
+                (0.5 * inertia * motion.speed * motion.speed, lift)
+            }
         };
-        let [x, y, z] = motion.rotation().column_iter().map(|c| c.into_owned()).collect::<Vec<_>>()[..]
-        else {
-            return [f64::NAN; 4];
-        };
-        let first = Vector3::new(equations.mass[1][5], equations.mass[2][3], equations.mass[0][4]);
-        let centre = equations.mass[0][0] * motion.position + first.x * x + first.y * y + first.z * z;
-        let lift = -self.gravity().dot(&centre);
         let mut sprung = 0.0;
         if self.on_mounts() {
             for (mount, [_, displacement, _]) in self.train.mounts.iter().zip(self.mounts(&motion)) {
                 sprung += mount.energy(displacement);
+            }
+            if layout.branches > 0 {
+                sprung +=
+                    self.branches(&motion, state, |_, _| ()).iter().map(|(_, stored, _)| stored).sum::<f64>();
             }
         }
         let mut twisted = 0.0;
@@ -449,7 +514,6 @@ impl<'a> Powered<'a> {
             }
             before = own[0];
         }
-        self.places = places;
         [kinetic, sprung, lift, twisted]
     }
 }

@@ -11,9 +11,9 @@
 //! lack them.
 
 use crate::block_body::{bodies, in_plane};
-use crate::main_rules::MainShares;
 use crate::motion::Motion;
 use crate::place::Place;
+use crate::rotor_shares::{RotorShares, ShaftLoad};
 use crate::train::{LowerPin, Train};
 use nalgebra::Vector3;
 use num_complex::Complex64;
@@ -138,14 +138,6 @@ impl Carrier {
     }
 }
 
-/// A load on a shaft: force and couple at a plane.
-struct ShaftLoad {
-    z: f64,
-    force: Vector3<f64>,
-    /// About the axis in that plane.
-    couple: Vector3<f64>,
-}
-
 /// What a rod hands on.
 #[derive(Clone, Copy)]
 struct Handed {
@@ -156,7 +148,7 @@ struct Handed {
 
 impl Train {
     /// Loads of all joints at one instant; `shares` as [`Train::main_shares`] gives them.
-    pub fn reactions(&self, instant: &Instant<'_>, shares: &[[Option<MainShares>; 3]]) -> Reactions {
+    pub fn reactions(&self, instant: &Instant<'_>, shares: &[RotorShares]) -> Reactions {
         let motion = instant.motion;
         let carrier = Carrier {
             velocity: motion.velocity,
@@ -210,15 +202,6 @@ impl Train {
             rotors.push(own);
         }
         Reactions { cylinders, on_block: Wrench::of(on_block[0], on_block[1]), ..Reactions::default() }
-    }
-
-    /// Shares of the mains of every rotor by rule; `stiffness` by crankshaft and main, empty: all alike.
-    pub fn main_shares(&self, stiffness: &[Vec<f64>]) -> Vec<[Option<MainShares>; 3]> {
-        let of = |index: usize| {
-            let stiffness = stiffness.get(index).map_or(&[][..], Vec::as_slice);
-            crate::MainRule::ALL.map(|rule| MainShares::new(&self.rotors[index].mains, rule, stiffness))
-        };
-        (0..self.rotors.len()).map(of).collect()
     }
 
     fn rod(
@@ -282,7 +265,8 @@ impl Train {
         let throw_frame = match cylinder.lower_pin {
             LowerPin::Crankpin => {
                 let pin = place.lower_pin[0];
-                let along = Complex64::new(on_pin.force.x, on_pin.force.y) * pin.conj() / pin.norm();
+                let along =
+                    Complex64::new(on_pin.force.x, on_pin.force.y) * pin.conj() / pin.norm_sqr().sqrt();
                 [along.re, along.im * self.rotors[cylinder.rotor].ratio.signum()]
             }
             LowerPin::Knuckle { .. } => [0.0; 2],
@@ -308,12 +292,14 @@ impl Train {
         carrier: &Carrier,
         index: usize,
         handed: &[Option<Handed>],
-        shares: Option<&[Option<MainShares>; 3]>,
+        shares: Option<&RotorShares>,
     ) -> (RotorReactions, f64) {
         let rotor = &self.rotors[index];
         let (z, w) = (Vector3::z(), carrier.speed);
         let turn = Complex64::cis(rotor.ratio * instant.motion.theta);
-        let mut loads: Vec<ShaftLoad> = Vec::new();
+        let bays = rotor.bays();
+        let mut loads: Vec<ShaftLoad> =
+            Vec::with_capacity(rotor.unbalances.len() + self.cylinders.len() + 1 + bays.len());
         for unbalance in &rotor.unbalances {
             let moment = unbalance.moment * turn;
             let c = [moment, moment * Complex64::I * rotor.ratio, -rotor.ratio * rotor.ratio * moment];
@@ -335,10 +321,8 @@ impl Train {
         let gyroscopic = -spin * carrier.spin.cross(&z);
         let end = rotor.mains.last().copied().unwrap_or(0.0);
         loads.push(ShaftLoad { z: end, force: Vector3::zeros(), couple: rotor.flywheel * gyroscopic });
-        let bays = rotor.mains.len().saturating_sub(1).max(1);
-        let each = (rotor.inertia - rotor.flywheel) / bays as f64;
-        for bay in 0..bays {
-            let middle = rotor.mains.get(bay..bay + 2).map_or(0.0, |pair| 0.5 * (pair[0] + pair[1]));
+        let each = (rotor.inertia - rotor.flywheel) / bays.len() as f64;
+        for middle in bays {
             loads.push(ShaftLoad { z: middle, force: Vector3::zeros(), couple: each * gyroscopic });
         }
         let needs = rotor.inertia * (carrier.angular().z + rotor.ratio * instant.rates[6]);
@@ -347,23 +331,7 @@ impl Train {
         let mut moment: Vector3<f64> =
             loads.iter().map(|load| load.couple + load.z * z.cross(&load.force)).sum();
         moment.z = 0.0;
-        let mains = [0, 1, 2].map(|rule| {
-            let shares = shares.and_then(|shares| shares[rule].as_ref());
-            shares.map_or_else(Vec::new, |shares| carried(shares, &loads))
-        });
+        let mains = shares.map_or_else(Default::default, |shares| shares.carried(&loads));
         (RotorReactions { bearings: Wrench::of(force, moment), gear_torque: 0.0, mains }, torque)
     }
-}
-
-/// Journals on the mains under `loads`.
-fn carried(shares: &MainShares, loads: &[ShaftLoad]) -> Vec<[f64; 2]> {
-    let of = |main: usize| {
-        let load = |load: &ShaftLoad| {
-            let force = Complex64::new(load.force.x, load.force.y);
-            shares.load(main, load.z, force, Complex64::new(load.couple.x, load.couple.y))
-        };
-        let sum: Complex64 = loads.iter().map(load).sum();
-        [sum.re, sum.im]
-    };
-    (0..shares.planes().len()).map(of).collect()
 }

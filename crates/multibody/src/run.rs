@@ -6,13 +6,14 @@ use crate::audit::Auditor;
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
 use crate::kinks::kinks;
+use crate::mount_place::MountPlace;
 use crate::powered::{Conditions, Layout, Powered, Torques, WORKS};
 use crate::reactions::Instant;
 use crate::run_check::check;
 use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
 use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque};
 use crate::train::Train;
-use lanchester_numerics::{Dop853, Outcome, Settings, Step, System};
+use lanchester_numerics::{Dop853, Outcome, SampleGrid, Settings, Step, System};
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
@@ -89,6 +90,18 @@ impl System for Piece<'_, '_> {
         self.watches.len()
     }
 
+    fn is_quiet(&self, from: f64, to: f64, start: &[f64], reach: &[f64]) -> bool {
+        let apart = |component: usize, value: f64| (start[component] - value).abs() > reach[component];
+        let beside = |place: f64| (place - from) * (place - to) > 0.0;
+        self.watches.iter().all(|watch| match *watch {
+            Watch::Speed(speed, _, _) => apart(1, speed),
+            Watch::Angle(angle, _) if self.over_angle => beside(angle),
+            Watch::Time(time, _) if !self.over_angle => beside(time),
+            Watch::Angle(value, _) | Watch::Time(value, _) => apart(0, value),
+            Watch::Grip => false,
+        })
+    }
+
     fn event_functions(&mut self, x: f64, y: &[f64], values: &mut [f64]) {
         let (t, theta) = if self.over_angle { (y[0], x) } else { (x, y[0]) };
         for (value, watch) in values.iter_mut().zip(&self.watches) {
@@ -120,7 +133,7 @@ pub(crate) struct Runner<'a> {
     pub cost: Cost,
     happened: Vec<Happened>,
     scale: f64,
-    watch: &'a dyn Fn(RunState) -> bool,
+    pub watch: &'a dyn Fn(RunState) -> bool,
 }
 
 impl Train {
@@ -189,6 +202,10 @@ impl<'a> Runner<'a> {
             links: simulation.driveline.len(),
             moving: simulation.block != BlockMotion::Fixed,
             governed: simulation.governor.is_some(),
+            branches: match simulation.block {
+                BlockMotion::Mounts => train.mounts.iter().map(MountPlace::branches).sum(),
+                _ => 0,
+            },
         };
         let period = TAU * f64::from(train.revolutions);
         let mut runner = Runner {
@@ -211,6 +228,7 @@ impl<'a> Runner<'a> {
                 places: Vec::new(),
                 forces: Vec::new(),
                 torques: Torques::default(),
+                equations: None,
                 holding: 0.0,
             },
             time: 0.0,
@@ -418,6 +436,7 @@ impl<'a> Runner<'a> {
             let at = layout.pose();
             settings.absolute[at..at + 7].fill(1e-3 * tolerance);
             settings.absolute[at + 7..at + 13].fill(0.1 * tolerance);
+            settings.absolute[layout.relaxing()..layout.works()].fill(1e-3 * tolerance);
         }
         settings.absolute[layout.works()..].fill(tolerance * self.scale);
         settings.first_step = self.step;
@@ -426,6 +445,9 @@ impl<'a> Runner<'a> {
         // Over the angle a longer step would pass over what happens within a stroke.
         settings.longest_step = if over_angle { 0.5 } else { f64::INFINITY };
         settings.event_tolerance = 1e-13 * if over_angle { 1.0 } else { 0.1 };
+        let grid = if over_angle { simulation.step } else { simulation.step / FAST[0] };
+        let origin = if over_angle { simulation.start_angle } else { 0.0 };
+        settings.samples = Some(SampleGrid { origin, spacing: grid });
         let mut integrator = Dop853::new(settings);
 
         let mut y = self.state.clone();
@@ -433,8 +455,6 @@ impl<'a> Runner<'a> {
         if over_angle {
             y[0] = self.time;
         }
-        let grid = if over_angle { simulation.step } else { simulation.step / FAST[0] };
-        let origin = if over_angle { simulation.start_angle } else { 0.0 };
         let watch = self.watch;
         let mut system = Piece { powered: &mut self.powered, over_angle, watches };
         let outcome = integrator.run(&mut system, &mut x, &mut y, end, |step: &Step| {
@@ -625,9 +645,7 @@ impl<'a> Runner<'a> {
                 samples.orientation.push(motion.orientation);
                 samples.velocity.push(motion.velocity.into());
                 samples.spin.push(motion.spin.into());
-                samples
-                    .mounts
-                    .push(self.powered.mounts(&motion).map(|[force, ..]| (-force).into()).collect());
+                samples.mounts.push(self.powered.mount_forces(&motion, &state));
             }
             if self.powered.simulation.reactions {
                 let instant = Instant {
@@ -641,7 +659,7 @@ impl<'a> Runner<'a> {
                 };
                 samples.reactions.push(self.powered.train.reactions(&instant, &shares));
             }
-            auditor.look(&mut self.powered, theta, &state);
+            auditor.look(&self.powered, theta, &state);
         }
         (self.powered.conditions.window, self.powered.conditions.times) = before;
     }

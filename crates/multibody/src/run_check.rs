@@ -104,10 +104,10 @@ pub(crate) fn check(train: &Train, simulation: &Simulation, with_gas: bool) -> R
         BlockMotion::Floating => Err(MultibodyError::NoMounts { missing: "the file has no [block]".into() }),
         BlockMotion::Mounts => match &train.fixed_because {
             Some(reason) => Err(MultibodyError::NoMounts { missing: reason.clone() }),
-            None => match train.mounts.iter().find(|mount| mount.frequency_dependent) {
+            None => match train.mounts.iter().find(|mount| !mount.has_form_in_time()) {
                 Some(mount) => Err(MultibodyError::NoMounts {
                     missing: format!(
-                        "mount `{}` has a loss factor or a table over frequency, which a run in time cannot use; give its damping instead",
+                        "mount `{}` has a loss factor or a table over frequency, which needs a fit over the frequencies of the run",
                         mount.name
                     ),
                 }),

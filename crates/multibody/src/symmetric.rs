@@ -8,28 +8,38 @@ pub(crate) type Matrix = [[f64; MOST]; MOST];
 
 /// Solves `matrix x = rhs` of `size` unknowns in place by Cholesky; `None` where the matrix is not positive definite.
 pub(crate) fn solve(matrix: &mut Matrix, rhs: &mut [f64; MOST], size: usize) -> Option<()> {
+    // Rows of L take the place of the lower half; divisions by its diagonal once each.
+    let mut by_diagonal = [0.0; MOST];
     for j in 0..size {
-        for i in j..size {
-            let sum: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
-            let rest = matrix[i][j] - sum;
-            if i == j {
-                // What is not a number is not positive either.
-                if rest.is_nan() || rest <= 0.0 {
-                    return None;
-                }
-                matrix[j][j] = rest.sqrt();
-            } else {
-                matrix[i][j] = rest / matrix[j][j];
+        let (above, rest) = matrix.split_at_mut(j);
+        let own = &mut rest[0];
+        for i in 0..j {
+            let row = &above[i];
+            let mut value = own[i];
+            for k in 0..i {
+                value -= row[k] * own[k];
             }
+            own[i] = value * by_diagonal[i];
         }
-    }
-    for i in 0..size {
-        let sum: f64 = (0..i).map(|k| matrix[i][k] * rhs[k]).sum();
-        rhs[i] = (rhs[i] - sum) / matrix[i][i];
+        let mut square = own[j];
+        let mut right = rhs[j];
+        for k in 0..j {
+            square -= own[k] * own[k];
+            right -= own[k] * rhs[k];
+        }
+        // What is not a number is not positive either.
+        if square.is_nan() || square <= 0.0 {
+            return None;
+        }
+        by_diagonal[j] = 1.0 / square.sqrt();
+        rhs[j] = right * by_diagonal[j];
     }
     for i in (0..size).rev() {
-        let sum: f64 = (i + 1..size).map(|k| matrix[k][i] * rhs[k]).sum();
-        rhs[i] = (rhs[i] - sum) / matrix[i][i];
+        rhs[i] *= by_diagonal[i];
+        let value = rhs[i];
+        for k in 0..i {
+            rhs[k] -= matrix[i][k] * value;
+        }
     }
     Some(())
 }

@@ -23,7 +23,7 @@ pub struct RotorInertia {
     pub crankshafts: Vec<Option<f64>>,
     /// Of the flywheel, which is part of the first number of `crankshafts` [kg m^2].
     pub flywheel: f64,
-    /// Of every balance shaft; `None` where it is unknown.
+    /// Of every balance shaft, then of every gear; `None` where it is unknown.
     pub shafts: Vec<Option<f64>>,
 }
 
@@ -48,7 +48,7 @@ impl RotorInertia {
         RotorInertia {
             crankshafts,
             flywheel: flywheel.unwrap_or(0.0),
-            shafts: engine.shafts.iter().map(|shaft| shaft.inertia).collect(),
+            shafts: engine.geared_shafts().iter().map(|shaft| shaft.inertia).collect(),
         }
     }
 }
@@ -102,6 +102,12 @@ impl Rotor {
             product: zero,
             mains: Vec::new(),
         }
+    }
+
+    /// Planes in which the polar inertia of the shaft without its flywheel acts on a block that turns [m]: the middles of its bays, or the origin.
+    pub(crate) fn bays(&self) -> Vec<f64> {
+        let middles: Vec<f64> = self.mains.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
+        if middles.is_empty() { vec![0.0] } else { middles }
     }
 
     fn add(&mut self, z: f64, moment: Complex64) {
@@ -330,7 +336,7 @@ fn rotors(engine: &Engine, inertia: &RotorInertia) -> Result<Vec<Rotor>, Multibo
         }
         rotors.push(rotor);
     }
-    for (index, shaft) in engine.shafts.iter().enumerate() {
+    for (index, shaft) in engine.geared_shafts().iter().enumerate() {
         let mut rotor = Rotor::new(shaft.name.clone(), shaft.ratio.value(), Complex64::new(shaft.x, shaft.y));
         (rotor.inertia, rotor.known) = polar(&inertia.shafts, index, &shaft.name)?;
         for weight in &shaft.weights {
@@ -376,7 +382,7 @@ fn cylinder(engine: &Engine, index: usize) -> Result<CylinderTrain, MultibodyErr
         offset: cylinder.offset,
         z: cylinder.z,
         piston_mass,
-        rod: RodBody { length, mass, centre, inertia, axial_inertia: 0.0 },
+        rod: RodBody { length, mass, centre, inertia, axial_inertia: rod.axial_inertia },
         lower_pin,
         area: cylinder.bore.map(|bore| 0.25 * PI * bore * bore),
         firing_angle: cylinder.firing_angle,

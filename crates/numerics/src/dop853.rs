@@ -210,18 +210,15 @@ impl Dop853 {
         let n = y.len();
         self.statistics.steps += 1;
         let stiff = self.measure_stiffness(h, n);
-        if (self.settings.dense || system.events() > 0)
-            && let Some(outcome) = self.interpolate(system, *t, y, h)
-        {
+        let watched = system.events() > 0 && !self.is_quiet(system, *t, to, y, h);
+        let dense =
+            watched || self.settings.dense && self.settings.samples.is_none_or(|grid| grid.within(*t, to));
+        if dense && let Some(outcome) = self.interpolate(system, *t, y, h) {
             return Some(outcome);
         }
-        let interpolant = if self.settings.dense || system.events() > 0 {
-            Interpolant::Nested(&self.coefficients)
-        } else {
-            Interpolant::None
-        };
+        let interpolant = if dense { Interpolant::Nested(&self.coefficients) } else { Interpolant::None };
         let mut step = Step { from: *t, to, start: y, end: &self.next, length: h, interpolant };
-        let crossing = self.sides.first_crossing(system, &step, &self.settings);
+        let crossing = if watched { self.sides.first_crossing(system, &step, &self.settings) } else { None };
         if let Some(crossing) = &crossing {
             self.statistics.events += 1;
             step.at(crossing.place, &mut self.trial);
@@ -239,6 +236,19 @@ impl Dop853 {
             return Some(Outcome::Stopped);
         }
         stiff
+    }
+
+    /// Whether no event can lie within the step, by the largest slope of every component at its stages with a margin of two.
+    fn is_quiet(&mut self, system: &impl System, from: f64, to: f64, y: &[f64], h: f64) -> bool {
+        let n = y.len();
+        self.trial.fill(0.0);
+        for stage in 0..13 {
+            for (most, slope) in self.trial.iter_mut().zip(&self.stages[stage * n..(stage + 1) * n]) {
+                *most = most.max(slope.abs());
+            }
+        }
+        self.trial.iter_mut().for_each(|most| *most *= 2.0 * h.abs());
+        self.sides.are_known(system.events()) && system.is_quiet(from, to, y, &self.trial)
     }
 
     /// Three more stages and the seven coefficients of the interpolant.

@@ -25,6 +25,11 @@ impl Sides {
         self.signs.clear();
     }
 
+    /// Whether the sign of every event function is known.
+    pub(crate) fn are_known(&self, count: usize) -> bool {
+        self.signs.len() == count && !self.signs.contains(&0.0)
+    }
+
     /// The first event within the step; its sign is turned over. Without one, unknown signs are learned.
     pub(crate) fn first_crossing(
         &mut self,

@@ -40,6 +40,6 @@ pub use golden::golden_section;
 pub use outcome::{Outcome, Statistics};
 pub use radau::Radau5;
 pub use root::{Root, bisect};
-pub use settings::Settings;
+pub use settings::{SampleGrid, Settings};
 pub use step::Step;
 pub use system::{Function, System};

@@ -21,6 +21,25 @@ pub struct Settings {
     pub stiffness_test: bool,
     /// Whether steps carry an interpolant; needed for samples between steps and for events.
     pub dense: bool,
+    /// Where samples will be taken; [`crate::Dop853`] makes no interpolant for steps without any. `None`: anywhere.
+    pub samples: Option<SampleGrid>,
+}
+
+/// Equally spaced places of samples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SampleGrid {
+    /// One of them.
+    pub origin: f64,
+    /// Their distance, above 0.
+    pub spacing: f64,
+}
+
+impl SampleGrid {
+    /// Whether one lies within a step, or so close to its ends that rounding decides.
+    pub(crate) fn within(self, from: f64, to: f64) -> bool {
+        let [low, high] = [from.min(to), from.max(to)].map(|place| (place - self.origin) / self.spacing);
+        (low - 1e-6).ceil() <= high + 1e-6
+    }
 }
 
 impl Settings {
@@ -36,6 +55,7 @@ impl Settings {
             event_tolerance: 1e-12,
             stiffness_test: false,
             dense: true,
+            samples: None,
         }
     }
 

@@ -20,6 +20,12 @@ pub trait System {
     /// Values of the event functions: an event is a change of sign.
     fn event_functions(&mut self, _t: f64, _y: &[f64], _values: &mut [f64]) {}
 
+    /// Whether no event function can change its sign within a step from `start` at `from` to `to`, while no component departs from `start` by more than
+    /// `reach`: such a step needs no interpolant for its events.
+    fn is_quiet(&self, _from: f64, _to: f64, _start: &[f64], _reach: &[f64]) -> bool {
+        false
+    }
+
     /// Matrix of df/dy, row by row. Returns false where it is unknown: it is then taken by differences.
     fn jacobian(&mut self, _t: f64, _y: &[f64], _jacobian: &mut [f64]) -> bool {
         false

@@ -5,7 +5,9 @@
 //! ```
 
 use lanchester_mechanism::{InternalRequest, LoadRequest, internal_cases, loads};
-use lanchester_report::{Provenance, ReportInput, figures, internal_figures, report};
+use lanchester_report::{
+    Provenance, ReportHead, bending_section, engine_section, figures, loads_sections, motion_section, report,
+};
 use std::error::Error;
 use std::{env, fs, path::Path};
 
@@ -34,23 +36,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             ("angles per revolution".to_owned(), request.samples.to_string()),
         ],
     };
-    let page = report(&ReportInput {
-        engine: &engine,
-        loads: &loads,
-        internal: &internal,
-        optimum: None,
-        crankshaft: None,
-        torque: None,
-        bearings: None,
-        mounts: None,
-        simulation: None,
-        provenance: &provenance,
-        warnings: &warnings,
-    });
-    fs::write(output, page)?;
+    let mut sections = loads_sections(&engine, &loads);
+    sections.extend(bending_section(&engine, &internal));
+    sections.extend([motion_section(&loads), engine_section(&engine)]);
+    let head =
+        ReportHead { engine: &engine, speed: loads.speed, provenance: &provenance, warnings: &warnings };
+    fs::write(output, report(&head, &sections))?;
     if let Some(folder) = arguments.get(2) {
         fs::create_dir_all(folder)?;
-        for figure in figures(&engine, &loads).into_iter().chain(internal_figures(&engine, &internal)) {
+        for figure in figures(&engine, &sections) {
             fs::write(Path::new(folder).join(format!("{}.svg", figure.id)), figure.svg())?;
         }
     }

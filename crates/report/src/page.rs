@@ -1,28 +1,13 @@
 //! The report: one HTML page that needs nothing but itself.
 
-use crate::bearings_section::{BearingsInput, BearingsSection};
-use crate::crankshaft_section::{CrankshaftInput, CrankshaftSection};
-use crate::engine_tables;
-use crate::figure::{Figure, STYLE};
-use crate::findings_table::findings_table;
-use crate::gallery::Gallery;
-use crate::internal_figure::internal_figures;
-use crate::internal_tables::{internal_table, mains_table};
-use crate::load_tables;
-use crate::mount_figures::mount_figures;
-use crate::mount_tables::{mount_axes_words, mount_tables, mounted_body_words};
-use crate::mount_text::mount_remarks;
-use crate::number;
-use crate::optimum_section::{OptimumInput, OptimumSection};
-use crate::over_angle;
-use crate::simulation::SimulationResult;
-use crate::simulation_section::SimulationSection;
-use crate::speed_table::speed_table;
-use crate::svg::escape;
-use crate::table::{Table, push_rich};
-use crate::torque_section::{TorqueInput, TorqueSection};
+use crate::engine::frame_sketch::frame_sketch;
+use crate::engine::front_view::front_view;
+use crate::engine::side_view::side_view;
+use crate::engine::tables::main_data;
+use crate::kit::figure::{Figure, STYLE};
+use crate::kit::number;
+use crate::kit::section::{Section, push_figures};
 use askama::Template;
-use lanchester_mechanism::{InternalMoments, Loads, MountStudy};
 use lanchester_model::{Engine, Rotation};
 
 /// What made a report: printed at its foot.
@@ -38,27 +23,13 @@ pub struct Provenance {
     pub settings: Vec<(String, String)>,
 }
 
-/// Everything that a report shows.
+/// What stands around the sections of a report.
 #[derive(Debug, Clone, Copy)]
-pub struct ReportInput<'a> {
+pub struct ReportHead<'a> {
     /// The engine.
     pub engine: &'a Engine,
-    /// Its loads.
-    pub loads: &'a Loads,
-    /// Shear and bending of its crankshafts, the case that is drawn first; may be empty.
-    pub internal: &'a [InternalMoments],
-    /// What balancing found; `None` where the file does not ask.
-    pub optimum: Option<OptimumInput<'a>>,
-    /// The crankshaft as a real part; `None` where the file says nothing of it.
-    pub crankshaft: Option<CrankshaftInput<'a>>,
-    /// Torque with its gas; `None` where the file does not give it.
-    pub torque: Option<TorqueInput<'a>>,
-    /// Loads of the bearings; `None` where the file has neither gas nor sizes of bearings.
-    pub bearings: Option<BearingsInput<'a>>,
-    /// The block on its mounts; `None` where the file does not give it.
-    pub mounts: Option<&'a MountStudy>,
-    /// The run in time that the file describes; `None` where it describes none.
-    pub simulation: Option<&'a SimulationResult>,
+    /// The speed at which its loads are told [rad/s].
+    pub speed: f64,
     /// What made the report.
     pub provenance: &'a Provenance,
     /// Warnings of the engine file, as plain text.
@@ -70,115 +41,20 @@ pub struct ReportInput<'a> {
 struct Page<'a> {
     figure_style: &'static str,
     engine: &'a Engine,
-    loads: &'a Loads,
     provenance: &'a Provenance,
     warnings: &'a [String],
     speed: String,
     main_data: Vec<(&'static str, String)>,
-    summary: String,
-    roll: String,
-    findings: String,
-    reference: String,
+    drawings: String,
+    sections: &'a [Section],
     turning: &'static str,
     side: &'static str,
-    vanishing: String,
-    drawings: String,
-    spectra: String,
-    load_tables: String,
-    balance: String,
-    curves: String,
-    hodographs: String,
-    stars: String,
-    stories: String,
-    optimum: Option<OptimumHtml>,
-    crankshaft: Option<SectionHtml>,
-    torque: Option<SectionHtml>,
-    bearings: Option<SectionHtml>,
-    mounts: Option<MountsHtml>,
-    simulation: Option<SectionHtml>,
-    bending_curves: String,
-    bending_tables: String,
-    motion_curves: String,
-    motion_tables: String,
-    engine_tables: String,
     frame: String,
 }
 
-/// The section on the optimum.
-struct OptimumHtml {
-    headline: String,
-    method: String,
-    tables: String,
-    figures: String,
-    left: String,
-}
-
-/// A section of words, figures and tables.
-struct SectionHtml {
-    paragraphs: Vec<String>,
-    tables: String,
-    figures: String,
-    /// Figures that need a row of their own.
-    broad_figures: String,
-}
-
-impl SectionHtml {
-    /// Figures of up to `beside` panels stand beside one another, the others below, each in a row of its own.
-    fn of(paragraphs: &[String], figures: &[Figure], tables: &[Table], beside: usize) -> SectionHtml {
-        let (broad, slim): (Vec<Figure>, Vec<Figure>) =
-            figures.iter().cloned().partition(|figure| figure.panels.len() > beside);
-        SectionHtml {
-            paragraphs: paragraphs.iter().map(|text| unbroken(text)).collect(),
-            tables: tables_html(tables),
-            figures: figures_html(&slim),
-            broad_figures: figures_html(&broad),
-        }
-    }
-}
-
-/// The section on the block and its mounts.
-struct MountsHtml {
-    excitation: String,
-    paragraphs: Vec<String>,
-    tables: String,
-    figures: String,
-}
-
-impl MountsHtml {
-    fn of(engine: &Engine, study: &MountStudy) -> MountsHtml {
-        let mut paragraphs = vec![mounted_body_words(study), mount_axes_words(study)];
-        paragraphs.extend(mount_remarks(study));
-        MountsHtml {
-            excitation: study.excitation.clone(),
-            paragraphs: paragraphs.iter().map(|text| unbroken(text)).collect(),
-            tables: tables_html(&mount_tables(study)),
-            figures: figures_html(&mount_figures(engine, study)),
-        }
-    }
-}
-
-/// The report as one self-contained HTML page.
-pub fn report(input: &ReportInput<'_>) -> String {
-    let ReportInput { engine, loads, internal, mounts, provenance, warnings, .. } = *input;
-    let crankshaft = input.crankshaft.map(|input| CrankshaftSection::of(engine, &input));
-    let torque = input.torque.map(|input| TorqueSection::of(&input));
-    let bearings = input.bearings.and_then(|input| BearingsSection::of(&input));
-    let optimum = input.optimum.map(|input| OptimumSection::of(engine, &input));
-    let gallery = Gallery::of(engine, loads);
-    let mut motion_tables = vec![load_tables::motion_table(loads)];
-    motion_tables.extend(load_tables::articulation_table(loads));
-    motion_tables.extend(load_tables::rod_inertia_table(loads));
-    let mut engine_tables = vec![engine_tables::masses_table(engine), engine_tables::throws_table(engine)];
-    engine_tables.extend(engine_tables::weights_table(engine));
-    let mut load_tables = vec![
-        load_tables::peaks_table(loads),
-        load_tables::parts_table(loads),
-        load_tables::force_orders_table(loads),
-        load_tables::couple_orders_table(loads),
-        load_tables::roll_orders_table(loads),
-        load_tables::cylinders_table(loads),
-    ];
-    load_tables.extend(speed_table(engine, loads));
+/// The report as one self-contained HTML page: head, the sections in their order, conventions and sources.
+pub fn report(head: &ReportHead<'_>, sections: &[Section]) -> String {
+    let ReportHead { engine, speed, provenance, warnings } = *head;
     let (turning, side) = match engine.rotation {
         Rotation::Clockwise => ("clockwise", "right"),
         Rotation::Reverse => ("anticlockwise", "left"),
@@ -186,122 +62,33 @@ pub fn report(input: &ReportInput<'_>) -> String {
     let page = Page {
         figure_style: STYLE,
         engine,
-        loads,
         provenance,
         warnings,
-        speed: number::short(number::rpm(loads.speed), 4),
-        main_data: engine_tables::main_data(engine, loads.speed),
-        summary: unbroken(&loads.diagnosis.summary),
-        roll: unbroken(&loads.diagnosis.roll),
-        findings: findings_table(loads).html(),
-        reference: reference(loads),
+        speed: number::short(number::rpm(speed), 4),
+        main_data: main_data(engine, speed),
+        drawings: figures_html(&drawings(engine)),
+        sections,
         turning,
         side,
-        vanishing: vanishing(loads),
-        drawings: figures_html(&gallery.drawings),
-        spectra: figures_html(&gallery.spectra),
-        load_tables: tables_html(&load_tables),
-        balance: figures_html(&gallery.balance),
-        curves: figures_html(&gallery.curves),
-        hodographs: figures_html(&gallery.hodographs),
-        stars: figures_html(&gallery.stars),
-        stories: figures_html(&gallery.stories),
-        optimum: optimum.map(|found| OptimumHtml {
-            headline: unbroken(&found.headline),
-            method: found.method,
-            tables: tables_html(&found.tables),
-            figures: figures_html(&found.figures),
-            left: unbroken(&found.left),
-        }),
-        crankshaft: crankshaft.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 0)),
-        torque: torque.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 2)),
-        bearings: bearings.map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 0)),
-        mounts: mounts.map(|study| MountsHtml::of(engine, study)),
-        simulation: input
-            .simulation
-            .map(SimulationSection::of)
-            .map(|own| SectionHtml::of(&own.paragraphs, &own.figures, &own.tables, 1)),
-        bending_curves: figures_html(&internal_figures(engine, internal)),
-        bending_tables: bending_tables(engine, internal),
-        motion_curves: figures_html(gallery.motion.as_slice()),
-        motion_tables: tables_html(&motion_tables),
-        engine_tables: tables_html(&engine_tables),
-        frame: figures_html(std::slice::from_ref(&gallery.frame)),
+        frame: figures_html(&[frame_sketch(engine.rotation)]),
     };
     page.render().expect("invariant: writing a page to a string cannot fail")
 }
 
-/// Every figure of the report, for files of their own.
-pub fn figures(engine: &Engine, loads: &Loads) -> Vec<Figure> {
-    Gallery::of(engine, loads).into_figures()
+/// Every figure of a report, for files of their own.
+pub fn figures(engine: &Engine, sections: &[Section]) -> Vec<Figure> {
+    let of_sections = sections.iter().flat_map(Section::figures).cloned();
+    drawings(engine).into_iter().chain(of_sections).chain([frame_sketch(engine.rotation)]).collect()
 }
 
-/// Tables on bending; empty where nothing bends.
-fn bending_tables(engine: &Engine, internal: &[InternalMoments]) -> String {
-    match internal.first() {
-        Some(case) if !case.crankshafts.is_empty() => {
-            tables_html(&[internal_table(engine, internal), mains_table(engine, internal)])
-        }
-        _ => String::new(),
-    }
-}
-
-/// The text with its units kept beside their numbers.
-fn unbroken(text: &str) -> String {
-    [" kN", " N", " m ", " rpm"]
-        .iter()
-        .fold(text.to_owned(), |text, unit| text.replace(unit, &unit.replacen(' ', "\u{a0}", 1)))
-}
-
-fn reference(loads: &Loads) -> String {
-    if loads.reference.iter().all(|v| v.abs() < 1e-12) {
-        return "the origin".to_owned();
-    }
-    let [x, y, z] = loads.reference.map(|v| number::short(1e3 * v, 4));
-    format!("the point x = {x}, y = {y}, z = {z} mm")
-}
-
-/// A sentence on the components that have no plot.
-fn vanishing(loads: &Loads) -> String {
-    let names = over_angle::vanishing(loads);
-    let Some((last, others)) = names.split_last() else { return String::new() };
-    let list = if others.is_empty() {
-        format!("{last} vanishes")
-    } else {
-        format!("{} and {last} vanish", others.join(", "))
-    };
-    let mut out = String::new();
-    push_rich(&mut out, &format!("{list} at every crank angle, part by part, and need no plot."));
-    out
-}
-
-fn tables_html(tables: &[Table]) -> String {
-    tables.iter().map(Table::html).collect()
+/// The engine in both views.
+fn drawings(engine: &Engine) -> [Figure; 2] {
+    [front_view(engine), side_view(engine)]
 }
 
 fn figures_html(figures: &[Figure]) -> String {
     let mut out = String::with_capacity(64 * 1024);
-    for figure in figures {
-        let class = match (figure.panels.len(), figure.columns) {
-            (0..=2, _) => "plot",
-            (_, 2) => "plot many two",
-            (_, 3) => "plot many three",
-            _ => "plot many",
-        };
-        out.push_str("<figure class=\"");
-        out.push_str(class);
-        out.push_str("\" id=\"");
-        out.push_str(&escape(&figure.id));
-        out.push_str("\">\n<h3>");
-        push_rich(&mut out, &figure.title);
-        out.push_str("</h3>\n<div class=\"panels\">\n");
-        for panel in &figure.panels {
-            panel.write_inline(&mut out);
-        }
-        out.push_str("</div>\n<figcaption>");
-        push_rich(&mut out, &figure.caption);
-        out.push_str("</figcaption>\n</figure>\n");
-    }
+    push_figures(&mut out, figures);
     out
 }
 

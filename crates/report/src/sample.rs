@@ -32,6 +32,7 @@ pub fn engine(cylinders: &[(f64, f64)]) -> Engine {
             big_end_mass: 0.4191,
             small_end_mass: 0.2096,
             inertia: None,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::Thirds,
             joint: RodJoint::Crankpin,
         },

@@ -3,7 +3,9 @@
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
-use crate::{balancing, counterweights, figures, files, reading, results, session, shape_preview};
+use crate::{
+    balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview,
+};
 use axum::Router;
 use axum::body::Bytes;
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
@@ -75,6 +77,7 @@ impl Api {
         let api = figures::questions(api);
         let api = balancing::questions(api);
         let api = counterweights::questions(api);
+        let api = bond_graph::questions(api);
         let mut api = shape_preview::questions(api);
         // What every question may get instead of its answer.
         api.schemas.subschema_for::<Problem>();

@@ -17,7 +17,7 @@ use lanchester::task::{
     BalanceTask, ChangedTask, CrankWeightPlaces, FreeShaft, FreeWeight, Place, RoomFault, Seat, TaskOptions,
     crank_weights, default_task, option,
 };
-use lanchester::{RobustOptions, WebBoundError, optimise_on_webs, robust_balance};
+use lanchester::{RobustError, RobustOptions, WebBoundError, optimise_on_webs, robust_balance_while};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -228,8 +228,12 @@ fn balanced(asker: &Asker, question: BalanceQuestion) -> Result<BalanceAnswer, P
     };
     let (answer, robust) = match robust(&question)? {
         Some(options) => {
-            let found =
-                robust_balance(&engine, &tasks.tolerances, &task, &options).map_err(Problem::refused)?;
+            let waits = || asker.waits();
+            let found = robust_balance_while(&engine, &tasks.tolerances, &task, &options, &waits);
+            let found = found.map_err(|error| match error {
+                RobustError::Balance(BalanceError::BrokenOff) => superseded(),
+                error => Problem::refused(error),
+            })?;
             let words = robust_text(&engine, &found);
             (found.answer, Some(words))
         }
@@ -289,12 +293,7 @@ fn robust(question: &BalanceQuestion) -> Result<Option<RobustOptions>, Problem> 
         }
         return Ok(None);
     };
-    let others = [
-        ("limits", !question.limits.is_empty()),
-        ("give_up", !question.give_up.is_empty()),
-        ("budget", question.budget.is_some()),
-        ("cancel", !question.cancel.is_empty()),
-    ];
+    let others = [("budget", question.budget.is_some()), ("cancel", !question.cancel.is_empty())];
     if let Some((name, _)) = others.into_iter().find(|(_, given)| *given) {
         return Err(Problem::refused(format!(
             "`{name}` does not go with drawn engines, for which one load is minimised\nhint: leave one of the two out"

@@ -11,6 +11,7 @@ mod api;
 mod asker;
 mod assets;
 mod balancing;
+mod bond_graph;
 mod counterweights;
 mod design_choice;
 mod error;

@@ -73,6 +73,15 @@ impl Problem {
     }
 }
 
+impl Problem {
+    /// A graph file with mistakes.
+    pub(crate) fn graph(diagnostics: Vec<Diagnostic>) -> Problem {
+        let first = diagnostics.first().map_or("", |diagnostic| diagnostic.message.as_str());
+        let message = format!("the graph has mistakes: {first}");
+        Problem { diagnostics, ..Problem::refused(message) }
+    }
+}
+
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let status = StatusCode::from_u16(self.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);

@@ -117,6 +117,12 @@ pub(crate) fn engine_file(text: &str) -> Result<EngineFile, Problem> {
     })
 }
 
+/// Mistakes with their places in UTF-16 units.
+pub(crate) fn in_utf16(text: &str, mistakes: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut places = Utf16::new(text);
+    mistakes.into_iter().map(|mistake| places.diagnostic(mistake)).collect()
+}
+
 /// From bytes to UTF-16 units.
 struct Utf16<'a> {
     text: &'a str,

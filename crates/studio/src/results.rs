@@ -187,8 +187,10 @@ fn internal(_: &Asker, question: AtSpeed) -> Result<Vec<InternalMoments>, Proble
 
 fn turning(asker: &Asker, question: AtSpeed) -> Result<TorqueReport, Problem> {
     let speed = question.speed()?;
-    let engine = engine(&question.text)?;
+    let file = engine_file(&question.text)?;
+    let engine = file.engine;
     let request = TorqueReportRequest {
+        simulation: file.tasks.simulation,
         torque: TorqueRequest { speed, ..TorqueRequest::default() },
         speeds: power_speeds(&engine, POWER_SPEEDS),
         ..TorqueReportRequest::default()

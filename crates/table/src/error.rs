@@ -15,9 +15,22 @@ pub enum TableError {
         /// Why.
         reason: String,
     },
-    /// The bytes are not those that were written: a disk or a copy changed them.
+    /// The bytes of a block are not those that were written: a disk or a copy changed them.
+    #[error("rows {} to {} of {of} are not those that were written (SHA-256 differs)", first + 1, first + rows)]
+    Altered {
+        /// Rows before the block.
+        first: u64,
+        /// Rows of the block.
+        rows: u64,
+        /// Rows of the table.
+        of: u64,
+    },
+    /// The bytes of the footer are not those that were written.
+    #[error("its footer is not the one that was written (SHA-256 differs)")]
+    AlteredFooter,
+    /// The bytes of a CSV table, or of the metadata beside it, are not those that were written.
     #[error("its bytes are not those that were written (SHA-256 differs)")]
-    Altered,
+    AlteredText,
     /// It has no hash to be verified by: an older version wrote it, or the place of the hash is damaged.
     #[error("it has no valid hash of its bytes: it is damaged, or an older version wrote it")]
     Unsealed,

@@ -1,7 +1,7 @@
 //! Columns of results as Parquet and CSV, and back from Parquet.
 //!
 //! A table is a function of its rows and metadata alone: the bytes do not depend on the pieces in which the rows came. It keeps the SHA-256
-//! of its bytes, which is verified before anything is read from it. Nothing here
+//! of each of its row groups and of its footer, which are verified before anything is read from them. Nothing here
 //! opens a file; tables are written into any sink and read from any source of bytes.
 //!
 //! ```
@@ -29,5 +29,5 @@ pub use column::{Column, Kind, Rows, Values};
 pub use error::TableError;
 pub use parquet::file::reader::ChunkReader as Source;
 pub use reader::{Bytes, TableReader};
-pub use seal::{SEAL, csv_seal};
+pub use seal::{BLOCKS, SEAL, csv_seal};
 pub use writer::{Form, TableWriter};

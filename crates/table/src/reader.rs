@@ -2,29 +2,79 @@
 
 use crate::column::{Column, Kind, Rows, Values};
 use crate::error::TableError;
-use crate::seal::verify;
+use crate::seal::{Block, is_whole, verified_blocks};
 use parquet::basic::Type as Physical;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{ByteArray, DataType};
-use parquet::file::reader::{ChunkReader, FileReader, SerializedFileReader};
+use parquet::file::metadata::RowGroupMetaData;
+use parquet::file::reader::{ChunkReader, FileReader, Length, SerializedFileReader};
+use std::sync::Arc;
 
 /// Bytes that are shared.
 pub use bytes::Bytes;
 
 /// A table in Parquet that is being read, a row group at a time.
 pub struct TableReader<R: ChunkReader + 'static> {
-    reader: SerializedFileReader<R>,
+    source: Shared<R>,
+    reader: SerializedFileReader<Shared<R>>,
+    blocks: Vec<Block>,
     next: usize,
 }
 
+/// A source that is read by two: to verify it, and for its values.
+struct Shared<R>(Arc<R>);
+
+impl<R: Length> Length for Shared<R> {
+    fn len(&self) -> u64 {
+        self.0.len()
+    }
+}
+
+impl<R: ChunkReader> ChunkReader for Shared<R> {
+    type T = R::T;
+
+    fn get_read(&self, start: u64) -> parquet::errors::Result<R::T> {
+        self.0.get_read(start)
+    }
+
+    fn get_bytes(&self, start: u64, length: usize) -> parquet::errors::Result<Bytes> {
+        self.0.get_bytes(start, length)
+    }
+}
+
 impl<R: ChunkReader + 'static> TableReader<R> {
-    /// Verifies every byte by the hash of the table, then reads head and metadata.
+    /// Verifies the footer by its hash and reads it; rows are verified when they are read, or by [`TableReader::verify`].
     ///
     /// # Errors
-    /// [`TableError`] where it is no table, one that was not ended, or not what was written.
+    /// [`TableError`] where it is no table, one that was not ended, or its footer is not what was written.
     pub fn open(source: R) -> Result<TableReader<R>, TableError> {
-        verify(&source)?;
-        Ok(TableReader { reader: SerializedFileReader::new(source)?, next: 0 })
+        let blocks = verified_blocks(&source)?;
+        let source = Shared(Arc::new(source));
+        let reader = SerializedFileReader::new(Shared(Arc::clone(&source.0)))?;
+        if reader.num_row_groups() != blocks.len() {
+            let reason = format!("{} row groups have {} hashes", reader.num_row_groups(), blocks.len());
+            return Err(TableError::Damaged { reason });
+        }
+        Ok(TableReader { source, reader, blocks, next: 0 })
+    }
+
+    /// Verifies all rows by their hashes.
+    ///
+    /// # Errors
+    /// [`TableError::Altered`] names the first rows that are not what was written.
+    pub fn verify(&self) -> Result<(), TableError> {
+        (0..self.blocks.len()).try_for_each(|k| self.verify_block(k))
+    }
+
+    fn verify_block(&self, k: usize) -> Result<(), TableError> {
+        if is_whole(&self.source, &self.blocks[k])? {
+            return Ok(());
+        }
+        let groups = self.reader.metadata().row_groups();
+        let rows = |groups: &[RowGroupMetaData]| -> u64 {
+            groups.iter().map(|group| u64::try_from(group.num_rows()).unwrap_or(0)).sum()
+        };
+        Err(TableError::Altered { first: rows(&groups[..k]), rows: rows(&groups[k..=k]), of: self.rows() })
     }
 
     /// The metadata under a key.
@@ -54,10 +104,10 @@ impl<R: ChunkReader + 'static> TableReader<R> {
         (0..schema.num_columns()).map(column).collect()
     }
 
-    /// The next rows; `None` at the end.
+    /// The next rows, verified by their hash; `None` at the end.
     ///
     /// # Errors
-    /// [`TableError`] where the table has other columns or is damaged.
+    /// [`TableError`] where the table has other columns or these rows are not what was written.
     pub fn next(&mut self, columns: &[Column]) -> Result<Option<Rows>, TableError> {
         let own = self.columns();
         if own.as_deref() != Some(columns) {
@@ -70,6 +120,7 @@ impl<R: ChunkReader + 'static> TableReader<R> {
         if self.next == self.reader.num_row_groups() {
             return Ok(None);
         }
+        self.verify_block(self.next)?;
         let group = self.reader.get_row_group(self.next)?;
         self.next += 1;
         let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);

@@ -1,12 +1,24 @@
-//! The seal of a table: the SHA-256 of all its bytes, kept in its own footer, so that a flipped bit is found before it is a result.
+//! The seal of a table: the SHA-256 of each of its blocks and of its footer, kept in that footer, so that a flipped bit is found, and where,
+//! before it is a result.
+//!
+//! ```text
+//! block 1 | block 2 | ... | block n | tail: indexes, footer, its length, PAR1
+//! lanchester.block_sha256   "length:hash" of every block, in order
+//! lanchester.sha256         hash of the tail, with sixty-four zeros in its own place
+//! ```
+//! A block is a row group, the first one with the mark before it. The hash of the tail is over those of the blocks, so it stands for the
+//! whole file; what is read is verified alone, and read once.
 
 use crate::error::TableError;
 use parquet::file::reader::ChunkReader;
 use sha2::{Digest, Sha256};
 use std::io::{self, Read, Write};
 
-/// Under this key the footer keeps the hash.
+/// Under this key the footer keeps the hash of the tail.
 pub const SEAL: &str = "lanchester.sha256";
+
+/// Under this key the footer keeps lengths and hashes of the blocks.
+pub const BLOCKS: &str = "lanchester.block_sha256";
 
 /// What stands in the place of the hash while it is computed.
 pub(crate) const OPEN: &str = "0000000000000000000000000000000000000000000000000000000000000000";
@@ -17,16 +29,44 @@ const BETWEEN: [u8; 2] = [0x18, 64];
 /// How a table in Parquet begins and ends.
 const MARK: &[u8] = b"PAR1";
 
-/// A sink that hashes what goes through it. From [`Sealing::hold`] on it keeps the bytes back, until the hash stands among them.
+/// Bytes of a table that have a hash of their own: a row group.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Block {
+    pub(crate) start: u64,
+    length: u64,
+    hash: String,
+}
+
+/// A sink that hashes what goes through it, block by block. From [`Sealing::hold`] on it keeps the bytes back, until the hash stands among
+/// them.
 pub(crate) struct Sealing<W: Write> {
     sink: W,
     hash: Sha256,
+    /// Bytes of the block that has begun, and of all before it.
+    length: u64,
+    start: u64,
+    blocks: Vec<Block>,
     held: Option<Vec<u8>>,
 }
 
 impl<W: Write> Sealing<W> {
     pub(crate) fn new(sink: W) -> Sealing<W> {
-        Sealing { sink, hash: Sha256::new(), held: None }
+        Sealing { sink, hash: Sha256::new(), length: 0, start: 0, blocks: Vec::new(), held: None }
+    }
+
+    /// Ends a block.
+    pub(crate) fn end_block(&mut self) {
+        let hash = hex(std::mem::take(&mut self.hash));
+        self.blocks.push(Block { start: self.start, length: self.length, hash });
+        self.start += self.length;
+        self.length = 0;
+    }
+
+    /// The blocks so far, as the footer keeps them.
+    pub(crate) fn blocks(&self) -> String {
+        let all: Vec<String> =
+            self.blocks.iter().map(|block| format!("{}:{}", block.length, block.hash)).collect();
+        all.join(" ")
     }
 
     /// Keeps back all that comes from now on: the footer, in which the hash has its place.
@@ -38,8 +78,7 @@ impl<W: Write> Sealing<W> {
     pub(crate) fn seal(&mut self) -> Result<String, TableError> {
         let mut tail = self.held.take().unwrap_or_default();
         let place = place(&tail).ok_or_else(|| damaged("the footer has no room for the hash"))?;
-        self.hash.update(&tail);
-        let hash = hex(self.hash.clone());
+        let hash = hex(Sha256::new_with_prefix(&tail));
         tail[place..place + hash.len()].copy_from_slice(hash.as_bytes());
         self.sink.write_all(&tail)?;
         self.sink.flush()?;
@@ -60,6 +99,7 @@ impl<W: Write> Write for Sealing<W> {
         }
         let written = self.sink.write(bytes)?;
         self.hash.update(&bytes[..written]);
+        self.length += written as u64;
         Ok(written)
     }
 
@@ -68,8 +108,8 @@ impl<W: Write> Write for Sealing<W> {
     }
 }
 
-/// Whether a table in Parquet is what was written, byte for byte.
-pub(crate) fn verify(source: &impl ChunkReader) -> Result<(), TableError> {
+/// The blocks of a table in Parquet, whose tail is what was written, byte for byte.
+pub(crate) fn verified_blocks(source: &impl ChunkReader) -> Result<Vec<Block>, TableError> {
     let length = source.len();
     let ends = 2 * MARK.len() as u64 + 4;
     if length < ends {
@@ -80,16 +120,54 @@ pub(crate) fn verify(source: &impl ChunkReader) -> Result<(), TableError> {
     if &end[4..] != MARK || footer + ends > length {
         return Err(damaged("it has no end"));
     }
-    let start = length - 8 - footer;
+    let footer_start = length - 8 - footer;
     let size = usize::try_from(footer + 8).map_err(|_| damaged("its footer is too long"))?;
-    let mut tail = source.get_bytes(start, size)?.to_vec();
+    let mut tail = source.get_bytes(footer_start, size)?.to_vec();
+    // Not verified yet: where the tail begins, which must be verified as a whole.
+    let blocks = listed(&tail).ok_or(TableError::Unsealed)?;
+    let start = blocks.last().map_or(Some(0), |last| last.start.checked_add(last.length));
+    let start = start.filter(|start| *start <= footer_start).ok_or(TableError::AlteredFooter)?;
     let place = place(&tail).ok_or(TableError::Unsealed)?;
     let kept = tail[place..place + OPEN.len()].to_vec();
     tail[place..place + OPEN.len()].copy_from_slice(OPEN.as_bytes());
     let mut hash = Sha256::new();
-    feed(&mut hash, source.get_read(0)?.take(start))?;
+    feed(&mut hash, source.get_read(start)?.take(footer_start - start))?;
     hash.update(&tail);
-    if hex(hash).as_bytes() == kept { Ok(()) } else { Err(TableError::Altered) }
+    let found = hex(hash);
+    if found.as_bytes() == kept { Ok(blocks) } else { Err(TableError::AlteredFooter) }
+}
+
+/// Whether a block is what was written, byte for byte.
+pub(crate) fn is_whole(source: &impl ChunkReader, block: &Block) -> Result<bool, TableError> {
+    let mut hash = Sha256::new();
+    feed(&mut hash, source.get_read(block.start)?.take(block.length))?;
+    Ok(hex(hash) == block.hash)
+}
+
+/// The blocks that a footer tells of.
+fn listed(footer: &[u8]) -> Option<Vec<Block>> {
+    let key = footer.windows(BLOCKS.len()).rposition(|some| some == BLOCKS.as_bytes())?;
+    let mut rest = footer[key + BLOCKS.len()..].iter();
+    // A text in Thrift's compact form: its field, then its length, seven bits a byte, the lowest first.
+    (*rest.next()? == BETWEEN[0]).then_some(())?;
+    let mut size = 0_usize;
+    for shift in (0..u32::BITS).step_by(7) {
+        let byte = rest.next()?;
+        size |= usize::from(byte & 0x7f) << shift;
+        if byte & 0x80 == 0 {
+            break;
+        }
+    }
+    let text = std::str::from_utf8(rest.as_slice().get(..size)?).ok()?;
+    let mut start = 0_u64;
+    let mut blocks = Vec::new();
+    for entry in text.split_terminator(' ') {
+        let (length, hash) = entry.split_once(':')?;
+        let length = length.parse().ok()?;
+        blocks.push(Block { start, length, hash: hash.to_owned() });
+        start = start.checked_add(length)?;
+    }
+    Some(blocks)
 }
 
 /// The hash of a CSV table and of the metadata that stands beside it, as [`crate::TableWriter::finish`] gives it.

@@ -3,7 +3,7 @@
 use crate::column::{Column, Kind, Rows, Values};
 use crate::csv;
 use crate::error::TableError;
-use crate::seal::{OPEN, SEAL, Sealing};
+use crate::seal::{BLOCKS, OPEN, SEAL, Sealing};
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::metadata::KeyValue;
@@ -80,8 +80,8 @@ impl<W: Write + Send> TableWriter<W> {
         Ok(())
     }
 
-    /// Ends the table and gives its hash. Parquet keeps `metadata` and the hash of all its bytes in its footer; CSV drops them, and the
-    /// hash is that of its bytes and of `metadata` ([`crate::csv_seal`]).
+    /// Ends the table and gives its hash. Parquet keeps `metadata`, the hashes of its row groups and that of the footer itself in the footer;
+    /// CSV drops them, and the hash is that of its bytes and of `metadata` ([`crate::csv_seal`]).
     ///
     /// # Errors
     /// [`TableError`] where the sink fails.
@@ -95,6 +95,8 @@ impl<W: Write + Send> TableWriter<W> {
                 for (key, value) in metadata {
                     writer.append_key_value_metadata(KeyValue::new(key.clone(), value.clone()));
                 }
+                let blocks = writer.inner().blocks();
+                writer.append_key_value_metadata(KeyValue::new(BLOCKS.to_owned(), blocks));
                 // The last of them, where it is looked for.
                 writer.append_key_value_metadata(KeyValue::new(SEAL.to_owned(), OPEN.to_owned()));
                 writer.inner_mut().hold();
@@ -133,6 +135,9 @@ impl<W: Write + Send> TableWriter<W> {
             column.close()?;
         }
         group.close()?;
+        // What the writer still keeps belongs to this block.
+        writer.flush()?;
+        writer.inner_mut().end_block();
         Ok(())
     }
 }

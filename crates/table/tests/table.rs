@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use lanchester_table::{
-    Bytes, Column, Form, Rows, SEAL, TableError, TableReader, TableWriter, Values, csv_seal,
+    BLOCKS, Bytes, Column, Form, Rows, SEAL, TableError, TableReader, TableWriter, Values, csv_seal,
 };
 use std::io::{self, Write};
 
@@ -92,32 +92,101 @@ fn what_is_no_table_or_not_ended_is_told() {
     }
 }
 
-/// Every bit of a table is under its hash: data, footer and the hash itself.
+/// All that can be read from a table, every byte of it verified.
+fn read_all(bytes: Vec<u8>) -> Result<Rows, TableError> {
+    let mut reader = TableReader::open(Bytes::from(bytes))?;
+    reader.verify()?;
+    let mut all = Rows::empty(&columns());
+    while let Some(rows) = reader.next(&columns())? {
+        all.append(rows);
+    }
+    Ok(all)
+}
+
+/// Every bit of a table is under a hash: data, indexes, footer, the lengths and the hashes themselves.
 #[test]
 fn one_flipped_bit_anywhere_is_found() {
     let whole = table(Form::Parquet, &[0, 500]);
-    TableReader::open(Bytes::from(whole.clone())).unwrap();
+    assert_eq!(read_all(whole.clone()).unwrap(), rows(0, 500));
+    let mut kinds = [0; 4];
     for byte in 0..whole.len() {
         let mut bytes = whole.clone();
         bytes[byte] ^= 1 << (byte % 8);
-        let Err(error) = TableReader::open(Bytes::from(bytes)) else { panic!("byte {byte}") };
-        assert!(
-            matches!(error, TableError::Altered | TableError::Unsealed | TableError::Damaged { .. }),
-            "{error}"
-        );
+        let Err(error) = read_all(bytes) else { panic!("byte {byte}") };
+        let kind = match error {
+            TableError::Altered { first: 0, rows: 500, of: 500 } => 0,
+            TableError::AlteredFooter => 1,
+            TableError::Unsealed => 2,
+            TableError::Damaged { .. } => 3,
+            other => panic!("byte {byte}: {other}"),
+        };
+        kinds[kind] += 1;
+    }
+    // Where it is can be said of all but the few bytes by which lengths, hashes and the end are found.
+    assert!(kinds[0] > 2000 && kinds[1] > 500 && kinds[2] + kinds[3] < 200, "{kinds:?}");
+}
+
+/// A cut anywhere is found too: a disk that was full, a copy that was broken off.
+#[test]
+fn a_torn_table_is_found() {
+    let whole = table(Form::Parquet, &[0, 500]);
+    for length in 0..whole.len() {
+        assert!(read_all(whole[..length].to_vec()).is_err(), "{length} bytes");
     }
 }
 
-/// The hash is that of the bytes with sixty-four zeros in its place: anybody can compute it.
+/// Which block of a larger table is damaged is told, and the others can be read.
 #[test]
-fn the_hash_is_what_is_said_of_it() {
-    let bytes = table(Form::Parquet, &[0, 500]);
+fn a_damaged_block_is_named() {
+    let whole = table(Form::Parquet, &[0, MANY]);
+    let starts = blocks_of(&whole);
+    for (k, (start, length, _)) in starts.iter().enumerate() {
+        for byte in [*start, start + length / 2, start + length - 1] {
+            let mut bytes = whole.clone();
+            bytes[byte] ^= 1;
+            let mut reader = TableReader::open(Bytes::from(bytes)).unwrap();
+            let told = reader.verify().unwrap_err().to_string();
+            let (from, to) = (k * 65_536 + 1, MANY.min((k + 1) * 65_536));
+            let said =
+                format!("rows {from} to {to} of 150000 are not those that were written (SHA-256 differs)");
+            assert_eq!(told, said, "byte {byte}");
+            for _ in 0..k {
+                assert_eq!(reader.next(&columns()).unwrap().unwrap().len(), 65_536);
+            }
+            assert_eq!(reader.next(&columns()).unwrap_err().to_string(), said, "byte {byte}");
+        }
+    }
+}
+
+/// Start, length and hash of the blocks, as the footer tells them.
+fn blocks_of(bytes: &[u8]) -> Vec<(usize, usize, String)> {
+    let reader = TableReader::open(Bytes::from(bytes.to_vec())).unwrap();
+    let mut start = 0;
+    let block = |entry: &str| {
+        let (length, hash) = entry.split_once(':').unwrap();
+        let length: usize = length.parse().unwrap();
+        start += length;
+        (start - length, length, hash.to_owned())
+    };
+    reader.metadata(BLOCKS).unwrap().split(' ').map(block).collect()
+}
+
+/// Anybody can compute the hashes: those of the blocks over their bytes, that of the tail with sixty-four zeros in its place.
+#[test]
+fn the_hashes_are_what_is_said_of_them() {
+    let bytes = table(Form::Parquet, &[0, MANY]);
+    let blocks = blocks_of(&bytes);
+    assert_eq!(blocks.len(), 3);
+    for (start, length, hash) in &blocks {
+        assert_eq!(csv_seal(&bytes[*start..start + length], &[]).unwrap(), *hash);
+    }
     let reader = TableReader::open(Bytes::from(bytes.clone())).unwrap();
     let hash = reader.metadata(SEAL).unwrap();
     let place = bytes.windows(64).position(|some| some == hash.as_bytes()).unwrap();
     let mut open = bytes.clone();
     open[place..place + 64].fill(b'0');
-    assert_eq!(csv_seal(&open[..], &[]).unwrap(), hash);
+    let (start, length, _) = blocks.last().unwrap();
+    assert_eq!(csv_seal(&open[start + length..], &[]).unwrap(), hash);
     // The published value for "abc" (FIPS 180-2, appendix B.1).
     assert_eq!(
         csv_seal(&b"abc"[..], &[]).unwrap(),

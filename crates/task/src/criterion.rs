@@ -5,6 +5,7 @@ use crate::main_load;
 use crate::option::BadQuantity;
 use lanchester_model::Engine;
 use lanchester_model::Mount;
+use lanchester_results::{Axis, Counted, LARGEST_ORDER, Output, Place, Quantity, Size, order_text};
 use lanchester_units::nearest;
 use lanchester_units::{Dimension, Refusal, one_of};
 
@@ -36,11 +37,6 @@ const ORDER: &str = " order ";
 const MOUNT: &str = "mount force ";
 /// What stands behind the name of a mount where the gas counts too.
 const WITH_GAS: &str = " with gas";
-/// Largest order: loads of higher ones are nothing but rounding.
-const LARGEST_ORDER: f64 = 1000.0;
-/// Largest denominator of an order that is written as a fraction.
-const LARGEST_DENOMINATOR: u32 = 64;
-
 /// The criterion of this name: a load such as `force`, `couple y`, `roll moment`, `mount force` (the largest of all
 /// mounts), `mount force front`, both with ` with gas` behind, `main-bearing load` (the largest of all main bearings), `main-bearing load 3`,
 /// `bending moment`; one order of it, such as `force order 2` or `roll moment order 1/2`; `main-bearing load rms` (of
@@ -166,19 +162,6 @@ fn mount_name(index: usize, mounts: &[Mount]) -> String {
     }
 }
 
-/// `2`, `1/2`; decimals where no short fraction is the number.
-fn order_text(order: f64) -> String {
-    let fraction = (1..=LARGEST_DENOMINATOR).find_map(|denominator| {
-        let numerator = (order * f64::from(denominator)).round();
-        (numerator / f64::from(denominator) == order).then_some((numerator, denominator))
-    });
-    match fraction {
-        Some((numerator, 1)) => format!("{numerator}"),
-        Some((numerator, denominator)) => format!("{numerator}/{denominator}"),
-        None => format!("{order}"),
-    }
-}
-
 /// `2`, `0.5` or `1/2`, more than 0.
 fn order(text: &str) -> Option<f64> {
     let number = |text: &str| {
@@ -193,7 +176,64 @@ fn order(text: &str) -> Option<f64> {
 }
 
 /// The criterion of this name; `None` for `mounts` says that nobody knows them: any name then stands for the first.
+///
+/// What other studies call the same, `peak force` or `force of order 2`, is understood too ([`lanchester_results::Output`]).
 pub fn named(text: &str, mounts: Option<&[Mount]>) -> Result<Criterion, Refusal> {
+    own_name(text, mounts).or_else(|refusal| {
+        let output = text.parse::<Output>().ok();
+        output.and_then(|output| of_output(&output, mounts)).ok_or(refusal)
+    })
+}
+
+/// The criterion that an output of the common vocabulary is, if balancing can judge by it.
+fn of_output(output: &Output, mounts: Option<&[Mount]>) -> Option<Criterion> {
+    let with_gas = match output.counted {
+        Counted::Usual => false,
+        Counted::All => true,
+        Counted::Inertia | Counted::Gas => return None,
+    };
+    if output.sense.is_some() {
+        return None;
+    }
+    let whole = output.place == Place::Any;
+    let load = match (output.quantity, output.axis, with_gas) {
+        (Quantity::Force, None, false) => Load::Force,
+        (Quantity::Force, Some(Axis::X), false) => Load::ForceX,
+        (Quantity::Force, Some(Axis::Y), false) => Load::ForceY,
+        (Quantity::Couple, None, false) => Load::Couple,
+        (Quantity::Couple, Some(Axis::X), false) => Load::CoupleX,
+        (Quantity::Couple, Some(Axis::Y), false) => Load::CoupleY,
+        (Quantity::RollMoment, _, false) => Load::RollMoment,
+        (Quantity::BendingMoment, _, false) if whole => Load::BendingMoment,
+        (Quantity::MountForce, _, with_gas) => {
+            let one = match &output.place {
+                Place::Named(name) => Some(mount_index(name, mounts?)?),
+                Place::Number(_) => return None,
+                Place::Any | Place::Largest => None,
+            };
+            match (one, with_gas, mounts) {
+                (None, _, Some([])) => return None,
+                (None, false, _) => Load::LargestMountForce,
+                (None, true, _) => Load::LargestMountForceWithGas,
+                (Some(index), false, _) => Load::MountForce(index),
+                (Some(index), true, _) => Load::MountForceWithGas(index),
+            }
+        }
+        (Quantity::MainBearingLoad, ..) => return main_load::of_output(output, with_gas),
+        (Quantity::AddedMass, ..) => return Some(Criterion::AddedMass),
+        (Quantity::AddedUnbalance, ..) => return Some(Criterion::AddedUnbalance),
+        (Quantity::Cost, ..) => return Some(Criterion::Cost),
+        _ => return None,
+    };
+    match output.size {
+        Size::Peak => Some(Criterion::Peak(load)),
+        Size::Order(order) => Some(Criterion::Order(load, order)),
+        Size::Mean | Size::Rms => None,
+    }
+}
+
+/// As [`named`], in the words of balancing alone.
+fn own_name(text: &str, mounts: Option<&[Mount]>) -> Result<Criterion, Refusal> {
     let text = text.trim();
     let plain = text.split_whitespace().collect::<Vec<_>>().join(" ");
     if let Some((_, other)) = OTHERS.iter().find(|(name, _)| *name == plain) {

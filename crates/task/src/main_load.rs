@@ -7,6 +7,7 @@
 
 use crate::balance_task::{Criterion, Load, Mains, Statistic};
 use lanchester_model::Engine;
+use lanchester_results::{Output, Place, Size};
 use lanchester_units::Refusal;
 
 /// Largest peak of any main bearing, and what every other name begins with.
@@ -57,16 +58,44 @@ pub fn named(text: &str) -> Option<Result<Criterion, Refusal>> {
         },
         (words, _) => return Some(Err(no_number(text, &words.join(" ")))),
     };
-    if statistic == Statistic::Mean && mains == Mains::Largest {
-        return Some(Err(no_largest_mean(text)));
-    }
-    Some(Ok(match (statistic, mains) {
-        (statistic, mains) if gas => Criterion::MainsWithGas(statistic, mains),
+    Some(of_statistic(statistic, mains, gas).ok_or_else(|| no_largest_mean(text)))
+}
+
+/// The criterion that an output of the common vocabulary is.
+pub fn of_output(output: &Output, with_gas: bool) -> Option<Criterion> {
+    let statistic = match output.size {
+        Size::Peak => Statistic::Peak,
+        Size::Mean => Statistic::Mean,
+        Size::Rms => Statistic::Rms,
+        Size::Order(order) if !with_gas => {
+            return match output.place {
+                Place::Any | Place::Largest => Some(Criterion::Order(Load::LargestMainLoad, order)),
+                Place::Number(number) => Some(Criterion::Order(Load::MainLoad(number - 1), order)),
+                Place::Named(_) => None,
+            };
+        }
+        Size::Order(_) => return None,
+    };
+    let mains = match output.place {
+        Place::Any if statistic == Statistic::Peak => Mains::Largest,
+        Place::Any => Mains::All,
+        Place::Largest => Mains::Largest,
+        Place::Number(number) => Mains::One(number - 1),
+        Place::Named(_) => return None,
+    };
+    of_statistic(statistic, mains, with_gas)
+}
+
+/// The criterion of a statistic; `None` for the largest of several means, which nobody asks for.
+fn of_statistic(statistic: Statistic, mains: Mains, with_gas: bool) -> Option<Criterion> {
+    Some(match (statistic, mains) {
+        (Statistic::Mean, Mains::Largest) => return None,
+        (statistic, mains) if with_gas => Criterion::MainsWithGas(statistic, mains),
         (Statistic::Rms, mains) => Criterion::MainRms(mains),
         (Statistic::Mean, mains) => Criterion::MainMean(mains),
         (Statistic::Peak, Mains::One(index)) => Criterion::Peak(Load::MainLoad(index)),
         (Statistic::Peak, _) => Criterion::Peak(Load::LargestMainLoad),
-    }))
+    })
 }
 
 /// Index of a number from 1 on.

@@ -10,6 +10,7 @@ pub fn rod(length: f64, big: f64, small: f64) -> Rod {
         big_end_mass: big,
         small_end_mass: small,
         inertia: None,
+        axial_inertia: 0.0,
         mass_rule: RodMassRule::WeighedEnds,
         joint: RodJoint::Crankpin,
     }

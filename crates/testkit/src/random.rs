@@ -56,6 +56,7 @@ prop_compose! {
             big_end_mass: mass * (1.0 - centre),
             small_end_mass: mass * centre,
             inertia,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::CentreOfGravity,
             joint: RodJoint::Crankpin,
         };

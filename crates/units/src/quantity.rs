@@ -134,6 +134,8 @@ pub fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> bool) -
         Dimension::Inertia => ("kg mm2", "kg m2"),
         Dimension::Share => ("%", "%"),
         Dimension::Force => ("N", "N"),
+        // Strengths and moduli: no gas has such a pressure.
+        Dimension::Pressure if guess.abs() >= 1e8 => ("MPa", "Pa"),
         Dimension::Pressure => ("bar", "Pa"),
         Dimension::Torque => ("N m", "N m"),
         Dimension::Density => ("kg/m3", "kg/m3"),
@@ -155,6 +157,7 @@ pub fn text_that(guess: f64, dimension: Dimension, fits: impl Fn(f64) -> bool) -
         Dimension::AngularDamping => ("N m s/rad", "N m s/rad"),
         Dimension::PerSpeed => ("1/rpm", "s/rad"),
         Dimension::Rate => ("1/s", "1/s"),
+        Dimension::Viscosity => ("mPa s", "Pa s"),
     };
     let guess = guess + 0.0;
     neighbours(guess)

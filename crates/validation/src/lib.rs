@@ -19,6 +19,7 @@ mod case;
 mod files;
 mod fitting;
 mod gas;
+mod graph;
 mod inputs;
 mod method;
 mod mount;

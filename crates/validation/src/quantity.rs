@@ -14,10 +14,11 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. Workshop sheets: [`WorkshopKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Workshop sheets: [`WorkshopKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
+use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::shape::ShapeKey;
@@ -61,6 +62,8 @@ pub(crate) enum Key {
     Mount(MountKey),
     /// Of the gas.
     Gas(GasKey),
+    /// Of the bond graph.
+    Graph(GraphKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -195,6 +198,9 @@ impl Key {
         if let Some(gas) = GasKey::parse(text) {
             return Ok(Key::Gas(gas));
         }
+        if let Some(graph) = GraphKey::parse(text) {
+            return Ok(Key::Graph(graph));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -219,6 +225,7 @@ impl Key {
             Key::Shape(shape) => shape.of(&run.shape).map(Value::Number),
             Key::Mount(mount) => mount.of(run).map(Value::Number),
             Key::Gas(gas) => gas.of(run).map(Value::Number),
+            Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }

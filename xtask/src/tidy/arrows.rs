@@ -9,8 +9,9 @@ const ARROWS: [(&str, &[&str]); 24] = [
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
     ("lanchester-diagnostic", &[]),
+    ("lanchester-results", &["lanchester-units"]),
     ("lanchester-model", &["lanchester-shape"]),
-    ("lanchester-task", &["lanchester-model", "lanchester-shape", "lanchester-units"]),
+    ("lanchester-task", &["lanchester-model", "lanchester-results", "lanchester-shape", "lanchester-units"]),
     (
         "lanchester-file",
         &[
@@ -36,7 +37,10 @@ const ARROWS: [(&str, &[&str]); 24] = [
         "lanchester-workshop",
         &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],
     ),
-    ("lanchester-study", &["lanchester-model", "lanchester-task", "lanchester-mechanism"]),
+    (
+        "lanchester-study",
+        &["lanchester-model", "lanchester-results", "lanchester-task", "lanchester-mechanism"],
+    ),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     (
@@ -67,6 +71,7 @@ const ARROWS: [(&str, &[&str]); 24] = [
             "lanchester-bondgraph",
             "lanchester-workshop",
             "lanchester-report",
+            "lanchester-results",
             "lanchester-study",
             "lanchester-table",
         ],

@@ -27,6 +27,7 @@ pub(crate) fn in_line(angles: &[f64]) -> Engine {
             big_end_mass: 0.6287 * 2.0 / 3.0,
             small_end_mass: 0.6287 / 3.0,
             inertia: None,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::Thirds,
             joint: RodJoint::Crankpin,
         },

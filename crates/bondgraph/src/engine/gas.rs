@@ -9,6 +9,7 @@
 //! with its three ports: Karnopp, Margolis, Rosenberg, *System Dynamics*, 5th edition, section 12.4.
 
 use super::Builder;
+use super::gas_walls::Chamber;
 use super::numbers::{dead_centres, travel};
 use super::request::{GasStates, GasValve};
 use super::words::{number, quantity};
@@ -30,6 +31,9 @@ impl Builder<'_> {
                 self.element(&source, "Se", &[("effort", &effort)]);
                 self.bond(&source, &junction);
             }
+        }
+        if let Some(law) = &gas.losses {
+            self.wall_temperatures(law);
         }
         if let Some(walls) = gas.walls {
             let start = quantity(walls.ambient, "K");
@@ -92,24 +96,63 @@ impl Builder<'_> {
             } else {
                 format!("{}*crank.flow", number(self.numbers_ratio(index)))
             };
-            self.signal(&name("release_rate"), &format!("table({table}, psi{k})*{speed}"));
+            let burnt = format!("table({table}, psi{k})*{speed}");
+            match gas.heat_per_fresh {
+                None => self.signal(&name("release_rate"), &burnt),
+                Some(heat) => {
+                    self.fresh_gas(k, gas, &burnt, gas.start[0] * volume / (gas.gas_constant * gas.start[1]));
+                    let rate = format!("{}*closed_fresh{k}*{burnt}", quantity(heat, "J/kg"));
+                    self.signal(&name("release_rate"), &rate);
+                }
+            }
             self.element(&name("combustion"), "MSf", &[("flow", &name("release_rate"))]);
             self.bond(&name("combustion"), &name("heat"));
         }
+        if let Some(law) = &gas.losses {
+            let closing = self.crank_angle(index, gas.closes);
+            let chamber = Chamber {
+                area: bore,
+                top,
+                stroke: top - bottom,
+                clearance,
+                start_volume: volume,
+                closed_volume: bore * (clearance + top - travel(self.engine, index, closing)),
+            };
+            self.wall_heat(index, gas, law, chamber);
+        }
         if let Some(walls) = &gas.walls {
-            self.conduction(&name("wall"), walls.gas_to_body);
-            self.bond(&name("heat"), &format!("wall{k}.1"));
-            self.bond("body", &format!("wall{k}.2"));
+            self.conduction(&name("cooling"), walls.gas_to_body);
+            self.bond(&name("heat"), &format!("cooling{k}.1"));
+            self.bond("body", &format!("cooling{k}.2"));
         }
     }
 
-    fn numbers_ratio(&self, index: usize) -> f64 {
+    /// Fresh gas in the cylinder, and how much of it there was when the cylinder closed: what flows in from the intake is fresh, what
+    /// flows out is as fresh as what is in.
+    fn fresh_gas(&mut self, k: usize, gas: &GasStates, burnt: &str, start: f64) {
+        let (fresh, closed) = (format!("fresh{k}"), format!("closed_fresh{k}"));
+        let share = format!("fresh{k}/gas{k}.2.displacement");
+        let rate = format!(
+            "intake{k}.1.flow*if(intake_mass.effort > mass{k}.effort, 1, {share}) - exhaust{k}.1.flow*if(mass{k}.effort > exhaust_mass.effort, {share}, 0) - {closed}*{burnt}"
+        );
+        let start = quantity(start, "kg");
+        self.integral(&fresh, &rate, &start);
+        self.integral(&closed, "0 kg/s", &start);
+        self.at_closing(k, gas.closes, &[(&closed, &fresh)]);
+    }
+
+    /// Angle of crankshaft 1 where the crankshaft of a cylinder has turned so far since its firing [rad].
+    fn crank_angle(&self, index: usize, psi: f64) -> f64 {
+        self.numbers.cylinders[index].firing.unwrap_or(0.0) + psi / self.numbers_ratio(index)
+    }
+
+    pub(crate) fn numbers_ratio(&self, index: usize) -> f64 {
         let throw = self.engine.cylinders[index].throw;
         self.engine.crankshafts[self.engine.throws[throw].crankshaft].ratio.value().abs()
     }
 
     /// A table that all cylinders read.
-    fn shared_table(&mut self, name: &str, curve: &Curve) -> String {
+    pub(crate) fn shared_table(&mut self, name: &str, curve: &Curve) -> String {
         if !self.graph.tables.iter().any(|(known, _)| known.text == name) {
             self.graph.tables.push((name.into(), curve.clone()));
         }

@@ -1,11 +1,11 @@
 //! The gas of an engine file as states of a graph.
 
-use super::request::{EngineGraphError, GasStates, GasValve};
+use super::request::{EngineGraphError, GasStates, GasValve, WallCoefficient, WallLaw};
 use crate::curve::Curve;
 use crate::unit::Unit;
 use lanchester_model::{
-    CrankcasePressure, Engine, FuelSupply, GasProcess, GasSource, HeatRelease, Opening, OpeningShape,
-    Reservoir,
+    CrankcasePressure, Engine, Fuel, FuelSupply, GasProcess, GasSource, HeatRelease, Opening, OpeningShape,
+    Reservoir, SingleZone, WallModel, Walls,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -13,12 +13,11 @@ use std::f64::consts::{PI, TAU};
 const PIECE: f64 = PI / 360.0;
 
 impl GasStates {
-    /// What `[gas]` with a single-zone cycle says: reservoirs, valves, heat release of a given energy. Walls are left to the caller:
-    /// those of the file hang on more than the temperature.
+    /// What `[gas]` with a single-zone cycle says: reservoirs, valves, heat release, walls.
     ///
     /// # Errors
-    /// [`EngineGraphError::Gas`] where the file has no such cycle, ports instead of valves, fuel by the mixture, or a crankcase that is
-    /// measured.
+    /// [`EngineGraphError::Gas`] where the file has no such cycle, ports instead of valves, pistons that share a chamber, or a crankcase
+    /// that is measured.
     pub fn of(engine: &Engine) -> Result<GasStates, EngineGraphError> {
         let refuse = |needed: &'static str| EngineGraphError::Gas { needed };
         let gas = engine.gas.as_ref().ok_or(refuse("a [gas] in the file"))?;
@@ -31,14 +30,17 @@ impl GasStates {
         let CrankcasePressure::Constant { pressure: crankcase } = gas.crankcase else {
             return Err(refuse("a constant pressure under the pistons"));
         };
+        if (0..engine.cylinders.len()).any(|index| engine.chamber_pistons(index).len() > 1) {
+            return Err(refuse("a chamber of its own for every piston"));
+        }
         let turns = TAU * f64::from(engine.strokes.revolutions());
         let release = match &zone.combustion {
             None => None,
             Some(combustion) => {
-                let FuelSupply::Energy { energy } = combustion.fuel.supply else {
-                    return Err(refuse("[gas.fuel] energy, the heat of a cycle"));
+                let heat = match combustion.fuel.supply {
+                    FuelSupply::Energy { energy } => energy * combustion.fuel.efficiency,
+                    FuelSupply::Mixture { .. } => 1.0,
                 };
-                let heat = energy * combustion.fuel.efficiency;
                 let ends =
                     combustion.stages.iter().flat_map(|stage| [stage.start, stage.start + stage.duration]);
                 let rate = |psi: f64| {
@@ -46,7 +48,10 @@ impl GasStates {
                         .map(|psi| -> f64 { combustion.stages.iter().map(|stage| wiebe(stage, psi)).sum() });
                     heat * (both[0] + both[1])
                 };
-                let unit = Unit::JOULE;
+                let unit = match combustion.fuel.supply {
+                    FuelSupply::Energy { .. } => Unit::JOULE,
+                    FuelSupply::Mixture { .. } => Unit::NONE,
+                };
                 Some(
                     over_the_cycle(turns, ends.collect(), unit, rate)
                         .ok_or(refuse("a finite heat release"))?,
@@ -67,9 +72,102 @@ impl GasStates {
             intake: valve(&zone.intake, cycle.intake)?,
             exhaust: valve(&zone.exhaust, cycle.exhaust)?,
             release,
+            heat_per_fresh: zone.combustion.as_ref().and_then(|combustion| heat_per_fresh(&combustion.fuel)),
+            closes: closing(zone),
+            losses: zone
+                .walls
+                .as_ref()
+                .map(|walls| losses(walls, zone, turns).ok_or(refuse("finite factors of its walls")))
+                .transpose()?,
             walls: None,
         })
     }
+}
+
+/// Heat of a kilogram of fresh air with its fuel [J/kg]: what has no air does not burn.
+fn heat_per_fresh(fuel: &Fuel) -> Option<f64> {
+    match fuel.supply {
+        FuelSupply::Energy { .. } => None,
+        FuelSupply::Mixture { equivalence_ratio, air_fuel_ratio, heating_value } => {
+            Some(equivalence_ratio.min(1.0) / air_fuel_ratio * heating_value * fuel.efficiency)
+        }
+    }
+}
+
+/// Angles at which an opening begins and ends [rad].
+fn open(opening: &Opening) -> [f64; 2] {
+    match opening.shape {
+        OpeningShape::Valve { closes, .. } | OpeningShape::Area { closes, .. } => [opening.opens, closes],
+        OpeningShape::Port { .. } => [opening.opens, opening.opens],
+    }
+}
+
+/// Angle at which the cylinder closes [rad].
+fn closing(zone: &SingleZone) -> f64 {
+    open(&zone.intake)[1].max(open(&zone.exhaust)[1])
+}
+
+/// Walls of the file; Woschni's factors are steps over the angle.
+fn losses(walls: &Walls, zone: &SingleZone, turns: f64) -> Option<WallLaw> {
+    let coefficient = match &walls.model {
+        WallModel::Hohenberg => WallCoefficient::Hohenberg,
+        WallModel::Constant { coefficient } => {
+            WallCoefficient::Given(steps(&[(0.0, *coefficient)], turns, COEFFICIENT)?)
+        }
+        WallModel::Table { angles, coefficients } => {
+            let mut points: Vec<[f64; 2]> =
+                angles.iter().zip(coefficients).map(|(angle, value)| [*angle, *value]).collect();
+            points.push([angles.first()? + turns, *coefficients.first()?]);
+            WallCoefficient::Given(Curve::straight(&points, true, [Unit::NONE, COEFFICIENT])?)
+        }
+        WallModel::Woschni => {
+            let valves = [open(&zone.intake), open(&zone.exhaust)];
+            let start = closing(zone) - turns;
+            let stages = zone.combustion.iter().flat_map(|combustion| &combustion.stages);
+            let ignition = stages.map(|stage| stage.start).fold(f64::INFINITY, f64::min);
+            let mut places: Vec<f64> = valves.iter().flatten().copied().chain([ignition]).collect();
+            places.retain(|place| place.is_finite());
+            for place in &mut places {
+                *place = place.rem_euclid(turns);
+            }
+            places.push(0.0);
+            places.sort_by(f64::total_cmp);
+            places.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
+            let factors = |k: usize| {
+                let next = places.get(k + 1).copied().unwrap_or(turns);
+                let middle = start + (0.5 * (places[k] + next) - start).rem_euclid(turns);
+                let is_open = valves.iter().any(|[from, to]| (middle - from).rem_euclid(turns) < to - from);
+                match (is_open, middle > ignition) {
+                    (true, _) => [6.18, 0.0],
+                    (false, false) => [2.28, 0.0],
+                    (false, true) => [2.28, 3.24e-3],
+                }
+            };
+            let of = |which: usize, unit: Unit| {
+                let values: Vec<(f64, f64)> =
+                    (0..places.len()).map(|k| (places[k], factors(k)[which])).collect();
+                steps(&values, turns, unit)
+            };
+            let phases = Box::new([of(0, Unit::NONE)?, of(1, Unit::of([1, 0, -1, 0, -1]))?]);
+            WallCoefficient::Woschni { phases }
+        }
+    };
+    Some(WallLaw {
+        coefficient,
+        factor: walls.factor,
+        temperatures: [walls.piston_temperature, walls.head_temperature, walls.liner_temperature],
+        areas: [walls.piston_area, walls.head_area],
+    })
+}
+
+/// W/(m^2 K).
+const COEFFICIENT: Unit = Unit::of([0, 1, -3, 0, -1]);
+
+/// Steps over one cycle: where each begins, and its value.
+fn steps(values: &[(f64, f64)], turns: f64, unit: Unit) -> Option<Curve> {
+    let pieces: Vec<(f64, [f64; 4])> =
+        values.iter().map(|(start, value)| (*start, [*value, 0.0, 0.0, 0.0])).collect();
+    Curve::cubics(&pieces, turns, true, [Unit::NONE, unit])
 }
 
 /// Share of the heat of a stage that is released in a radian: Wiebe's function, complete at its end.

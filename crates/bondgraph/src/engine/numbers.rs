@@ -59,7 +59,7 @@ impl Numbers {
         let given = |list: &[f64], index: usize| list.get(index).copied().unwrap_or(0.0);
         let crankshafts =
             (0..engine.crankshafts.len()).map(|index| given(&request.crankshaft_inertia, index));
-        let shafts = (0..engine.shafts.len()).map(|index| given(&request.shaft_inertia, index));
+        let shafts = (0..engine.geared_shafts().len()).map(|index| given(&request.shaft_inertia, index));
         numbers.rotor_inertia = crankshafts.chain(shafts).collect();
         let crank = numbers.rotor_inertia.first().copied().unwrap_or(0.0);
         let drives = request.drive == EngineDrive::Imposed;

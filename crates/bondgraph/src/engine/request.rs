@@ -35,8 +35,18 @@ pub struct EngineRequest {
     pub friction_torque: f64,
     /// Viscous friction of every piston along its cylinder [N s/m].
     pub piston_damping: f64,
-    /// What takes the power.
+    /// What takes the power, at the end of the driveline.
     pub load: EngineLoad,
+    /// Inertias behind the flywheel, in order.
+    pub driveline: Vec<EngineLink>,
+    /// What starts the engine.
+    pub starter: Option<EngineStarter>,
+    /// Torque from the ground on crankshaft 1 over its angle: order, factors of sine and cosine [N m].
+    pub torque: Vec<[f64; 3]>,
+    /// Time [s] and imposed speed [rad/s], straight between; fewer than two: `speed`.
+    pub profile: Vec<[f64; 2]>,
+    /// Whether an imposed speed counts against the ground instead of the block.
+    pub against_ground: bool,
     /// Duration of the simulation [s].
     pub duration: f64,
     /// Its samples.
@@ -63,6 +73,11 @@ impl EngineRequest {
             friction_torque: 0.0,
             piston_damping: 0.0,
             load: EngineLoad { torque: LoadTorque::None, reacts_on_block: false },
+            driveline: Vec::new(),
+            starter: None,
+            torque: Vec::new(),
+            profile: Vec::new(),
+            against_ground: false,
             duration: revolutions * std::f64::consts::TAU / speed,
             samples: 720,
             tolerance: 1e-9,
@@ -133,10 +148,43 @@ pub struct GasStates {
     pub intake: GasValve,
     /// Valve to the exhaust.
     pub exhaust: GasValve,
-    /// Heat release by the angle since firing [J/rad].
+    /// Heat release by the angle since firing [J/rad]; with `heat_per_fresh` the share of it [1/rad].
     pub release: Option<Curve>,
-    /// Walls.
+    /// Heat that a kilogram of the fresh gas which the cylinder holds at its closing releases [J/kg]; `None`: the release says it.
+    pub heat_per_fresh: Option<f64>,
+    /// Angle since firing at which the cylinder closes [rad].
+    pub closes: f64,
+    /// Heat to crown, head and liner, whose temperatures are given.
+    pub losses: Option<WallLaw>,
+    /// A body of one temperature that takes heat by a conductance.
     pub walls: Option<GasWalls>,
+}
+
+/// Heat to walls of given temperatures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WallLaw {
+    /// Heat transfer coefficient.
+    pub coefficient: WallCoefficient,
+    /// Factor on it.
+    pub factor: f64,
+    /// Temperatures of crown, head and liner [K].
+    pub temperatures: [f64; 3],
+    /// Areas of crown and head over that of the bore.
+    pub areas: [f64; 2],
+}
+
+/// Whose heat transfer coefficient.
+#[derive(Debug, Clone, PartialEq)]
+pub enum WallCoefficient {
+    /// Woschni's, with `c_1` [1] and `c_2` [m/(s K)] over the angle since firing.
+    Woschni {
+        /// Both factors.
+        phases: Box<[Curve; 2]>,
+    },
+    /// Hohenberg's.
+    Hohenberg,
+    /// Over the angle since firing [W/(m^2 K)].
+    Given(Curve),
 }
 
 /// A valve to a reservoir.
@@ -164,7 +212,7 @@ pub struct GasWalls {
 }
 
 /// What takes the power.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EngineLoad {
     /// Its torque against the rotation.
     pub torque: LoadTorque,
@@ -172,8 +220,8 @@ pub struct EngineLoad {
     pub reacts_on_block: bool,
 }
 
-/// Torque of a load over the speed of the shaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+/// Torque of a load over the speed or angle of the shaft.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadTorque {
     /// None.
@@ -184,6 +232,80 @@ pub enum LoadTorque {
     Viscous(f64),
     /// Proportional to its square [N m s^2].
     Quadratic(f64),
+    /// A constant power; below a speed the torque stays what it is there.
+    Power {
+        /// Power [W].
+        power: f64,
+        /// That speed [rad/s].
+        least_speed: f64,
+    },
+    /// Torque [N m] at speeds [rad/s] that rise, straight between, constant beyond.
+    Speed(Vec<[f64; 2]>),
+    /// Torque [N m] at angles [rad] that rise, straight between; it acts against positive rotation at any speed.
+    Angle {
+        /// Angle after which it repeats [rad].
+        period: f64,
+        /// Angles and torques.
+        points: Vec<[f64; 2]>,
+    },
+}
+
+impl LoadTorque {
+    /// Torque at a speed [rad/s] and angle [rad] of its shaft [N m], positive against positive rotation.
+    pub(crate) fn at(&self, speed: f64, angle: f64) -> f64 {
+        let size = speed.abs();
+        let straight = |points: &[[f64; 2]], x: f64| -> f64 {
+            let after = points.partition_point(|point| point[0] <= x);
+            match (after.checked_sub(1).and_then(|before| points.get(before)), points.get(after)) {
+                (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (x - a[0]) / (b[0] - a[0]),
+                (Some(only), None) | (None, Some(only)) => only[1],
+                (None, None) => 0.0,
+            }
+        };
+        let amount = match self {
+            LoadTorque::None => 0.0,
+            LoadTorque::Constant(torque) => *torque,
+            LoadTorque::Viscous(factor) => factor * size,
+            LoadTorque::Quadratic(factor) => factor * size * size,
+            LoadTorque::Power { power, least_speed } => power / size.max(*least_speed),
+            LoadTorque::Speed(points) => straight(points, size),
+            LoadTorque::Angle { period, points } => {
+                let Some(first) = points.first() else { return 0.0 };
+                let mut points = points.clone();
+                points.push([first[0] + period, first[1]]);
+                return straight(&points, first[0] + (angle - first[0]).rem_euclid(*period));
+            }
+        };
+        if speed < 0.0 { -amount } else { amount }
+    }
+}
+
+/// An inertia behind the flywheel on a torsional spring.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct EngineLink {
+    /// Moment of inertia about its axis [kg m^2].
+    pub inertia: f64,
+    /// Stiffness of the spring before it [N m/rad].
+    pub stiffness: f64,
+    /// Damping of that spring [N m s/rad].
+    pub damping: f64,
+    /// Its speed over that of what is before it.
+    pub ratio: f64,
+}
+
+/// A starter: its torque falls with speed and ends at a speed for good.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct EngineStarter {
+    /// Torque at standstill [N m].
+    pub stall_torque: f64,
+    /// Speed without torque [rad/s].
+    pub free_speed: f64,
+    /// Speed of the starter over that of crankshaft 1.
+    pub ratio: f64,
+    /// Speed of crankshaft 1 at which it lets go [rad/s].
+    pub until: f64,
+    /// Whether it is bolted to the block.
+    pub reacts_on_block: bool,
 }
 
 /// Why an engine has no graph of the kind that was asked for.

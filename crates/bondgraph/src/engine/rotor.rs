@@ -4,7 +4,7 @@ use super::Builder;
 use super::body::Arm;
 use super::cylinder::angle_text;
 use super::numbers::{apply, cross, rotation};
-use super::request::{EngineBlock, EngineGraphError, LoadTorque};
+use super::request::{EngineBlock, EngineGraphError};
 use super::words::{combination, number, quantity};
 use num_complex::Complex64;
 
@@ -15,7 +15,7 @@ const LEVER: f64 = 0.05;
 type Unbalance = (f64, Complex64);
 
 impl Builder<'_> {
-    /// Names of the stores of all rotors that have an inertia.
+    /// Names of the stores of all rotors that have an inertia, and of the driveline.
     pub(crate) fn rotor_names(&self) -> Vec<String> {
         let crankshafts = self.engine.crankshafts.len();
         (0..self.numbers.rotor_inertia.len())
@@ -25,6 +25,7 @@ impl Builder<'_> {
                 _ if rotor < crankshafts => format!("crankshaft{}", rotor + 1),
                 _ => format!("shaft{}", rotor + 1 - crankshafts),
             })
+            .chain((1..=self.request.driveline.len()).map(|link| format!("driveline{link}")))
             .collect()
     }
 
@@ -37,9 +38,7 @@ impl Builder<'_> {
             let keys = [("inertia", inertia), ("flow", quantity(speed, "rad/s"))];
             self.element("crankshaft", "I", &[(keys[0].0, &keys[0].1), (keys[1].0, &keys[1].1)]);
         }
-        let load = &self.request.load;
-        let is_loaded = load.torque != LoadTorque::None && !load.reacts_on_block;
-        if self.moves() && (has_inertia || is_loaded) {
+        if self.moves() && (has_inertia || self.acts_from_ground()) {
             // The speed in space is that of the block's roll and that relative to it.
             self.element("together", "0", &[("domain", "rotation")]);
             self.element("spin", "1", &[("domain", "rotation")]);
@@ -51,8 +50,9 @@ impl Builder<'_> {
             self.bond(if self.moves() { "spin" } else { "crank" }, "crankshaft");
         }
         let crankshafts = engine.crankshafts.len();
+        let geared = engine.geared_shafts();
         let ratios: Vec<f64> = (engine.crankshafts.iter().map(|shaft| shaft.ratio.value()))
-            .chain(engine.shafts.iter().map(|shaft| shaft.ratio.value()))
+            .chain(geared.iter().map(|shaft| shaft.ratio.value()))
             .collect();
         for (rotor, ratio) in ratios.iter().enumerate() {
             let name = match rotor {
@@ -83,7 +83,7 @@ impl Builder<'_> {
                     ([shaft.x, shaft.y], throws.chain(weights).collect::<Vec<Unbalance>>())
                 }
                 Some(index) => {
-                    let shaft = &engine.shafts[index];
+                    let shaft = &geared[index];
                     let weights = shaft.weights.iter();
                     let unbalances = weights
                         .map(|weight| (weight.z, Complex64::from_polar(weight.unbalance, weight.phase)));

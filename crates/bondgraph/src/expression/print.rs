@@ -1,7 +1,7 @@
 //! Expressions as a textbook writes them: plain text, LaTeX, Modelica.
 
 use super::{Function, Id, Node, Pool, Var};
-use crate::shown::identifier;
+use crate::output::shown::identifier;
 
 /// How an expression is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -136,3 +136,36 @@ fn lit_singh_rocking_without_and_with_the_balancer() {
     assert!((printed - 2.0 * 15f64.to_radians().sin()).abs() < 0.002, "printed phase leaves {printed}");
     assert!(opposite < 0.005, "opposite the peak {opposite} is left");
 }
+
+/// The graph of an engine stands in tiles: one for every cylinder, alike; no element upon another.
+#[test]
+fn an_engine_is_drawn_in_tiles() {
+    let engine = engine();
+    let mut request = request(&engine, 209.0);
+    request.block = EngineBlock::Space;
+    request.mounts = true;
+    request.gravity = 9.81;
+    request.gas_states = Some(GasStates::of(&engine).expect("a single zone"));
+    let found = found(&engine, &request);
+    let graph =
+        Graph::new(&engine_graph(&engine, &request).expect("it has what it needs")).expect("units fit");
+    let placed = lanchester_bondgraph::placed(&graph, &found.causality);
+    for (index, element) in placed.elements.iter().enumerate() {
+        for other in &placed.elements[..index] {
+            let apart = (element.at[0] - other.at[0]).hypot(element.at[1] - other.at[1]);
+            assert!(apart > 25.0, "{} lies upon {}", element.name, other.name);
+        }
+        assert!(element.at[0] <= placed.size[0] && element.at[1] <= placed.size[1], "{}", element.name);
+    }
+    // The same part of two cylinders is as far from the same other part.
+    let at = |name: &str| placed.elements.iter().find(|own| own.name == name).expect("it is drawn").at;
+    let apart = |k: usize| {
+        let (a, b) = (at(&format!("piston{k}_motion")), at(&format!("gas{k}")));
+        [b[0] - a[0], b[1] - a[1]]
+    };
+    assert_eq!(apart(1), apart(2));
+    let svg = lanchester_bondgraph::drawing(&graph, &found.causality);
+    for title in ["Block and crank", "Cylinder 3", "Mount 4", "Balance shaft 1", "Surroundings of the gas"] {
+        assert!(svg.contains(title), "no tile {title}");
+    }
+}

@@ -5,6 +5,7 @@ mod causality;
 mod codes;
 mod course;
 mod engine_gas;
+mod event;
 mod external;
 mod gas;
 mod graph_file;

@@ -12,13 +12,17 @@ use crate::trace_files::trace_files;
 use lanchester::bondgraph::{
     Description, EngineBlock, Equations, Graph, LoadTorque, Method, Notation, Preference, SimulationRequest,
     audit_text, causality, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
-    graphml, is_graph_file, linear_text, modelica, simulation_csv, simulation_text, used_graphs,
+    graphml, is_graph_file, linear_text, modelica, moving_drawing, simulation_csv, simulation_text,
+    used_graphs,
 };
 use lanchester::file::{Diagnostic, read, render};
 use lanchester::task::option;
 use lanchester::{BondGraphRequest, engine_bond_graph};
 use std::collections::BTreeMap;
 use std::path::Path;
+
+/// How long a moving drawing takes [s].
+const MOVING_SECONDS: f64 = 10.0;
 
 /// What the command shows.
 const ACTIONS: [&str; 7] = ["causality", "equations", "linear", "simulate", "audit", "draw", "export"];
@@ -130,6 +134,11 @@ fn of_engine(
         gas_as_states: options.gas_states,
         load,
         load_on_block: options.load_on_block,
+        simulation: reading
+            .file
+            .as_ref()
+            .and_then(|file| file.tasks.simulation.as_deref().cloned())
+            .unwrap_or_default(),
         ..BondGraphRequest::default()
     };
     let traces = if request.gas { trace_files(&engine, file)? } else { Vec::new() };
@@ -164,6 +173,10 @@ fn show(
                 Failure::input(message, hint)
             })?;
             print(&if as_json { json(&linear)? } else { linear_text(&linear) })?;
+        }
+        "draw" if arguments.moving => {
+            let run = found.simulate(&request(arguments, found, false)?);
+            print(&moving_drawing(graph, &found.causality, &run, MOVING_SECONDS))?;
         }
         "draw" => print(&drawing(graph, &found.causality))?,
         "export" => print(&match arguments.to {

@@ -10,7 +10,8 @@ use crate::request::{internal_request, load_request};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
 use lanchester::report::{
-    ArrangementsInput, Figure, Provenance, arrangements_report, figures, internal_figures,
+    ArrangementsInput, Figure, Provenance, arrangements_report, bending_section, figures, loads_sections,
+    motion_section,
 };
 use lanchester::{EngineReport, arrangements, is_running};
 use lanchester_files::shown;
@@ -25,15 +26,22 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         let loads = loads(engine, &request).map_err(refused)?;
         let internal = internal_cases(engine, &internal).map_err(refused)?;
         let warnings: Vec<String> = opened.warnings.iter().map(lanchester::in_one_line).collect();
+        if let Some(output) = arguments.output.as_deref().filter(|output| form(output) != Form::Page) {
+            return Err(Failure::input(
+                format!("--all-arrangements writes a page, and {} is none", shown(output)),
+                "name a file that ends in .html, or leave --all-arrangements out",
+            ));
+        }
         let page = arrangements_report(&ArrangementsInput {
             engine,
             arrangements: &arrangements(engine, &request).map_err(Failure::refused)?,
             provenance: &provenance(&opened.source, &loads, &request),
             warnings: &warnings,
         });
-        let mut all = figures(engine, &loads);
-        all.extend(internal_figures(engine, &internal));
-        (page, all)
+        let mut sections = loads_sections(engine, &loads);
+        sections.extend(bending_section(engine, &internal));
+        sections.push(motion_section(&loads));
+        (page, figures(engine, &sections))
     } else {
         let traces =
             if is_running(&opened.file) { trace_files(engine, &arguments.file) } else { Ok(Vec::new()) };
@@ -43,7 +51,12 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         for warning in &report.warnings[report.told..] {
             tell(format_args!("warning: {warning}"));
         }
-        (report.page(&provenance(&opened.source, &report.loads, &request)), report.figures())
+        let page = match arguments.output.as_deref().map_or(Form::Page, form) {
+            Form::Page => report.page(&provenance(&opened.source, &report.loads, &request)),
+            Form::Text => report.text(),
+            Form::Csv => report.csv(),
+        };
+        (page, report.figures())
     };
     let ending = if arguments.all_arrangements { "-arrangements.html" } else { ".html" };
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.file, ending));
@@ -82,6 +95,23 @@ fn write_figures(folder: &Path, engine_file: &Path, figures: &[Figure]) -> Resul
         Ok(path)
     };
     figures.iter().map(write).collect()
+}
+
+/// In which form a report is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Page,
+    Text,
+    Csv,
+}
+
+/// The form that the name of a file asks for.
+fn form(output: &Path) -> Form {
+    match output.extension().and_then(|ending| ending.to_str()) {
+        Some("txt") => Form::Text,
+        Some("csv") => Form::Csv,
+        _ => Form::Page,
+    }
 }
 
 /// `engines/twin.toml` -> `twin.html` in the current folder; standard input -> `engine.html`.

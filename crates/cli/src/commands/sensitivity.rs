@@ -6,6 +6,7 @@ use crate::files::{print, tell};
 use crate::format::Format;
 use crate::sensitivity_arguments::{SensitivityArguments, WeightsOption};
 use crate::trace_files::trace_files;
+use lanchester::mechanism::OuterTorque;
 use lanchester::operating_point;
 use lanchester::report::{sensitivity_csv, sensitivity_text, tornado_figure};
 use lanchester::study::sensitivity::{
@@ -16,7 +17,8 @@ use lanchester::task::option;
 pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure> {
     let speed = arguments.speed.as_deref().map(|text| option::speed(text, "--speed")).transpose()?;
     let amounts = arguments.vary.iter().map(|text| amount(text)).collect::<Result<_, _>>()?;
-    let engine = open(&arguments.file, colour)?.file.engine;
+    let file = open(&arguments.file, colour)?.file;
+    let engine = file.engine;
     let named = |text: &String| Output::named(text, &engine).map_err(Failure::refused);
     let outputs: Vec<Output> = arguments.output.iter().map(named).collect::<Result<_, Failure>>()?;
     let outputs = if outputs.is_empty() { Output::peaks() } else { outputs };
@@ -24,6 +26,7 @@ pub fn run(arguments: &SensitivityArguments, colour: bool) -> Result<u8, Failure
     let traces = if needs.gas { trace_files(&engine, &arguments.file)? } else { Vec::new() };
     let speed = speed.unwrap_or(engine.speed.highest);
     let (mut point, warnings) = operating_point(&engine, &traces, speed, needs).map_err(Failure::refused)?;
+    point.outer = OuterTorque::of(file.tasks.simulation.as_deref()).map_err(Failure::refused)?;
     point.weights = match arguments.weights {
         WeightsOption::Fixed => Weights::Fixed,
         WeightsOption::Follow => Weights::Follow,

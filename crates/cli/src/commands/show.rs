@@ -5,10 +5,11 @@ use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
-use lanchester::file::expanded;
+use lanchester::file::{EngineFile, expanded};
+use lanchester::inertias;
 use lanchester::mechanism::{LoadRequest, Loads, loads};
 use lanchester::model::{Engine, Rotation};
-use lanchester::report::{articulation_table, drawing, motion_table, rod_inertia_table};
+use lanchester::report::{articulation_table, drawing, inertia_table, motion_table, rod_inertia_table};
 
 pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
     let opened = open(&arguments.file, colour)?;
@@ -22,7 +23,8 @@ pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
             let loads = loads(engine, &request).map_err(refused)?;
             // The table stands in comments, so that the whole output is an engine file again.
             let mut out = String::new();
-            for line in format!("{}\n{}", frame(engine), motion(&loads)).lines() {
+            let text = format!("{}\n{}\n{}", frame(engine), motion(&loads), turning(&opened.file));
+            for line in text.lines() {
                 out += format!("# {line}").trim_end();
                 out.push('\n');
             }
@@ -32,6 +34,14 @@ pub fn run(arguments: &ShowArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => motion_table(&loads(engine, &request).map_err(refused)?).csv(),
     })?;
     Ok(DONE)
+}
+
+/// Inertias of everything that turns.
+fn turning(file: &EngineFile) -> String {
+    let found = inertias(&file.engine, &file.tasks);
+    let throws: Vec<_> = found.throws.iter().map(|own| (own.throw, own.mass, own.inertia)).collect();
+    let driveline: Vec<_> = found.driveline.iter().map(|own| (own.ratio, own.inertia.value)).collect();
+    inertia_table(&found.bodies, &throws, &driveline, &found.sum).text()
 }
 
 /// Dead centres of every cylinder, what articulated rods change, and what two-mass rods miss.

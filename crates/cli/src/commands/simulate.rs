@@ -9,8 +9,8 @@ use crate::simulation_watch::GoesOn;
 use crate::trace_files::trace_files;
 use lanchester::multibody::{LoadLaw, ReactsOn, RunOutcome};
 use lanchester::report::{
-    simulation_energy_csv, simulation_events_csv, simulation_figures, simulation_reactions_csv,
-    simulation_text, simulation_trace_csv,
+    simulation_energy_csv, simulation_events_csv, simulation_figures, simulation_orders_csv,
+    simulation_reactions_csv, simulation_text, simulation_trace_csv,
 };
 use lanchester::task::option;
 use lanchester::{RunLength, SimulateRequest, simulate_watched};
@@ -47,6 +47,7 @@ pub fn run(arguments: &SimulateArguments, colour: bool) -> Result<u8, Failure> {
         (Format::Text, _) => simulation_text(&result),
         (Format::Json, _) => json(&result)?,
         (Format::Csv, Some(SimulationTable::Reactions)) => simulation_reactions_csv(&result),
+        (Format::Csv, Some(SimulationTable::Orders)) => simulation_orders_csv(&result),
         (Format::Csv, Some(SimulationTable::Energy)) => simulation_energy_csv(&result),
         (Format::Csv, Some(SimulationTable::Events)) => simulation_events_csv(&result),
         (Format::Csv, _) => simulation_trace_csv(&result),

@@ -1,4 +1,4 @@
-//! `lanchester torque`: what the gas does to the crank.
+//! `lanchester torque`: what gas and inertia do to the crank.
 
 use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
@@ -80,6 +80,9 @@ fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> 
 fn one_table(report: &TorqueReport, table: TorqueTable) -> Result<Table, Failure> {
     let none = |message: &str| Err(Failure::refused(message));
     match table {
+        TorqueTable::Cycle | TorqueTable::CycleAngle if !report.torque.with_gas => none(
+            "the engine file says nothing of the gas: there is no cycle\nhint: add [gas] with [gas.cycle]",
+        ),
         TorqueTable::Cycle | TorqueTable::CycleAngle if report.cycles.is_empty() => none(
             "the pressures are measured: there is no computed cycle\nhint: give [gas.cycle] in place of [[gas.trace]]",
         ),
@@ -106,7 +109,7 @@ fn text(report: &TorqueReport) -> String {
         out.push('\n');
         out.push_str(&table.text());
     }
-    out + &format!("\nPressures: {}.\n", report.source)
+    if report.torque.with_gas { out + &format!("\nPressures: {}.\n", report.source) } else { out }
 }
 
 fn figures(report: &TorqueReport) -> Vec<Figure> {

@@ -42,7 +42,7 @@ impl Folder {
         let mut folder = Folder { path, blocks, of, done: Vec::new(), _lock: lock };
         let mut next = folder.blocks.start;
         for table in folder.tables()? {
-            let held = held(&table)?;
+            let held = held(&table, of)?;
             let fits = next <= held.blocks.start
                 && held.blocks.start < held.blocks.end
                 && held.blocks.end <= folder.blocks.end;
@@ -100,7 +100,7 @@ impl Folder {
         kept: &impl Serialize,
         rows: Rows,
     ) -> Result<(), Failure> {
-        let path = self.path.join(format!("{:020}.parquet", blocks.start));
+        let path = self.path.join(format!("{:020}-{:020}.parquet", blocks.start, blocks.end));
         let metadata = head.metadata(blocks, self.of, kept)?;
         table_file::write(&path, Form::Parquet, columns, &metadata, |writer| {
             writer.push(rows).map_err(|error| table_file::cannot_write(&path, error))
@@ -119,18 +119,28 @@ impl Folder {
 }
 
 /// What a table of the folder holds, every byte of it verified.
-fn held(table: &Path) -> Result<Held, Failure> {
+fn held(table: &Path, of: u64) -> Result<Held, Failure> {
     let file = File::open(table).map_err(TableError::from);
-    match file.and_then(TableReader::open) {
-        Ok(reader) => Held::of(&reader, table),
-        Err(error) => {
-            let name = table.file_stem().unwrap_or_default().to_string_lossy();
-            let first = name.trim_start_matches('0');
-            let first = if first.is_empty() { "0" } else { first };
-            Err(Failure::input(
-                format_args!("the blocks from {first} on cannot be read from {}: {error}", shown(table)),
-                "remove this file: the same command computes its blocks again, and no others",
-            ))
-        }
+    let verified = file.and_then(TableReader::open).and_then(|reader| reader.verify().map(|()| reader));
+    verified.map_err(|error| damaged(table, of, error)).and_then(|reader| Held::of(&reader, table))
+}
+
+/// A table of the folder that is not what was written: its blocks by its name, which is outside of it.
+fn damaged(table: &Path, of: u64, error: TableError) -> Failure {
+    let name = table.file_stem().unwrap_or_default().to_string_lossy();
+    let range =
+        name.split_once('-').and_then(|(start, end)| Some(start.parse().ok()?..end.parse::<u64>().ok()?));
+    let blocks = range.map_or_else(|| "blocks".to_owned(), |range: Range<u64>| numbered(&range, of));
+    Failure::input(
+        format_args!("{blocks} cannot be read from {}: {error}", shown(table)),
+        "remove this file: the same command computes its blocks again, and no others",
+    )
+}
+
+/// Blocks as people count them.
+pub fn numbered(blocks: &Range<u64>, of: u64) -> String {
+    if blocks.end == blocks.start + 1 {
+        return format!("block {} of {of}", blocks.end);
     }
+    format!("blocks {} to {} of {of}", blocks.start + 1, blocks.end)
 }

@@ -1,5 +1,6 @@
 //! Tables as files: whole or not at all.
 
+use super::folder::numbered;
 use super::head::Held;
 use crate::failure::Failure;
 use lanchester::table::{Column, Form, SEAL, TableError, TableReader, TableWriter, csv_seal};
@@ -21,7 +22,7 @@ pub fn form(path: &Path) -> Result<Form, Failure> {
     }
 }
 
-/// Opens a table in Parquet, every byte of it verified.
+/// Opens a table in Parquet, its footer verified, and its rows as they are read.
 pub fn open(path: &Path) -> Result<TableReader<File>, Failure> {
     let file = File::open(path).map_err(|error| cannot_read(path, error.into()))?;
     TableReader::open(file).map_err(|error| cannot_read(path, error))
@@ -29,10 +30,23 @@ pub fn open(path: &Path) -> Result<TableReader<File>, Failure> {
 
 pub fn cannot_read(path: &Path, error: TableError) -> Failure {
     let hint = match error {
-        TableError::Altered | TableError::Unsealed => "run again what made it, into another file",
+        TableError::Altered { .. }
+        | TableError::AlteredFooter
+        | TableError::AlteredText
+        | TableError::Unsealed => "run again what made it, into another file",
         _ => "give a table that lanchester has written to its end",
     };
     Failure::input(format_args!("cannot read {}: {error}", shown(path)), hint)
+}
+
+/// Rows that are not what was written: with the blocks that the file holds, which its footer tells.
+pub fn cannot_read_rows(path: &Path, held: &Held, error: TableError) -> Failure {
+    let TableError::Altered { .. } = error else { return cannot_read(path, error) };
+    let blocks = numbered(&held.blocks, held.of);
+    Failure::input(
+        format_args!("cannot read {}, which holds {blocks}: {error}", shown(path)),
+        "remove it and run again what made it; nothing else is lost",
+    )
 }
 
 pub fn cannot_write(path: &Path, error: impl std::fmt::Display) -> Failure {
@@ -64,8 +78,14 @@ pub fn held(path: &Path) -> Result<Option<Held>, Failure> {
         Form::Parquet => {
             let file = File::open(path).map_err(|error| cannot_read(path, error.into()))?;
             match TableReader::open(file) {
-                Ok(reader) => Held::of(&reader, path).map(Some),
-                Err(error @ (TableError::Altered | TableError::Unsealed)) => Err(cannot_read(path, error)),
+                Ok(reader) => {
+                    let held = Held::of(&reader, path)?;
+                    reader.verify().map_err(|error| cannot_read_rows(path, &held, error))?;
+                    Ok(Some(held))
+                }
+                Err(error @ (TableError::AlteredFooter | TableError::Unsealed)) => {
+                    Err(cannot_read(path, error))
+                }
                 Err(_) => Err(unknown()),
             }
         }
@@ -76,7 +96,7 @@ pub fn held(path: &Path) -> Result<Option<Held>, Failure> {
             let rest: Vec<_> = entries.clone().into_iter().collect();
             let found = File::open(path).map_err(TableError::from).and_then(|file| csv_seal(file, &rest));
             if found.map_err(|error| cannot_read(path, error))? != kept {
-                return Err(cannot_read(path, TableError::Altered));
+                return Err(cannot_read(path, TableError::AlteredText));
             }
             Held::found(|key| entries.get(key).cloned(), path).map(Some)
         }

@@ -140,8 +140,8 @@ fn mistakes_of_a_search_are_told() {
     refused(&[&four, "--split-angle", "30 deg"], "split pins and stagger need two banks");
     refused(&[&four, "--in-line", "--bank-angle", "90 deg"], "an in-line engine has no bank angle");
     refused(&[&twelve], "it has 3 banks");
-    refused(&[&four, "--minimise", "noise"], "knows no objective `noise`");
-    refused(&[&four, "--minimise", "force order 3"], "knows no objective `force order 3`");
+    refused(&[&four, "--minimise", "noise"], "there is no quantity \"noise\"");
+    refused(&[&four, "--minimise", "force order 3"], "layouts are not judged by `force order 3`");
     refused(&[&four, "--limit", "length = 5"], "needs a length with its unit");
     refused(&[&four, "--limit", "force order 1 = 5 kg"], "needs N or kN, got `5 kg`");
     refused(&[&four, "--limit", "length"], "needs an objective and its largest value");

@@ -116,5 +116,5 @@ fn gas_alone_grows_with_its_pressure() {
     let json = output(&folder, 0, &[&leap[..], &["--format", "json"]].concat());
     assert!(json.contains("\"up\": null"), "{json}");
     let csv = output(&folder, 0, &["sensitivity", &four, "--output", "crankpin 2 mean", "--format", "csv"]);
-    assert!(csv.contains("mean force on crankpin 2,N,") && csv.contains("gas pressure"), "{csv}");
+    assert!(csv.contains("mean crankpin load 2,N,") && csv.contains("gas pressure"), "{csv}");
 }

@@ -186,8 +186,69 @@ fn bearings_with_gas_and_without() {
     assert!(text.contains("rpm: inertia"), "{text}");
     let refused = message(&folder, 2, &["bearings", "four.toml", "--part", "gas"]);
     assert!(refused.contains("says nothing of the gas"), "{refused}");
-    let refused = message(&folder, 2, &["torque", "four.toml"]);
-    assert!(refused.contains("hint: add [gas]"), "{refused}");
+}
+
+/// Without gas the inertia of pistons and rods alone turns the crank to and fro, and makes its speed swing.
+#[test]
+fn torque_without_gas_is_that_of_inertia() {
+    let folder = folder("torque-without-gas");
+    let wheel =
+        "\n[flywheel]\ninertia = \"0.1 kg m2\"\ncrankshaft_inertia = \"0.02 kg m2\"\nfluctuation = \"1 %\"\n";
+    written(&folder, &format!("{FOUR}{wheel}"));
+    let text = output(&folder, 0, &["torque", "four.toml", "--figures", "figures"]);
+    assert!(
+        text.contains("Inertia alone with the exact lever") && text.contains("for gas add [gas]"),
+        "{text}"
+    );
+    assert!(!text.contains("IMEP") && !text.contains("Pressures:") && !text.contains("brake"), "{text}");
+    assert!(
+        folder.join("figures/torque.svg").exists() && !folder.join("figures/pressure-volume.svg").exists()
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&output(&folder, 0, &["torque", "four.toml", "--format", "json"]))
+            .expect("JSON");
+    let torque = &json["torque"];
+    assert_eq!(torque["with_gas"], false);
+    assert_eq!(json["power"], serde_json::Value::Null);
+    // The torque is that of `loads`, order by order, and nothing else.
+    let loads: serde_json::Value =
+        serde_json::from_str(&output(&folder, 0, &["loads", "four.toml", "--format", "json"])).expect("JSON");
+    let largest = torque["inertia_extremes"]["max"]["value"].as_f64().expect("a number");
+    let sampled = loads["total"]["trace"]["shaft_torque"].as_array().expect("a trace");
+    let most = sampled.iter().filter_map(|one| one.as_f64()).fold(0.0, f64::max);
+    assert!(most > 1.0 && most <= largest * (1.0 + 1e-12) && most > 0.999 * largest, "{most} {largest}");
+    // The largest excess energy over inertia times speed squared is the fluctuation, while both are small.
+    let ripples = json["ripples"].as_array().expect("a list");
+    for ripple in ripples {
+        assert_eq!(ripple["outcome"], "periodic", "{ripple}");
+        assert_eq!(ripple["load"], 0.0);
+        let [exact, simple] =
+            ["fluctuation", "simple_fluctuation"].map(|name| ripple[name].as_f64().expect("a number"));
+        assert!(exact > 0.0 && (exact / simple - 1.0).abs() < 0.1, "{exact} {simple}");
+        // Nothing works on the train: J w^2 stays, so the speed is highest where the inertia is lowest.
+        let value =
+            |of: &serde_json::Value, end: &str| of["extremes"][end]["value"].as_f64().expect("a number");
+        let speeds = value(ripple, "max") / value(ripple, "min");
+        let inertias = value(&ripple["inertia"], "max") / value(&ripple["inertia"], "min");
+        // The extremes of the inertia are those of samples.
+        assert!((speeds - inertias.sqrt()).abs() < 1e-4 * (speeds - 1.0), "{speeds} {inertias}");
+    }
+    assert!(json["flywheel"]["flywheel"].as_f64().is_some_and(|wheel| wheel >= 0.0), "{}", json["flywheel"]);
+    let csv = output(&folder, 0, &["torque", "four.toml", "--format", "csv"]);
+    let head = csv.lines().next().expect("a head");
+    assert!(head.contains("cylinder 4 inertia [N m]") && !head.contains("pressure"), "{head}");
+    let rows: Vec<usize> = csv.lines().map(|line| line.split(',').count()).collect();
+    assert!(rows.len() > 300 && rows.iter().all(|count| *count == 12), "{rows:?}");
+    let refused = message(&folder, 2, &["torque", "four.toml", "--table", "cycle"]);
+    assert!(refused.contains("there is no cycle") && refused.contains("hint: add [gas]"), "{refused}");
+    let page = {
+        output(&folder, 0, &["report", "four.toml", "--output", "four.html"]);
+        std::fs::read_to_string(folder.join("four.html")).expect("the report")
+    };
+    assert!(
+        page.contains("this is the torque of inertia alone") && page.contains("id=\"speed-ripple-table\""),
+        "no ripple"
+    );
 }
 
 #[test]

@@ -27,6 +27,7 @@ impl File {
         }
         let ends = body.end_journals.map(|length| quantity(length, Dimension::Length));
         self.entry("end_journals", &format!("[{}]", ends.join(", ")));
+        self.crank_details(engine);
     }
 
     /// Place, wanted unbalance, direction and shape of a weight that is a part.

@@ -58,19 +58,4 @@ impl File {
             }
         }
     }
-
-    pub(super) fn bearings(&mut self, engine: &Engine) {
-        let Some(bearings) = &engine.bearings else { return };
-        self.header("[bearings]", "");
-        let kinds =
-            [("piston_pin", bearings.piston_pin), ("crankpin", bearings.crankpin), ("main", bearings.main)];
-        for (key, bearing) in kinds {
-            let Some(bearing) = bearing else { continue };
-            self.header(&format!("[bearings.{key}]"), "");
-            if let Some(diameter) = bearing.diameter {
-                self.entry("diameter", &quantity(diameter, Dimension::Length));
-            }
-            self.entry("width", &quantity(bearing.width, Dimension::Length));
-        }
-    }
 }

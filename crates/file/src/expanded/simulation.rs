@@ -2,8 +2,8 @@
 
 use super::{File, quantity};
 use lanchester_model::{
-    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, ReactsOn, RodGuidance, RunLength, RunLoad,
-    SimulationInput, SpeedKind, StartOfBlock, Starter, When,
+    Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, MainSharing, ReactsOn, RodGuidance,
+    RunLength, RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
 };
 use lanchester_task::Tasks;
 use lanchester_units::{Dimension, exact_text};
@@ -104,6 +104,14 @@ impl File {
         if let Some(guidance) = input.guidance {
             let word = if guidance == RodGuidance::Piston { "\"piston\"" } else { "\"crankpin\"" };
             self.entry("guidance", word);
+        }
+        if let Some(mains) = input.mains {
+            let word = match mains {
+                MainSharing::Cut => "\"cut\"",
+                MainSharing::Springs => "\"springs\"",
+                MainSharing::Beam => "\"beam\"",
+            };
+            self.entry("mains", word);
         }
         if !input.main_stiffness.is_empty() {
             let list: Vec<String> =

@@ -1,6 +1,7 @@
 //! `[balance]`: what may be done to balance the engine, and what is wanted.
 
 mod catalogue;
+mod crank_inertia;
 mod criteria;
 mod devices;
 mod drill;
@@ -10,6 +11,7 @@ mod ties;
 
 use super::Reader;
 use crate::document::{Field, Section, Span};
+use crank_inertia::DraftInertia;
 use free_weight::DraftFreeWeight;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Engine;
@@ -23,7 +25,7 @@ pub(super) struct DraftBalance {
     weights: Vec<DraftFreeWeight>,
     shafts: Vec<(FreeShaft, Span)>,
     shaft_costs: Vec<f64>,
-    inertias: Vec<FreeInertia>,
+    inertias: Vec<DraftInertia>,
     stages: Vec<Stage>,
     limits: Vec<Limit>,
     give_up: Vec<GiveUp>,
@@ -98,7 +100,7 @@ impl<'a> Reader<'a> {
         let mut task = BalanceTask {
             shaft_costs: draft.shaft_costs,
             shafts: draft.shafts.iter().map(|(shaft, _)| shaft.clone()).collect(),
-            inertias: draft.inertias,
+            inertias: self.crank_inertias(draft.inertias, engine)?,
             ties: ties::ties(&draft.weights),
             stages: draft.stages,
             limits: draft.limits,
@@ -164,14 +166,16 @@ impl<'a> Reader<'a> {
         Some(Some(task))
     }
 
-    fn free_inertias(&mut self, section: &'a Section) -> Option<Vec<FreeInertia>> {
+    fn free_inertias(&mut self, section: &'a Section) -> Option<Vec<DraftInertia>> {
         let sections = section.tables("inertia").or(&[])?;
-        let inertias: Vec<Option<FreeInertia>> =
+        let inertias: Vec<Option<DraftInertia>> =
             sections.iter().enumerate().map(|(index, section)| self.free_inertia(index, section)).collect();
         for (index, inertia) in inertias.iter().enumerate() {
             let Some(inertia) = inertia else { continue };
-            let is_twin =
-                |other: &Option<FreeInertia>| other.as_ref().is_some_and(|other| other.name == inertia.name);
+            let inertia = &inertia.inertia;
+            let is_twin = |other: &Option<DraftInertia>| {
+                other.as_ref().is_some_and(|other| other.inertia.name == inertia.name)
+            };
             if let Some(twin) = inertias[..index].iter().position(is_twin) {
                 self.one_name("inertias", &inertia.name, [&sections[twin].span, &sections[index].span]);
             }
@@ -179,10 +183,10 @@ impl<'a> Reader<'a> {
         inertias.into_iter().collect()
     }
 
-    fn free_inertia(&mut self, index: usize, section: &'a Section) -> Option<FreeInertia> {
+    fn free_inertia(&mut self, index: usize, section: &'a Section) -> Option<DraftInertia> {
         let name = section.text("name").or(format!("inertia {}", index + 1));
         let ratio = self.required(section, "ratio", section.number("ratio"));
-        let crank_inertia = self.required(section, "crank_inertia", section.number("crank_inertia"));
+        let given = super::simulation::optional(section.number("crank_inertia"));
         let (most, optional) = (section.number("most"), section.truth("optional").or(false));
         if optional == Some(true) && !section.has("most") {
             self.most_missing(&section.span, "an optional inertia", "most = \"0.02 kg m2\"");
@@ -190,13 +194,14 @@ impl<'a> Reader<'a> {
         if most.is_bad() {
             return None;
         }
-        Some(FreeInertia {
+        let inertia = FreeInertia {
             name: name?,
             ratio: ratio?,
-            crank_inertia: crank_inertia?,
+            crank_inertia: 0.0,
             most: most.given(),
             optional: optional?,
-        })
+        };
+        Some(DraftInertia { inertia, given: given?, span: section.value_span("crank_inertia") })
     }
 
     /// Speeds at which loads are judged, with their weights.
@@ -270,6 +275,6 @@ impl DraftBalance {
     fn has_optional(&self) -> bool {
         self.weights.iter().any(|weight| weight.own.optional)
             || self.shafts.iter().any(|(shaft, _)| shaft.optional)
-            || self.inertias.iter().any(|inertia| inertia.optional)
+            || self.inertias.iter().any(|draft| draft.inertia.optional)
     }
 }

@@ -23,6 +23,10 @@ pub(super) struct DraftThrow {
     pub(super) web_distance: Option<f64>,
     /// What gives its web distance.
     pub(super) web_span: Span,
+    /// How far the middles of its webs stand outside half the web distance [m].
+    pub(super) web_growth: [f64; 2],
+    /// Planes of its webs [m] where the file gives them, front then rear.
+    pub(super) web_positions: [Option<f64>; 2],
 }
 
 impl DraftThrow {
@@ -33,16 +37,26 @@ impl DraftThrow {
             radius_span: masses.radius_span.clone(),
             web_distance: masses.web_distance,
             web_span: masses.web_span.clone(),
+            web_growth: [0.0; 2],
+            web_positions: [None; 2],
         };
         draft.move_by(0.0);
         draft
     }
 
-    /// Moves it along z; its webs stay at half their distance from its plane.
+    /// Moves it along z; its webs stay at half their distance from its plane, but for what is said of single ones.
     pub(super) fn move_by(&mut self, distance: f64) {
         self.throw.z += distance;
+        self.web_positions.iter_mut().flatten().for_each(|position| *position += distance);
         let z = self.throw.z;
-        self.throw.webs = self.web_distance.map(|distance| [z - distance / 2.0, z + distance / 2.0]);
+        let [front, rear] = self.web_growth;
+        let usual = self.web_distance.map(|distance| [z - distance / 2.0 - front, z + distance / 2.0 + rear]);
+        let [front, rear] = self.web_positions;
+        self.throw.webs = match (front, rear, usual) {
+            (Some(front), Some(rear), _) => Some([front, rear]),
+            (front, rear, Some(usual)) => Some([front.unwrap_or(usual[0]), rear.unwrap_or(usual[1])]),
+            _ => None,
+        };
     }
 }
 

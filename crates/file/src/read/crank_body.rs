@@ -1,11 +1,12 @@
 //! `[crank.body]`: journals, pins and webs.
 
 use super::crank::DraftThrow;
+use super::crank_details::BodyDraft;
 use super::{Drafts, Reader};
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
-use lanchester_model::CrankBody;
 use lanchester_model::Throw;
+use lanchester_model::{CrankBody, CrankDetails, CrankPlace};
 use lanchester_model::{TOUCH, pin, throw_unbalances};
 use lanchester_units::Dimension;
 
@@ -13,9 +14,9 @@ use lanchester_units::Dimension;
 pub(super) type MaybeBody = Option<Option<CrankBody>>;
 
 /// Takes the unbalances of the throws from the body; what stops that is reported elsewhere.
-pub(super) fn weigh(throws: &mut [Throw], body: &MaybeBody) {
-    if let Some(Some(body)) = body
-        && let Ok(unbalances) = throw_unbalances(body, throws)
+pub(super) fn weigh(throws: &mut [Throw], body: &BodyDraft) {
+    if let Some(Some(uniform)) = &body.uniform
+        && let Ok(unbalances) = throw_unbalances(uniform, &body.details, throws)
     {
         for (throw, found) in throws.iter_mut().zip(unbalances) {
             throw.unbalance = found.unbalance;
@@ -25,7 +26,7 @@ pub(super) fn weigh(throws: &mut [Throw], body: &MaybeBody) {
 }
 
 impl<'a> Reader<'a> {
-    fn body_section(&self) -> Option<&'a Section> {
+    pub(super) fn body_section(&self) -> Option<&'a Section> {
         self.section("crank").0?.table("body").given()
     }
 
@@ -99,10 +100,10 @@ impl<'a> Reader<'a> {
     }
 
     /// Webs and pins must have room along the crank, and a web must be a hull of two discs.
-    pub(super) fn check_body(&mut self, body: &MaybeBody, drafts: &Drafts<'a>) {
-        let (Some(Some(body)), Some(section)) = (body, self.body_section()) else { return };
+    pub(super) fn check_body(&mut self, draft_of: &BodyDraft, drafts: &Drafts<'a>) {
+        let (Some(Some(body)), Some(section)) = (&draft_of.uniform, self.body_section()) else { return };
         let throws = || drafts.throws.iter().enumerate().filter_map(|(k, t)| Some((k, t.as_ref()?)));
-        if let Some((index, _)) = throws().find(|(_, draft)| draft.web_distance.is_none()) {
+        if let Some((index, _)) = throws().find(|(_, draft)| draft.throw.webs.is_none()) {
             self.missing(
                 section.span.clone(),
                 format!("[crank.body] needs the distance of the webs of throw {}", index + 1),
@@ -110,8 +111,14 @@ impl<'a> Reader<'a> {
             );
         }
         for (index, draft) in throws() {
-            if let Err(error) = body.web(draft.throw.radius) {
-                self.impossible_number(section, "pin_end_radius", &error);
+            for web in [2 * index, 2 * index + 1] {
+                if let Some(Some(own)) = draft_of.at_web(Some(web))
+                    && let Err(error) = own.web(draft.throw.radius)
+                {
+                    let span = self.place_span(section, CrankPlace::Web(web), "pin_end_radius");
+                    self.impossible_size(section, "pin_end_radius", span, &error);
+                    break;
+                }
             }
             if let Some(distance) = draft.web_distance
                 && distance <= body.web_thickness
@@ -132,11 +139,17 @@ impl<'a> Reader<'a> {
                 );
             }
         }
-        self.check_web_overlaps(body, section, drafts);
+        self.check_web_overlaps(body, &draft_of.details, section, drafts);
     }
 
     /// The rear web of each throw against the front web of the next on its crankshaft: apart, or one web.
-    fn check_web_overlaps(&mut self, body: &CrankBody, section: &'a Section, drafts: &Drafts<'a>) {
+    fn check_web_overlaps(
+        &mut self,
+        body: &CrankBody,
+        details: &CrankDetails,
+        section: &'a Section,
+        drafts: &Drafts<'a>,
+    ) {
         let mut webs: Vec<(usize, &DraftThrow, [f64; 2])> = drafts
             .throws
             .iter()
@@ -151,7 +164,9 @@ impl<'a> Reader<'a> {
         });
         for pair in webs.windows(2) {
             let [(one, front, [_, end]), (two, rear, [start, _])] = pair else { continue };
-            let overlap = end + body.web_thickness - start;
+            let [rear_web, front_web] = [2 * one + 1, 2 * two];
+            let thickness = [rear_web, front_web].map(|web| details.at_web(body, web).web_thickness / 2.0);
+            let overlap = end + (thickness[0] + thickness[1]) - start;
             if front.throw.crankshaft != rear.throw.crankshaft || overlap <= TOUCH {
                 continue;
             }
@@ -163,7 +178,7 @@ impl<'a> Reader<'a> {
             self.mistakes.push(
                 Mistake::error(
                     "E0904",
-                    section.value_span("web_thickness"),
+                    self.place_span(section, CrankPlace::Web(front_web), "thickness"),
                     format!(
                         "webs {} and {} overlap by {overlap} along the crank: the rear one of throw {} and the front one of throw {}",
                         2 * one + 2,

@@ -9,8 +9,19 @@ use lanchester_units::Dimension;
 impl<'a> Reader<'a> {
     /// A number that a shape cannot have, in the unit of its key.
     pub(super) fn impossible_number(&mut self, section: &Section, key: &str, error: &GeometryError) {
+        self.impossible_size(section, key, section.value_span(key), error);
+    }
+
+    /// As [`Reader::impossible_number`], with another place.
+    pub(super) fn impossible_size(
+        &mut self,
+        section: &Section,
+        key: &str,
+        span: Span,
+        error: &GeometryError,
+    ) {
         let GeometryError::Number { needed, got, hint, .. } = error else {
-            self.impossible_shape(section.value_span(key), error);
+            self.impossible_shape(span, error);
             return;
         };
         let got = match section.dimension(key) {
@@ -18,9 +29,7 @@ impl<'a> Reader<'a> {
             None => got.to_string(),
         };
         let message = format!("`{key}` must be {needed}, got {got}");
-        self.mistakes.push(
-            Mistake::error("E0108", section.value_span(key), message).label("out of range").hint(*hint),
-        );
+        self.mistakes.push(Mistake::error("E0108", span, message).label("out of range").hint(*hint));
     }
 
     /// A shape that cannot be, with the place in the shape.

@@ -12,11 +12,16 @@ pub(super) fn name_span(section: &Section) -> Span {
 impl Reader<'_> {
     /// Refuses a name that two parts of a kind have: what is found for one of them would be written to the other.
     pub(super) fn check_unique(&mut self, kind: &str, names: &[(String, Span)]) {
+        self.refuse_same_names("E0514", kind, names);
+    }
+
+    /// Refuses, under `code`, a name that another of its kind has already.
+    pub(crate) fn refuse_same_names(&mut self, code: &'static str, kind: &str, names: &[(String, Span)]) {
         for (index, (name, span)) in names.iter().enumerate() {
             let Some((_, first)) = names[..index].iter().find(|(other, _)| other == name) else { continue };
             let shown: String = name.chars().take(60).collect();
             self.mistakes.push(
-                Mistake::error("E0514", span.clone(), format!("two {kind}s are called \"{shown}\""))
+                Mistake::error(code, span.clone(), format!("two {kind}s are called \"{shown}\""))
                     .label("second of this name")
                     .related(first.clone(), "first of this name")
                     .hint("give each its own name"),

@@ -30,10 +30,19 @@ impl<'a> Reader<'a> {
                 None
             }
         };
+        let axial_inertia = layers.number("axial_inertia").or(0.0);
         let masses = self.rod_masses(layers, length.as_ref().map(|spot| spot.value));
         let length = length?;
         let (big_end_mass, small_end_mass, mass_rule, inertia) = masses?;
-        let rod = Rod { length: length.value, big_end_mass, small_end_mass, inertia, mass_rule, joint };
+        let rod = Rod {
+            length: length.value,
+            big_end_mass,
+            small_end_mass,
+            inertia,
+            axial_inertia: axial_inertia?,
+            mass_rule,
+            joint,
+        };
         Some(DraftRod { rod, length_span: length.span })
     }
 

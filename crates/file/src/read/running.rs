@@ -1,6 +1,7 @@
 //! `[friction]`, `[flywheel]` and `[bearings]`.
 
 use super::crank_body::MaybeBody;
+use super::crank_details::BodyDraft;
 use super::{Drafts, Reader};
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
@@ -191,16 +192,20 @@ impl<'a> Reader<'a> {
     pub(super) fn check_bearings(
         &mut self,
         bearings: &Option<Option<Bearings>>,
-        body: &MaybeBody,
+        body: &BodyDraft,
         drafts: &Drafts<'a>,
     ) {
         let (Some(Some(bearings)), Some(section)) = (bearings, self.section("bearings").0) else { return };
-        if let (Some(crankpin), Some(Some(body))) = (bearings.crankpin, body) {
+        if let (Some(crankpin), Some(Some(uniform))) = (bearings.crankpin, &body.uniform) {
+            let half = |web: usize| body.details.at_web(uniform, web).web_thickness / 2.0;
             let length = drafts
                 .throws
                 .iter()
-                .flatten()
-                .filter_map(|draft| Some(draft.web_distance? - body.web_thickness))
+                .enumerate()
+                .filter_map(|(index, draft)| {
+                    let [front, rear] = draft.as_ref()?.throw.webs?;
+                    Some(rear - front - (half(2 * index) + half(2 * index + 1)))
+                })
                 .fold(f64::INFINITY, f64::min);
             if crankpin.width > length + TOUCH {
                 let [width, length] = [crankpin.width, length]

@@ -4,8 +4,8 @@ use super::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{
-    BlockKind, DrivelineInertia, ImposedAgainst, RodGuidance, RunLength, SimulationInput, SpeedKind,
-    StartOfBlock, TorqueOrder,
+    BlockKind, DrivelineInertia, ImposedAgainst, MainSharing, RodGuidance, RunLength, SimulationInput,
+    SpeedKind, StartOfBlock, TorqueOrder,
 };
 use lanchester_task::option;
 use lanchester_units::{Bound, Dimension, within};
@@ -91,6 +91,13 @@ impl<'a> Reader<'a> {
         let guidance = optional(section.word("guidance")).map(|word| {
             word.map(|word| if word == "piston" { RodGuidance::Piston } else { RodGuidance::Crankpin })
         });
+        let mains = optional(section.word("mains")).map(|word| {
+            word.map(|word| match word {
+                "springs" => MainSharing::Springs,
+                "beam" => MainSharing::Beam,
+                _ => MainSharing::Cut,
+            })
+        });
         let main_stiffness = match section.numbers("main_stiffness") {
             Field::Given(list) => Some(list.value.iter().map(|spot| spot.value).collect()),
             Field::Absent => Some(Vec::new()),
@@ -115,6 +122,7 @@ impl<'a> Reader<'a> {
             step: step?,
             tolerance: tolerance?,
             guidance: guidance?,
+            mains: mains?,
             main_stiffness: main_stiffness?,
             torque: torque?,
             events: events?,

@@ -1,7 +1,7 @@
 //! Counterweights: one by one, and the short form.
 
 use super::Reader;
-use super::crank_body::MaybeBody;
+use super::crank_details::BodyDraft;
 use super::cylinder::DraftCylinder;
 use super::part::DraftPart;
 use crate::document::{Field, Section, Span};
@@ -56,7 +56,7 @@ impl<'a> Reader<'a> {
         &mut self,
         throws: Option<usize>,
         crankshafts: Option<usize>,
-        body: &MaybeBody,
+        body: &BodyDraft,
     ) -> Option<Vec<DraftWeight>> {
         let sections = self.root.tables("counterweight").or(&[])?;
         if !self.has_few_corners(sections) {
@@ -72,12 +72,13 @@ impl<'a> Reader<'a> {
         section: &'a Section,
         throws: Option<usize>,
         crankshafts: Option<usize>,
-        body: &MaybeBody,
+        body: &BodyDraft,
     ) -> Option<DraftWeight> {
         let name = section.text("name");
         let amount = match section.table("shape") {
             Field::Given(shape) => {
-                let part = self.part_draft(section, shape.value, body);
+                let web = section.whole("web").given().and_then(|web| usize::try_from(web - 1).ok());
+                let part = self.part_draft(section, shape.value, &body.at_web(web));
                 part.map(|part| DraftAmount::Part(Box::new(part)))
             }
             Field::Absent => self.weight_unbalance(section).map(DraftAmount::Unbalance),
@@ -170,7 +171,7 @@ impl<'a> Reader<'a> {
         drafts: Vec<DraftWeight>,
         throws: &[Throw],
         cylinders: &[DraftCylinder<'a>],
-        body: &MaybeBody,
+        body: &BodyDraft,
         origin: f64,
     ) -> Option<Vec<Counterweight>> {
         let short = self.short_form(throws, cylinders);
@@ -217,7 +218,7 @@ impl<'a> Reader<'a> {
         draft: DraftWeight,
         index: usize,
         throws: &[Throw],
-        body: &MaybeBody,
+        body: &BodyDraft,
         origin: f64,
     ) -> Option<Counterweight> {
         let (crankshaft, z, angle, name) = match draft.place {
@@ -251,7 +252,8 @@ impl<'a> Reader<'a> {
             _ => None,
         };
         let DraftPart { form, part, wanted, span, wanted_span } = part;
-        let shared = web.filter(|_| matches!(body, Some(Some(_)))).and_then(|web| SharedWeb::of(throws, web));
+        let shared =
+            web.filter(|_| matches!(body.uniform, Some(Some(_)))).and_then(|web| SharedWeb::of(throws, web));
         if let Some(shared) = shared {
             let [one, two] = shared.webs().map(|web| web + 1);
             self.mistakes.push(
@@ -269,7 +271,7 @@ impl<'a> Reader<'a> {
             return None;
         }
         let part = CounterweightPart { form, part, web, z, angle, wanted };
-        let weight = match part_weight(&part, throws, body.as_ref()?.as_ref()) {
+        let weight = match part_weight(&part, throws, body.at_web(web)?.as_ref()) {
             Ok(weight) => weight,
             Err(fault) => {
                 self.part_fault(span, fault);

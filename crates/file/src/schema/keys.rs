@@ -21,7 +21,7 @@ use super::{Bound, Key, Kind, Need, Table};
 use balance::BALANCE;
 use clearance::CLEARANCE;
 use design::COUNTERWEIGHT_DESIGN;
-use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, SHAFT};
+use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, GEAR, SHAFT};
 use gas::GAS;
 use lanchester_units::Dimension::{self, Angle, Length, Speed};
 use layout::LAYOUT;
@@ -173,6 +173,13 @@ pub(crate) static FILE: Table = Table {
             Optional,
             "Balance shafts.",
             "[{ ratio = -1, weights = [] }]",
+        ),
+        key(
+            "gear",
+            Kind::Tables(&GEAR, MOST_SHAFTS),
+            Optional,
+            "Gears, pulleys and other wheels that turn with the crank at a fixed ratio.",
+            "[{ ratio = -1, inertia = \"0.0006 kg m2\" }]",
         ),
         key(
             "shaft_weight_design",

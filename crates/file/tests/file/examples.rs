@@ -7,6 +7,7 @@ const EXAMPLES: [(&str, &str); 11] = [
     ("twin-boxer-out-of-phase", include_str!("../../../../examples/twin-boxer-out-of-phase.toml")),
     ("in-line-3", include_str!("../../../../examples/in-line-3.toml")),
     ("in-line-4", include_str!("../../../../examples/in-line-4.toml")),
+    ("in-line-4-crank-by-elements", include_str!("../../../../examples/in-line-4-crank-by-elements.toml")),
     ("in-line-4-mounts", include_str!("../../../../examples/in-line-4-mounts.toml")),
     ("twin-270-choices", include_str!("../../../../examples/twin-270-choices.toml")),
     ("generator-set-3", include_str!("../../../../examples/generator-set-3.toml")),

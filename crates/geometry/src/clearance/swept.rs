@@ -3,7 +3,7 @@
 use super::clearance_model::has_big_end;
 use super::error::ClearanceError;
 use super::turning_body::{Spindle, TurningBody};
-use lanchester_model::Engine;
+use lanchester_model::{CrankElementForm, Engine};
 use lanchester_shape::Point;
 use serde::Serialize;
 
@@ -95,12 +95,9 @@ fn cranks(engine: &Engine) -> Result<Vec<Swept>, ClearanceError> {
             }));
     }
     for (index, throw) in engine.throws.iter().enumerate() {
-        let (radius, faces) = match (&engine.crank_body, throw.webs) {
-            (Some(body), Some([front, rear])) => {
-                let half = body.web_thickness / 2.0;
-                (throw.radius + body.pin_diameter / 2.0, [front + half, rear - half])
-            }
-            _ => (throw.radius, [throw.z; 2]),
+        let (radius, faces) = match pin(engine, index, throw.crankshaft) {
+            Some((diameter, faces)) => (throw.radius + diameter / 2.0, faces),
+            None => (throw.radius, [throw.z; 2]),
         };
         found.push(swept(format!("crankpin {}", index + 1), throw.crankshaft, radius, faces));
     }
@@ -113,4 +110,13 @@ fn cranks(engine: &Engine) -> Result<Vec<Swept>, ClearanceError> {
         }
     }
     Ok(found)
+}
+
+/// Diameter and faces [m] of the pin of a throw, where the engine has them.
+fn pin(engine: &Engine, throw: usize, crankshaft: usize) -> Option<(f64, [f64; 2])> {
+    let elements = engine.crank_elements(crankshaft).ok()?;
+    elements.into_iter().find_map(|element| match element.form {
+        CrankElementForm::Pin { throw: own, bar, .. } if own == throw => Some((bar.diameter, element.faces)),
+        _ => None,
+    })
 }

@@ -1,15 +1,15 @@
 //! What a crankshaft is made of: journals, pins, webs and counterweights, each a plate in the frame of the crankshaft.
 
 use super::CrankshaftError;
-use lanchester_model::{CounterweightForm, CounterweightPart, CrankBody, Engine, Throw};
-use lanchester_shape::{Contour, GeometryError, Insert, MassMoments, Outline, Part, Point};
+use lanchester_model::{CounterweightForm, CounterweightPart, CrankElementForm, Engine};
+use lanchester_shape::{GeometryError, Insert, MassMoments, Outline, Part};
 use serde::Serialize;
 
 /// What a piece of a crankshaft is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SectionKind {
-    /// A main journal.
+    /// A main journal, or a step of the nose or the flange.
     Journal,
     /// A crankpin.
     Pin,
@@ -62,48 +62,43 @@ impl Element {
     }
 }
 
-/// The elements of crankshaft `index`: journals and pins, webs, counterweights.
+/// The elements of crankshaft `index`: nose, journals, pins and flange, webs, counterweights.
 pub(super) fn elements(engine: &Engine, index: usize) -> Result<Vec<Element>, CrankshaftError> {
-    let count = engine.crankshafts.len();
-    if index >= count {
-        return Err(CrankshaftError::NoCrankshaft { index, count });
+    let all = engine.crank_elements(index)?;
+    let mut elements = Vec::new();
+    for own in all.iter().filter(|own| own.bar().is_some()) {
+        let name = own.name();
+        let kind = if own.throw().is_some() { SectionKind::Pin } else { SectionKind::Journal };
+        let outline = own.outline().map_err(|source| shape(&name, source))?;
+        let (throw, faces, density) = (own.throw(), own.faces, own.density);
+        elements.push(Element { name, kind, throw, faces, outline, density, part: None });
     }
-    let body = engine.crank_body.as_ref().ok_or(CrankshaftError::NoBody)?;
-    let mut throws = Vec::new();
-    for (number, throw) in engine.throws.iter().enumerate().filter(|(_, throw)| throw.crankshaft == index) {
-        let planes = throw.webs.ok_or(CrankshaftError::NoWebs { throw: number })?;
-        throws.push((number, throw, planes));
-    }
-    throws.sort_by(|a, b| (a.2[0] + a.2[1]).total_cmp(&(b.2[0] + b.2[1])));
-    if throws.is_empty() {
-        return Err(CrankshaftError::NoThrow { index });
-    }
-    let mut elements = shafts(body, &throws)?;
     let parts: Vec<(&str, &CounterweightPart)> = engine
         .counterweights
         .iter()
         .filter(|weight| weight.crankshaft == index)
         .filter_map(|weight| Some((weight.name.as_str(), weight.part.as_deref()?)))
         .collect();
-    for (number, _, _) in &throws {
-        for web in [2 * number, 2 * number + 1] {
-            let is_given =
-                |part: &CounterweightPart| part.web == Some(web) && part.form == CounterweightForm::Web;
-            if parts.iter().any(|(_, part)| is_given(part)) {
-                continue;
-            }
-            let name = format!("web {}", web + 1);
-            let Some(plain) = engine.plain_web(web).map_err(|source| shape(&name, source))? else { continue };
-            elements.push(Element {
-                kind: SectionKind::Web,
-                throw: Some(*number),
-                faces: plain.faces,
-                outline: plain.outline,
-                density: body.density,
-                part: None,
-                name,
-            });
+    for own in &all {
+        let CrankElementForm::Web { web, .. } = own.form else { continue };
+        let is_given =
+            |part: &CounterweightPart| part.web == Some(web) && part.form == CounterweightForm::Web;
+        if parts.iter().any(|(_, part)| is_given(part)) {
+            continue;
         }
+        let name = own.name();
+        // Turned from the frame of its throw: exact where the throw stands along an axis.
+        let plain = engine.plain_web(web).map_err(|source| shape(&name, source))?;
+        let Some(plain) = plain else { continue };
+        elements.push(Element {
+            kind: SectionKind::Web,
+            throw: own.throw(),
+            faces: own.faces,
+            outline: plain.outline,
+            density: own.density,
+            part: None,
+            name,
+        });
     }
     for (name, part) in parts {
         let is_web = part.form == CounterweightForm::Web;
@@ -119,48 +114,6 @@ pub(super) fn elements(engine: &Engine, index: usize) -> Result<Vec<Element>, Cr
         });
     }
     Ok(elements)
-}
-
-/// Journals and pins: what is between the webs, and the two ends.
-fn shafts(body: &CrankBody, throws: &[(usize, &Throw, [f64; 2])]) -> Result<Vec<Element>, CrankshaftError> {
-    let half = body.web_thickness / 2.0;
-    let mut elements = Vec::new();
-    let mut front = throws[0].2[0] - half - body.end_journals[0];
-    let mut journals = 0;
-    let mut journal = |from: f64, to: f64| -> Result<Option<Element>, CrankshaftError> {
-        // Webs that touch have no journal between them; neither has a crank without a journal at its end.
-        if to - from <= 1e-9 {
-            return Ok(None);
-        }
-        journals += 1;
-        let name = format!("journal {journals}");
-        let outline = tube(Point::ORIGIN, body.journal_diameter, body.journal_bore)
-            .map_err(|source| shape(&name, source))?;
-        let (kind, density) = (SectionKind::Journal, body.density);
-        Ok(Some(Element { name, kind, throw: None, faces: [from, to], outline, density, part: None }))
-    };
-    for (number, throw, planes) in throws {
-        elements.extend(journal(front, planes[0] - half)?);
-        front = planes[1] + half;
-        let faces = [planes[0] + half, planes[1] - half];
-        let length = faces[1] - faces[0];
-        if length.is_nan() || length <= 0.0 {
-            return Err(CrankshaftError::NoPin { throw: *number, length });
-        }
-        let name = format!("pin {}", number + 1);
-        let outline = tube(Point::polar(throw.radius, throw.angle), body.pin_diameter, body.pin_bore)
-            .map_err(|source| shape(&name, source))?;
-        let (kind, throw, density) = (SectionKind::Pin, Some(*number), body.density);
-        elements.push(Element { name, kind, throw, faces, outline, density, part: None });
-    }
-    elements.extend(journal(front, front + body.end_journals[1])?);
-    Ok(elements)
-}
-
-/// A round bar with a bore along its middle.
-fn tube(centre: Point, diameter: f64, bore: f64) -> Result<Outline, GeometryError> {
-    let hole = if bore > 0.0 { vec![Contour::circle(centre, bore / 2.0)?] } else { Vec::new() };
-    Outline::new(Contour::circle(centre, diameter / 2.0)?, hole)
 }
 
 pub(super) fn shape(what: &str, source: GeometryError) -> CrankshaftError {

@@ -1,5 +1,6 @@
 //! Why an engine's crankshaft is no body.
 
+use lanchester_model::CrankElementsFault;
 use lanchester_shape::GeometryError;
 
 /// What an engine needs so that its crankshaft is a body.
@@ -61,4 +62,18 @@ pub enum CrankshaftError {
         /// Why.
         source: GeometryError,
     },
+}
+
+impl From<CrankElementsFault> for CrankshaftError {
+    fn from(fault: CrankElementsFault) -> CrankshaftError {
+        match fault {
+            CrankElementsFault::NoCrankshaft { index, count } => {
+                CrankshaftError::NoCrankshaft { index, count }
+            }
+            CrankElementsFault::NoThrow { index } => CrankshaftError::NoThrow { index },
+            CrankElementsFault::NoWebs { throw } => CrankshaftError::NoWebs { throw },
+            CrankElementsFault::NoPin { throw, length } => CrankshaftError::NoPin { throw, length },
+            _ => CrankshaftError::NoBody,
+        }
+    }
 }

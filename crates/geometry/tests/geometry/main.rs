@@ -13,6 +13,7 @@ mod support {
     pub mod step_reader;
 }
 mod clearance;
+mod crank_elements;
 mod crankshaft;
 mod design;
 mod drawing_bores;

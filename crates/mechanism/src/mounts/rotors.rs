@@ -9,7 +9,7 @@
 //! `SUM rho J phi_z''` by virtual work at crankshaft 1, and the block is spared as much: `(I_zz - J_rel) phi_z'' = M_z`.
 
 use crate::mounts::system::{Complex6x6, MountSystem};
-use lanchester_model::Engine;
+use lanchester_model::{Engine, RotatingBody};
 use num_complex::Complex64;
 
 /// Angular momentum of all that turns, relative to the block, over the speed of crankshaft 1: `SUM rho J` [kg m^2], of every rotor whose polar inertia is known.
@@ -22,8 +22,9 @@ pub fn rotor_inertia_about_z(engine: &Engine, crankshafts: Option<f64>) -> f64 {
     let ratios = || engine.crankshafts.iter().map(|shaft| shaft.ratio.value());
     let squares: f64 = ratios().map(|ratio| ratio * ratio).sum();
     let crankshafts = if squares > 0.0 { seen * ratios().sum::<f64>() / squares } else { 0.0 };
-    let shafts = engine.shafts.iter().filter_map(|shaft| Some(shaft.ratio.value() * shaft.inertia?));
-    flywheel + crankshafts + shafts.sum::<f64>()
+    let bodies = engine.rotating_bodies(&[]);
+    let geared = bodies.iter().filter(|body| body.is_geared()).filter_map(RotatingBody::momentum);
+    flywheel + crankshafts + geared.sum::<f64>()
 }
 
 impl MountSystem {

@@ -131,6 +131,56 @@ fn without_gas_the_inertia_of_the_pistons_makes_the_speed_swing() {
     assert_close("ratio", ratio, (most / least).sqrt(), 0.0, 1e-6, "half a degree");
 }
 
+/// A shaft that is geared to turn against the crank at twice its speed: energy counts the square of its ratio, the roll of the block its sense.
+#[test]
+fn an_inertia_geared_against_the_crank_counts_with_the_square_of_its_ratio_and_its_sense() {
+    let (engine, gas) = fired_in_line(&[0.0, 0.0]);
+    let inertia = 0.003;
+    let geared = |ratio: (i32, u32)| {
+        let shaft = BalanceShaft {
+            name: "geared".into(),
+            ratio: Ratio::new(ratio.0, ratio.1).unwrap(),
+            x: 0.0,
+            y: 0.1,
+            weights: Vec::new(),
+            inertia: Some(inertia),
+        };
+        engine.with(|parts| parts.shafts.push(shaft)).unwrap()
+    };
+    let given = TurningInertia { flywheel: 0.08, crankshaft: 0.02 };
+    let bare = periodic(&engine, Some(&gas), 90.0, given);
+    for (ratio, square) in [((-2, 1), 4.0), ((2, 1), 4.0), ((-1, 1), 1.0), ((-1, 2), 0.25)] {
+        let geared = geared(ratio);
+        let rho = f64::from(ratio.0) / f64::from(ratio.1);
+        for speed in [90.0, 200.0, 400.0] {
+            let ripple = periodic(&geared, Some(&gas), speed, given);
+            let heavier = TurningInertia { flywheel: given.flywheel + square * inertia, ..given };
+            let same = periodic(&engine, Some(&gas), speed, heavier);
+            assert_close("fluctuation", ripple.fluctuation, same.fluctuation, 0.0, 1e-9, "rounding of J");
+            assert_close("shafts", ripple.inertia.geared, square * inertia, 0.0, 1e-14, "J n^2");
+            assert_close("mean", ripple.inertia.mean, same.inertia.mean, 0.0, 1e-12, "rounding");
+        }
+        // It swings less than without it: eq. (25.4).
+        let less = periodic(&geared, Some(&gas), 90.0, given);
+        let formula = bare.inertia.mean / (bare.inertia.mean + square * inertia);
+        let got = less.simple_fluctuation / bare.simple_fluctuation;
+        assert_close("by formula", got, formula, 0.0, 1e-9, "the excess energy is the same");
+        // The block feels the change of the angular momentum of all rotors, each in its own sense: rho J, not rho^2 J.
+        let added = rotor_inertia_about_z(&geared, Some(0.02)) - rotor_inertia_about_z(&engine, Some(0.02));
+        assert_close("about z", added, rho * inertia, 1e-15, 0.0, "one sum");
+    }
+    // A flywheel that keeps a fluctuation is as much smaller.
+    let need = |engine: &Engine| {
+        let known = KnownInertia::of(given);
+        flywheel_need(engine, Some(&gas), 90.0, &OuterTorque::default(), known, 0.02)
+            .unwrap()
+            .flywheel
+            .unwrap()
+    };
+    let spared = need(&engine) - need(&geared((-2, 1)));
+    assert_close("spared flywheel", spared, 4.0 * inertia, 1e-9, 0.0, "bisection");
+}
+
 #[test]
 fn the_ripple_is_the_one_of_the_equation_of_motion() {
     let (engine, gas) = fired_in_line(&[0.0, 0.0]);

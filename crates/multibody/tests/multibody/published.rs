@@ -47,6 +47,7 @@ fn rod(length: f64, mass: f64, inertia: f64) -> Rod {
         big_end_mass: 0.5 * mass,
         small_end_mass: 0.5 * mass,
         inertia: Some(inertia),
+        axial_inertia: 0.0,
         mass_rule: RodMassRule::CentreOfGravity,
         joint: RodJoint::Crankpin,
     }

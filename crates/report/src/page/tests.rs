@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::sample;
+use crate::{engine_section, loads_sections, motion_section};
 use lanchester_file::templates;
-use lanchester_mechanism::{LoadRequest, OrderLoads};
+use lanchester_mechanism::{LoadRequest, Loads, OrderLoads};
 use lanchester_model::{BalanceShaft, Engine, Mount, Ratio, ShaftWeight};
 use num_complex::Complex64;
 
@@ -84,19 +85,15 @@ fn page(engine: &Engine, loads: &Loads, warnings: &[String]) -> String {
         input_hash: "0".to_owned(),
         settings: vec![("motion".to_owned(), "exact".to_owned())],
     };
-    report(&ReportInput {
-        engine,
-        loads,
-        internal: &[],
-        optimum: None,
-        crankshaft: None,
-        torque: None,
-        bearings: None,
-        mounts: None,
-        simulation: None,
-        provenance: &provenance,
-        warnings,
-    })
+    let head = ReportHead { engine, speed: loads.speed, provenance: &provenance, warnings };
+    report(&head, &sections(engine, loads))
+}
+
+/// What every report tells.
+fn sections(engine: &Engine, loads: &Loads) -> Vec<Section> {
+    let mut sections = loads_sections(engine, loads);
+    sections.extend([motion_section(loads), engine_section(engine)]);
+    sections
 }
 
 /// Everything that holds for every page and every figure.
@@ -108,7 +105,7 @@ fn check(engine: &Engine, loads: &Loads) -> Vec<Figure> {
     {
         assert!(!html.contains(word), "{name}: {word} in the page");
     }
-    let figures = figures(engine, loads);
+    let figures = figures(engine, &sections(engine, loads));
     let mut ids: Vec<&str> = figures.iter().map(|f| f.id.as_str()).collect();
     ids.sort_unstable();
     ids.dedup();

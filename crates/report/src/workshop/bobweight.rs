@@ -1,8 +1,8 @@
 //! Bobweight sheets, ready to be printed.
 
 use super::mass::{grams, percent};
-use crate::number;
-use crate::table::{Cell, Column, Table, column_cells};
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table, column_cells};
 use lanchester_workshop::BobweightAnswer;
 
 /// Weighed parts, bobweights, shares and the comparison with the optimum.

@@ -2,8 +2,8 @@
 
 use super::grade::{grade_tables, plain};
 use super::mass::{grams, on_rotor, rotor_angle, rotor_degrees};
-use crate::number;
-use crate::table::{Cell, Column, Table};
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table};
 use lanchester_task::workshop::{Action, VibrationQuantity};
 use lanchester_workshop::{Correction, NextStep, PlaneCorrection, Remark, RunFindings, ShownVibration};
 use std::f64::consts::{FRAC_PI_2, TAU};

@@ -1,8 +1,8 @@
 //! Unbalance of a crank with its bobweights, weights outside and slugs inside, as tables.
 
 use super::mass::{grams, on_rotor, rotor_degrees};
-use crate::number;
-use crate::table::{Cell, Column, Table};
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::{BodyState, CrankUnbalance, ExternalBalance, InternalBalance, PlaneUnbalance};
 use num_complex::Complex64;
 

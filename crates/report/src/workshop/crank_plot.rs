@@ -1,12 +1,12 @@
 //! The crank with its bobweights: what stands where along it, and what is left.
 
 use super::crank::noise;
-use crate::axis::Axis;
-use crate::figure::{Figure, Panel};
-use crate::number;
-use crate::plot::value_axis;
-use crate::svg::{Anchor, Svg, text_width};
-use crate::view::View;
+use crate::kit::axis::Axis;
+use crate::kit::figure::{Figure, Panel};
+use crate::kit::number;
+use crate::kit::plot::value_axis;
+use crate::kit::svg::{Anchor, Svg, text_width};
+use crate::kit::view::View;
 use lanchester_workshop::{CrankUnbalance, PlaneUnbalance};
 use num_complex::Complex64;
 

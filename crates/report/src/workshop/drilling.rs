@@ -3,7 +3,7 @@
 use super::correction::remarks_text;
 use super::grade::{grade_tables, plain};
 use super::mass::{on_rotor, rotor_angle};
-use crate::table::{Cell, Column, Table};
+use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::{Drilling, NextStep};
 
 /// The holes of every plane, and what is left.

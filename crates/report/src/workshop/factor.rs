@@ -1,8 +1,8 @@
 //! Balance factors as tables.
 
 use super::mass::{grams, percent};
-use crate::number;
-use crate::table::{Cell, Column, Table, column_cells};
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table, column_cells};
 use lanchester_workshop::{FactorAnswer, FactorEffect, FactorGiven, ThrowFactor};
 
 /// Definitions, ellipses, and what one factor for all throws does.

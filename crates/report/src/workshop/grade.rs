@@ -1,8 +1,8 @@
 //! What a balance quality grade allows, as tables.
 
 use super::mass::{on_rotor, rotor_degrees};
-use crate::number;
-use crate::table::{Cell, Column, Table};
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table};
 use lanchester_workshop::Grade;
 use num_complex::Complex64;
 

@@ -1,7 +1,7 @@
 //! Cells for shares, grams and unbalances.
 
-use crate::number;
-use crate::table::Cell;
+use crate::kit::number;
+use crate::kit::table::Cell;
 use num_complex::Complex64;
 
 /// A share in percent to a tenth; what is missing is empty.

@@ -1,11 +1,11 @@
 //! The primary ellipse for several balance factors.
 
-use crate::axis::Axis;
-use crate::figure::{Figure, Panel};
-use crate::number::{self, Scale};
-use crate::plot::Legend;
-use crate::svg::{Anchor, Path, Svg, text_width};
-use crate::view::View;
+use crate::kit::axis::Axis;
+use crate::kit::figure::{Figure, Panel};
+use crate::kit::number::{self, Scale};
+use crate::kit::plot::Legend;
+use crate::kit::svg::{Anchor, Path, Svg, text_width};
+use crate::kit::view::View;
 use lanchester_workshop::{FactorAnswer, PrimaryEllipse, Sense, ThrowFactor};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, TAU};

@@ -2,10 +2,10 @@
 
 use super::correction::unit;
 use super::grade::plain;
-use crate::axis::Axis;
-use crate::figure::{Figure, Panel};
-use crate::number;
-use crate::svg::{Anchor, Path, Svg, text_width, wrap};
+use crate::kit::axis::Axis;
+use crate::kit::figure::{Figure, Panel};
+use crate::kit::number;
+use crate::kit::svg::{Anchor, Path, Svg, text_width, wrap};
 use lanchester_task::workshop::{Action, Allowed, Plane, Sense, Sheet};
 use lanchester_workshop::{Correction, PlaneCorrection, RunFindings, SAME_SPEED, SensorPrediction};
 use num_complex::Complex64;

@@ -226,6 +226,7 @@ pub(crate) fn cylinder(parts: &Parts, rod_ratio: f64) -> Cylinder {
             big_end_mass: parts.rod_big_end_mass,
             small_end_mass: parts.rod_small_end_mass,
             inertia: parts.rod_inertia,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::WeighedEnds,
             joint: RodJoint::Crankpin,
         },

@@ -1,16 +1,9 @@
 //! What layouts are judged by: numbers of which less is better.
 
+use lanchester_results::{Counted, Output, Quantity};
 use serde::{Deserialize, Serialize};
 
-/// Which way a load turns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Sense {
-    /// With the crank: of order 1 a weight on the crank removes it.
-    Forward,
-    /// Against the crank.
-    Backward,
-}
+pub use lanchester_results::Sense;
 
 /// A number of which less is better. Loads are those on the block without gas, at the speed of the parts; the residual
 /// of the layout's own counterweights and balance shafts.
@@ -75,6 +68,9 @@ pub enum Objective {
     Shafts,
 }
 
+/// Highest harmonic of the firing, in half orders.
+const LARGEST_HARMONIC: u32 = 1000;
+
 /// How much of a case a number depends on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Level {
@@ -87,43 +83,69 @@ pub(crate) enum Level {
 }
 
 impl Objective {
+    /// What it is in the words of all studies.
+    pub fn output(self) -> Output {
+        let of = |quantity, order: u32| Output::of(quantity).order(f64::from(order));
+        match self {
+            Objective::Force { order } => of(Quantity::Force, order),
+            Objective::Couple { order } => of(Quantity::Couple, order),
+            Objective::ForceSense { order, sense } => of(Quantity::Force, order).turning(sense),
+            Objective::CoupleSense { order, sense } => of(Quantity::Couple, order).turning(sense),
+            Objective::RollMoment { order } => of(Quantity::RollMoment, order),
+            Objective::InertiaTorque { order } => of(Quantity::Torque, order).counting(Counted::Inertia),
+            Objective::BendingMoment => Output::of(Quantity::BendingMoment),
+            Objective::MainLoad => Output::of(Quantity::MainBearingLoad),
+            Objective::FiringUnevenness => Output::of(Quantity::UnevenFiring),
+            Objective::FiringHarmonic { half_orders } => {
+                Output::of(Quantity::FiringHarmonic).order(0.5 * f64::from(half_orders))
+            }
+            Objective::NeighbourFirings => Output::of(Quantity::NeighbourFirings),
+            Objective::Length => Output::of(Quantity::Length),
+            Objective::Height => Output::of(Quantity::Height),
+            Objective::CounterweightUnbalance => Output::of(Quantity::Counterweights),
+            Objective::Shafts => Output::of(Quantity::BalanceShafts),
+        }
+    }
+
+    /// Every objective, of an order with the orders that are usual.
+    pub fn all() -> Vec<Objective> {
+        let of_order = |order| {
+            let turning = [Sense::Forward, Sense::Backward].into_iter();
+            let forces = turning.clone().map(move |sense| Objective::ForceSense { order, sense });
+            let couples = turning.map(move |sense| Objective::CoupleSense { order, sense });
+            [Objective::Force { order }, Objective::Couple { order }]
+                .into_iter()
+                .chain(forces)
+                .chain(couples)
+                .chain([Objective::RollMoment { order }, Objective::InertiaTorque { order }])
+        };
+        let without_order = [
+            Objective::BendingMoment,
+            Objective::MainLoad,
+            Objective::FiringUnevenness,
+            Objective::NeighbourFirings,
+            Objective::Length,
+            Objective::Height,
+            Objective::CounterweightUnbalance,
+            Objective::Shafts,
+        ];
+        let harmonics = (1..=LARGEST_HARMONIC).map(|half_orders| Objective::FiringHarmonic { half_orders });
+        (1..=2).flat_map(of_order).chain(without_order).chain(harmonics).collect()
+    }
+
+    /// The objective that an output is, if layouts can be judged by it.
+    pub fn of(output: &Output) -> Option<Objective> {
+        Objective::all().into_iter().find(|objective| objective.output() == *output)
+    }
+
     /// Name for tables and messages.
     pub fn name(self) -> String {
-        match self {
-            Objective::Force { order } => format!("force of order {order}"),
-            Objective::Couple { order } => format!("couple of order {order}"),
-            Objective::ForceSense { order, sense } => format!("{} force of order {order}", sense.name()),
-            Objective::CoupleSense { order, sense } => format!("{} couple of order {order}", sense.name()),
-            Objective::RollMoment { order } => format!("roll moment of order {order}"),
-            Objective::InertiaTorque { order } => format!("inertia torque of order {order}"),
-            Objective::BendingMoment => "bending moment".to_string(),
-            Objective::MainLoad => "main-bearing load".to_string(),
-            Objective::FiringUnevenness => "unevenness of firing".to_string(),
-            Objective::FiringHarmonic { half_orders } => {
-                format!("firing harmonic of order {}", 0.5 * f64::from(half_orders))
-            }
-            Objective::NeighbourFirings => "successive firings of neighbours".to_string(),
-            Objective::Length => "length".to_string(),
-            Objective::Height => "height".to_string(),
-            Objective::CounterweightUnbalance => "counterweights".to_string(),
-            Objective::Shafts => "balance shafts".to_string(),
-        }
+        self.output().title()
     }
 
     /// Its unit, empty for a plain number.
     pub fn unit(self) -> &'static str {
-        match self {
-            Objective::Force { .. } | Objective::ForceSense { .. } | Objective::MainLoad => "N",
-            Objective::Couple { .. }
-            | Objective::CoupleSense { .. }
-            | Objective::RollMoment { .. }
-            | Objective::InertiaTorque { .. }
-            | Objective::BendingMoment => "N m",
-            Objective::FiringUnevenness => "rad",
-            Objective::Length | Objective::Height => "m",
-            Objective::CounterweightUnbalance => "kg m",
-            Objective::FiringHarmonic { .. } | Objective::NeighbourFirings | Objective::Shafts => "",
-        }
+        self.output().unit()
     }
 
     /// The order that it is about, where only 1 and 2 are computed.
@@ -146,16 +168,6 @@ impl Objective {
                 Level::Firing
             }
             _ => Level::Crank,
-        }
-    }
-}
-
-impl Sense {
-    /// Name for tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Sense::Forward => "forward",
-            Sense::Backward => "backward",
         }
     }
 }

@@ -4,6 +4,7 @@ use crate::explore::Sense;
 use crate::scatter::error::ScatterError;
 use crate::scatter::scattering::Scattering;
 use lanchester_model::Engine;
+use lanchester_results::{self as results, Quantity};
 use lanchester_task::Tolerance;
 use serde::Serialize;
 
@@ -45,21 +46,27 @@ pub enum Output {
 }
 
 impl Output {
+    /// What it is in the words of all studies.
+    pub fn output(self) -> results::Output {
+        let of = |quantity, order: u32| results::Output::of(quantity).order(f64::from(order));
+        match self {
+            Output::Force { order } => of(Quantity::Force, order),
+            Output::Couple { order } => of(Quantity::Couple, order),
+            Output::ForceSense { order, sense } => of(Quantity::Force, order).turning(sense),
+            Output::CoupleSense { order, sense } => of(Quantity::Couple, order).turning(sense),
+            Output::PeakForce => results::Output::of(Quantity::Force),
+            Output::PeakCouple => results::Output::of(Quantity::Couple),
+        }
+    }
+
     /// Name for tables.
     pub fn name(self) -> String {
-        match self {
-            Output::Force { order } => format!("force of order {order}"),
-            Output::Couple { order } => format!("couple of order {order}"),
-            Output::ForceSense { order, sense } => format!("{} force of order {order}", sense.name()),
-            Output::CoupleSense { order, sense } => format!("{} couple of order {order}", sense.name()),
-            Output::PeakForce => "peak force".to_string(),
-            Output::PeakCouple => "peak couple".to_string(),
-        }
+        self.output().sized_title()
     }
 
     /// Its unit.
     pub fn unit(self) -> &'static str {
-        if self.is_couple() { "N m" } else { "N" }
+        self.output().unit()
     }
 
     pub(crate) fn is_couple(self) -> bool {

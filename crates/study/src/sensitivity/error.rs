@@ -57,7 +57,7 @@ pub enum SensitivityError {
     NoEngine,
     /// An output of another name.
     #[error(
-        "there is no output \"{got}\"\nhint: write force, couple, roll moment, torque, excess energy, speed fluctuation, main bearing 1, crankpin 1, piston pin 1, side thrust 1, bending moment or mount force NAME; behind it `order 2` or `mean`, before it `gas` or `inertia`"
+        "there is no output \"{got}\"\nhint: write force, couple, roll moment, torque, excess energy, speed fluctuation, main-bearing load 1, crankpin load 1, piston-pin load 1, side thrust 1, bending moment or mount force NAME; behind it `order 2` or `mean`, before it `gas` or `inertia`"
     )]
     NoSuchOutput {
         /// The name.

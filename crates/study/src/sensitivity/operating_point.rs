@@ -1,7 +1,7 @@
 //! What is differentiated: an engine at one speed, under its gas.
 
 use super::follow::Weights;
-use lanchester_mechanism::{CylinderGas, KnownInertia};
+use lanchester_mechanism::{CylinderGas, KnownInertia, OuterTorque};
 use lanchester_model::Engine;
 
 /// An engine at one speed with the pressures on its pistons.
@@ -16,8 +16,10 @@ pub struct OperatingPoint {
     pub speed: f64,
     /// Pressures of every cylinder at that speed; `None` where the file says nothing of gas, or no output needs it.
     pub gas: Option<Vec<CylinderGas>>,
-    /// Flywheel and crankshafts, for the fluctuation of the speed.
+    /// Flywheel and crankshafts, for the fluctuation of the speed and for the block on its mounts.
     pub turning: KnownInertia,
+    /// Torques on crankshaft 1 over its angle beside those of gas and inertia, for the fluctuation of the speed.
+    pub outer: OuterTorque,
     /// What the counterweights do while throws and masses vary.
     pub weights: Weights,
 }
@@ -25,6 +27,13 @@ pub struct OperatingPoint {
 impl OperatingPoint {
     /// An engine without gas and flywheel.
     pub fn of_inertia(engine: Engine, speed: f64) -> OperatingPoint {
-        OperatingPoint { engine, speed, gas: None, turning: KnownInertia::default(), weights: Weights::Fixed }
+        OperatingPoint {
+            engine,
+            speed,
+            gas: None,
+            turning: KnownInertia::default(),
+            outer: OuterTorque::default(),
+            weights: Weights::Fixed,
+        }
     }
 }

@@ -4,6 +4,7 @@ use super::error::SensitivityError;
 use super::operating_point::OperatingPoint;
 use lanchester_mechanism::{BearingPart, missing_fix, missing_words};
 use lanchester_model::Engine;
+use lanchester_results::{self as results, Counted, Place, Quantity};
 use serde::Serialize;
 
 /// A load or a result of loads.
@@ -106,54 +107,52 @@ impl Output {
         })
     }
 
+    /// What it is in the words of all studies.
+    pub fn output(self, engine: &Engine) -> results::Output {
+        let number = |index: Option<usize>| index.map_or(Place::Any, |index| Place::Number(index + 1));
+        let mount = |index: usize| match engine.mounts.get(index) {
+            Some(mount) => Place::Named(mount.name.clone()),
+            None => Place::Number(index + 1),
+        };
+        let (quantity, place) = match self.target {
+            Target::Force => (Quantity::Force, Place::Any),
+            Target::Couple => (Quantity::Couple, Place::Any),
+            Target::RollMoment => (Quantity::RollMoment, Place::Any),
+            Target::Torque => (Quantity::Torque, Place::Any),
+            Target::ExcessEnergy => (Quantity::ExcessEnergy, Place::Any),
+            Target::SpeedFluctuation => (Quantity::SpeedFluctuation, Place::Any),
+            Target::MainBearing(one) => (Quantity::MainBearingLoad, number(one)),
+            Target::Crankpin(one) => (Quantity::CrankpinLoad, number(one)),
+            Target::PistonPin(one) => (Quantity::PistonPinLoad, number(one)),
+            Target::SideThrust(one) => (Quantity::SideThrust, number(one)),
+            Target::MountForce(one) => (Quantity::MountForce, one.map_or(Place::Any, mount)),
+            Target::BendingMoment(one) => (Quantity::BendingMoment, number(one)),
+        };
+        let size = match self.size {
+            _ if self.has_no_angle() => results::Size::Peak,
+            Size::Peak => results::Size::Peak,
+            Size::Mean => results::Size::Mean,
+            Size::Order(order) => results::Size::Order(order),
+        };
+        let counted = match (self.part, self.target) {
+            (_, Target::Force | Target::Couple | Target::RollMoment | Target::BendingMoment(_)) => {
+                Counted::Usual
+            }
+            (BearingPart::All, _) => Counted::Usual,
+            (BearingPart::Gas, _) => Counted::Gas,
+            (BearingPart::Inertia, _) => Counted::Inertia,
+        };
+        results::Output { quantity, axis: None, place, size, sense: None, counted }
+    }
+
     /// Name for tables.
     pub fn name(self, engine: &Engine) -> String {
-        let of = |what: &str, one: Option<usize>, number: &dyn Fn(usize) -> String| match one {
-            Some(index) => format!("{what} {}", number(index)),
-            None => format!("any {what}"),
-        };
-        let plain = |index: usize| (index + 1).to_string();
-        let mount = |index: usize| engine.mounts.get(index).map_or(plain(index), |mount| mount.name.clone());
-        let load = match self.target {
-            Target::Force => "force".to_owned(),
-            Target::Couple => "couple".to_owned(),
-            Target::RollMoment => "roll moment".to_owned(),
-            Target::Torque => "torque".to_owned(),
-            Target::ExcessEnergy => "excess energy".to_owned(),
-            Target::SpeedFluctuation => "speed fluctuation".to_owned(),
-            Target::MainBearing(one) => format!("force on {}", of("main bearing", one, &plain)),
-            Target::Crankpin(one) => format!("force on {}", of("crankpin", one, &plain)),
-            Target::PistonPin(one) => format!("force on {}", of("piston pin", one, &plain)),
-            Target::SideThrust(one) => format!("side thrust on {}", of("cylinder wall", one, &plain)),
-            Target::MountForce(one) => format!("force on {}", of("mount", one, &mount)),
-            Target::BendingMoment(one) => format!("bending moment of {}", of("crankshaft", one, &plain)),
-        };
-        let name = match self.size {
-            _ if self.has_no_angle() => load,
-            Size::Peak => format!("peak {load}"),
-            Size::Mean => format!("mean {load}"),
-            Size::Order(order) => format!("{load} of order {order}"),
-        };
-        match (self.part, self.target) {
-            (BearingPart::All, _) => name,
-            (_, Target::Force | Target::Couple | Target::RollMoment | Target::BendingMoment(_)) => name,
-            (part, _) => format!("{name} ({} alone)", part.name()),
-        }
+        self.output(engine).sized_title()
     }
 
     /// Whether it is one number of the cycle, without a peak, a mean or orders.
     pub(super) fn has_no_angle(self) -> bool {
         matches!(self.target, Target::ExcessEnergy | Target::SpeedFluctuation | Target::BendingMoment(_))
-    }
-
-    /// Its unit.
-    pub fn unit(self) -> &'static str {
-        match self.target {
-            Target::Couple | Target::RollMoment | Target::Torque | Target::BendingMoment(_) => "N m",
-            Target::ExcessEnergy => "J",
-            Target::SpeedFluctuation => "",
-            _ => "N",
-        }
     }
 
     /// Refuses what the engine does not have.

@@ -1,113 +1,99 @@
-//! Outputs by name, as command lines call them.
+//! Outputs by name, in the words of all studies.
 
 use super::error::SensitivityError;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::BearingPart;
 use lanchester_model::Engine;
-use lanchester_task::{Criterion, criterion};
-
-/// What stands behind a load for one order of it, and for its mean.
-const ORDER: &str = " order ";
-const MEAN: &str = " mean";
-
-/// Loads without a number.
-const PLAIN: [(&str, Target); 6] = [
-    ("force", Target::Force),
-    ("couple", Target::Couple),
-    ("roll moment", Target::RollMoment),
-    ("torque", Target::Torque),
-    ("excess energy", Target::ExcessEnergy),
-    ("speed fluctuation", Target::SpeedFluctuation),
-];
-
-/// A load of the part of an index, or of the largest of all.
-type OfPart = fn(Option<usize>) -> Target;
-
-/// Loads with the number of their part behind them, or that of the largest.
-const NUMBERED: [(&str, OfPart); 5] = [
-    ("main bearing", Target::MainBearing),
-    ("crankpin", Target::Crankpin),
-    ("piston pin", Target::PistonPin),
-    ("side thrust", Target::SideThrust),
-    ("bending moment", Target::BendingMoment),
-];
-
-const MOUNT: &str = "mount force";
-
-/// Which loads count, before the load.
-const PARTS: [(&str, BearingPart); 2] = [("gas ", BearingPart::Gas), ("inertia ", BearingPart::Inertia)];
+use lanchester_results::{self as results, Counted, OutputError, Place, Quantity};
+use lanchester_task::{Criterion, Load, criterion};
 
 impl Output {
-    /// The output of this name: a load such as `force`, `torque`, `main bearing 2`, `mount force front`; before it `gas` or `inertia` where
-    /// these alone count, behind it `mean` or `order 2`.
+    /// The output of this name: a load such as `force`, `torque`, `main-bearing load 2`, `mount force front`; before it `gas` or `inertia`
+    /// where these alone count, behind it `mean` or `order 2` ([`lanchester_results::Output`]).
     ///
     /// # Errors
     /// [`SensitivityError::NoSuchOutput`] and its like where there is none of that name, with what to write.
     pub fn named(text: &str, engine: &Engine) -> Result<Output, SensitivityError> {
-        let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
-        let unknown = || SensitivityError::NoSuchOutput { got: words.chars().take(60).collect() };
-        let (rest, size) = match (words.rsplit_once(ORDER), words.strip_suffix(MEAN)) {
-            (Some((rest, number)), _) => (rest, Size::Order(order(number, engine)?)),
-            (None, Some(rest)) => (rest, Size::Mean),
-            (None, None) => (words.as_str(), Size::Peak),
+        let output = text.parse::<results::Output>().map_err(|error| refused(text, error))?;
+        let unknown = || SensitivityError::NoSuchOutput { got: text.chars().take(60).collect() };
+        let load = || output.quantity.name().to_owned();
+        if output.axis.is_some() || output.sense.is_some() {
+            return Err(unknown());
+        }
+        let number = match output.place {
+            Place::Number(number) => Some(number - 1),
+            Place::Any | Place::Largest | Place::Named(_) => None,
         };
-        let prefix = PARTS.iter().find_map(|(word, part)| Some((rest.strip_prefix(word)?, Some(*part))));
-        let (load, part) = prefix.unwrap_or((rest, None));
-        let target = target(load, engine)?.ok_or_else(unknown)?;
+        let target = match output.quantity {
+            Quantity::Force => Target::Force,
+            Quantity::Couple => Target::Couple,
+            Quantity::RollMoment => Target::RollMoment,
+            Quantity::Torque => Target::Torque,
+            Quantity::ExcessEnergy => Target::ExcessEnergy,
+            Quantity::SpeedFluctuation => Target::SpeedFluctuation,
+            Quantity::MainBearingLoad => Target::MainBearing(number),
+            Quantity::CrankpinLoad => Target::Crankpin(number),
+            Quantity::PistonPinLoad => Target::PistonPin(number),
+            Quantity::SideThrust => Target::SideThrust(number),
+            Quantity::BendingMoment => Target::BendingMoment(number),
+            Quantity::MountForce => mount(&output.place, engine)?,
+            _ => return Err(unknown()),
+        };
+        let size = match output.size {
+            results::Size::Peak => Size::Peak,
+            results::Size::Mean => Size::Mean,
+            results::Size::Order(order) => Size::Order(order),
+            results::Size::Rms => return Err(SensitivityError::NoSuchSize { load: load() }),
+        };
         let is_of_inertia =
             matches!(target, Target::Force | Target::Couple | Target::RollMoment | Target::BendingMoment(_));
-        let part = match (target, part) {
-            (Target::BendingMoment(_) | Target::SpeedFluctuation, Some(BearingPart::Gas)) => {
-                return Err(SensitivityError::NoSuchPartOf { load: load.to_owned() });
+        let part = match (target, output.counted) {
+            (Target::BendingMoment(_), Counted::Gas | Counted::All)
+            | (Target::SpeedFluctuation, Counted::Gas) => {
+                return Err(SensitivityError::NoSuchPartOf { load: load() });
             }
-            (_, Some(BearingPart::Gas)) if is_of_inertia => {
-                return Err(SensitivityError::NoGasForce { load: load.to_owned() });
+            (_, Counted::Gas | Counted::All) if is_of_inertia => {
+                return Err(SensitivityError::NoGasForce { load: load() });
             }
             _ if is_of_inertia => BearingPart::Inertia,
-            (_, part) => part.unwrap_or(BearingPart::All),
+            (_, Counted::Usual | Counted::All) => BearingPart::All,
+            (_, Counted::Gas) => BearingPart::Gas,
+            (_, Counted::Inertia) => BearingPart::Inertia,
         };
         let output = Output { target, part, size };
         let has_mean =
             !matches!(target, Target::Force | Target::Couple | Target::RollMoment | Target::MountForce(_));
         if size != Size::Peak && output.has_no_angle() || size == Size::Mean && !has_mean {
-            return Err(SensitivityError::NoSuchSize { load: load.to_owned() });
+            return Err(SensitivityError::NoSuchSize { load: load() });
         }
         Ok(output)
     }
 }
 
-/// `2`, `0.5` or `1/2`, as criteria have it.
-fn order(text: &str, engine: &Engine) -> Result<f64, SensitivityError> {
-    match criterion(&format!("force{ORDER}{text}"), engine) {
-        Ok(Criterion::Order(_, order)) => Ok(order),
-        Ok(_) => Err(SensitivityError::NoSuchOutput { got: text.to_owned() }),
-        Err(bad) => Err(SensitivityError::Wording { message: bad.message, hint: bad.hint }),
-    }
-}
-
-fn target(load: &str, engine: &Engine) -> Result<Option<Target>, SensitivityError> {
-    if let Some((_, target)) = PLAIN.iter().find(|(name, _)| *name == load) {
-        return Ok(Some(*target));
-    }
-    if load.starts_with(MOUNT) {
-        return mount(load, engine).map(Some);
-    }
-    let numbered = NUMBERED.iter().find_map(|(name, target)| Some((*name, load.strip_prefix(name)?, target)));
-    let Some((name, number, target)) = numbered else { return Ok(None) };
-    match number.strip_prefix(' ').map(str::parse::<usize>) {
-        None if number.is_empty() => Ok(Some(target(None))),
-        Some(Ok(number)) if number > 0 => Ok(Some(target(Some(number - 1)))),
-        _ => Err(SensitivityError::Number { of: name, got: number.trim().chars().take(60).collect() }),
+/// Why a text names no output.
+fn refused(text: &str, error: OutputError) -> SensitivityError {
+    match error {
+        OutputError::Order { .. } => SensitivityError::Wording {
+            message: error.to_string(),
+            hint: "write for example force order 2".to_owned(),
+        },
+        OutputError::Number { of, got } => SensitivityError::Number { of, got },
+        OutputError::Size { of } => SensitivityError::NoSuchSize { load: of.to_owned() },
+        _ => SensitivityError::NoSuchOutput { got: text.chars().take(60).collect() },
     }
 }
 
 /// A mount by its name, as criteria have it.
-fn mount(load: &str, engine: &Engine) -> Result<Target, SensitivityError> {
-    use lanchester_task::Load;
-    match criterion(load, engine) {
+fn mount(place: &Place, engine: &Engine) -> Result<Target, SensitivityError> {
+    let name = match place {
+        Place::Named(name) => format!("{} {name}", Quantity::MountForce.name()),
+        Place::Number(number) => format!("{} {number}", Quantity::MountForce.name()),
+        Place::Any | Place::Largest => Quantity::MountForce.name().to_owned(),
+    };
+    match criterion(&name, engine) {
         Ok(Criterion::Peak(Load::MountForce(index))) => Ok(Target::MountForce(Some(index))),
         Ok(Criterion::Peak(Load::LargestMountForce)) => Ok(Target::MountForce(None)),
-        Ok(_) => Err(SensitivityError::NoSuchOutput { got: load.to_owned() }),
+        Ok(_) => Err(SensitivityError::NoSuchOutput { got: name }),
         Err(bad) => Err(SensitivityError::Wording { message: bad.message, hint: bad.hint }),
     }
 }

@@ -62,6 +62,9 @@ impl Train<'_> {
         let turning = self.prepared.point.turning.known();
         let given = self.of(Quantity::FlywheelInertia, 0, turning.flywheel)
             + self.of(Quantity::CrankshaftInertia, 0, turning.crankshaft);
+        let shafts = self.engine.shafts.iter();
+        let shafts: f64 =
+            shafts.map(|shaft| shaft.inertia.unwrap_or(0.0) * shaft.ratio.value().powi(2)).sum();
         let energy = |index: usize| {
             let rod = self.rod(theta, index);
             let [big, small, inertia, piston] = rod.masses;
@@ -72,7 +75,7 @@ impl Train<'_> {
                 + inertia * rod.spin[0] * rod.spin[0]
         };
         let twice = (0..self.engine.cylinders.len()).map(energy).sum::<Dual64>();
-        given + twice / (self.speed * self.speed)
+        given + Dual64::from(shafts) + twice / (self.speed * self.speed)
     }
 }
 

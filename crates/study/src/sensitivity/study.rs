@@ -189,7 +189,7 @@ pub fn sensitivity(
         OutputSensitivity {
             output: *output,
             name: output.name(&point.engine),
-            unit: output.unit(),
+            unit: output.output(&point.engine).unit(),
             nominal,
             effects: slopes[place].iter().zip(&ends).map(effect).collect(),
         }

@@ -6,9 +6,9 @@ use super::operating_point::OperatingPoint;
 use super::output::{Output, Size, Target};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderGas, EnergyVariation, Excitation, Extremes, GasTrain,
-    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, OuterTorque, PeriodicCurve,
-    PinLoad, SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations,
-    internal_moments, merged_orders, speed_ripple, torque, total_loads, vector_amplitude,
+    InternalRequest, Lever, LoadRequest, LoadSet, MountSystem, OrderLoads, PeriodicCurve, PinLoad,
+    SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
+    merged_orders, rotor_inertia_about_z, speed_ripple, torque, total_loads, vector_amplitude,
 };
 use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
@@ -114,8 +114,7 @@ impl Known {
             }
             Target::SpeedFluctuation => {
                 let gas = point.gas.as_deref().filter(|_| output.needs().gas);
-                let found =
-                    speed_ripple(&point.engine, gas, point.speed, &OuterTorque::default(), point.turning)?;
+                let found = speed_ripple(&point.engine, gas, point.speed, &point.outer, point.turning)?;
                 match found.trouble() {
                     Some([reason, fix]) => Err(SensitivityError::NoFluctuation {
                         reason: reason.to_owned(),
@@ -323,12 +322,20 @@ fn on_mounts(
         let orders = GasTrain::new(engine, gas, Lever::Exact)?.orders(max_order);
         excitation.orders = merged_orders(&excitation.orders, &orders);
     }
-    let response = MountSystem::new(engine)?.response(&[excitation])?;
+    let system = MountSystem::new(engine)?.with_rotors(rotors_about_z(point));
+    let response = system.response(&[excitation])?;
     Ok(response.speeds.into_iter().next().unwrap_or(SpeedResponse {
         speed: point.speed,
         orders: Vec::new(),
         peaks: Vec::new(),
     }))
+}
+
+/// Angular momentum of the rotors over the speed [kg m^2], with the flywheel and the crankshafts of the point where it knows them.
+fn rotors_about_z(point: &OperatingPoint) -> f64 {
+    let of_file = point.engine.flywheel.as_ref().and_then(|wheel| wheel.inertia).unwrap_or(0.0);
+    let changed = point.turning.flywheel.map_or(0.0, |own| own - of_file);
+    rotor_inertia_about_z(&point.engine, point.turning.crankshaft) + changed
 }
 
 fn of_mounts(response: &SpeedResponse, one: Option<usize>, size: Size) -> f64 {

@@ -65,11 +65,13 @@ pub enum Dimension {
     PerSpeed,
     /// Per time, in 1/s.
     Rate,
+    /// Dynamic viscosity, in Pa s.
+    Viscosity,
 }
 
 impl Dimension {
     /// All dimensions, in the order of the reference.
-    pub const ALL: [Dimension; 29] = [
+    pub const ALL: [Dimension; 30] = [
         Dimension::Length,
         Dimension::Mass,
         Dimension::Angle,
@@ -99,6 +101,7 @@ impl Dimension {
         Dimension::AngularDamping,
         Dimension::PerSpeed,
         Dimension::Rate,
+        Dimension::Viscosity,
     ];
 
     /// Name with its article, for messages.
@@ -133,6 +136,7 @@ impl Dimension {
             Dimension::AngularDamping => "a torsional damping coefficient",
             Dimension::PerSpeed => "a share per speed",
             Dimension::Rate => "a rate",
+            Dimension::Viscosity => "a viscosity",
         }
     }
 
@@ -180,7 +184,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 97] = {
+pub(super) static UNITS: [Unit; 101] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -221,6 +225,7 @@ pub(super) static UNITS: [Unit; 97] = {
         unit(Pressure, "Pa", 0, 1.0),
         unit(Pressure, "kPa", 3, 1.0),
         unit(Pressure, "MPa", 6, 1.0),
+        unit(Pressure, "GPa", 9, 1.0),
         unit(Pressure, "psi", 0, POUND * STANDARD_GRAVITY / (INCH * INCH)),
         unit(Torque, "N m", 0, 1.0),
         unit(Torque, "kN m", 3, 1.0),
@@ -280,6 +285,9 @@ pub(super) static UNITS: [Unit; 97] = {
         unit(PerSpeed, "1/rpm", 0, 30.0 / PI),
         unit(PerSpeed, "s/rad", 0, 1.0),
         unit(Rate, "1/s", 0, 1.0),
+        unit(Viscosity, "mPa s", -3, 1.0),
+        unit(Viscosity, "Pa s", 0, 1.0),
+        unit(Viscosity, "cP", -3, 1.0),
     ]
 };
 

@@ -2,7 +2,8 @@
 
 use crate::optimum::support::*;
 use lanchester_balance::{
-    BalanceError, RobustAnswer, RobustMeasure, RobustRequest, as_it_stands, fitted, optimise, optimise_robust,
+    BalanceError, RobustAnswer, RobustMeasure, RobustRequest, as_it_stands, fitted, optimise,
+    optimise_robust, optimise_robust_while,
 };
 use lanchester_model::*;
 use lanchester_task::*;
@@ -149,6 +150,36 @@ fn errors_of_sampling_are_told() {
     assert!((told - of_second).abs() < 1e-7 * told && answer.second_samples == 60);
     // The same seed draws the same error.
     assert_eq!(optimise_robust(&engine, &task, &request).unwrap().standard_error, answer.standard_error);
+}
+
+/// A search over drawn engines can be broken off between any two of its steps; one that is not is the same as without the question.
+#[test]
+fn it_stops_where_it_is_told_to() {
+    use std::cell::Cell;
+    let (engine, task) = twin();
+    let all = samples(&engine, 0, 30);
+    let request = RobustRequest { samples: &all, second: &[], measure: RobustMeasure::Worst, seed: 1 };
+    let asked = Cell::new(0);
+    let until = |most: usize| {
+        asked.set(0);
+        let goes_on = || {
+            asked.set(asked.get() + 1);
+            asked.get() <= most
+        };
+        optimise_robust_while(&engine, &task, &request, &goes_on)
+    };
+    let whole = until(usize::MAX).expect("nobody stops it");
+    assert_eq!(whole, optimise_robust(&engine, &task, &request).unwrap());
+    let questions = asked.get();
+    assert!(questions > 30, "{questions}");
+    for most in [0, 1, 29, 30, questions - 1] {
+        assert_eq!(
+            until(most).expect_err("it is stopped"),
+            BalanceError::BrokenOff,
+            "after {most} questions"
+        );
+        assert!(asked.get() <= most + 3, "it goes on for {} more", asked.get() - most);
+    }
 }
 
 /// A limit holds for the engine as it is meant: the optimum is the best of those weights that hold it, by brute force along a line.

@@ -311,11 +311,38 @@ const FACTOR: Key = key(
     "0.5",
 );
 
+/// The keys of a free weight, one list for crankshafts and balance shafts: its own first, then what all have, `most` among it.
+macro_rules! weight_keys {
+    ($most:expr, $($own:expr),* $(,)?) => {
+        &[
+            $($own,)*
+            LINE,
+            LEAST,
+            $most,
+            GIVEN,
+            RADIUS,
+            STEP,
+            CATALOGUE,
+            DRILL,
+            EQUAL_PARTS,
+            FIXED_COST,
+            COST_PER_KG,
+            COST_PER_KG_M,
+            OPTIONAL,
+            EQUAL_TO,
+            OPPOSED_TO,
+            MIRRORED_TO,
+            FACTOR,
+        ]
+    };
+}
+
 pub(super) static FREE_COUNTERWEIGHT: Table = Table {
     header: "[[balance.counterweight]]",
     doc: "A weight on a crankshaft whose amount and direction are to be found: at a throw, on a web, or anywhere along \
           z.",
-    keys: &[
+    keys: weight_keys!(
+        MOST,
         key(
             "name",
             Kind::Text(100),
@@ -350,24 +377,7 @@ pub(super) static FREE_COUNTERWEIGHT: Table = Table {
              zero.",
             "\"180 deg\"",
         ),
-        LINE,
-        LEAST,
-        MOST,
-        GIVEN,
-        RADIUS,
-        STEP,
-        CATALOGUE,
-        DRILL,
-        EQUAL_PARTS,
-        FIXED_COST,
-        COST_PER_KG,
-        COST_PER_KG_M,
-        OPTIONAL,
-        EQUAL_TO,
-        OPPOSED_TO,
-        MIRRORED_TO,
-        FACTOR,
-    ],
+    ),
 };
 
 static FREE_SHAFT: Table = Table {
@@ -411,7 +421,8 @@ static FREE_SHAFT: Table = Table {
 static FREE_SHAFT_WEIGHT: Table = Table {
     header: "[[balance.shaft.weights]]",
     doc: "A weight on a balance shaft that may be fitted.",
-    keys: &[
+    keys: weight_keys!(
+        MOST_ON_SHAFT,
         key(
             "name",
             Kind::Text(100),
@@ -433,24 +444,7 @@ static FREE_SHAFT_WEIGHT: Table = Table {
             "Its direction when throw 1 points along +x, if that is given.",
             "\"180 deg\"",
         ),
-        LINE,
-        LEAST,
-        MOST_ON_SHAFT,
-        GIVEN,
-        RADIUS,
-        STEP,
-        CATALOGUE,
-        DRILL,
-        EQUAL_PARTS,
-        FIXED_COST,
-        COST_PER_KG,
-        COST_PER_KG_M,
-        OPTIONAL,
-        EQUAL_TO,
-        OPPOSED_TO,
-        MIRRORED_TO,
-        FACTOR,
-    ],
+    ),
 };
 
 static FREE_INERTIA: Table = Table {
@@ -468,8 +462,8 @@ static FREE_INERTIA: Table = Table {
         key(
             "crank_inertia",
             Kind::Quantity(Inertia, Positive),
-            Required,
-            "Inertia of everything that turns with crankshaft 1, flywheel included.",
+            Optional,
+            "Inertia of everything that turns with crankshaft 1, flywheel included; default what `[flywheel]` and `[crank.body]` give, which it must not contradict.",
             "\"0.2 kg m2\"",
         ),
         quantity("most", Inertia, Positive, "Largest inertia; needed if it is optional.", "\"0.02 kg m2\""),

@@ -1,12 +1,12 @@
 //! Weights, balance shafts, mounts.
 
-use super::super::Bound::{Any, NotNegative};
+use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::part::SHAPE;
 use super::shaft_part::SHAFT_WEIGHT_SHAPE;
 use super::{MOST_CRANKSHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
-use lanchester_units::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
+use lanchester_units::Dimension::{Angle, Density, Inertia, Length, Mass, Unbalance};
 
 pub(super) static COUNTERWEIGHTS: Table = Table {
     header: "[counterweights]",
@@ -114,6 +114,47 @@ pub(super) static SHAFT: Table = Table {
             "Its weights.",
             "[{ z = \"0 mm\", unbalance = \"0.01 kg m\", phase = \"180 deg\" }]",
         ),
+    ],
+};
+
+pub(super) static GEAR: Table = Table {
+    header: "[[gear]]",
+    doc: "A balanced wheel that turns with the crank: a gear, a pulley, a sprocket. Its inertia counts in torque and speed ripple (times the ratio squared), \
+          in the roll of the block (times the ratio) and in runs in time. It is a number, or follows from a disc of this diameter and width.",
+    keys: &[
+        key(
+            "name",
+            Kind::Text(100),
+            Optional,
+            "Its name in tables; default \"gear 1\".",
+            "\"camshaft gear\"",
+        ),
+        key(
+            "ratio",
+            Kind::Ratio,
+            Required,
+            "Speed over that of crankshaft 1; negative turns the other way; 1 for what is fixed to it.",
+            "\"-1/2\"",
+        ),
+        quantity("x", Length, Any, "Place of its axis; default 0.", "\"80 mm\""),
+        quantity("y", Length, Any, "Place of its axis; default 0.", "\"0 mm\""),
+        quantity(
+            "inertia",
+            Inertia,
+            NotNegative,
+            "Moment of inertia about its axis, with what turns with it.",
+            "\"0.0006 kg m2\"",
+        ),
+        quantity(
+            "diameter",
+            Length,
+            Positive,
+            "Instead of `inertia`: diameter, of a gear that of its pitch circle.",
+            "\"120 mm\"",
+        ),
+        quantity("width", Length, Positive, "Width along its axis.", "\"18 mm\""),
+        quantity("density", Density, Positive, "Its density.", "\"7850 kg/m3\""),
+        quantity("bore", Length, NotNegative, "Diameter of its bore; default none.", "\"30 mm\""),
     ],
 };
 

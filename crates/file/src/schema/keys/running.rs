@@ -1,12 +1,16 @@
 //! What belongs to the running engine: friction, flywheel and bearings.
 
-use super::super::Bound::{NotNegative, Positive};
+use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::{key, quantity};
+use super::{MOST_CYLINDERS, key, quantity};
 use lanchester_units::Dimension::{
-    Damping, Inertia, Length, Pressure, PressurePerSpeed, PressurePerSpeedSquared, Speed,
+    Angle, Damping, Density, Inertia, Length, Pressure, PressurePerSpeed, PressurePerSpeedSquared, Speed,
+    Stiffness, Temperature, Viscosity,
 };
+
+/// Most main bearings that differ.
+const MOST_MAINS: usize = 128;
 
 pub(super) static FRICTION: Table = Table {
     header: "[friction]",
@@ -113,6 +117,7 @@ pub(super) static BEARINGS: Table = Table {
             "Main journals.",
             "{ diameter = \"54 mm\", width = \"20 mm\" }",
         ),
+        key("film", Kind::Table(&FILM), Optional, "Oil of the bearings.", "{ viscosity = \"10 mPa s\" }"),
     ],
 };
 
@@ -143,11 +148,136 @@ static PISTON_PIN: Table = Table {
 static CRANKPIN: Table = Table {
     header: "[bearings.crankpin]",
     doc: "Crankpin in the big end of one rod; without it the size in `[crank.body]`, where that is there.",
-    keys: &[DIAMETER, WIDTH],
+    keys: &[
+        DIAMETER,
+        WIDTH,
+        CLEARANCE,
+        LAW,
+        SPRING,
+        DAMPER,
+        GROOVES,
+        HOUSING,
+        key(
+            "each",
+            Kind::Tables(&EACH_CRANKPIN, MOST_CYLINDERS as usize),
+            Optional,
+            "Bearings that differ, by the number of their cylinder.",
+            "[{ number = 2, diametral_clearance = \"0.07 mm\" }]",
+        ),
+    ],
 };
 
 static MAIN: Table = Table {
     header: "[bearings.main]",
     doc: "Main journals; without it the size in `[crank.body]`, where that is there.",
-    keys: &[DIAMETER, WIDTH],
+    keys: &[
+        DIAMETER,
+        WIDTH,
+        CLEARANCE,
+        LAW,
+        SPRING,
+        DAMPER,
+        GROOVES,
+        HOUSING,
+        key(
+            "each",
+            Kind::Tables(&EACH_MAIN, MOST_MAINS),
+            Optional,
+            "Bearings that differ, by their number from the free end on, those of crankshaft 1 first.",
+            "[{ number = 3, width = \"26 mm\" }]",
+        ),
+    ],
+};
+
+const EACH_NUMBER: Key = key("number", Kind::Whole(1, 1000), Required, "Its number, from 1.", "3");
+const EACH_WIDTH: Key = quantity(
+    "width",
+    Length,
+    Positive,
+    "Width of the bearing that carries; default that of all.",
+    "\"26 mm\"",
+);
+const CLEARANCE: Key = quantity(
+    "diametral_clearance",
+    Length,
+    Positive,
+    "Diameter of the shell less that of the pin or journal.",
+    "\"0.06 mm\"",
+);
+const LAW: Key = key(
+    "model",
+    Kind::Choice(&["rigid", "contact", "bushing", "film"]),
+    Optional,
+    "Which law it follows in runs with clearance.",
+    "\"film\"",
+);
+const SPRING: Key = quantity(
+    "stiffness",
+    Stiffness,
+    Positive,
+    "Stiffness of the laws `contact` and `bushing`.",
+    "\"2000 kN/mm\"",
+);
+const DAMPER: Key = quantity(
+    "damping",
+    Damping,
+    NotNegative,
+    "Damping of the laws `contact` and `bushing`.",
+    "\"2e4 N s/m\"",
+);
+const GROOVES: Key = key(
+    "grooves",
+    Kind::Tables(&GROOVE, 8),
+    Optional,
+    "Oil grooves in the middle of the shell.",
+    "[{ from = \"-60 deg\", to = \"60 deg\", width = \"4 mm\" }]",
+);
+const HOUSING: Key = key(
+    "housing_stiffness",
+    Kind::QuantityOrWord(Stiffness, Positive, "rigid"),
+    Optional,
+    "Stiffness of its housing, or \"rigid\".",
+    "\"1000 kN/mm\"",
+);
+
+static GROOVE: Table = Table {
+    header: "[[bearings.main.grooves]]",
+    doc: "An oil groove, its angles in the frame of the shell: of a main bearing from +x towards +y, of a crankpin bearing from the rod's line towards the piston.",
+    keys: &[
+        key("from", Kind::Quantity(Angle, Any), Required, "Where it begins.", "\"-60 deg\""),
+        key("to", Kind::Quantity(Angle, Any), Required, "Where it ends, at most a turn on.", "\"60 deg\""),
+        key("width", Kind::Quantity(Length, Positive), Required, "Its width along the crank.", "\"4 mm\""),
+    ],
+};
+
+static EACH_MAIN: Table = Table {
+    header: "[[bearings.main.each]]",
+    doc: "A main bearing that differs from all.",
+    keys: &[EACH_NUMBER, EACH_WIDTH, CLEARANCE, LAW, SPRING, DAMPER, GROOVES, HOUSING],
+};
+
+static EACH_CRANKPIN: Table = Table {
+    header: "[[bearings.crankpin.each]]",
+    doc: "A crankpin bearing that differs from all.",
+    keys: &[EACH_NUMBER, EACH_WIDTH, CLEARANCE, LAW, SPRING, DAMPER, GROOVES, HOUSING],
+};
+
+static FILM: Table = Table {
+    header: "[bearings.film]",
+    doc: "Oil of the bearings: its viscosity, or its name and temperature.",
+    keys: &[
+        quantity("viscosity", Viscosity, Positive, "Dynamic viscosity.", "\"10 mPa s\""),
+        key("oil", Kind::Text(60), Optional, "Name of an oil, instead of `viscosity`.", "\"SAE 5W-30\""),
+        quantity("temperature", Temperature, Positive, "Temperature of the oil in the film.", "\"110 degC\""),
+        quantity("density", Density, Positive, "Density of the oil.", "\"850 kg/m3\""),
+        key(
+            "cavitation",
+            Kind::Choice(&["full", "gumbel", "reynolds", "mass-conserving"]),
+            Optional,
+            "How the film breaks.",
+            "\"gumbel\"",
+        ),
+        quantity("supply_pressure", Pressure, NotNegative, "Supply pressure above ambient.", "\"4 bar\""),
+        quantity("roughness", Length, NotNegative, "Composite roughness of both surfaces.", "\"0.5 um\""),
+    ],
 };

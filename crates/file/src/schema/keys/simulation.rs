@@ -92,6 +92,13 @@ pub(super) static SIMULATION: Table = Table {
             "\"piston\"",
         ),
         key(
+            "mains",
+            Kind::Choice(&["cut", "springs", "beam"]),
+            Optional,
+            "By which rule main bearings share what a rigid shaft on more than two leaves open, in tables of one rule and pictures: the shaft cut at every main (default), a rigid shaft on springs, a continuous beam. All three are in the result.",
+            "\"beam\"",
+        ),
+        key(
             "main_stiffness",
             Kind::Quantities(Stiffness, Positive),
             Optional,

@@ -3,7 +3,7 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::crank_body::CRANK_BODY;
+use super::crank_body::{CRANK_BODY, CRANK_MATERIAL};
 use super::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_THROWS, key, quantity};
 use lanchester_units::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 
@@ -25,6 +25,13 @@ pub(super) static CRANK: Table = Table {
             Optional,
             "Journals, pins and webs as bodies, instead of `unbalance` or masses.",
             "{ density = \"7850 kg/m3\" }",
+        ),
+        key(
+            "material",
+            Kind::Table(&CRANK_MATERIAL),
+            Optional,
+            "What the crankshafts are made of: elasticity, strength, damping.",
+            "{ preset = \"42CrMo4 quenched and tempered\" }",
         ),
     ],
 };
@@ -128,6 +135,13 @@ const INERTIA: Key = quantity(
     "Moment of inertia about the rod's centre of gravity; needs weighed ends or `centre_of_gravity`.",
     "\"2000 kg mm2\"",
 );
+const AXIAL_INERTIA: Key = quantity(
+    "axial_inertia",
+    Inertia,
+    NotNegative,
+    "Moment of inertia along the line of the eyes, which a run in time feels where the block turns; default 0, a slender rod.",
+    "\"100 kg mm2\"",
+);
 const KNUCKLE_RADIUS: Key = quantity(
     "knuckle_radius",
     Length,
@@ -146,7 +160,7 @@ const KNUCKLE_ANGLE: Key = quantity(
 pub(super) static ROD: Table = Table {
     header: "[rod]",
     doc: "What holds for all connecting rods.",
-    keys: &[ROD_LENGTH, ROD_MASS, BIG_END_MASS, SMALL_END_MASS, CENTRE_OF_GRAVITY, INERTIA],
+    keys: &[ROD_LENGTH, ROD_MASS, BIG_END_MASS, SMALL_END_MASS, CENTRE_OF_GRAVITY, INERTIA, AXIAL_INERTIA],
 };
 
 pub(super) static ARTICULATED_ROD: Table = Table {
@@ -159,6 +173,7 @@ pub(super) static ARTICULATED_ROD: Table = Table {
         SMALL_END_MASS,
         CENTRE_OF_GRAVITY,
         INERTIA,
+        AXIAL_INERTIA,
         KNUCKLE_RADIUS,
         KNUCKLE_ANGLE,
     ],
@@ -190,6 +205,7 @@ pub(super) static CYLINDER_ROD: Table = Table {
         SMALL_END_MASS,
         CENTRE_OF_GRAVITY,
         INERTIA,
+        AXIAL_INERTIA,
         KNUCKLE_RADIUS,
         KNUCKLE_ANGLE,
     ],

@@ -93,6 +93,7 @@ pub fn cylinder(throw: usize, angle: f64, z: f64) -> Cylinder {
             big_end_mass: 0.4,
             small_end_mass: 0.2,
             inertia: None,
+            axial_inertia: 0.0,
             mass_rule: RodMassRule::WeighedEnds,
             joint: RodJoint::Crankpin,
         },

@@ -1434,6 +1434,20 @@ export type EnergyVariation = {
   own_period: number;
 };
 
+/** The graph of an engine as a graph file. */
+export type EngineGraphAnswer = {
+  /** What was assumed. */
+  notes: string[];
+  /** The graph file. */
+  text: string;
+};
+
+/** An engine whose graph is wanted. */
+export type EngineGraphQuestion = {
+  /** The engine file. */
+  text: string;
+};
+
 /** The engine in short. */
 export type EngineSummary = {
   counterweights: DeviceSummary[];
@@ -1470,6 +1484,21 @@ export type EngineText = {
 export type Equal = "as-they-are" | "displacement" | "power";
 
 export type EqualIn = "displacement" | "power";
+
+/** One equation. */
+export type EquationLine = {
+  mathml: string;
+  /** Whose law it is. */
+  of: string;
+  unit: string;
+};
+
+/** Equations under one title. */
+export type EquationList = {
+  /** Each as MathML, with its unit. */
+  lines: EquationLine[];
+  title: string;
+};
 
 /** What an evolutionary search came to. */
 export type Evolution = {
@@ -1926,6 +1955,83 @@ export type GiveUp = "nothing" | {
   share: number;
 } | {
   amount: number;
+};
+
+/** A graph, looked at. */
+export type GraphAnswer = {
+  bonds: GraphBond[];
+  /** The causality, step by step, in words. */
+  causality: string;
+  /** Whether it reached its end. */
+  complete: boolean;
+  elements: GraphElement[];
+  /** How the run ended. */
+  ended: string;
+  /** Equations by what they belong to. */
+  equations: EquationList[];
+  name: string;
+  /** Why there are no poles. */
+  not_linear: string | null;
+  /** Poles of a linear graph. */
+  poles: GraphPole[];
+  /** Size of the drawing [px]. */
+  size: [number, number];
+  /** Samples of a run [s]. */
+  time: number[];
+};
+
+/** A bond in its place, with what it carries. */
+export type GraphBond = {
+  /** End of the barb at its head [px]. */
+  barb: [number, number];
+  /** At the samples. */
+  effort: number[];
+  /** At the samples. */
+  flow: number[];
+  follows: boolean;
+  free: boolean;
+  /** Its ends along the half arrow [px]. */
+  line: [[number, number], [number, number]];
+  name: string;
+  /** At the samples [W]. */
+  power: number[];
+  /** Ends of the causal stroke [px]. */
+  stroke: [[number, number], [number, number]];
+  /** Units of effort and flow. */
+  units: [string, string];
+};
+
+/** An element in its place. */
+export type GraphElement = {
+  at: [number, number];
+  /** Whether it is a store that follows others. */
+  follows: boolean;
+  kind: string;
+  name: string;
+};
+
+/** A graph file. */
+export type GraphExample = {
+  name: string;
+  text: string;
+};
+
+/** A pole of a linear graph. */
+export type GraphPole = {
+  /** Damping ratio. */
+  damping: number;
+  /** Natural frequency [Hz]. */
+  hertz: number;
+  /** Imaginary part [rad/s]. */
+  imaginary: number;
+  /** Real part [1/s]. */
+  real: number;
+};
+
+/** A graph to look at. */
+export type GraphQuestion = {
+  /** The graph file. */
+  text: string;
 };
 
 /** What a similar engine keeps of the original. */

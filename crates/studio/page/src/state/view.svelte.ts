@@ -2,7 +2,15 @@
 
 import { engine } from "./engine.svelte";
 
-export const TABS = ["engine", "view", "balance", "counterweight", "results", "compare"] as const;
+export const TABS = [
+  "engine",
+  "view",
+  "balance",
+  "counterweight",
+  "results",
+  "compare",
+  "bondgraph",
+] as const;
 export type Tab = (typeof TABS)[number];
 export type Theme = "light" | "dark";
 

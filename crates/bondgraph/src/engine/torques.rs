@@ -1,0 +1,183 @@
+//! What turns and brakes the crank: drive, starter, driveline, load, friction, torques over the angle.
+//!
+//! ```text
+//! twist of a link     d' = rho w_before - w_own        torque k d + c d'       w: speeds relative to the block
+//! starter             i T (1 - i w/w_free), none below 0, until w reaches its speed
+//! ```
+//! An inertia of the driveline turns with the block: it holds the momentum J (w + Omega_z).
+
+use super::Builder;
+use super::request::{EngineDrive, LoadTorque};
+use super::words::{number, quantity};
+use crate::curve::Curve;
+use crate::unit::Unit;
+
+/// N m.
+const TORQUE: Unit = Unit::of([2, 1, -2, 0, 0]);
+/// rad/s.
+const SPEED: Unit = Unit::of([0, 0, -1, 0, 0]);
+
+impl Builder<'_> {
+    /// Whether something acts on crankshaft 1 from the ground.
+    pub(crate) fn acts_from_ground(&self) -> bool {
+        let request = self.request;
+        let on_crank = request.driveline.is_empty();
+        (on_crank && request.load.torque != LoadTorque::None && !request.load.reacts_on_block)
+            || !request.torque.is_empty()
+            || (request.drive == EngineDrive::Imposed && request.against_ground)
+            || request.starter.is_some_and(|starter| !starter.reacts_on_block)
+    }
+
+    /// Load, friction, starter and drive.
+    pub(crate) fn torques(&mut self) {
+        let absolute = if self.moves() { "spin" } else { "crank" };
+        let end = self.driveline();
+        self.load(&end);
+        if self.request.friction_torque != 0.0 {
+            let law = format!("{}*sign(f)", quantity(self.request.friction_torque, "N m"));
+            self.element("friction", "R", &[("effort", &law)]);
+            self.bond("crank", "friction");
+        }
+        if let Some(starter) = self.request.starter {
+            self.integral("starter_on", "0 rad/s", "1");
+            self.graph = std::mem::take(&mut self.graph)
+                .event(&format!("crank.flow - {}", quantity(starter.until, "rad/s")), &[("starter_on", "0")]);
+            let law = format!(
+                "starter_on*{}*max(1 - crank.flow/({}), 0)",
+                quantity(starter.ratio * starter.stall_torque, "N m"),
+                quantity(starter.free_speed / starter.ratio, "rad/s")
+            );
+            self.element("starter", "MSe", &[("effort", &law)]);
+            self.bond("starter", if starter.reacts_on_block { "crank" } else { absolute });
+        }
+        if !self.request.torque.is_empty() {
+            let terms: Vec<String> = self
+                .request
+                .torque
+                .iter()
+                .flat_map(|[order, sin, cos]| [(order, sin, "sin"), (order, cos, "cos")])
+                .filter(|(_, amount, _)| **amount != 0.0)
+                .map(|(order, amount, wave)| {
+                    format!("{}*{wave}({}*theta)", quantity(*amount, "N m"), number(*order))
+                })
+                .collect();
+            if !terms.is_empty() {
+                self.element("given_torque", "MSe", &[("effort", &terms.join(" + "))]);
+                self.bond("given_torque", absolute);
+            }
+        }
+        if self.request.drive == EngineDrive::Imposed {
+            let points = self.request.profile.clone();
+            let flow = match Curve::straight(&points, false, [Unit::SECOND, SPEED]) {
+                Some(curve) => {
+                    self.graph.tables.push(("given_speed".into(), curve));
+                    "table(given_speed, t)".to_owned()
+                }
+                None => quantity(self.request.speed, "rad/s"),
+            };
+            self.element("drive", "Sf", &[("flow", &flow)]);
+            self.bond("drive", if self.request.against_ground { absolute } else { "crank" });
+        }
+    }
+
+    /// Inertias behind the flywheel; gives the junctions of the last one, relative to the block and absolute, and its angle.
+    fn driveline(&mut self) -> [String; 3] {
+        let start = self.request.start.spin[2];
+        let (mut before, mut speed, mut angle) =
+            ("crank".to_owned(), self.request.speed, self.request.start_angle);
+        let mut ends = ["crank", if self.moves() { "spin" } else { "crank" }, "theta"].map(str::to_owned);
+        let links = self.request.driveline.clone();
+        for (index, link) in links.iter().enumerate() {
+            let k = index + 1;
+            (speed, angle) = (link.ratio * speed, link.ratio * angle);
+            let behind: f64 = links[k..].iter().map(|link| link.ratio).product();
+            let torque = behind * self.request.load.torque.at(speed * behind, angle * behind);
+            let twist = if link.stiffness > 0.0 { torque / link.stiffness } else { 0.0 };
+            angle -= twist;
+            let own = format!("link{k}");
+            let store = format!("driveline{k}");
+            self.element(&own, "1", &[("domain", "rotation")]);
+            let absolute = if self.moves() {
+                let (together, spin) = (format!("link{k}_together"), format!("link{k}_spin"));
+                self.element(&together, "0", &[("domain", "rotation")]);
+                self.element(&spin, "1", &[("domain", "rotation")]);
+                self.bond("wz", &together);
+                self.bond(&own, &together);
+                self.bond(&together, &spin);
+                spin
+            } else {
+                own.clone()
+            };
+            let flow = speed + if self.moves() { start } else { 0.0 };
+            let keys = [("inertia", quantity(link.inertia, "kg m2")), ("flow", quantity(flow, "rad/s"))];
+            self.element(&store, "I", &[(keys[0].0, &keys[0].1), (keys[1].0, &keys[1].1)]);
+            self.bond(&absolute, &store);
+            let (gear, coupling, twisting) =
+                (format!("link{k}_gear"), format!("link{k}_coupling"), format!("link{k}_twist"));
+            self.element(&gear, "TF", &[("ratio", &number(link.ratio))]);
+            self.element(&coupling, "0", &[("domain", "rotation")]);
+            self.element(&twisting, "1", &[("domain", "rotation")]);
+            self.bond(&before, &format!("{gear}.1"));
+            self.bond(&format!("{gear}.2"), &coupling);
+            self.bond(&coupling, &own);
+            self.bond(&coupling, &twisting);
+            if link.stiffness != 0.0 {
+                let spring = format!("link{k}_spring");
+                let keys = [
+                    ("stiffness", quantity(link.stiffness, "N m/rad")),
+                    ("displacement", quantity(twist, "rad")),
+                ];
+                self.element(&spring, "C", &[(keys[0].0, &keys[0].1), (keys[1].0, &keys[1].1)]);
+                self.bond(&twisting, &spring);
+            }
+            if link.damping != 0.0 || link.stiffness == 0.0 {
+                let damper = format!("link{k}_damper");
+                self.element(&damper, "R", &[("effort", &format!("{}*f", quantity(link.damping, "N m s")))]);
+                self.bond(&twisting, &damper);
+            }
+            ends = [own.clone(), absolute, format!("link{k}_angle")];
+            if k == links.len() && matches!(self.request.load.torque, LoadTorque::Angle { .. }) {
+                self.integral(&ends[2].clone(), &format!("{own}.flow"), &quantity(angle, "rad"));
+            }
+            before = own;
+        }
+        ends
+    }
+
+    /// The load at the end of the driveline.
+    fn load(&mut self, [own, absolute, angle]: &[String; 3]) {
+        let load = self.request.load.clone();
+        let place = if load.reacts_on_block { own } else { absolute };
+        let law = match &load.torque {
+            LoadTorque::None => return,
+            LoadTorque::Constant(torque) => format!("{}*sign(f)", quantity(*torque, "N m")),
+            LoadTorque::Viscous(factor) => format!("{}*f", quantity(*factor, "N m s")),
+            LoadTorque::Quadratic(factor) => format!("{}*f*abs(f)", quantity(*factor, "N m s2")),
+            LoadTorque::Power { power, least_speed } => {
+                let least = quantity(*least_speed, "rad/s");
+                format!("{}/max(abs(f), {least})*sign(f)", quantity(*power, "W"))
+            }
+            LoadTorque::Speed(points) => match points.as_slice() {
+                [] => return,
+                [[_, torque]] => format!("{}*sign(f)", quantity(*torque, "N m")),
+                points => {
+                    let Some(curve) = Curve::straight(points, false, [SPEED, TORQUE]) else { return };
+                    self.graph.tables.push(("load_torque".into(), curve));
+                    "table(load_torque, abs(f))*sign(f)".to_owned()
+                }
+            },
+            LoadTorque::Angle { period, points } => {
+                let Some(first) = points.first() else { return };
+                let mut points = points.clone();
+                points.push([first[0] + period, first[1]]);
+                let Some(curve) = Curve::straight(&points, true, [Unit::NONE, TORQUE]) else { return };
+                self.graph.tables.push(("load_torque".into(), curve));
+                self.element("load", "MSe", &[("effort", &format!("-table(load_torque, {angle})"))]);
+                self.bond("load", place);
+                return;
+            }
+        };
+        self.element("load", "R", &[("effort", &law)]);
+        self.bond(place, "load");
+    }
+}

@@ -1,0 +1,9 @@
+//! A graph and its results as texts, drawings and files.
+
+pub(crate) mod draw;
+pub(crate) mod export;
+pub(crate) mod mathml;
+pub(crate) mod shown;
+pub(crate) mod text;
+mod tiles;
+pub(crate) mod write;

@@ -1,0 +1,240 @@
+//! Results as text for people, and samples as CSV.
+
+use crate::causality::Causality;
+use crate::graph::Graph;
+use crate::linear::Linear;
+use crate::output::shown::ShownEquations;
+use crate::run::simulate::Simulation;
+use std::fmt::Write;
+
+/// Causality in words.
+pub fn causality_text(graph: &Graph, causality: &Causality) -> String {
+    let mut out = format!("{}: causality, step by step\n", graph.name);
+    for (index, step) in causality.steps.iter().enumerate() {
+        let _ = writeln!(out, "{:3}. {}; settled: {}", index + 1, step.text, step.bonds.join(", "));
+    }
+    let _ = writeln!(out, "\nStates: {}", listed(&causality.states));
+    if causality.followers.is_empty() {
+        out += "No store follows others.\n";
+    }
+    for follower in &causality.followers {
+        let (first, rest) = follower.path.split_first().map_or(("", [].as_slice()), |(f, r)| (f.as_str(), r));
+        let through = rest.split_last().map_or(String::new(), |(_, through)| through.join(", "));
+        let _ = writeln!(out, "{} follows {first} through {through}: not a state", follower.element);
+    }
+    if causality.free.is_empty() {
+        out += "No algebraic loop.\n";
+    } else {
+        let _ = writeln!(out, "Algebraic loop, cut at: {}", causality.free.join(", "));
+    }
+    out
+}
+
+fn listed(names: &[String]) -> String {
+    if names.is_empty() { "none".into() } else { names.join(", ") }
+}
+
+/// Equations as plain text.
+pub fn equations_text(shown: &ShownEquations) -> String {
+    let mut out = format!("{}\n", shown.graph);
+    let mut part = |title: &str, lines: Vec<String>| {
+        if !lines.is_empty() {
+            let _ = writeln!(out, "\n{title}");
+            for line in lines {
+                let _ = writeln!(out, "  {line}");
+            }
+        }
+    };
+    let with_unit = |left: &str, right: &str, unit: &str| {
+        if unit.is_empty() { format!("{left} = {right}") } else { format!("{left} = {right}   [{unit}]") }
+    };
+    let list = |equations: &[crate::output::shown::Equation]| {
+        equations.iter().map(|e| with_unit(&e.left, &e.right, &e.unit)).collect::<Vec<_>>()
+    };
+    part("Parameters", list(&shown.parameters));
+    part("Laws of the elements", list(&shown.elements));
+    part("Laws of the junctions", list(&shown.junctions));
+    part("Signals", list(&shown.signals));
+    let event = |e: &crate::output::shown::Equation| {
+        format!("{} rises through 0: {} becomes {}", e.of, e.left, e.right)
+    };
+    part("Events", shown.events.iter().map(event).collect());
+    part(
+        "States",
+        shown
+            .states
+            .iter()
+            .map(|s| format!("{} [{}], starts at {}", s.symbol, s.unit, crate::expression::number(s.start)))
+            .collect(),
+    );
+    part("Unknowns", shown.unknowns.iter().map(|u| format!("{} ({})", u.equation, u.why)).collect());
+    if let (Some(mass), Some(right)) = (&shown.mass, &shown.right) {
+        let lines = mass
+            .iter()
+            .zip(right)
+            .map(|(row, right)| {
+                let terms: Vec<String> = row
+                    .iter()
+                    .zip(&shown.states)
+                    .filter(|(entry, _)| *entry != "0")
+                    .map(|(entry, state)| match entry.as_str() {
+                        "1" => format!("d({})/dt", state.symbol),
+                        entry => format!("({entry})*d({})/dt", state.symbol),
+                    })
+                    .collect();
+                format!("{} = {right}", terms.join(" + "))
+            })
+            .collect();
+        part("State equations, M x' = f", lines);
+    }
+    part("Common parts", list(&shown.common));
+    part("State equations", list(&shown.rates));
+    out
+}
+
+/// State equations as LaTeX, one aligned block.
+pub fn equations_latex(shown: &ShownEquations) -> String {
+    let mut out = String::from("\\begin{aligned}\n");
+    for e in shown.common.iter().chain(&shown.rates) {
+        let _ = writeln!(out, "{} &= {} \\\\", e.left, e.right);
+    }
+    out + "\\end{aligned}\n"
+}
+
+/// The linear form as text.
+pub fn linear_text(linear: &Linear) -> String {
+    let mut out = String::new();
+    let blocks = [
+        ("A", &linear.a, &linear.states, &linear.states),
+        ("B", &linear.b, &linear.states, &linear.inputs),
+        ("C", &linear.c, &linear.outputs, &linear.states),
+        ("D", &linear.d, &linear.outputs, &linear.inputs),
+    ];
+    for (name, rows, row_names, columns) in blocks {
+        if rows.is_empty() || columns.is_empty() {
+            continue;
+        }
+        let _ = writeln!(out, "{name}   columns: {}", columns.join(", "));
+        for (row, values) in row_names.iter().zip(rows.iter()) {
+            let values: Vec<String> = values.iter().map(|value| format!("{value:>13.6e}")).collect();
+            let _ = writeln!(out, "  {row:<28} {}", values.join(" "));
+        }
+        out.push('\n');
+    }
+    out += "Poles        real [1/s]  imaginary [rad/s]   damping ratio   natural frequency [Hz]\n";
+    for pole in &linear.poles {
+        let _ = writeln!(
+            out,
+            "        {:>15.6e} {:>18.6e} {:>15.6} {:>24.6}",
+            pole.real, pole.imaginary, pole.damping, pole.hertz
+        );
+    }
+    if !linear.transfer.is_empty() {
+        out += "\nTransfer functions, in powers of s\n";
+    }
+    for transfer in &linear.transfer {
+        let _ = writeln!(
+            out,
+            "  {} / {} = ({}) / ({})",
+            transfer.output,
+            transfer.input,
+            polynomial(&transfer.numerator),
+            polynomial(&transfer.denominator)
+        );
+    }
+    out
+}
+
+fn polynomial(coefficients: &[f64]) -> String {
+    let largest = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+    let terms: Vec<String> = coefficients
+        .iter()
+        .enumerate()
+        .rev()
+        .filter(|(_, c)| c.abs() > 1e-14 * largest)
+        .map(|(power, c)| match power {
+            0 => format!("{c:.6}"),
+            1 => format!("{c:.6} s"),
+            _ => format!("{c:.6} s^{power}"),
+        })
+        .collect();
+    if terms.is_empty() { "0".into() } else { terms.join(" + ").replace("+ -", "- ") }
+}
+
+/// A simulation as text: how it ran and the extremes of every quantity.
+pub fn simulation_text(run: &Simulation) -> String {
+    let methods: Vec<&str> = run
+        .methods
+        .iter()
+        .map(|method| match method {
+            crate::run::simulate::Method::Explicit => "DOP853 (explicit, order 8)",
+            crate::run::simulate::Method::Implicit => "Radau IIA (implicit, order 5)",
+        })
+        .collect();
+    let mut out = format!("{}: {}\n", run.graph, run.ended);
+    let _ = writeln!(out, "method: {}; tolerance {:e}", methods.join(", then "), run.tolerance);
+    if let Some(from) = run.stiff_from {
+        let _ = writeln!(
+            out,
+            "stiff from {from:.6} s on, by measurement: steps were held by stability, not by accuracy"
+        );
+    }
+    let s = &run.statistics;
+    let _ = writeln!(
+        out,
+        "{} steps, {} rejected, {} evaluations of {} operations, {} events\n",
+        s.steps, s.rejected, s.evaluations, run.operations, s.events
+    );
+    let _ =
+        writeln!(out, "{:<32} {:>15} {:>15} {:>15} {:>15}", "quantity", "start", "least", "largest", "end");
+    for series in &run.series {
+        let least = series.values.iter().copied().fold(f64::INFINITY, f64::min);
+        let largest = series.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let (first, last) = (series.values.first(), series.values.last());
+        let _ = writeln!(
+            out,
+            "{:<32} {:>15.7e} {least:>15.7e} {largest:>15.7e} {:>15.7e}",
+            format!("{} [{}]", series.name, series.unit),
+            first.copied().unwrap_or(f64::NAN),
+            last.copied().unwrap_or(f64::NAN)
+        );
+    }
+    out
+}
+
+/// The samples as CSV, one row each.
+pub fn simulation_csv(run: &Simulation) -> String {
+    let mut out = String::from("time [s]");
+    for series in &run.series {
+        let _ = write!(out, ",{} [{}]", series.name, series.unit);
+    }
+    out.push('\n');
+    for (index, time) in run.time.iter().enumerate() {
+        let _ = write!(out, "{time}");
+        for series in &run.series {
+            let _ = write!(out, ",{}", series.values[index]);
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// The energy audit as text.
+pub fn audit_text(run: &Simulation) -> String {
+    let Some(audit) = &run.audit else { return String::new() };
+    let mut out = format!("{}: energy through every bond, {}\n\n", run.graph, run.ended);
+    for bond in &audit.bonds {
+        let _ = writeln!(out, "{:<32} {:>16.8e} J", bond.bond, bond.energy);
+    }
+    let _ =
+        writeln!(out, "\n{:<20} {:>16} {:>16} {:>12}", "element", "took in [J]", "holds more [J]", "error");
+    for element in &audit.elements {
+        let held = element.held.map_or(String::new(), |held| format!("{held:.8e}"));
+        let error = element.error.map_or(String::new(), |error| format!("{error:.1e}"));
+        let _ = writeln!(out, "{:<20} {:>16.8e} {held:>16} {error:>12}", element.element, element.taken);
+    }
+    let worst = audit.residuals.iter().map(|r| r.error).fold(0.0, f64::max);
+    let _ = writeln!(out, "\nlargest power lost in a junction or two-port: {worst:.1e} of the power there");
+    let _ = writeln!(out, "error of the whole: {:.1e} of {:.6e} J", audit.whole, audit.throughput);
+    out
+}

@@ -1,0 +1,8 @@
+//! Equations in time: compiled, integrated, audited.
+
+pub(crate) mod audit;
+mod compiled;
+mod following;
+mod held;
+pub(crate) mod simulate;
+mod tape;

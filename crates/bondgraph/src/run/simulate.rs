@@ -1,0 +1,407 @@
+//! Simulation: the equations integrated, events located, energy through every bond audited.
+
+use crate::equations::Equations;
+use crate::graph::Kind;
+use crate::run::audit::{Audit, audit};
+use crate::run::compiled::Compiled;
+use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
+use serde::Serialize;
+use std::ops::ControlFlow;
+
+/// More events than these at places that cannot be told apart mean that a condition switches to and fro.
+const CHATTER: u32 = 200;
+
+/// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
+const FINE: f64 = 1e-9;
+
+/// Evaluations of the pass that measures sizes.
+const ROUGH: u64 = 6000;
+
+/// How a simulation is run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SimulationRequest {
+    /// Duration [s].
+    pub duration: f64,
+    /// Samples over it, beside the start.
+    pub samples: usize,
+    /// Relative tolerance of every step.
+    pub tolerance: f64,
+    /// Whether the energy through every bond is integrated beside the states.
+    pub audit: bool,
+    /// The method; chosen by measured stiffness where absent.
+    pub method: Option<Method>,
+    /// Largest number of evaluations.
+    pub most_evaluations: u64,
+}
+
+/// A method of integration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Method {
+    /// DOP853, order 8.
+    Explicit,
+    /// Radau IIA, order 5.
+    Implicit,
+}
+
+/// A simulation: what was computed, what happened, what it cost.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Simulation {
+    /// Version of this structure.
+    pub version: u32,
+    /// Name of the graph.
+    pub graph: String,
+    /// Whether the whole duration was covered; otherwise the samples so far are good.
+    pub complete: bool,
+    /// Why it ended, in words.
+    pub ended: String,
+    /// Methods that ran, in their order.
+    pub methods: Vec<Method>,
+    /// Time at which stiffness made the method implicit [s].
+    pub stiff_from: Option<f64>,
+    /// Relative tolerance.
+    pub tolerance: f64,
+    /// Times of the samples [s].
+    pub time: Vec<f64>,
+    /// States, then effort, flow and power of every bond, then what each junction shares, then signals, at the samples.
+    pub series: Vec<Series>,
+    /// Switches of conditions.
+    pub events: Vec<Event>,
+    /// Energy through every bond.
+    pub audit: Option<Audit>,
+    /// Cost, of all methods together.
+    pub statistics: Statistics,
+    /// Operations of one evaluation.
+    pub operations: usize,
+}
+
+/// One quantity over time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Series {
+    /// Its name: `crank.momentum`.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// Its values.
+    pub values: Vec<f64>,
+}
+
+/// A condition that switched.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Event {
+    /// When [s].
+    pub time: f64,
+    /// Which condition, by its place among those of the graph.
+    pub condition: usize,
+    /// Whether it became true.
+    pub on: bool,
+}
+
+/// What one pass gives.
+struct Pass {
+    samples: Vec<(f64, Vec<f64>)>,
+    variables: Vec<Vec<f64>>,
+    largest: Vec<f64>,
+    end: (f64, Vec<f64>),
+    ended: String,
+    complete: bool,
+    methods: Vec<Method>,
+    stiff_from: Option<f64>,
+    events: Vec<Event>,
+    statistics: Statistics,
+}
+
+impl Simulation {
+    /// Values of a quantity at the samples: `crank.flow`, `block_x.momentum`.
+    pub fn values(&self, name: &str) -> Option<&[f64]> {
+        self.series.iter().find(|series| series.name == name).map(|series| series.values.as_slice())
+    }
+}
+
+impl Equations {
+    /// What the graph's file asks for.
+    pub fn request(&self) -> SimulationRequest {
+        let asked = self.graph.simulation;
+        SimulationRequest {
+            duration: asked.duration,
+            samples: asked.samples,
+            tolerance: asked.tolerance,
+            audit: false,
+            method: None,
+            most_evaluations: 10_000_000,
+        }
+    }
+
+    /// Simulates. Every way in which a run can end is said in the result.
+    pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
+        let samples = request.samples;
+        let places: Vec<f64> = (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
+        self.simulate_at(request, &places)
+    }
+
+    /// The same with samples at `places` [s], which rise from above 0; those behind the duration are not reached.
+    pub fn simulate_at(&self, request: &SimulationRequest, places: &[f64]) -> Simulation {
+        let mut compiled = Compiled::new(self, request.audit);
+        let dimension = self.states.len() + if request.audit { self.graph.bonds.len() } else { 0 };
+        // A rough pass measures how large each quantity becomes: absolute tolerances are shares of that. Its beginning is enough where
+        // every state has moved by then: a size that is still small there makes the tolerance finer, never coarser. Energies are not
+        // taken that way: what a closed valve carries is nothing for long.
+        let sizes = |compiled: &mut Compiled, most_evaluations: u64| -> (bool, Vec<f64>) {
+            let tolerance = 1e-5f64.max(request.tolerance);
+            let rough = SimulationRequest { tolerance, most_evaluations, ..*request };
+            let pass = self.pass(compiled, &rough, &[request.duration], &vec![1e-12; dimension]);
+            (pass.complete, pass.largest)
+        };
+        let share = |size: &f64| (0.01 * request.tolerance * size).max(1e-200);
+        let most = request.most_evaluations;
+        let beginning = if request.audit { most } else { most.min(ROUGH) };
+        let (mut is_whole, mut largest) = sizes(&mut compiled, beginning);
+        if !is_whole && beginning < most && largest.contains(&0.0) {
+            (is_whole, largest) = sizes(&mut compiled, most);
+        }
+        let absolute: Vec<f64> = largest.iter().map(share).collect();
+        let mut pass = self.pass(&mut compiled, request, places, &absolute);
+        if !pass.complete && !is_whole && beginning < most {
+            let (_, largest) = sizes(&mut compiled, most);
+            let absolute: Vec<f64> = largest.iter().map(share).collect();
+            pass = self.pass(&mut compiled, request, places, &absolute);
+        }
+        let time: Vec<f64> = pass.samples.iter().map(|(t, _)| *t).collect();
+        let series = self.series(&pass);
+        let audit = request.audit.then(|| audit(self, &pass.samples, &pass.variables, &pass.end.1));
+        Simulation {
+            version: 1,
+            graph: self.graph.name.clone(),
+            complete: pass.complete,
+            ended: pass.ended,
+            methods: pass.methods,
+            stiff_from: pass.stiff_from,
+            tolerance: request.tolerance,
+            time,
+            series,
+            events: pass.events,
+            audit,
+            statistics: pass.statistics,
+            operations: compiled.operations(),
+        }
+    }
+
+    fn series(&self, pass: &Pass) -> Vec<Series> {
+        let bonds = self.graph.bonds.len();
+        let mut series = Vec::new();
+        for (index, state) in self.states.iter().enumerate() {
+            series.push(Series {
+                name: state.symbol.clone(),
+                unit: state.unit_name.clone(),
+                values: pass.samples.iter().map(|(_, y)| y[index]).collect(),
+            });
+        }
+        for bond in 0..bonds {
+            let units = self.graph.bonds[bond].domain.unit_names();
+            let name = self.graph.bond_name(bond);
+            let of = |value: &dyn Fn(&[f64]) -> f64| pass.variables.iter().map(|v| value(v)).collect();
+            series.push(Series {
+                name: format!("{name}.effort"),
+                unit: units[0].into(),
+                values: of(&|v| v[bond]),
+            });
+            series.push(Series {
+                name: format!("{name}.flow"),
+                unit: units[1].into(),
+                values: of(&|v| v[bonds + bond]),
+            });
+            let domain = self.graph.bonds[bond].domain;
+            series.push(Series {
+                name: format!("{name}.power"),
+                unit: "W".into(),
+                values: of(&|v| domain.power(v[bond], v[bonds + bond])),
+            });
+        }
+        for element in self.graph.elements.iter().filter(|element| element.is_junction()) {
+            let bond = element.ports[0];
+            let units = self.graph.bonds[bond].domain.unit_names();
+            let (what, place, unit) = match element.kind {
+                Kind::One => ("flow", bonds + bond, units[1]),
+                _ => ("effort", bond, units[0]),
+            };
+            series.push(Series {
+                name: format!("{}.{what}", element.name),
+                unit: unit.into(),
+                values: pass.variables.iter().map(|v| v[place]).collect(),
+            });
+        }
+        for (index, signal) in self.graph.signals.iter().enumerate() {
+            if signal.start.is_none() {
+                series.push(Series {
+                    name: signal.name.clone(),
+                    unit: signal.unit.to_string(),
+                    values: pass.variables.iter().map(|v| v[2 * bonds + index]).collect(),
+                });
+            }
+        }
+        series
+    }
+
+    /// One integration over the whole duration.
+    fn pass(
+        &self,
+        compiled: &mut Compiled,
+        request: &SimulationRequest,
+        places: &[f64],
+        absolute: &[f64],
+    ) -> Pass {
+        let signals = self.graph.signals.len();
+        let mut y: Vec<f64> = self.states.iter().map(|state| state.start).collect();
+        y.resize(absolute.len(), 0.0);
+        let mut t = 0.0;
+        compiled.settle(t, &y);
+        let mut settings = Settings::uniform(y.len(), request.tolerance);
+        settings.absolute = absolute.to_vec();
+        settings.most_evaluations = request.most_evaluations;
+        settings.stiffness_test = request.method.is_none();
+        if request.tolerance < FINE {
+            settings.stops = places.to_vec();
+        }
+        let mut explicit = Dop853::new(settings.clone());
+        settings.stops = places.to_vec();
+        let mut implicit = Radau5::new(settings);
+        let first = request.method.unwrap_or(Method::Explicit);
+        let mut pass = Pass {
+            samples: vec![(0.0, y.clone())],
+            variables: vec![compiled.variables(t, &y, signals)],
+            largest: y.iter().map(|y| y.abs()).collect(),
+            end: (0.0, y.clone()),
+            ended: String::new(),
+            complete: false,
+            methods: vec![first],
+            stiff_from: None,
+            events: Vec::new(),
+            statistics: Statistics::default(),
+        };
+        let (mut next, mut at_once) = (0, 0);
+        let mut stepped = (0.0, y.clone());
+        loop {
+            let samples = &mut pass.samples;
+            let largest = &mut pass.largest;
+            let before = samples.len();
+            let observe = |step: &Step| {
+                stepped.0 = step.from;
+                stepped.1.copy_from_slice(step.start);
+                for (most, value) in largest.iter_mut().zip(step.end) {
+                    *most = most.max(value.abs());
+                }
+                while next < places.len() && places[next] <= step.to {
+                    let mut state = vec![0.0; step.end.len()];
+                    step.at(places[next], &mut state);
+                    samples.push((places[next], state));
+                    next += 1;
+                }
+                ControlFlow::Continue(())
+            };
+            let is_explicit = pass.methods.last() == Some(&Method::Explicit);
+            let last_time = t;
+            let outcome = if is_explicit {
+                explicit.run(compiled, &mut t, &mut y, request.duration, observe)
+            } else {
+                implicit.run(compiled, &mut t, &mut y, request.duration, observe)
+            };
+            for (place, state) in &pass.samples[before..] {
+                pass.variables.push(compiled.variables(*place, state, signals));
+            }
+            match outcome {
+                Outcome::Event { index, rising } => {
+                    if is_explicit && !compiled.held.is_condition(index) {
+                        step_again(compiled, request, absolute, &stepped, t, &mut y);
+                    }
+                    if compiled.held.is_condition(index) {
+                        pass.events.push(Event { time: t, condition: index, on: rising });
+                    }
+                    compiled.held.happen(index, rising);
+                    if rising && compiled.held.is_condition(index) && compiled.happen(index, t, &mut y) {
+                        compiled.settle(t, &y);
+                        explicit.restart();
+                        implicit.restart();
+                        for (most, value) in pass.largest.iter_mut().zip(&y) {
+                            *most = most.max(value.abs());
+                        }
+                    }
+                    at_once = if t - last_time <= 1e-9 * request.duration { at_once + 1 } else { 0 };
+                    if at_once > CHATTER {
+                        pass.ended = format!(
+                            "a condition switches to and fro at {t} s: give it a small width, for example tanh(x/width) instead of sign(x)"
+                        );
+                        break;
+                    }
+                }
+                Outcome::Stiff { .. } => {
+                    pass.stiff_from = Some(t);
+                    pass.methods.push(Method::Implicit);
+                }
+                Outcome::Reached => {
+                    pass.complete = true;
+                    pass.ended = "the whole duration".into();
+                    break;
+                }
+                other => {
+                    pass.ended = self.in_words(other, t, &y);
+                    break;
+                }
+            }
+        }
+        let (a, b) = (explicit.statistics(), implicit.statistics());
+        pass.statistics = Statistics {
+            steps: a.steps + b.steps,
+            rejected: a.rejected + b.rejected,
+            evaluations: a.evaluations + b.evaluations,
+            jacobians: b.jacobians,
+            factorisations: b.factorisations,
+            iterations: b.iterations,
+            events: a.events + b.events,
+        };
+        pass.end = (t, y);
+        pass
+    }
+
+    fn in_words(&self, outcome: Outcome, t: f64, y: &[f64]) -> String {
+        let state = |index: usize| match self.states.get(index) {
+            Some(state) => format!("{} (last {:.6e} {})", state.symbol, y[index], state.unit_name),
+            None => "an energy".to_owned(),
+        };
+        match outcome {
+            Outcome::TooManyEvaluations { limit } => {
+                format!("{limit} evaluations were not enough: at {t} s")
+            }
+            Outcome::NotFinite { component } => {
+                format!("the rate of {} is no finite number behind {t} s", state(component))
+            }
+            Outcome::StepTooSmall { .. } => {
+                format!("no step is short enough at {t} s: a quantity jumps or grows without bound")
+            }
+            Outcome::Singular => format!("Newton's matrix is singular at {t} s"),
+            other => format!("{other:?} at {t} s"),
+        }
+    }
+}
+
+/// The state at a kink of a curve by steps of their own from the start of the step that met it: the interpolant is less accurate. The
+/// curve goes on smoothly within its window, so that the place of the kink does not matter to the last digit.
+fn step_again(
+    compiled: &mut Compiled,
+    request: &SimulationRequest,
+    absolute: &[f64],
+    (from, start): &(f64, Vec<f64>),
+    to: f64,
+    state: &mut [f64],
+) {
+    let mut settings = Settings::uniform(state.len(), request.tolerance);
+    settings.absolute = absolute.to_vec();
+    settings.dense = false;
+    settings.first_step = Some(to - from);
+    let (mut t, mut fine) = (*from, start.clone());
+    compiled.without_events = true;
+    let outcome = Dop853::new(settings).run(compiled, &mut t, &mut fine, to, |_| ControlFlow::Continue(()));
+    compiled.without_events = false;
+    if outcome == Outcome::Reached {
+        state.copy_from_slice(&fine);
+    }
+}

@@ -1,0 +1,14 @@
+//! The mesh of a crankshaft from its elements: plane regions across the crank, swept along it, with true fillets.
+//!
+//! * All circles of journals, pins, bores and fillets make one plane net, the core. Each web adds what its outline has beyond the
+//!   fillets of its two bars. Bars and webs take their triangles from these nets, so that they fit at every face.
+//! * Triangles become wedges between levels along z: layers within the fillet radius at both sides of a face, growing after.
+//! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 91.9).
+
+mod circles;
+mod fillet;
+mod levels;
+mod net;
+mod sweep;
+
+pub use sweep::{CrankMesh, CrankMeshOptions, FilletPlace, crank_mesh};

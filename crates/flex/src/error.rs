@@ -1,0 +1,130 @@
+//! Why something of the flexible crankshaft cannot be computed.
+
+/// What was needed, what was got, and what fixes it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FlexError {
+    /// A material that is not elastic.
+    #[error("material {material}: {quantity} must be {needed}, got {got}")]
+    Material {
+        /// Its name.
+        material: String,
+        /// Which number.
+        quantity: &'static str,
+        /// What it must be.
+        needed: &'static str,
+        /// What it is.
+        got: f64,
+    },
+    /// A mesh that names a node, material or set that it does not have.
+    #[error("{what} {name} is needed, the mesh has none\nhint: {hint}")]
+    Missing {
+        /// What kind of thing.
+        what: &'static str,
+        /// Its name or number.
+        name: String,
+        /// What fixes it.
+        hint: &'static str,
+    },
+    /// A node that belongs to no element.
+    #[error("node {node} belongs to no element\nhint: remove it, or the element that used it is missing")]
+    FreeNode {
+        /// Its number, from 1.
+        node: usize,
+    },
+    /// An element turned inside out or folded.
+    #[error(
+        "element {element} at ({:.3}, {:.3}, {:.3}) mm is inverted: its smallest scaled Jacobian is {jacobian:.3}, needed above {needed}\nhint: check the order of its nodes, or refine the mesh there",
+        1e3 * .at[0], 1e3 * .at[1], 1e3 * .at[2]
+    )]
+    Inverted {
+        /// Its number, from 1.
+        element: usize,
+        /// Its middle [m].
+        at: [f64; 3],
+        /// Smallest determinant of the Jacobian over the mean one.
+        jacobian: f64,
+        /// Least that is accepted.
+        needed: f64,
+    },
+    /// A body that can still move as a whole, or in parts.
+    #[error(
+        "the supports leave a motion free: {motion}\nhint: add a support that holds it, or ask for inertia relief"
+    )]
+    FreeMotion {
+        /// Which motion.
+        motion: String,
+    },
+    /// A matrix without a Cholesky factor.
+    #[error(
+        "the stiffness matrix is not positive definite at unknown {unknown}\nhint: a support leaves a motion free, or an element is badly shaped"
+    )]
+    NotDefinite {
+        /// The unknown at which the factor broke off, in the order of elimination.
+        unknown: usize,
+    },
+    /// A factor above the memory that may be used.
+    #[error(
+        "the factor needs {:.2} GiB, more than the {:.2} GiB allowed ({unknowns} unknowns, {entries} entries)\nhint: a coarser mesh, or allow more memory",
+        *.needed as f64 / 1_073_741_824.0, *.allowed as f64 / 1_073_741_824.0
+    )]
+    Memory {
+        /// Unknowns.
+        unknowns: usize,
+        /// Entries of the factor.
+        entries: usize,
+        /// Bytes needed.
+        needed: u64,
+        /// Bytes allowed.
+        allowed: u64,
+    },
+    /// An iteration that came to no end.
+    #[error(
+        "{what} did not converge in {iterations} iterations: residual {residual:.1e}, needed {needed:.1e}\nhint: {hint}"
+    )]
+    NoConvergence {
+        /// Which iteration.
+        what: &'static str,
+        /// How many.
+        iterations: usize,
+        /// What was reached.
+        residual: f64,
+        /// What was needed.
+        needed: f64,
+        /// What fixes it.
+        hint: &'static str,
+    },
+    /// A number outside its accepted range.
+    #[error("{quantity} must be {needed}, got {got}\nhint: {hint}")]
+    Number {
+        /// Which number.
+        quantity: String,
+        /// What it must be.
+        needed: String,
+        /// What it is.
+        got: f64,
+        /// What fixes it.
+        hint: &'static str,
+    },
+    /// A line of a deck that cannot be read.
+    #[error("line {line}: {message}")]
+    Deck {
+        /// Its number, from 1.
+        line: usize,
+        /// What is wrong, and what fixes it.
+        message: String,
+    },
+    /// A crankshaft that is no body.
+    #[error(transparent)]
+    Crankshaft(#[from] lanchester_geometry::crankshaft::CrankshaftError),
+    /// A crankshaft whose shape the mesher does not cover.
+    #[error("{place}: {message}\nhint: {hint}")]
+    Mesh {
+        /// Which web, journal or pin.
+        place: String,
+        /// What is wrong.
+        message: String,
+        /// What fixes it.
+        hint: &'static str,
+    },
+}

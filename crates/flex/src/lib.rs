@@ -1,0 +1,21 @@
+//! The flexible crankshaft: finite elements, sparse solver, static cases, modes, exchange with CalculiX and ParaView.
+//!
+//! SI units; frame of the engine: z along the crank. Reads nothing and writes nothing: decks and pictures are text.
+#![forbid(unsafe_code)]
+
+pub mod case;
+pub mod crank_mesh;
+pub mod deck;
+mod eigen;
+pub mod element;
+mod error;
+mod material;
+pub mod mesh;
+pub mod modes;
+pub mod sparse;
+pub mod statics;
+pub mod vtu;
+
+pub use error::FlexError;
+pub use material::Material;
+pub use mesh::LEAST_JACOBIAN;

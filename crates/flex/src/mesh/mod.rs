@@ -1,0 +1,11 @@
+//! A finite element mesh as plain data, and its quality.
+
+mod blocks;
+mod data;
+mod quality;
+mod surface;
+
+pub use blocks::mapped_block;
+pub use data::{Element, Mesh, NodeSet};
+pub use quality::{LEAST_JACOBIAN, MeshQuality, quality};
+pub use surface::{SurfaceFace, surface, surface_areas};

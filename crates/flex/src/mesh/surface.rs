@@ -1,0 +1,117 @@
+//! The surface of a mesh: faces that belong to one element alone.
+
+use super::Mesh;
+use crate::element::ElementKind;
+use std::collections::BTreeMap;
+
+/// A face of an element on the surface.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SurfaceFace {
+    /// Index of the element.
+    pub element: u32,
+    /// Corners seen from outside against the clock, then the mid-side nodes after each: 6 or 8 nodes.
+    pub nodes: Vec<u32>,
+}
+
+/// The surface of a mesh, by element and face. The second number: inner faces that do not belong to exactly two elements; zero of a
+/// conforming mesh.
+pub fn surface(mesh: &Mesh) -> (Vec<SurfaceFace>, usize) {
+    let mut faces: BTreeMap<Vec<u32>, (u32, usize, usize)> = BTreeMap::new();
+    for (index, element) in mesh.elements.iter().enumerate() {
+        for (place, face) in element.kind.faces().iter().enumerate() {
+            let mut key: Vec<u32> =
+                face_nodes(element.kind, face).iter().map(|k| element.nodes[*k]).collect();
+            key.sort_unstable();
+            faces.entry(key).or_insert((index as u32, place, 0)).2 += 1;
+        }
+    }
+    let crowded = faces.values().filter(|(_, _, count)| *count > 2).count();
+    let mut outer: Vec<(u32, usize)> = faces
+        .values()
+        .filter(|(_, _, count)| *count == 1)
+        .map(|(element, place, _)| (*element, *place))
+        .collect();
+    outer.sort_unstable();
+    let face = |(element, place): (u32, usize)| {
+        let source = &mesh.elements[element as usize];
+        let local = face_nodes(source.kind, source.kind.faces()[place]);
+        SurfaceFace { element, nodes: local.iter().map(|k| source.nodes[*k]).collect() }
+    };
+    (outer.into_iter().map(face).collect(), crowded)
+}
+
+/// Corners, then the mid-side node after each corner.
+fn face_nodes(kind: ElementKind, face: &[usize]) -> Vec<usize> {
+    let middle = |k: usize| kind.middle(face[k], face[(k + 1) % face.len()]);
+    face.iter().copied().chain((0..face.len()).filter_map(middle)).collect()
+}
+
+/// For each node of faces the share of their area that its shape function carries, as a vector along the outward normal [m^2].
+/// A pressure `p` gives the force `-p` times it.
+pub fn surface_areas(mesh: &Mesh, faces: &[SurfaceFace]) -> BTreeMap<u32, [f64; 3]> {
+    let mut areas: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
+    for face in faces {
+        for (at, weight) in face_rule(face.nodes.len()) {
+            let (n, d) = face_shape(face.nodes.len(), at);
+            let mut tangents = [[0.0; 3]; 2];
+            for (k, node) in face.nodes.iter().enumerate() {
+                let place = mesh.nodes[*node as usize];
+                for axis in 0..3 {
+                    tangents[0][axis] += d[k][0] * place[axis];
+                    tangents[1][axis] += d[k][1] * place[axis];
+                }
+            }
+            let [a, b] = tangents;
+            let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+            for (k, node) in face.nodes.iter().enumerate() {
+                let area = areas.entry(*node).or_default();
+                for axis in 0..3 {
+                    area[axis] += weight * n[k] * normal[axis];
+                }
+            }
+        }
+    }
+    areas
+}
+
+/// Integration points of a triangle (6) or a quadrilateral (9).
+fn face_rule(nodes: usize) -> Vec<([f64; 2], f64)> {
+    if nodes == 6 {
+        let rule = crate::element::mass_rule(ElementKind::Wedge);
+        // One layer of the wedge's rule, whose weights add up to the triangle's area.
+        return rule[6..12]
+            .iter()
+            .map(|point| ([point.at[0], point.at[1]], point.weight / (8.0 / 9.0)))
+            .collect();
+    }
+    let rule = crate::element::stiffness_rule(ElementKind::Hexahedron);
+    rule[9..18].iter().map(|point| ([point.at[0], point.at[1]], point.weight / (8.0 / 9.0))).collect()
+}
+
+/// Shape functions of a face and their derivatives by its two coordinates.
+fn face_shape(nodes: usize, [r, s]: [f64; 2]) -> ([f64; 8], [[f64; 2]; 8]) {
+    let (mut n, mut d) = ([0.0; 8], [[0.0; 2]; 8]);
+    if nodes == 6 {
+        let l = [1.0 - r - s, r, s];
+        let dl = [[-1.0, -1.0], [1.0, 0.0], [0.0, 1.0]];
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            n[i] = l[i] * (2.0 * l[i] - 1.0);
+            n[3 + i] = 4.0 * l[i] * l[j];
+            for k in 0..2 {
+                d[i][k] = (4.0 * l[i] - 1.0) * dl[i][k];
+                d[3 + i][k] = 4.0 * (dl[i][k] * l[j] + l[i] * dl[j][k]);
+            }
+        }
+        return (n, d);
+    }
+    // The upper face of a hexahedron has these shape functions on itself; it is seen from outside in the order of its corners.
+    let shape = crate::element::shape_values(ElementKind::Hexahedron, [r, s, 1.0]);
+    for k in 0..4 {
+        for (to, from) in [(k, 4 + k), (4 + k, 12 + k)] {
+            n[to] = shape.n[from];
+            d[to] = [shape.d[from][0], shape.d[from][1]];
+        }
+    }
+    (n, d)
+}

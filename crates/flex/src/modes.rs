@@ -1,0 +1,378 @@
+//! Natural modes by shift-and-invert block Lanczos in the inner product of the mass.
+//!
+//! ```text
+//! K x = l M x        (K + s M)^-1 M x = x/(l + s)        x^T M x = 1        f = sqrt(l)/2 pi                 (book, eq. 91.8)
+//! ```
+//! With `s > 0` a free body's matrix has a Cholesky factor, and its six rigid motions come out with `l = 0`.
+
+use crate::FlexError;
+use crate::case::StaticCase;
+use crate::eigen::symmetric_eigen;
+use crate::mesh::Mesh;
+use crate::sparse::{Factor, FactorPlan, Precision, Quantity, Structure, SymmetricMatrix};
+use crate::statics::SolveOptions;
+use serde::Serialize;
+
+/// Vectors that go through the factor together: clusters of no more modes are found at once.
+const BLOCK: usize = 4;
+/// Slices along z in which the kinds of motion are told apart.
+const SLICES: usize = 24;
+/// A mode whose eigenvalue is a smaller share of the shift is a motion of the rigid body.
+const RIGID: f64 = 1e-5;
+/// Residual of a mode that is accepted.
+const WANTED: f64 = 1e-8;
+
+/// What mainly moves in a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ModeKind {
+    /// The body as a whole.
+    Rigid,
+    /// Slices along x.
+    BendingX,
+    /// Slices along y.
+    BendingY,
+    /// Slices turn about the z axis.
+    Torsion,
+    /// Motion along z.
+    Axial,
+    /// Nothing has half the kinetic energy.
+    Mixed,
+}
+
+/// A natural mode.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Mode {
+    /// Natural frequency [Hz].
+    pub frequency: f64,
+    /// What mainly moves.
+    pub kind: ModeKind,
+    /// Shares of the kinetic energy: slices along x, along y, turning about z, motion along z; the rest deforms slices.
+    pub shares: [f64; 4],
+    /// `|K x - l M x|/|K x|`; of a rigid motion, whose `K x` is rounding, over `s |M x|`.
+    pub residual: f64,
+    /// Displacements of the nodes, of modal mass 1 kg.
+    pub shape: Vec<[f64; 3]>,
+}
+
+/// Modes of a mesh.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct ModeSolution {
+    /// Modes, the lowest first.
+    pub modes: Vec<Mode>,
+    /// The shift `s` [1/s^2].
+    pub shift: f64,
+    /// Vectors of the Lanczos basis.
+    pub basis: usize,
+    /// Unknowns.
+    pub unknowns: usize,
+    /// Entries of the factor.
+    pub factor_entries: usize,
+    /// Floating-point operations of the factor.
+    pub factor_operations: f64,
+}
+
+/// The lowest modes of a mesh with the supports of a case, whose loads do not count; of a case without supports the rigid motions come
+/// first.
+///
+/// # Errors
+/// As [`Mesh::check`]; [`FlexError::Memory`], [`FlexError::NotDefinite`], [`FlexError::NoConvergence`], and
+/// [`FlexError::Number`] where the mesh has fewer modes.
+pub fn modes(
+    mesh: &Mesh,
+    case: &StaticCase,
+    count: usize,
+    options: SolveOptions,
+) -> Result<ModeSolution, FlexError> {
+    mesh.check()?;
+    if let Some(material) = mesh.materials.iter().find(|material| material.density <= 0.0) {
+        let (quantity, needed) = ("density [kg/m^3]", "above zero");
+        return Err(FlexError::Material {
+            material: material.name.clone(),
+            quantity,
+            needed,
+            got: material.density,
+        });
+    }
+    let free = StaticCase { inertia_relief: true, ..case.clone() };
+    free.check(mesh)?;
+    let terms = case.terms();
+    let structure = Structure::new(mesh, &terms);
+    let mut kept = vec![true; 3 * mesh.nodes.len()];
+    for fixed in &case.fixed {
+        kept[structure.unknown(fixed.node, fixed.axis as usize)] = false;
+    }
+    let stiffness = structure.assemble(mesh, Quantity::Stiffness, &terms).restricted(&kept);
+    let mass = structure.assemble(mesh, Quantity::Mass, &[]).restricted(&kept);
+    if count == 0 || count + BLOCK > stiffness.size() {
+        return Err(FlexError::Number {
+            quantity: "the number of modes".to_owned(),
+            needed: format!("from 1 to {}", stiffness.size().saturating_sub(BLOCK)),
+            got: count as f64,
+            hint: "ask for fewer modes, or refine the mesh",
+        });
+    }
+    let shift = shift(mesh);
+    let shifted = stiffness.plus(shift, &mass);
+    let plan = FactorPlan::new(&shifted)?;
+    plan.check(Precision::Double, options.memory)?;
+    let factor = Factor::<f64>::new(&shifted, &plan)?;
+    drop(shifted);
+    let pairs = lanczos(&factor, &stiffness, &mass, count, shift)?;
+    let basis = pairs.basis;
+    let place = |(value, vector, residual): (f64, Vec<f64>, f64)| {
+        let mut full = vec![0.0; kept.len()];
+        let mut values = vector.into_iter();
+        for (full, _) in full.iter_mut().zip(&kept).filter(|(_, kept)| **kept) {
+            *full = values.next().unwrap_or_default();
+        }
+        let shape = structure.scatter(&full);
+        let shares = shares(mesh, &shape);
+        let kind = if value.abs() < RIGID * shift { ModeKind::Rigid } else { kind(shares) };
+        Mode { frequency: value.max(0.0).sqrt() / std::f64::consts::TAU, kind, shares, residual, shape }
+    };
+    Ok(ModeSolution {
+        modes: pairs.found.into_iter().map(place).collect(),
+        shift,
+        basis,
+        unknowns: plan.unknowns,
+        factor_entries: plan.entries,
+        factor_operations: plan.operations,
+    })
+}
+
+/// One hundredth of `E/(rho L^2)`, with the length of the body: some way below the first mode of a stout one.
+fn shift(mesh: &Mesh) -> f64 {
+    let extent = |axis: usize| {
+        let (low, high) = mesh.nodes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), node| {
+            (low.min(node[axis]), high.max(node[axis]))
+        });
+        high - low
+    };
+    let length = extent(0).hypot(extent(1)).hypot(extent(2));
+    let waves = mesh.materials.iter().map(|material| material.youngs_modulus / material.density);
+    0.01 * waves.fold(0.0, f64::max) / (length * length)
+}
+
+struct Pairs {
+    found: Vec<(f64, Vec<f64>, f64)>,
+    basis: usize,
+}
+
+/// Vectors of the basis `q`, and `M q`.
+struct Basis<'a> {
+    mass: &'a SymmetricMatrix,
+    q: Vec<Vec<f64>>,
+    mq: Vec<Vec<f64>>,
+}
+
+impl Basis<'_> {
+    /// Takes the parts along the basis from a vector, twice; their sizes.
+    fn orthogonalise(&self, w: &mut [f64]) -> Vec<f64> {
+        let mut parts = vec![0.0; self.q.len()];
+        for _ in 0..2 {
+            for (k, (q, mq)) in self.q.iter().zip(&self.mq).enumerate() {
+                let part = crate::sparse::dot(mq, w);
+                parts[k] += part;
+                for (w, q) in w.iter_mut().zip(q) {
+                    *w -= part * q;
+                }
+            }
+        }
+        parts
+    }
+
+    /// Adds a vector that is orthogonal to the basis; one that has nothing left is not added.
+    fn push(&mut self, mut w: Vec<f64>, before: f64) -> bool {
+        let mut mw = vec![0.0; w.len()];
+        self.mass.multiply(&w, &mut mw);
+        let length = crate::sparse::dot(&w, &mw).max(0.0).sqrt();
+        if length <= 1e-13 * before {
+            return false;
+        }
+        for value in w.iter_mut().chain(mw.iter_mut()) {
+            *value /= length;
+        }
+        self.q.push(w);
+        self.mq.push(mw);
+        true
+    }
+}
+
+fn lanczos(
+    factor: &Factor<f64>,
+    stiffness: &SymmetricMatrix,
+    mass: &SymmetricMatrix,
+    count: usize,
+    shift: f64,
+) -> Result<Pairs, FlexError> {
+    let size = mass.size();
+    let most = (4 * count + 100).min(size);
+    let mut basis = Basis { mass, q: Vec::new(), mq: Vec::new() };
+    let mut random = 0x9E37_79B9_7F4A_7C15u64;
+    let mut draw = || {
+        // Steele, Lea and Flood's SplitMix64: a start that is the same on every machine.
+        random = random.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = random;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (z ^ (z >> 31)) as f64 / u64::MAX as f64 - 0.5
+    };
+    for _ in 0..BLOCK.min(size) {
+        let mut start: Vec<f64> = (0..size).map(|_| draw()).collect();
+        basis.orthogonalise(&mut start);
+        basis.push(start, 0.0);
+    }
+    // The projected operator, column after column.
+    let mut columns: Vec<Vec<f64>> = Vec::new();
+    let mut best = f64::INFINITY;
+    while columns.len() < basis.q.len() {
+        let first = columns.len();
+        let block = basis.q.len() - first;
+        let mut sides: Vec<f64> = basis.mq[first..].concat();
+        factor.solve(&mut sides);
+        for w in sides.chunks(size) {
+            let mut w = w.to_vec();
+            let before = crate::sparse::norm(&w);
+            let parts = basis.orthogonalise(&mut w);
+            columns.push(parts);
+            if basis.q.len() < most {
+                let scale = before * (mass.diagonal().iter().sum::<f64>() / size as f64).sqrt();
+                basis.push(w, scale);
+            }
+        }
+        let done = columns.len();
+        let exhausted = done == basis.q.len();
+        if done < count + BLOCK && !exhausted {
+            continue;
+        }
+        let mut projected = vec![0.0; done * done];
+        for (k, parts) in columns.iter().enumerate() {
+            for (j, part) in parts.iter().enumerate().take(k + 1) {
+                projected[j * done + k] = *part;
+                projected[k * done + j] = *part;
+            }
+        }
+        let (_, vectors) = symmetric_eigen(&projected, done);
+        // What leaves the space: the tail of a Ritz vector in the last block.
+        let tail = |k: usize| {
+            let vector = &vectors[(done - 1 - k) * done..(done - k) * done];
+            vector[done - block..].iter().map(|x| x * x).sum::<f64>().sqrt()
+        };
+        let wanted = count.min(done);
+        let worst = (0..wanted).map(tail).fold(0.0, f64::max);
+        if worst > 1e-7 && !exhausted {
+            continue;
+        }
+        let mut found = Vec::with_capacity(wanted);
+        for k in 0..wanted {
+            let vector = &vectors[(done - 1 - k) * done..(done - k) * done];
+            let mut x = vec![0.0; size];
+            for (q, share) in basis.q.iter().zip(vector) {
+                for (x, q) in x.iter_mut().zip(q) {
+                    *x += share * q;
+                }
+            }
+            found.push(checked(stiffness, mass, x, shift));
+        }
+        best = best.min(found.iter().map(|(_, _, residual)| *residual).fold(0.0, f64::max));
+        if best <= WANTED || exhausted {
+            if best > WANTED {
+                break;
+            }
+            found.sort_by(|a, b| a.0.total_cmp(&b.0));
+            return Ok(Pairs { found, basis: done });
+        }
+    }
+    Err(FlexError::NoConvergence {
+        what: "the natural modes",
+        iterations: columns.len(),
+        residual: best,
+        needed: WANTED,
+        hint: "ask for fewer modes at a time",
+    })
+}
+
+/// Rayleigh quotient, vector of modal mass one, residual.
+fn checked(
+    stiffness: &SymmetricMatrix,
+    mass: &SymmetricMatrix,
+    mut x: Vec<f64>,
+    shift: f64,
+) -> (f64, Vec<f64>, f64) {
+    let (mut kx, mut mx) = (vec![0.0; x.len()], vec![0.0; x.len()]);
+    stiffness.multiply(&x, &mut kx);
+    mass.multiply(&x, &mut mx);
+    let modal = crate::sparse::dot(&x, &mx);
+    let value = crate::sparse::dot(&x, &kx) / modal;
+    let rest: Vec<f64> = kx.iter().zip(&mx).map(|(k, m)| k - value * m).collect();
+    let against =
+        if value.abs() < RIGID * shift { shift * crate::sparse::norm(&mx) } else { crate::sparse::norm(&kx) };
+    let residual = crate::sparse::norm(&rest) / against;
+    let length = modal.sqrt();
+    // The sign is that of the largest component: the same on every machine.
+    let largest = x.iter().fold(0.0f64, |best, value| if value.abs() > best.abs() { *value } else { best });
+    let factor = largest.signum() / length;
+    for value in &mut x {
+        *value *= factor;
+    }
+    (value, x, residual)
+}
+
+/// Shares of the kinetic energy by slices along z: moving along x, along y, turning about z, motion along z.
+fn shares(mesh: &Mesh, shape: &[[f64; 3]]) -> [f64; 4] {
+    let lumps = lumped_mass(mesh);
+    let (low, high) = mesh
+        .nodes
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), node| (low.min(node[2]), high.max(node[2])));
+    let slice = |z: f64| (((z - low) / (high - low) * SLICES as f64) as usize).min(SLICES - 1);
+    // Mass, centre, momentum, moment of momentum and polar inertia of each slice.
+    let mut sums = [[0.0; 7]; SLICES];
+    let (mut axial, mut all) = (0.0, 0.0);
+    for ((place, u), m) in mesh.nodes.iter().zip(shape).zip(&lumps) {
+        let sum = &mut sums[slice(place[2])];
+        let [x, y, _] = *place;
+        let parts = [1.0, x, y, u[0], u[1], x * u[1] - y * u[0], x * x + y * y];
+        for (sum, part) in sum.iter_mut().zip(parts) {
+            *sum += m * part;
+        }
+        axial += m * u[2] * u[2];
+        all += m * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    }
+    let mut shares = [0.0, 0.0, 0.0, axial / all];
+    for [m, x, y, px, py, spin, polar] in sums.into_iter().filter(|sum| sum[0] > 0.0) {
+        let own = polar - (x * x + y * y) / m;
+        let rate = if own > 1e-12 * polar { (spin - (x * py - y * px) / m) / own } else { 0.0 };
+        // A slice that turns about the crank axis moves its centre too: that is torsion, the rest of its motion is bending.
+        let (vx, vy) = (px / m + rate * y / m, py / m - rate * x / m);
+        let turning = rate * rate * polar;
+        shares[0] += m * vx * vx / all;
+        shares[1] += m * vy * vy / all;
+        shares[2] += turning / all;
+    }
+    shares
+}
+
+fn kind(shares: [f64; 4]) -> ModeKind {
+    let kinds = [ModeKind::BendingX, ModeKind::BendingY, ModeKind::Torsion, ModeKind::Axial];
+    let best = (0..4).max_by(|a, b| shares[*a].total_cmp(&shares[*b])).unwrap_or(0);
+    if shares[best] >= 0.5 { kinds[best] } else { ModeKind::Mixed }
+}
+
+/// Mass of each node [kg]: that of its elements in equal shares to corners, so that it is never negative.
+fn lumped_mass(mesh: &Mesh) -> Vec<f64> {
+    let mut lumps = vec![0.0; mesh.nodes.len()];
+    for element in &mesh.elements {
+        let places = mesh.places(element);
+        let volume: f64 = crate::element::stiffness_rule(element.kind)
+            .iter()
+            .map(|point| point.weight * crate::element::jacobian_determinant(element.kind, &places, point.at))
+            .sum();
+        let share = volume * mesh.materials[element.material as usize].density / element.nodes.len() as f64;
+        for node in &element.nodes {
+            lumps[*node as usize] += share;
+        }
+    }
+    lumps
+}

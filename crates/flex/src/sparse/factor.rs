@@ -1,0 +1,200 @@
+//! Sparse Cholesky factors, in single or double precision: the only user of faer.
+
+use super::SymmetricMatrix;
+use crate::FlexError;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltError;
+use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::traits::RealField;
+use faer::{Conj, MatMut, Par, Side};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// Degree of parallelism that is asked for: bits depend on it, not on the number of threads.
+const PARALLEL: usize = 2;
+
+/// How many digits a factor carries.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Precision {
+    /// 24 bits: half the memory, for iterative refinement.
+    Single,
+    /// 53 bits.
+    Double,
+}
+
+/// What a factor will cost.
+#[derive(Debug, Clone)]
+pub struct FactorPlan {
+    symbolic: Arc<SymbolicCholesky<u32>>,
+    /// Unknowns.
+    pub unknowns: usize,
+    /// Entries of the lower triangle of the matrix.
+    pub nonzeros: usize,
+    /// Entries of the factor.
+    pub entries: usize,
+    /// Floating-point operations of the factor.
+    pub operations: f64,
+}
+
+impl FactorPlan {
+    /// Where the factor of a matrix has entries, unknowns eliminated in their order.
+    ///
+    /// # Errors
+    /// [`FlexError::Memory`] where not even that fits.
+    pub fn new(matrix: &SymmetricMatrix) -> Result<FactorPlan, FlexError> {
+        let size = matrix.size();
+        let (starts, rows) = (&matrix.pattern.starts, &matrix.pattern.rows);
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            ..Default::default()
+        };
+        // faer 0.24 takes `Identity` to mean that the upper triangle is given, whatever side it is told.
+        let identity: Vec<u32> = (0..size as u32).collect();
+        let symbolic = factorize_symbolic_cholesky(
+            SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows),
+            Side::Lower,
+            SymmetricOrdering::Custom(PermRef::new_checked(&identity, &identity, size)),
+            params,
+        )
+        .map_err(|_| FlexError::Memory {
+            unknowns: size,
+            entries: rows.len(),
+            needed: u64::MAX,
+            allowed: 0,
+        })?;
+        let operations = operations(&symbolic);
+        let entries = symbolic.len_val();
+        Ok(FactorPlan {
+            symbolic: Arc::new(symbolic),
+            unknowns: size,
+            nonzeros: rows.len(),
+            entries,
+            operations,
+        })
+    }
+
+    /// Bytes of the matrix and its factor.
+    pub fn bytes(&self, precision: Precision) -> u64 {
+        let number = match precision {
+            Precision::Single => 4,
+            Precision::Double => 8,
+        };
+        // The factor, the values cast to its precision, and the matrix with its row numbers.
+        (self.entries * number + self.nonzeros * (number + 12)) as u64
+    }
+
+    /// Refuses a factor above this many bytes.
+    ///
+    /// # Errors
+    /// [`FlexError::Memory`].
+    pub fn check(&self, precision: Precision, allowed: u64) -> Result<(), FlexError> {
+        let needed = self.bytes(precision);
+        if needed <= allowed {
+            return Ok(());
+        }
+        Err(FlexError::Memory { unknowns: self.unknowns, entries: self.entries, needed, allowed })
+    }
+}
+
+/// Sum over the columns of the square of their length.
+fn operations(symbolic: &SymbolicCholesky<u32>) -> f64 {
+    let SymbolicCholeskyRaw::Supernodal(factor) = symbolic.raw() else { return f64::NAN };
+    let (begin, end) = (factor.supernode_begin(), factor.supernode_end());
+    (0..factor.n_supernodes())
+        .map(|node| {
+            let (columns, below) =
+                (f64::from(end[node] - begin[node]), factor.supernode(node).pattern().len());
+            let tall = columns + below as f64;
+            // Sum of (tall - k)^2 for k from 0 to columns - 1.
+            columns * tall * tall - tall * columns * (columns - 1.0)
+                + (columns - 1.0) * columns * (2.0 * columns - 1.0) / 6.0
+        })
+        .sum()
+}
+
+/// Numbers that a factor may be made of.
+pub trait Real: RealField + Copy + Send + Sync {
+    /// The nearest one.
+    fn from_double(value: f64) -> Self;
+    /// The same in double precision.
+    fn to_double(self) -> f64;
+}
+
+impl Real for f64 {
+    fn from_double(value: f64) -> f64 {
+        value
+    }
+    fn to_double(self) -> f64 {
+        self
+    }
+}
+
+impl Real for f32 {
+    fn from_double(value: f64) -> f32 {
+        value as f32
+    }
+    fn to_double(self) -> f64 {
+        f64::from(self)
+    }
+}
+
+/// `L` with `A = L L^T`.
+#[derive(Debug, Clone)]
+pub struct Factor<T> {
+    symbolic: Arc<SymbolicCholesky<u32>>,
+    values: Vec<T>,
+}
+
+impl<T: Real> Factor<T> {
+    /// The factor of a matrix by its plan.
+    ///
+    /// # Errors
+    /// [`FlexError::NotDefinite`].
+    pub fn new(matrix: &SymmetricMatrix, plan: &FactorPlan) -> Result<Factor<T>, FlexError> {
+        let size = matrix.size();
+        let cast: Vec<T> = matrix.values.iter().map(|value| T::from_double(*value)).collect();
+        let (starts, rows) = (&matrix.pattern.starts, &matrix.pattern.rows);
+        let pattern = SymbolicSparseColMatRef::new_checked(size, size, starts, None, rows);
+        let symbolic = &plan.symbolic;
+        let par = Par::rayon(PARALLEL);
+        let mut memory = MemBuffer::new(symbolic.factorize_numeric_llt_scratch::<T>(par, Default::default()));
+        let mut values = vec![T::from_double(0.0); symbolic.len_val()];
+        let outcome = symbolic
+            .factorize_numeric_llt(
+                &mut values,
+                SparseColMatRef::new(pattern, &cast),
+                Side::Lower,
+                Default::default(),
+                par,
+                MemStack::new(&mut memory),
+                Default::default(),
+            )
+            .map(|_| ());
+        match outcome {
+            Ok(()) => Ok(Factor { symbolic: symbolic.clone(), values }),
+            Err(LltError::NonPositivePivot { index }) => Err(FlexError::NotDefinite { unknown: index }),
+        }
+    }
+
+    /// Solves `A x = b` for several right-hand sides one after the other in `sides`, in place.
+    pub fn solve(&self, sides: &mut [T]) {
+        let size = self.symbolic.nrows();
+        let columns = sides.len() / size.max(1);
+        let par = if columns > 1 { Par::rayon(PARALLEL) } else { Par::Seq };
+        let mut memory = MemBuffer::new(self.symbolic.solve_in_place_scratch::<T>(columns, par));
+        let right = MatMut::from_column_major_slice_mut(sides, size, columns);
+        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
+            Conj::No,
+            right,
+            par,
+            MemStack::new(&mut memory),
+        );
+    }
+}

@@ -1,0 +1,97 @@
+//! A sparse symmetric matrix by the columns of its lower triangle.
+
+use std::sync::Arc;
+
+/// Where the entries of the lower triangle are.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Pattern {
+    /// First entry of each column, and the number of all.
+    pub starts: Vec<u32>,
+    /// Row of each entry, rising within a column, from the diagonal on.
+    pub rows: Vec<u32>,
+}
+
+/// A symmetric matrix, of which the lower triangle is stored column by column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SymmetricMatrix {
+    /// Where the entries are; matrices of one mesh share it.
+    pub pattern: Arc<Pattern>,
+    /// The entries.
+    pub values: Vec<f64>,
+}
+
+impl SymmetricMatrix {
+    /// Rows and columns.
+    pub fn size(&self) -> usize {
+        self.pattern.starts.len() - 1
+    }
+
+    /// `y = A x`.
+    pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        assert_eq!(x.len(), self.size(), "invariant: a vector has as many entries as the matrix has columns");
+        y.fill(0.0);
+        for column in 0..self.size() {
+            let range = self.pattern.starts[column] as usize..self.pattern.starts[column + 1] as usize;
+            let (rows, values) = (&self.pattern.rows[range.clone()], &self.values[range]);
+            let mut sum = values[0] * x[column];
+            let factor = x[column];
+            for (row, value) in rows[1..].iter().zip(&values[1..]) {
+                y[*row as usize] += value * factor;
+                sum += value * x[*row as usize];
+            }
+            y[column] += sum;
+        }
+    }
+
+    /// `x^T A x`.
+    pub fn form(&self, x: &[f64]) -> f64 {
+        let mut y = vec![0.0; x.len()];
+        self.multiply(x, &mut y);
+        dot(x, &y)
+    }
+
+    /// `A + s B`, both of one pattern.
+    pub fn plus(&self, factor: f64, other: &SymmetricMatrix) -> SymmetricMatrix {
+        assert_eq!(self.values.len(), other.values.len(), "invariant: matrices of one mesh have one pattern");
+        let values = self.values.iter().zip(&other.values).map(|(a, b)| a + factor * b).collect();
+        SymmetricMatrix { pattern: self.pattern.clone(), values }
+    }
+
+    /// Rows and columns that are kept, numbered anew in their order.
+    pub fn restricted(&self, kept: &[bool]) -> SymmetricMatrix {
+        let mut number = vec![u32::MAX; kept.len()];
+        let mut count = 0;
+        for (index, _) in kept.iter().enumerate().filter(|(_, kept)| **kept) {
+            number[index] = count;
+            count += 1;
+        }
+        let mut pattern = Pattern { starts: vec![0], rows: Vec::with_capacity(self.pattern.rows.len()) };
+        let mut values = Vec::with_capacity(self.values.len());
+        for column in (0..kept.len()).filter(|column| kept[*column]) {
+            for place in self.pattern.starts[column] as usize..self.pattern.starts[column + 1] as usize {
+                let row = number[self.pattern.rows[place] as usize];
+                if row != u32::MAX {
+                    pattern.rows.push(row);
+                    values.push(self.values[place]);
+                }
+            }
+            pattern.starts.push(pattern.rows.len() as u32);
+        }
+        SymmetricMatrix { pattern: Arc::new(pattern), values }
+    }
+
+    /// The diagonal.
+    pub fn diagonal(&self) -> Vec<f64> {
+        (0..self.size()).map(|column| self.values[self.pattern.starts[column] as usize]).collect()
+    }
+}
+
+/// Scalar product.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Euclidean norm.
+pub(crate) fn norm(a: &[f64]) -> f64 {
+    dot(a, a).sqrt()
+}

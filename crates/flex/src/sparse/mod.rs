@@ -1,0 +1,14 @@
+//! Sparse symmetric matrices of a mesh: order of elimination, parallel assembly, Cholesky factor, solution.
+
+mod assembly;
+mod factor;
+mod matrix;
+mod order;
+mod solve;
+
+pub use assembly::{DenseTerm, Quantity, Structure};
+pub use factor::{Factor, FactorPlan, Precision};
+pub use matrix::{Pattern, SymmetricMatrix};
+pub(crate) use matrix::{dot, norm};
+pub use order::{nested_dissection, postorder};
+pub use solve::{SolveReport, Solver};

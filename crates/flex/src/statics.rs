@@ -1,0 +1,349 @@
+//! Static solutions: displacement, energy, reactions, stress.
+
+use crate::case::{StaticCase, rigid_motions};
+use crate::eigen::symmetric_eigen;
+use crate::mesh::Mesh;
+use crate::sparse::{Precision, Quantity, SolveReport, Solver, Structure, SymmetricMatrix};
+use crate::{FlexError, element};
+use rayon::prelude::*;
+use serde::Serialize;
+
+/// How to solve.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct SolveOptions {
+    /// Precision of the factor; the solution is refined to double precision in either.
+    pub precision: Precision,
+    /// Bytes that matrix and factor may take.
+    pub memory: u64,
+}
+
+impl Default for SolveOptions {
+    fn default() -> SolveOptions {
+        SolveOptions { precision: Precision::Single, memory: 8 << 30 }
+    }
+}
+
+/// A static solution.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct StaticSolution {
+    /// Displacements of the nodes [m].
+    pub displacements: Vec<[f64; 3]>,
+    /// Elastic energy of body and springs [J].
+    pub energy: f64,
+    /// Sum of all loads [N].
+    pub load: [f64; 3],
+    /// Sum of what supports exert on the body [N].
+    pub reaction: [f64; 3],
+    /// Forces of the supports on nodes that are held [N], zero elsewhere.
+    pub reactions: Vec<[f64; 3]>,
+    /// Forces of the springs on the body [N], in the order of the case.
+    pub spring_forces: Vec<f64>,
+    /// With inertia relief: accelerations along x, y, z [m/s^2] and about x, y, z [rad/s^2] that balance the loads, at the middle of the
+    /// nodes.
+    pub accelerations: Option<[f64; 6]>,
+    /// How the equations were solved.
+    pub report: SolveReport,
+}
+
+/// A mesh with supports, factored once for as many loads as are wanted.
+pub struct StaticSystem<'a> {
+    mesh: &'a Mesh,
+    structure: Structure,
+    full: SymmetricMatrix,
+    mass: Option<SymmetricMatrix>,
+    support: StaticCase,
+    kept: Vec<bool>,
+    solver: Solver,
+}
+
+impl<'a> StaticSystem<'a> {
+    /// Assembles and factors a mesh with the supports of a case, whose loads do not count.
+    ///
+    /// # Errors
+    /// As [`Mesh::check`], [`StaticCase::check`]; [`FlexError::Memory`], [`FlexError::NotDefinite`].
+    pub fn new(
+        mesh: &'a Mesh,
+        case: &StaticCase,
+        options: SolveOptions,
+    ) -> Result<StaticSystem<'a>, FlexError> {
+        mesh.check()?;
+        case.check(mesh)?;
+        let terms = case.terms();
+        let structure = Structure::new(mesh, &terms);
+        let full = structure.assemble(mesh, Quantity::Stiffness, &terms);
+        let needs_mass = case.inertia_relief || case.speed != 0.0;
+        let mass = needs_mass.then(|| structure.assemble(mesh, Quantity::Mass, &[]));
+        let mut kept = vec![true; full.size()];
+        for fixed in &case.fixed {
+            kept[structure.unknown(fixed.node, fixed.axis as usize)] = false;
+        }
+        if case.inertia_relief {
+            for (node, axis) in anchors(mesh) {
+                kept[structure.unknown(node, axis)] = false;
+            }
+        }
+        let solver = Solver::new(full.restricted(&kept), options.precision, options.memory)?;
+        Ok(StaticSystem { mesh, structure, full, mass, support: case.clone(), kept, solver })
+    }
+
+    /// Solves cases that have the supports of this system.
+    ///
+    /// # Errors
+    /// [`FlexError::NoConvergence`]; [`FlexError::Missing`] where a case needs masses and the first one did not.
+    pub fn solve(&mut self, cases: &[&StaticCase]) -> Result<Vec<StaticSolution>, FlexError> {
+        let size = self.full.size();
+        let mut given = vec![0.0; size];
+        for fixed in &self.support.fixed {
+            given[self.structure.unknown(fixed.node, fixed.axis as usize)] = fixed.value;
+        }
+        let mut drag = vec![0.0; size];
+        if given.iter().any(|value| *value != 0.0) {
+            self.full.multiply(&given, &mut drag);
+        }
+        let mut loads = Vec::with_capacity(cases.len());
+        let mut sides = Vec::with_capacity(cases.len());
+        for case in cases {
+            case.check(self.mesh)?;
+            let (mut load, mut accelerations) = (self.load(case)?, None);
+            if self.support.inertia_relief {
+                accelerations = Some(self.relieve(&mut load)?);
+            }
+            let side: Vec<f64> = (0..size).filter(|k| self.kept[*k]).map(|k| load[k] - drag[k]).collect();
+            sides.push(side);
+            loads.push((load, accelerations));
+        }
+        let (solutions, report) = self.solver.solve(&sides)?;
+        let solution = |(free, (load, accelerations)): (Vec<f64>, (Vec<f64>, Option<[f64; 6]>))| {
+            let mut u = given.clone();
+            let mut values = free.into_iter();
+            for k in (0..size).filter(|k| self.kept[*k]) {
+                u[k] = values.next().unwrap_or_default();
+            }
+            self.solution(&u, &load, accelerations, report)
+        };
+        Ok(solutions.into_iter().zip(loads).map(solution).collect())
+    }
+
+    fn solution(
+        &self,
+        u: &[f64],
+        load: &[f64],
+        accelerations: Option<[f64; 6]>,
+        report: SolveReport,
+    ) -> StaticSolution {
+        let mut internal = vec![0.0; u.len()];
+        self.full.multiply(u, &mut internal);
+        let energy = 0.5 * internal.iter().zip(u).map(|(f, u)| f * u).sum::<f64>();
+        let rest = |k: usize| if self.kept[k] { 0.0 } else { internal[k] - load[k] };
+        let held: Vec<f64> = (0..u.len()).map(rest).collect();
+        let reactions = self.structure.scatter(&held);
+        let displacements = self.structure.scatter(u);
+        let mean = |spring: &crate::case::Spring| -> f64 {
+            let along = |(node, weight): &(u32, f64)| {
+                let u = displacements[*node as usize];
+                weight * (0..3).map(|axis| u[axis] * spring.direction[axis]).sum::<f64>()
+            };
+            spring.nodes.iter().map(along).sum()
+        };
+        let spring_forces: Vec<f64> =
+            self.support.springs.iter().map(|spring| -spring.stiffness * mean(spring)).collect();
+        let mut reaction = sum(&reactions);
+        for (spring, force) in self.support.springs.iter().zip(&spring_forces) {
+            for axis in 0..3 {
+                reaction[axis] += force * spring.direction[axis];
+            }
+        }
+        let load = sum(&self.structure.scatter(load));
+        StaticSolution {
+            displacements,
+            energy,
+            load,
+            reaction,
+            reactions,
+            spring_forces,
+            accelerations,
+            report,
+        }
+    }
+
+    /// Forces on all unknowns: those of the case, and its centrifugal field `W^2 M (x, y, 0)`.
+    fn load(&self, case: &StaticCase) -> Result<Vec<f64>, FlexError> {
+        let mut load = vec![0.0; self.full.size()];
+        for force in &case.forces {
+            for axis in 0..3 {
+                load[self.structure.unknown(force.node, axis)] += force.force[axis];
+            }
+        }
+        if case.speed != 0.0 {
+            let places: Vec<[f64; 3]> = self.mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+            let mut field = vec![0.0; load.len()];
+            self.mass()?.multiply(&self.structure.gather(&places), &mut field);
+            for (load, field) in load.iter_mut().zip(field) {
+                *load += case.speed * case.speed * field;
+            }
+        }
+        Ok(load)
+    }
+
+    fn mass(&self) -> Result<&SymmetricMatrix, FlexError> {
+        self.mass.as_ref().ok_or_else(|| FlexError::Missing {
+            what: "mass matrix",
+            name: self.support.name.clone(),
+            hint: "the first case must turn or be relieved too",
+        })
+    }
+
+    /// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
+    ///
+    /// ```text
+    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 91.7)
+    /// ```
+    fn relieve(&self, load: &mut [f64]) -> Result<[f64; 6], FlexError> {
+        let (mass, size) = (self.mass()?, load.len());
+        let motions: Vec<Vec<f64>> =
+            rigid_motions(self.mesh).iter().map(|motion| self.structure.gather(motion)).collect();
+        let mut carried = vec![vec![0.0; size]; 6];
+        for (motion, carried) in motions.iter().zip(&mut carried) {
+            mass.multiply(motion, carried);
+        }
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let gram: Vec<f64> =
+            motions.iter().flat_map(|a| carried.iter().map(move |b| product(a, b))).collect();
+        let (values, vectors) = symmetric_eigen(&gram, 6);
+        if values[0] <= 1e-12 * values[5] {
+            return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
+        }
+        let force: Vec<f64> = motions.iter().map(|motion| product(motion, load)).collect();
+        let mut acceleration = [0.0; 6];
+        for (value, vector) in values.iter().zip(vectors.chunks(6)) {
+            let share = product(vector, &force) / value;
+            for k in 0..6 {
+                acceleration[k] += share * vector[k];
+            }
+        }
+        for (carried, a) in carried.iter().zip(acceleration) {
+            for (load, carried) in load.iter_mut().zip(carried) {
+                *load -= a * carried;
+            }
+        }
+        // The turns of the motions are in units of the reach of the mesh: the first node off the middle tells it.
+        let reach = reach(self.mesh);
+        Ok(std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / reach }))
+    }
+}
+
+/// Solves one case.
+///
+/// # Errors
+/// As [`StaticSystem::new`] and [`StaticSystem::solve`].
+pub fn solve_static(
+    mesh: &Mesh,
+    case: &StaticCase,
+    options: SolveOptions,
+) -> Result<StaticSolution, FlexError> {
+    let mut solutions = StaticSystem::new(mesh, case, options)?.solve(&[case])?;
+    Ok(solutions.remove(0))
+}
+
+fn sum(field: &[[f64; 3]]) -> [f64; 3] {
+    std::array::from_fn(|k| field.iter().map(|value| value[k]).sum())
+}
+
+/// Largest distance of a node from the middle of all [m].
+fn reach(mesh: &Mesh) -> f64 {
+    let count = mesh.nodes.len() as f64;
+    let middle: [f64; 3] =
+        std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
+    let squares = |node: &[f64; 3]| (0..3).map(|k| (node[k] - middle[k]).powi(2)).sum::<f64>();
+    mesh.nodes.iter().map(squares).fold(0.0, f64::max).sqrt()
+}
+
+/// Six displacements of three nodes far apart that hold a free body without loading it: node and axis.
+pub(crate) fn anchors(mesh: &Mesh) -> [(u32, usize); 6] {
+    let far = |measure: &dyn Fn(&[f64; 3]) -> f64| -> usize {
+        let mut best = (0, f64::NEG_INFINITY);
+        for (node, place) in mesh.nodes.iter().enumerate() {
+            let value = measure(place);
+            if value > best.1 {
+                best = (node, value);
+            }
+        }
+        best.0
+    };
+    let a = far(&|place| -place[0] - place[1] - place[2]);
+    let from = mesh.nodes[a];
+    let apart = |place: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| place[k] - from[k]) };
+    let b = far(&|place| apart(place).iter().map(|x| x * x).sum());
+    let line = apart(&mesh.nodes[b]);
+    let cross = |u: [f64; 3]| {
+        [line[1] * u[2] - line[2] * u[1], line[2] * u[0] - line[0] * u[2], line[0] * u[1] - line[1] * u[0]]
+    };
+    let c = far(&|place| cross(apart(place)).iter().map(|x| x * x).sum());
+    // The second node may go along the line from the first; turning about that line moves the third along the normal of their plane.
+    let biggest = |v: [f64; 3]| (0..3).max_by(|a, b| v[*a].abs().total_cmp(&v[*b].abs())).unwrap_or(0);
+    let (along, normal) = (biggest(line), biggest(cross(apart(&mesh.nodes[c]))));
+    let [p, q] = [(along + 1) % 3, (along + 2) % 3];
+    let (a, b, c) = (a as u32, b as u32, c as u32);
+    [(a, 0), (a, 1), (a, 2), (b, p), (b, q), (c, normal)]
+}
+
+/// Stress at a node.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct NodeStress {
+    /// Mean over the elements of one material at the node.
+    pub stress: element::Stress,
+    /// Largest less smallest von Mises stress of those elements [Pa]: a sign of the error.
+    pub jump: f64,
+}
+
+/// Stress at the nodes, extrapolated from the superconvergent points and averaged within the material with the lowest index there.
+pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress> {
+    let tables: Vec<(Vec<[f64; 3]>, Vec<Vec<f64>>)> = element::ElementKind::ALL
+        .iter()
+        .map(|kind| (element::recovery_points(*kind), element::extrapolation(*kind)))
+        .collect();
+    let each: Vec<Vec<element::Stress>> = mesh
+        .elements
+        .par_iter()
+        .map(|cell| {
+            let (points, weights) = &tables[cell.kind as usize];
+            let places = mesh.places(cell);
+            let moved: Vec<[f64; 3]> = cell.nodes.iter().map(|node| displacements[*node as usize]).collect();
+            let material = &mesh.materials[cell.material as usize];
+            let at: Vec<element::Stress> = points
+                .iter()
+                .map(|point| element::stress_at(cell.kind, &places, &moved, material, *point))
+                .collect();
+            let value = |weights: &Vec<f64>| {
+                weights.iter().zip(&at).fold(element::Stress::default(), |sum, (w, s)| sum + *s * *w)
+            };
+            weights.iter().map(value).collect()
+        })
+        .collect();
+    let mut first = vec![u32::MAX; mesh.nodes.len()];
+    for cell in &mesh.elements {
+        for node in &cell.nodes {
+            first[*node as usize] = first[*node as usize].min(cell.material);
+        }
+    }
+    let mut sums =
+        vec![(element::Stress::default(), 0.0, f64::INFINITY, f64::NEG_INFINITY); mesh.nodes.len()];
+    for (cell, stresses) in mesh.elements.iter().zip(each) {
+        for (node, stress) in cell.nodes.iter().zip(stresses) {
+            if first[*node as usize] == cell.material {
+                let (sum, count, least, most) = &mut sums[*node as usize];
+                let equivalent = stress.von_mises();
+                (*sum, *count) = (*sum + stress, *count + 1.0);
+                (*least, *most) = (least.min(equivalent), most.max(equivalent));
+            }
+        }
+    }
+    let mean = |(sum, count, least, most): (element::Stress, f64, f64, f64)| {
+        if count > 0.0 {
+            NodeStress { stress: sum * (1.0 / count), jump: most - least }
+        } else {
+            NodeStress::default()
+        }
+    };
+    sums.into_iter().map(mean).collect()
+}

@@ -1,0 +1,80 @@
+//! Meshes with results for ParaView: VTK's XML file of an unstructured grid, values as raw appended bytes.
+
+use crate::mesh::Mesh;
+use std::fmt::Write;
+
+/// Values at the nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeField {
+    /// Its name.
+    pub name: String,
+    /// How many numbers each node has.
+    pub components: usize,
+    /// Node after node.
+    pub values: Vec<f64>,
+}
+
+/// A mesh with fields at its nodes as a `.vtu` file [m], quadratic cells.
+///
+/// VTK numbers the nodes of these cells as CalculiX does: corners, lower edges, upper edges, edges between.
+pub fn write_vtu(mesh: &Mesh, fields: &[NodeField]) -> Vec<u8> {
+    let mut blocks: Vec<Vec<u8>> = Vec::new();
+    let mut head = String::from(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n",
+    );
+    let _ = writeln!(
+        head,
+        "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
+        mesh.nodes.len(),
+        mesh.elements.len()
+    );
+    let mut offset = 0usize;
+    let mut array = |head: &mut String, kind: &str, name: &str, components: usize, bytes: Vec<u8>| {
+        let name = name.replace(['"', '<', '&'], "_");
+        let _ = writeln!(
+            head,
+            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"appended\" offset=\"{offset}\"/>"
+        );
+        offset += 8 + bytes.len();
+        blocks.push(bytes);
+    };
+    head.push_str("<PointData>\n");
+    for field in fields {
+        let bytes = field.values.iter().flat_map(|value| value.to_le_bytes()).collect();
+        array(&mut head, "Float64", &field.name, field.components, bytes);
+    }
+    head.push_str("</PointData>\n<Points>\n");
+    let places = mesh.nodes.iter().flatten().flat_map(|value| value.to_le_bytes()).collect();
+    array(&mut head, "Float64", "Points", 3, places);
+    head.push_str("</Points>\n<Cells>\n");
+    let nodes = mesh.elements.iter().flat_map(|element| &element.nodes);
+    array(
+        &mut head,
+        "Int32",
+        "connectivity",
+        1,
+        nodes.flat_map(|node| (*node as i32).to_le_bytes()).collect(),
+    );
+    let mut end = 0i32;
+    let ends = mesh.elements.iter().flat_map(|element| {
+        end += element.nodes.len() as i32;
+        end.to_le_bytes()
+    });
+    let ends = ends.collect();
+    array(&mut head, "Int32", "offsets", 1, ends);
+    array(
+        &mut head,
+        "UInt8",
+        "types",
+        1,
+        mesh.elements.iter().map(|element| element.kind.vtk_type()).collect(),
+    );
+    head.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+    let mut file = head.into_bytes();
+    for block in blocks {
+        file.extend((block.len() as u64).to_le_bytes());
+        file.extend(block);
+    }
+    file.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
+    file
+}

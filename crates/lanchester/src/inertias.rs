@@ -1,0 +1,77 @@
+//! Inertias of everything that turns, in one table: each body with its number, what it is at crankshaft 1, and where it comes from.
+
+use lanchester_geometry::crankshaft::crankshaft;
+use lanchester_model::{Engine, InertiaSum, RotatingBody, ShapedCrankshaft, Sourced};
+use lanchester_task::Tasks;
+use serde::Serialize;
+
+/// Version of [`Inertias`]; raised when a field changes its meaning or goes.
+pub const INERTIAS_VERSION: u32 = 1;
+
+/// What turns with an engine.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct Inertias {
+    /// [`INERTIAS_VERSION`].
+    pub version: u32,
+    /// All that turns at a fixed ratio to crankshaft 1.
+    pub bodies: Vec<RotatingBody>,
+    /// Of crankshafts that are bodies what belongs to each throw: pin, webs and counterweights on them; part of the crankshaft's own number.
+    pub throws: Vec<ThrowInertia>,
+    /// What is behind the flywheel on springs, in order; not in the sum.
+    pub driveline: Vec<DrivelineBody>,
+    /// All bodies as seen at crankshaft 1.
+    pub sum: InertiaSum,
+}
+
+/// Share of a throw in the inertia of its crankshaft.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct ThrowInertia {
+    /// Index of the throw.
+    pub throw: usize,
+    /// Mass [kg].
+    pub mass: f64,
+    /// Moment of inertia about the axis of its crankshaft [kg m^2].
+    pub inertia: f64,
+}
+
+/// An inertia of the driveline.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct DrivelineBody {
+    /// Speed over that of crankshaft 1 where no spring twists.
+    pub ratio: f64,
+    /// Moment of inertia about its axis [kg m^2].
+    pub inertia: Sourced,
+}
+
+/// Crankshafts that are bodies, with mass, centre and inertia from their shape; `None` for others.
+pub fn shaped_crankshafts(engine: &Engine) -> Vec<Option<ShapedCrankshaft>> {
+    let of = |index: usize| {
+        let body = crankshaft(engine, index).ok()?;
+        let (mass, centre) = (body.mass.mass, body.mass.centre);
+        Some(ShapedCrankshaft { mass, centre, inertia: body.polar_inertia })
+    };
+    (0..engine.crankshafts.len()).map(of).collect()
+}
+
+/// The inertias of an engine and of the driveline that its file gives.
+pub fn inertias(engine: &Engine, tasks: &Tasks) -> Inertias {
+    let bodies = engine.rotating_bodies(&shaped_crankshafts(engine));
+    let shares = (0..engine.crankshafts.len()).filter_map(|index| crankshaft(engine, index).ok());
+    let mut throws: Vec<ThrowInertia> = shares
+        .flat_map(|body| body.throws)
+        .filter_map(|share| {
+            Some(ThrowInertia { throw: share.throw?, mass: share.mass, inertia: share.polar_inertia })
+        })
+        .collect();
+    throws.sort_by_key(|share| share.throw);
+    let mut ratio = 1.0;
+    let links = tasks.simulation.iter().flat_map(|input| &input.driveline);
+    let driveline = links
+        .map(|link| {
+            ratio *= link.ratio;
+            DrivelineBody { ratio, inertia: Sourced::given(link.inertia) }
+        })
+        .collect();
+    let sum = InertiaSum::of(&bodies);
+    Inertias { version: INERTIAS_VERSION, bodies, throws, driveline, sum }
+}

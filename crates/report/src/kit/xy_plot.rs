@@ -1,0 +1,153 @@
+//! Curves of one quantity over another: p-V diagrams, power over speed, polar diagrams.
+
+use crate::kit::axis::Axis;
+use crate::kit::figure::Panel;
+use crate::kit::number::{self, Scale};
+use crate::kit::plot::{BOTTOM, HEIGHT, LEFT, Legend, RIGHT, WIDTH, value_axis};
+use crate::kit::svg::{Anchor, Path, Svg};
+
+/// One curve, or dots where `dots`.
+pub(crate) struct XyCurve {
+    pub name: String,
+    /// As in [`crate::kit::plot::Series`].
+    pub style: usize,
+    /// In SI.
+    pub points: Vec<(f64, f64)>,
+    pub dots: bool,
+}
+
+/// A plot with both axes in SI units.
+pub(crate) struct XyPlot<'a> {
+    pub abscissa: &'a str,
+    pub ordinate: &'a str,
+    pub units: [&'a str; 2],
+    /// One scale and one length for both axes, which reach at least this far in SI: a polar diagram.
+    pub polar: Option<f64>,
+    pub curves: Vec<XyCurve>,
+}
+
+impl XyPlot<'_> {
+    /// Draws it.
+    pub fn panel(&self) -> Panel {
+        let all = || self.curves.iter().flat_map(|curve| curve.points.iter().copied());
+        let range = |values: &mut dyn Iterator<Item = f64>| {
+            values
+                .filter(|v| v.is_finite())
+                .fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
+        };
+        let mut x_range = range(&mut all().map(|p| p.0));
+        let mut y_range = range(&mut all().map(|p| p.1));
+        if let Some(least) = self.polar {
+            let reach =
+                [x_range.0, x_range.1, y_range.0, y_range.1].iter().fold(least, |m, v| m.max(v.abs()));
+            (x_range, y_range) = ((-reach, reach), (-reach, reach));
+        }
+        let largest = |range: (f64, f64)| range.1.max(-range.0);
+        let [x_scale, y_scale] =
+            [Scale::of(largest(x_range), self.units[0]), Scale::of(largest(y_range), self.units[1])];
+        let x_axis = Axis::of(x_range.0 / x_scale.divisor, x_range.1 / x_scale.divisor, 6);
+        let y_axis = Axis::of(y_range.0 / y_scale.divisor, y_range.1 / y_scale.divisor, 6);
+        let names: Vec<(String, usize)> =
+            self.curves.iter().filter(|c| !c.dots).map(|c| (c.name.clone(), c.style)).collect();
+        let legend = Legend::of(&names, 4.0, WIDTH + 10.0);
+        let top = 26.0 + legend.height;
+        let plot = if self.polar.is_some() { WIDTH - LEFT - RIGHT } else { HEIGHT - 26.0 - BOTTOM };
+        let mut svg = Svg::new(WIDTH, top + plot + BOTTOM);
+        let (right, bottom) = (WIDTH - RIGHT, top + plot);
+        svg.text("muted small", (4.0, 13.0), Anchor::Start, &format!("{} [{}]", self.ordinate, y_scale.unit));
+        legend.draw(&mut svg);
+        value_axis(&mut svg, &y_axis, top, bottom);
+        for &tick in &x_axis.ticks {
+            let x = x_axis.place(tick, LEFT, right);
+            let class = if tick.abs() < 1e-9 * x_axis.step() { "zero" } else { "grid" };
+            svg.line(class, (x, top), (x, bottom));
+            svg.text("small", (x, bottom + 17.0), Anchor::Middle, &number::fixed(tick, x_axis.decimals));
+        }
+        let middle = ((LEFT + right) / 2.0, bottom + 37.0);
+        svg.text("muted small", middle, Anchor::Middle, &format!("{} [{}]", self.abscissa, x_scale.unit));
+        for curve in self.curves.iter().rev() {
+            let place = |&(x, y): &(f64, f64)| {
+                (
+                    x_axis.place(x / x_scale.divisor, LEFT, right),
+                    y_axis.place(y / y_scale.divisor, bottom, top),
+                )
+            };
+            if curve.dots {
+                curve.points.iter().for_each(|point| svg.circle("pin", place(point), 4.0));
+            } else {
+                let points: Vec<(f64, f64)> = curve.points.iter().map(place).collect();
+                svg.path(&format!("s{}", curve.style.min(5)), &Path::through(thinned(&points)));
+            }
+        }
+        let said: Vec<&str> = self.curves.iter().map(|c| c.name.as_str()).collect();
+        let description = format!(
+            "{} over {}: {}; from {} to {} {}.",
+            self.ordinate,
+            self.abscissa,
+            said.join(", "),
+            number::short(y_range.0 / y_scale.divisor, 4),
+            number::short(y_range.1 / y_scale.divisor, 4),
+            y_scale.unit
+        );
+        Panel::new(svg, description)
+    }
+}
+
+/// How far a curve may depart from the line through the points that are kept [px].
+const DEPARTURE: f64 = 0.15;
+
+/// The points without those that lie on the line between the others, as far as the eye can tell (Douglas and Peucker).
+fn thinned(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut kept = vec![false; points.len()];
+    let mut spans = vec![(0, points.len().saturating_sub(1))];
+    if let Some(first) = kept.first_mut() {
+        *first = true;
+    }
+    while let Some((from, to)) = spans.pop() {
+        if let Some(last) = kept.get_mut(to) {
+            *last = true;
+        }
+        let worst = (from + 1..to)
+            .map(|k| (distance(points[k], points[from], points[to]), k))
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((far, k)) = worst
+            && (far > DEPARTURE || far.is_nan())
+        {
+            spans.extend([(from, k), (k, to)]);
+        }
+    }
+    points.iter().zip(kept).filter(|(_, kept)| *kept).map(|(point, _)| *point).collect()
+}
+
+/// Distance of a point from the straight piece between two others.
+fn distance(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+    let along = (to.0 - from.0, to.1 - from.1);
+    let off = (point.0 - from.0, point.1 - from.1);
+    let square = along.0 * along.0 + along.1 * along.1;
+    let share =
+        if square > 0.0 { ((off.0 * along.0 + off.1 * along.1) / square).clamp(0.0, 1.0) } else { 0.0 };
+    (off.0 - share * along.0).hypot(off.1 - share * along.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_corners_and_shape() {
+        let square = [(0.0, 0.0), (5.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 5.0), (0.0, 0.0)];
+        let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 0.0)];
+        assert_eq!(thinned(&square), corners);
+        let circle: Vec<(f64, f64)> = (0..=360)
+            .map(|k| f64::from(k).to_radians())
+            .map(|t| (200.0 * t.cos(), 200.0 * t.sin()))
+            .collect();
+        let kept = thinned(&circle);
+        assert!(kept.len() < 130, "{}", kept.len());
+        let off = |p: &(f64, f64)| {
+            kept.windows(2).map(|pair| distance(*p, pair[0], pair[1])).fold(f64::INFINITY, f64::min)
+        };
+        assert!(circle.iter().all(|p| off(p) <= DEPARTURE));
+        assert_eq!((thinned(&[]).len(), thinned(&[(1.0, 2.0)]).len()), (0, 1));
+    }
+}

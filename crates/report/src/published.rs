@@ -1,0 +1,13 @@
+//! Published methods beside the true optimum.
+
+pub(crate) mod crank_curve;
+pub(crate) mod swept;
+pub(crate) mod tables;
+pub(crate) mod text;
+
+pub use crank_curve::crank_curve;
+pub use swept::{sweep_steps_table, swept_table, swept_text};
+pub use tables::{
+    equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
+};
+pub use text::method_text;

@@ -1,0 +1,274 @@
+//! Orders and reactions of a simulated run: the last whole period by order, two-sided as everywhere, and the largest load of every joint.
+
+use crate::kit::figure::Figure;
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
+use crate::simulated::run::SimulationResult;
+use crate::simulated::section::{curve, figure, panel};
+use num_complex::Complex64;
+use std::f64::consts::TAU;
+
+/// Highest order of the table, and of the file of all.
+const SHOWN: f64 = 6.0;
+const MOST: f64 = 24.0;
+
+/// Orders below this share of the largest of every kind are left out of the table.
+const NOTHING: f64 = 1e-6;
+
+/// One order of the last period: what the crank train does to the block, at its shaft, and how speed and block follow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SimulatedOrder {
+    /// Cycles a revolution of crankshaft 1.
+    pub order: f64,
+    /// Parts of the force on the block that turn with the crank and against it [N].
+    pub force: [Complex64; 2],
+    /// The same of the couple about the origin [N m].
+    pub couple: [Complex64; 2],
+    /// Roll moment on the block [N m], modulus = amplitude.
+    pub roll_moment: Complex64,
+    /// Torque that the crank train delivers at crankshaft 1 [N m].
+    pub shaft_torque: Complex64,
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: Complex64,
+    /// Parts of the motion of the block's origin across the crank axis [m]; 0 with a fixed block.
+    pub motion: [Complex64; 2],
+}
+
+impl SimulationResult {
+    /// The last whole period by order, at the crank angle itself; empty where its samples are not equally spaced in the angle, or none is whole.
+    pub fn orders(&self) -> Vec<SimulatedOrder> {
+        let samples = &self.run.samples;
+        let range = self.last_period();
+        let theta = &samples.theta[range.clone()];
+        let period = TAU * f64::from(self.revolutions);
+        let (Some(first), Some(last)) = (theta.first(), theta.last()) else { return Vec::new() };
+        let count = theta.len() - 1;
+        let step = period / count.max(1) as f64;
+        let equal = theta.windows(2).all(|pair| (pair[1] - pair[0] - step).abs() < 1e-9 * period);
+        if count < 8
+            || (last - first - period).abs() > 1e-9 * period
+            || !equal
+            || samples.reactions.is_empty()
+        {
+            return Vec::new();
+        }
+        let range = range.start..range.start + count;
+        let of = |order: f64, value: &dyn Fn(usize) -> Complex64| -> Complex64 {
+            let terms = range.clone().map(|k| value(k) * Complex64::cis(-order * samples.theta[k]));
+            terms.sum::<Complex64>() / count as f64
+        };
+        // Both senses of what is a vector; a mean turns neither way.
+        let sides = |order: f64, value: &dyn Fn(usize) -> Complex64| {
+            if order == 0.0 {
+                [of(0.0, value), Complex64::ZERO]
+            } else {
+                [of(order, value), of(-order, value)]
+            }
+        };
+        let amplitude = |order: f64, value: &dyn Fn(usize) -> f64| {
+            of(order, &|k| value(k).into()) * if order == 0.0 { 1.0 } else { 2.0 }
+        };
+        let block = |k: usize| &samples.reactions[k].on_block;
+        let highest = (MOST * f64::from(self.revolutions)).min(count as f64 / 4.0) as u32;
+        let orders = (0..=highest).map(|cycles| {
+            let order = f64::from(cycles) / f64::from(self.revolutions);
+            SimulatedOrder {
+                order,
+                force: sides(order, &|k| Complex64::new(block(k).force[0], block(k).force[1])),
+                couple: sides(order, &|k| Complex64::new(block(k).moment[0], block(k).moment[1])),
+                roll_moment: amplitude(order, &|k| block(k).moment[2]),
+                shaft_torque: amplitude(order, &|k| samples.reactions[k].shaft_torque),
+                speed: amplitude(order, &|k| samples.speed[k]),
+                motion: sides(order, &|k| {
+                    samples.position.get(k).map_or(Complex64::ZERO, |p| Complex64::new(p[0], p[1]))
+                }),
+            }
+        });
+        orders.collect()
+    }
+}
+
+/// Sizes of one order in the order of the columns.
+fn sizes(one: &SimulatedOrder) -> [f64; 9] {
+    [
+        one.force[0].norm(),
+        one.force[1].norm(),
+        one.couple[0].norm(),
+        one.couple[1].norm(),
+        one.roll_moment.norm(),
+        one.shaft_torque.norm(),
+        number::rpm(one.speed.norm()),
+        1e3 * one.motion[0].norm(),
+        1e3 * one.motion[1].norm(),
+    ]
+}
+
+const COLUMNS: [(&str, &str); 9] = [
+    ("force forward", "N"),
+    ("force backward", "N"),
+    ("couple forward", "N m"),
+    ("couple backward", "N m"),
+    ("roll moment", "N m"),
+    ("shaft torque", "N m"),
+    ("speed", "rpm"),
+    ("origin forward", "mm"),
+    ("origin backward", "mm"),
+];
+
+/// The orders as a table; all-zero rows omitted.
+pub(crate) fn orders_table(result: &SimulationResult) -> Option<Table> {
+    let orders = result.orders();
+    let mut largest = [0.0f64; 9];
+    for one in orders.iter().filter(|one| one.order > 0.0) {
+        largest.iter_mut().zip(sizes(one)).for_each(|(most, size)| *most = most.max(size));
+    }
+    let moves = !result.run.samples.position.is_empty();
+    let kept = if moves { 9 } else { 7 };
+    let rows: Vec<Vec<Cell>> = orders
+        .iter()
+        .filter(|one| one.order <= SHOWN)
+        .filter(|one| {
+            sizes(one)[..kept].iter().zip(largest).any(|(size, most)| *size > NOTHING * most && most > 0.0)
+        })
+        .map(|one| {
+            let mut row = vec![Cell::number(one.order, 3)];
+            row.extend(sizes(one)[..kept].iter().zip(largest).map(|(size, most)| {
+                Cell::number(if *size > NOTHING * most || one.order == 0.0 { *size } else { 0.0 }, 4)
+            }));
+            row
+        })
+        .collect();
+    if rows.is_empty() {
+        return None;
+    }
+    let mut columns = vec![Column::numbers("order", "1")];
+    columns.extend(COLUMNS[..kept].iter().map(|&(name, unit)| Column::numbers(name, unit)));
+    Some(Table {
+        id: "simulated-orders",
+        title: "Loads on the block, torque and speed by order of the last period".into(),
+        note: "Of forces and couples the parts that turn with the crank (forward) and against it (backward); of the others the amplitude. All-zero rows omitted.".into(),
+        remark: String::new(),
+        columns,
+        rows,
+    })
+}
+
+/// All orders as CSV, real and imaginary parts.
+pub fn simulation_orders_csv(result: &SimulationResult) -> String {
+    let mut out = String::new();
+    let names = [
+        "force_forward [N]",
+        "force_backward [N]",
+        "couple_forward [N m]",
+        "couple_backward [N m]",
+        "roll_moment [N m]",
+        "shaft_torque [N m]",
+        "speed [rad/s]",
+        "origin_forward [m]",
+        "origin_backward [m]",
+    ];
+    let heads = names.iter().flat_map(|name| [format!("re {name}"), format!("im {name}")]);
+    push_csv_line(&mut out, std::iter::once("order".to_owned()).chain(heads));
+    for one in result.orders() {
+        let [force, couple, motion] = [one.force, one.couple, one.motion];
+        let all = [
+            force[0],
+            force[1],
+            couple[0],
+            couple[1],
+            one.roll_moment,
+            one.shaft_torque,
+            one.speed,
+            motion[0],
+            motion[1],
+        ];
+        let values = all.iter().flat_map(|value| [value.re, value.im]);
+        push_csv_line(&mut out, std::iter::once(one.order).chain(values).map(csv_number));
+    }
+    out
+}
+
+/// Largest load of every joint of the cylinders over the last period.
+pub(crate) fn joints_table(result: &SimulationResult) -> Option<Table> {
+    let reactions = result.run.samples.reactions.get(result.last_period())?;
+    let cylinders = reactions.first()?.cylinders.len();
+    let rows = (0..cylinders).map(|index| {
+        let largest = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| {
+            reactions.iter().map(|all| pick(&all.cylinders[index])).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let size = |force: [f64; 3]| force.iter().map(|part| part * part).sum::<f64>().sqrt();
+        vec![
+            Cell::text(format!("{}", index + 1)),
+            Cell::number(largest(&|c| c.side_thrust.abs()), 5),
+            Cell::number(largest(&|c| size(c.piston_pin.force)), 5),
+            Cell::number(largest(&|c| size(c.lower_pin.force)), 5),
+            Cell::number(largest(&|c| -c.throw_frame[0]), 5),
+            Cell::number(largest(&|c| c.throw_frame[0]), 5),
+            Cell::number(largest(&|c| c.throw_frame[1]), 5),
+            Cell::number(-largest(&|c| -c.throw_frame[1]), 5),
+        ]
+    });
+    let names = ["side thrust", "piston pin", "lower pin", "inwards", "outwards", "driving", "braking"];
+    let mut columns = vec![Column::words("cylinder")];
+    columns.extend(names.map(|name| Column::numbers(name, "N")));
+    Some(Table {
+        id: "simulated-joints",
+        title: "Joints: largest loads in the last period".into(),
+        note: "Lower pin: crankpin or knuckle pin. The last four: extremes of the force of the rod on the crankpin, along its throw and across it, 0 for a knuckle pin.".into(),
+        remark: String::new(),
+        columns,
+        rows: rows.collect(),
+    })
+}
+
+/// Polar diagrams of the main bearings by the rule of the run, and of the crankpins about their throws.
+pub(crate) fn reaction_figures(result: &SimulationResult) -> Vec<Figure> {
+    let Some(reactions) = result.run.samples.reactions.get(result.last_period()).filter(|all| all.len() > 2)
+    else {
+        return Vec::new();
+    };
+    let rule =
+        lanchester_multibody::MainRule::ALL.iter().position(|rule| *rule == result.main_rule).unwrap_or(0);
+    let mut panels = Vec::new();
+    for (shaft, planes) in result.mains.iter().enumerate() {
+        let of = |main: usize| -> Vec<(f64, f64)> {
+            let loads = reactions.iter().filter_map(|all| all.rotors.get(shaft)?.mains[rule].get(main));
+            loads.map(|[x, y]| (*y, *x)).collect()
+        };
+        let curves: Vec<_> = (0..planes.len())
+            .map(|main| curve(&format!("{}.{}", shaft + 1, main + 1), main, of(main)))
+            .collect();
+        if planes.len() > 1 {
+            panels.push(panel(["y", "x"], ["N", "N"], Some(0.0), curves));
+        }
+    }
+    let mut figures = Vec::new();
+    if !panels.is_empty() {
+        let caption = format!(
+            "Force of the journals on their bearings in the last period, axes of the block, by the rule `{}`.",
+            result.main_rule.name()
+        );
+        figures.push(figure("simulated-main-bearings", "Main bearings", &caption, panels));
+    }
+    let pins = |index: usize| -> Vec<(f64, f64)> {
+        reactions
+            .iter()
+            .map(|all| all.cylinders[index].throw_frame)
+            .map(|[along, across]| (across, along))
+            .collect()
+    };
+    let curves: Vec<_> = (0..reactions[0].cylinders.len())
+        .map(|index| curve(&format!("cylinder {}", index + 1), index, pins(index)))
+        .filter(|curve| curve.points.iter().any(|point| *point != (0.0, 0.0)))
+        .collect();
+    if !curves.is_empty() {
+        let caption = "Force of the rods on their crankpins in the last period, seen from the throw: upwards away from the crank axis, to the right where it drives the crank.";
+        figures.push(figure(
+            "simulated-crankpins",
+            "Crankpins",
+            caption,
+            vec![panel(["across the throw", "along the throw"], ["N", "N"], Some(0.0), curves)],
+        ));
+    }
+    figures
+}

@@ -1,0 +1,436 @@
+//! A simulated run as text and CSV: speed, block, mounts, bearings, energy, events, cost.
+
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
+use crate::loads::text::push_wrapped;
+use crate::simulated::orders::{joints_table, orders_table};
+use lanchester_multibody::{MainRule, Occasion, PeriodicOutcome, Run, RunOutcome};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const SIMULATION_VERSION: u32 = 1;
+
+/// A simulated run with what its reader must know.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SimulationResult {
+    /// [`SIMULATION_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// Where the pressures come from, in words; `None`: no gas.
+    pub gas: Option<String>,
+    /// What was chosen where nothing was said, and what the file gives but the run does not use.
+    pub notes: Vec<String>,
+    /// Revolutions after which all shafts and cylinders stand as before.
+    pub revolutions: u32,
+    /// What each event of the run does, in words.
+    pub actions: Vec<String>,
+    /// Names of the mounts.
+    pub mounts: Vec<String>,
+    /// Planes of the main bearings [m], by crankshaft.
+    pub mains: Vec<Vec<f64>>,
+    /// The rule of main bearings that tables of one rule and pictures show.
+    pub main_rule: MainRule,
+    /// How the search for a periodic motion ended, where one was asked for.
+    pub periodic: Option<PeriodicResult>,
+    /// The run.
+    pub run: Run,
+}
+
+/// How the search for a periodic motion ended.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PeriodicResult {
+    /// Outcome.
+    pub outcome: PeriodicOutcome,
+    /// Largest change over one period, over the size of its kind of state.
+    pub residual: f64,
+    /// Newton's iterations.
+    pub iterations: usize,
+    /// Multipliers by falling size: real and imaginary part.
+    pub multipliers: Vec<[f64; 2]>,
+}
+
+impl SimulationResult {
+    /// Samples of the last whole period, or all where there is none.
+    pub(crate) fn last_period(&self) -> std::ops::Range<usize> {
+        let theta = &self.run.samples.theta;
+        let Some(end) = theta.last() else { return 0..0 };
+        let from = end - TAU * f64::from(self.revolutions) - 1e-9;
+        let first = theta.iter().position(|at| *at >= from).unwrap_or(0);
+        if theta[0] > from + 2e-9 { 0..theta.len() } else { first..theta.len() }
+    }
+
+    /// Highest, lowest and mean (over time) speed in the last whole period [rad/s].
+    pub fn speeds(&self) -> [f64; 3] {
+        let range = self.last_period();
+        let (speed, time) = (&self.run.samples.speed[range.clone()], &self.run.samples.time[range.clone()]);
+        let theta = &self.run.samples.theta[range];
+        let most = speed.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = speed.iter().copied().fold(f64::INFINITY, f64::min);
+        let mean = match (theta.first(), theta.last(), time.first(), time.last()) {
+            (Some(a), Some(b), Some(from), Some(to)) if to > from => (b - a) / (to - from),
+            _ => speed.first().copied().unwrap_or(0.0),
+        };
+        [most, least, mean]
+    }
+
+    /// Main bearings: number of the crankshaft, of the main, plane, largest load by every rule [N].
+    fn mains(&self) -> Vec<(usize, usize, f64, [f64; 3])> {
+        let mut all = Vec::new();
+        for (shaft, planes) in self.mains.iter().enumerate() {
+            for (main, z) in planes.iter().enumerate() {
+                let of = |rule: usize| {
+                    let loads = self
+                        .run
+                        .samples
+                        .reactions
+                        .iter()
+                        .filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
+                    loads.map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+                };
+                all.push((shaft + 1, main + 1, *z, [of(0), of(1), of(2)]));
+            }
+        }
+        all
+    }
+}
+
+fn outcome_words(outcome: &RunOutcome) -> String {
+    let degrees = |theta: f64| number::short(theta.to_degrees(), 6);
+    match outcome {
+        RunOutcome::Complete => "complete".into(),
+        RunOutcome::Stopped => "stopped by an event".into(),
+        RunOutcome::AtRest { theta, torque, held_by } => format!(
+            "the crank comes to rest at {} deg, where {} N m are left against {} N m of friction and load",
+            degrees(*theta),
+            number::short(*torque, 4),
+            number::short(*held_by, 4)
+        ),
+        RunOutcome::Cancelled => "incomplete: cancelled, the samples so far are shown".into(),
+        RunOutcome::TooManyEvaluations => "incomplete: as many evaluations as are allowed were used".into(),
+        RunOutcome::Failed { reason } => format!("incomplete: {reason:?}; the samples before it are good"),
+    }
+}
+
+fn occasion_words(what: Occasion, actions: &[String]) -> String {
+    match what {
+        Occasion::Event { index } => {
+            actions.get(index).cloned().unwrap_or_else(|| format!("event {}", index + 1))
+        }
+        Occasion::StarterOff => "the starter lets go".into(),
+        Occasion::Reversed => "the crank reverses".into(),
+        Occasion::Held => "friction holds the crank".into(),
+        Occasion::Released => "the crank breaks away".into(),
+    }
+}
+
+fn words(header: &str, unit: &'static str) -> Column {
+    if unit.is_empty() { Column::words(header) } else { Column::numbers(header, unit) }
+}
+
+fn table(id: &'static str, title: &str, note: &str, columns: Vec<Column>, rows: Vec<Vec<Cell>>) -> Table {
+    Table { id, title: title.into(), note: note.into(), remark: String::new(), columns, rows }
+}
+
+/// How the run ended, what was chosen for it, and what its audits say: a paragraph each.
+pub(crate) fn simulation_words(result: &SimulationResult) -> Vec<String> {
+    let run = &result.run;
+    let [time, theta, speed] = run.end;
+    let mut all = vec![format!(
+        "Run: {}. It ends after {} s at {} revolutions and {} rpm.",
+        outcome_words(&run.outcome),
+        number::short(time, 5),
+        number::short(theta / TAU, 6),
+        number::short(number::rpm(speed), 6)
+    )];
+    if let Some(periodic) = &result.periodic {
+        let largest = periodic.multipliers.first().map_or(0.0, |m| m[0].hypot(m[1]));
+        let found = match periodic.outcome {
+            PeriodicOutcome::Stable => "stable",
+            PeriodicOutcome::Neutral => "neutral, because the load does not depend on the speed",
+            PeriodicOutcome::Unstable => "unstable",
+            PeriodicOutcome::Cancelled => {
+                "cancelled: a period of the best trial so far is shown, which need not close"
+            }
+            PeriodicOutcome::NotFound => "not found: the last trial is shown, which does not close",
+        };
+        all.push(format!(
+            "Periodic motion: {found}; largest multiplier {largest:.6}, residual {:.1e} after {} iterations.",
+            periodic.residual, periodic.iterations
+        ));
+    }
+    all.extend(result.notes.iter().cloned());
+    all
+}
+
+/// What the run must keep, and what it cost.
+pub(crate) fn audit_words(run: &Run) -> String {
+    let audit = &run.audit;
+    format!(
+        "Audit: energy {:.1e} of its throughput, loops {:.1e} m, quaternion {:.1e}. Cost: {} steps, {} rejected, {} evaluations.",
+        audit.energy, audit.loops, audit.quaternion, run.cost.steps, run.cost.rejected, run.cost.evaluations
+    )
+}
+
+/// Everything as plain text.
+pub fn simulation_text(result: &SimulationResult) -> String {
+    let gas = result.gas.as_ref().map_or("no gas".to_owned(), |gas| format!("gas: {gas}"));
+    let mut out = format!("{}, simulated as rigid bodies, {gas}\n\n", result.engine);
+    for words in simulation_words(result) {
+        push_wrapped(&mut out, "", &words);
+    }
+    for table in simulation_tables(result) {
+        out.push('\n');
+        out.push_str(&table.text());
+    }
+    out.push('\n');
+    push_wrapped(&mut out, "", &audit_words(&result.run));
+    out
+}
+
+/// Speed, block, mounts, mains, energy, events.
+pub(crate) fn simulation_tables(result: &SimulationResult) -> Vec<Table> {
+    let mut tables = vec![speed_table(result)];
+    tables.extend(block_tables(result));
+    tables.extend(orders_table(result));
+    tables.extend(joints_table(result));
+    tables.extend(mains_table(result));
+    tables.push(energy_table(&result.run));
+    if !result.run.events.is_empty() {
+        tables.push(events_table(result));
+    }
+    tables
+}
+
+fn speed_table(result: &SimulationResult) -> Table {
+    let [most, least, mean] = result.speeds();
+    let rpm = |speed: f64| Cell::number(number::rpm(speed), 7);
+    let fluctuation = Cell::number(100.0 * (most - least) / mean, 4);
+    table(
+        "simulated-speed",
+        "Speed in the last period",
+        "",
+        vec![
+            words("mean", "rpm"),
+            words("highest", "rpm"),
+            words("lowest", "rpm"),
+            words("fluctuation", "%"),
+        ],
+        vec![vec![rpm(mean), rpm(most), rpm(least), fluctuation]],
+    )
+}
+
+/// The block and its mounts, where it moves.
+fn block_tables(result: &SimulationResult) -> Vec<Table> {
+    let run = &result.run;
+    if run.samples.position.is_empty() {
+        return Vec::new();
+    }
+    let range = result.last_period();
+    let extremes = |values: Vec<f64>| {
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        [most, least]
+    };
+    let row = |(k, axis): (usize, &str)| {
+        let [most, least] =
+            extremes(run.samples.position[range.clone()].iter().map(|p| 1e3 * p[k]).collect());
+        let turn = run.samples.orientation[range.clone()].iter().map(|q| 2e3 * q[k + 1] * q[0].signum());
+        let [turned, back] = extremes(turn.collect());
+        vec![
+            Cell::text(axis),
+            Cell::number(least, 5),
+            Cell::number(most, 5),
+            Cell::number(most - least, 4),
+            Cell::number(turned - back, 4),
+        ]
+    };
+    let columns = vec![
+        words("axis", ""),
+        words("least", "mm"),
+        words("most", "mm"),
+        words("orbit", "mm"),
+        words("turn", "mrad"),
+    ];
+    let title = "Block in the last period: its origin, and its turn about each axis";
+    let rows = ["x", "y", "z"].into_iter().enumerate().map(row).collect();
+    let mut tables = vec![table("simulated-block", title, "", columns, rows)];
+    let largest = |mount: usize| {
+        let forces = run.samples.mounts[range.clone()].iter().filter_map(|at| at.get(mount));
+        forces.map(|f| f.iter().map(|c| c * c).sum::<f64>().sqrt()).fold(0.0, f64::max)
+    };
+    if !result.mounts.is_empty() {
+        let rows = result.mounts.iter().enumerate();
+        let rows = rows.map(|(k, name)| vec![Cell::text(name), Cell::number(largest(k), 5)]);
+        let columns = vec![words("mount", ""), words("largest force", "N")];
+        tables.push(table("simulated-mounts", "Mounts in the last period", "", columns, rows.collect()));
+    }
+    tables
+}
+
+fn mains_table(result: &SimulationResult) -> Option<Table> {
+    let mains = result.mains();
+    if result.run.samples.reactions.is_empty() || mains.is_empty() {
+        return None;
+    }
+    let rows = mains.into_iter().map(|(shaft, main, z, loads)| {
+        let [low, high] = [f64::min, f64::max].map(|pick| loads.into_iter().reduce(pick).unwrap_or(0.0));
+        let mut row = vec![Cell::text(format!("{shaft}.{main}")), Cell::number(1e3 * z, 4)];
+        row.extend(loads.map(|load| Cell::number(load, 5)));
+        row.push(Cell::number(high - low, 3));
+        row
+    });
+    let mut columns = vec![words("main", ""), words("z", "mm")];
+    columns.extend(MainRule::ALL.map(|rule| words(rule.name(), "N")));
+    columns.push(words("spread", "N"));
+    let note = "Rigid bodies leave the loads of more than two bearings open: each rule is one answer, their spread is what is not known.";
+    let title = "Main bearings: largest load over the run by three rules";
+    Some(table("simulated-mains", title, note, columns, rows.collect()))
+}
+
+/// The energy ledger.
+fn energy_table(run: &Run) -> Table {
+    let e = &run.energy;
+    let stored = [
+        ("kinetic energy", e.kinetic),
+        ("springs of the mounts", e.mounts),
+        ("gravity", e.gravity),
+        ("springs of the driveline", e.driveline),
+    ];
+    let works = [
+        ("gas", e.gas),
+        ("load", e.load),
+        ("starter", e.starter),
+        ("friction", e.friction),
+        ("friction of the pistons", e.piston_friction),
+        ("drive and other torques from the ground", e.outside),
+        ("dampers of the mounts", e.mount_damping),
+        ("dampers of the driveline", e.driveline_damping),
+    ];
+    let mut rows: Vec<Vec<Cell>> = works
+        .into_iter()
+        .filter(|(_, work)| *work != 0.0)
+        .map(|(name, work)| vec![Cell::text(format!("work of {name}")), Cell::number(work, 6)])
+        .collect();
+    let changes = stored.into_iter().filter(|(_, [a, b])| *a != 0.0 || *b != 0.0);
+    rows.extend(
+        changes.map(|(name, [a, b])| vec![Cell::text(format!("stored: {name}")), Cell::number(b - a, 6)]),
+    );
+    let note = "Works put in, and what is stored of them: both sums are equal.";
+    table(
+        "simulated-energy",
+        "Energy over the run",
+        note,
+        vec![words("part", ""), words("energy", "J")],
+        rows,
+    )
+}
+
+/// The events.
+fn events_table(result: &SimulationResult) -> Table {
+    let run = &result.run;
+    let rows = run.events.iter().map(|event| {
+        vec![
+            Cell::text(occasion_words(event.what, &result.actions)),
+            Cell::number(event.time, 6),
+            Cell::number(event.theta.to_degrees(), 7),
+            Cell::number(number::rpm(event.speed), 5),
+        ]
+    });
+    let columns =
+        vec![words("event", ""), words("time", "s"), words("crank angle", "deg"), words("speed", "rpm")];
+    table("simulated-events", "Events", "", columns, rows.collect())
+}
+
+/// The energy ledger as CSV.
+pub fn simulation_energy_csv(result: &SimulationResult) -> String {
+    energy_table(&result.run).csv()
+}
+
+/// The events as CSV.
+pub fn simulation_events_csv(result: &SimulationResult) -> String {
+    events_table(result).csv()
+}
+
+/// Angle, speed, torques, pose of the block and mount forces at every sample.
+pub fn simulation_trace_csv(result: &SimulationResult) -> String {
+    let samples = &result.run.samples;
+    let mut columns: Vec<(String, Vec<f64>)> = vec![
+        ("time [s]".into(), samples.time.clone()),
+        ("theta [deg]".into(), samples.theta.iter().map(|theta| theta.to_degrees()).collect()),
+        ("speed [rad/s]".into(), samples.speed.clone()),
+        ("acceleration [rad/s2]".into(), samples.acceleration.clone()),
+        ("gas_torque [N m]".into(), samples.gas_torque.clone()),
+        ("load_torque [N m]".into(), samples.load_torque.clone()),
+        ("starter_torque [N m]".into(), samples.starter_torque.clone()),
+        ("friction_torque [N m]".into(), samples.friction_torque.clone()),
+        ("outside_torque [N m]".into(), samples.outside_torque.clone()),
+    ];
+    for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+        if !samples.position.is_empty() {
+            columns.push((format!("position_{axis} [m]"), samples.position.iter().map(|p| p[k]).collect()));
+        }
+    }
+    for (k, part) in ["w", "x", "y", "z"].into_iter().enumerate() {
+        if !samples.orientation.is_empty() {
+            columns.push((format!("quaternion_{part}"), samples.orientation.iter().map(|q| q[k]).collect()));
+        }
+    }
+    for (mount, name) in result.mounts.iter().enumerate() {
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            let forces = samples.mounts.iter().filter_map(|at| at.get(mount)).map(|force| force[k]).collect();
+            columns.push((format!("{name} force_{axis} [N]"), forces));
+        }
+    }
+    lines(&columns)
+}
+
+/// Side thrust, pins, mains by the three rules and shaft torque at every sample.
+pub fn simulation_reactions_csv(result: &SimulationResult) -> String {
+    let samples = &result.run.samples;
+    let degrees = samples.theta.iter().map(|theta| theta.to_degrees()).collect();
+    let mut columns: Vec<(String, Vec<f64>)> = vec![("theta [deg]".into(), degrees)];
+    let reactions = &samples.reactions;
+    let cylinders = reactions.first().map_or(0, |first| first.cylinders.len());
+    for index in 0..cylinders {
+        let of = |pick: &dyn Fn(&lanchester_multibody::CylinderReactions) -> f64| -> Vec<f64> {
+            reactions.iter().map(|r| pick(&r.cylinders[index])).collect()
+        };
+        let name = format!("cylinder {}", index + 1);
+        columns.push((format!("{name} side_thrust [N]"), of(&|c| c.side_thrust)));
+        for (k, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            columns.push((format!("{name} piston_pin_{axis} [N]"), of(&|c| c.piston_pin.force[k])));
+            columns.push((format!("{name} lower_pin_{axis} [N]"), of(&|c| c.lower_pin.force[k])));
+        }
+        columns.push((format!("{name} radial [N]"), of(&|c| c.throw_frame[0])));
+        columns.push((format!("{name} tangential [N]"), of(&|c| c.throw_frame[1])));
+    }
+    for (shaft, planes) in result.mains.iter().enumerate() {
+        for main in 0..planes.len() {
+            for (rule, name) in MainRule::ALL.into_iter().enumerate().map(|(k, rule)| (k, rule.name())) {
+                for (k, axis) in ["x", "y"].into_iter().enumerate() {
+                    let loads = reactions
+                        .iter()
+                        .map(|r| r.rotors[shaft].mains[rule].get(main).map_or(f64::NAN, |f| f[k]));
+                    columns.push((
+                        format!("main {}.{} {name}_{axis} [N]", shaft + 1, main + 1),
+                        loads.collect(),
+                    ));
+                }
+            }
+        }
+    }
+    columns.push(("shaft_torque [N m]".into(), reactions.iter().map(|r| r.shaft_torque).collect()));
+    lines(&columns)
+}
+
+fn lines(columns: &[(String, Vec<f64>)]) -> String {
+    let mut out = String::new();
+    push_csv_line(&mut out, columns.iter().map(|(name, _)| name.clone()));
+    let count = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
+    for k in 0..count {
+        push_csv_line(&mut out, columns.iter().map(|(_, values)| csv_number(values[k])));
+    }
+    out
+}
