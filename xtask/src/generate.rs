@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 20] = [
+const WRITTEN: [Written; 22] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
