@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 20] = [
+const WRITTEN: [Written; 22] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -94,6 +94,8 @@ const WRITTEN: [Written; 20] = [
         arguments: &V6_SEARCH,
         figure: Some("layout-front.svg"),
     },
+    drawn("docs/src/images/bond-graph-slider-crank.svg", &DRAWN_SLIDER),
+    drawn("docs/src/images/bond-graph-prismatic-pair.svg", &DRAWN_PAIR),
     simulated("docs/src/images/simulated-speed.svg", "simulated-speed.svg"),
     simulated("docs/src/images/simulated-energy.svg", "simulated-energy.svg"),
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
@@ -117,6 +119,14 @@ const BLIND_V8: [&str; 5] = blind_to("crates/file/templates/v8-crossplane.toml")
 const fn blind_to(engine: &'static str) -> [&'static str; 5] {
     ["balance", engine, "--minimise=force", "--minimise=couple", "--minimise=added unbalance"]
 }
+
+/// Bond graphs of the guide.
+const fn drawn(file: &'static str, arguments: &'static [&'static str]) -> Written {
+    Written { file, head: "", input: None, arguments, figure: None }
+}
+
+const DRAWN_SLIDER: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/slider-crank.toml"];
+const DRAWN_PAIR: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/prismatic-pair.toml"];
 
 /// The story of the guide's page on simulation.
 const fn simulated(file: &'static str, figure: &'static str) -> Written {

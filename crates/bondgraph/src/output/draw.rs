@@ -137,6 +137,7 @@ pub fn drawing(graph: &Graph, causality: &Causality) -> String {
     let places = &layout.places;
     let right = places.iter().map(|p| p[0]).fold(0.0, f64::max) + MARGIN;
     let bottom = places.iter().map(|p| p[1]).fold(0.0, f64::max) + MARGIN;
+    let right = layout.tiles.iter().map(|tile| tile.corner[0] + tile.size[0] + 20.0).fold(right, f64::max);
     let width = right.max(460.0);
     let bottom = layout.tiles.iter().map(|tile| tile.corner[1] + tile.size[1]).fold(bottom, f64::max);
     let legend = bottom + 10.0;

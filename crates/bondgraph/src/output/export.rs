@@ -1,5 +1,6 @@
 //! A graph for other programs: flat Modelica text, GraphML.
 
+use crate::curve::Curve;
 use crate::equations::Equations;
 use crate::expression::{Id, Printed, Style, Var};
 use crate::graph::{Graph, Kind, Law};
@@ -14,6 +15,9 @@ pub fn modelica(equations: &Equations) -> String {
     let law = |id: Id| printed.text(id);
     let var = |var: Var| equations.variable_name(var, Style::Modelica);
     let mut head = format!("model {}\n", model_name(&graph.name));
+    for (name, curve) in &graph.pool.curves {
+        function(&mut head, &identifier(name), curve);
+    }
     let mut body = String::from("equation\n");
     for parameter in &graph.parameters {
         let _ = writeln!(
@@ -159,6 +163,33 @@ pub fn modelica(equations: &Equations) -> String {
     }
     let _ = writeln!(body, "end {};", model_name(&graph.name));
     head + &body
+}
+
+/// A table as a function: the piece is found by halving, and continued by none.
+fn function(out: &mut String, name: &str, curve: &Curve) {
+    let (pieces, end) = curve.pieces();
+    let count = pieces.len();
+    let first = pieces.first().map_or(0.0, |(start, _)| *start);
+    let starts: Vec<String> = pieces.iter().map(|(start, _)| format!("{start:?}")).collect();
+    let rows: Vec<String> =
+        pieces.iter().map(|(_, [a, b, c, d])| format!("{{{a:?}, {b:?}, {c:?}, {d:?}}}")).collect();
+    let inside = if curve.is_periodic() {
+        format!("{first:?} + mod(x - ({first:?}), {:?})", end - first)
+    } else {
+        format!("min(max(x, {first:?}), {end:?})")
+    };
+    let _ = write!(
+        out,
+        "  function {name}\n    input Real x;\n    output Real y;\n  protected\n    constant Real starts[{count}] = {{{}}};\n    \
+         constant Real pieces[{count}, 4] = {{{}}};\n    Real s;\n    Real h;\n    Integer low;\n    Integer high;\n    Integer middle;\n  \
+         algorithm\n    s := {inside};\n    low := 1;\n    high := {};\n    while high - low > 1 loop\n      \
+         middle := div(low + high, 2);\n      if starts[middle] <= s then\n        low := middle;\n      else\n        \
+         high := middle;\n      end if;\n    end while;\n    h := s - starts[low];\n    \
+         y := pieces[low, 1] + h*(pieces[low, 2] + h*(pieces[low, 3] + h*pieces[low, 4]));\n  end {name};\n",
+        starts.join(", "),
+        rows.join(", "),
+        count + 1
+    );
 }
 
 fn model_name(name: &str) -> String {

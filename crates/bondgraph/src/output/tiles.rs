@@ -14,6 +14,8 @@ const STUBS: f64 = 14.0;
 /// Space around tiles, and the width from which the next shelf begins.
 const GAP: f64 = 24.0;
 const WIDEST: f64 = 2300.0;
+/// Room for the names at short bonds.
+const LABEL: f64 = 72.0;
 /// Height of a tile's title.
 const TITLE: f64 = 34.0;
 
@@ -183,7 +185,7 @@ fn tree(
             }
             last = Some(depth);
             deepest = deepest.max(depth);
-            places[element] = [STUB + 40.0 + COLUMN * depth as f64, TITLE + ROW * (row + 0.5)];
+            places[element] = [STUB + LABEL + COLUMN * depth as f64, TITLE + ROW * (row + 0.5)];
             for bond in graph.elements[element].ports.iter().rev() {
                 let ends = &graph.bonds[*bond];
                 let other = if ends.from == element { ends.to } else { ends.from };
@@ -200,7 +202,7 @@ fn tree(
             places[root][1] = TITLE + ROW * first + ROW * needed / 2.0;
         }
     }
-    [STUB + 40.0 + COLUMN * (deepest as f64 + 0.6), TITLE + ROW * row + 12.0]
+    [STUB + LABEL + COLUMN * (deepest as f64 + 0.6), TITLE + ROW * row + 12.0]
 }
 
 #[cfg(test)]

@@ -121,3 +121,22 @@ fn a_pad_frees_a_store_that_follows() {
         assert!(mistakes.iter().any(|mistake| mistake.code == code), "{bad}: {mistakes:#?}");
     }
 }
+
+/// A table stands in the Modelica text as a function of its pieces.
+#[test]
+fn tables_stand_in_the_modelica_text() {
+    let text = "[tables.push]\npoints = [[0, 0], [1, 2], [3, 0]]\nperiodic = true\nx_unit = \"s\"\ny_unit = \"N\"\n\
+                [elements]\nforce = { kind = \"Se\", effort = \"table(push, t)\" }\ncar = { kind = \"1\", domain = \"translation\" }\n\
+                mass = { kind = \"I\", inertia = \"1 kg\" }\n[bonds]\nlist = [\"force > car\", \"car > mass\"]\n";
+    let graph = Graph::read(text).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    let modelica = lanchester_bondgraph::modelica(&equations(&graph).expect("no conflict"));
+    for part in [
+        "function push",
+        "constant Real starts[2] = {0.0, 1.0};",
+        "{{0.0, 2.0, 0.0, 0.0}, {2.0, -1.0, 0.0, 0.0}}",
+        "0.0 + mod(x - (0.0), 3.0)",
+        "force_effort = push(time)",
+    ] {
+        assert!(modelica.contains(part), "no {part} in\n{modelica}");
+    }
+}
