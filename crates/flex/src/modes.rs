@@ -1,7 +1,7 @@
 //! Natural modes by shift-and-invert block Lanczos in the inner product of the mass.
 //!
 //! ```text
-//! K x = l M x        (K + s M)^-1 M x = x/(l + s)        x^T M x = 1        f = sqrt(l)/2 pi                 (book, eq. 91.8)
+//! K x = l M x        (K + s M)^-1 M x = x/(l + s)        x^T M x = 1        f = sqrt(l)/2 pi                 (book, eq. 43.8)
 //! ```
 //! With `s > 0` a free body's matrix has a Cholesky factor, and its six rigid motions come out with `l = 0`.
 

@@ -183,7 +183,7 @@ impl<'a> StaticSystem<'a> {
     /// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
     ///
     /// ```text
-    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 91.7)
+    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
     /// ```
     fn relieve(&self, load: &mut [f64]) -> Result<[f64; 6], FlexError> {
         let (mass, size) = (self.mass()?, load.len());

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 23] = [
+const ARROWS: [(&str, &[&str]); 24] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -38,6 +38,7 @@ const ARROWS: [(&str, &[&str]); 23] = [
     ),
     ("lanchester-study", &["lanchester-model", "lanchester-task", "lanchester-mechanism"]),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
+    ("lanchester-flex", &["lanchester-model", "lanchester-geometry", "lanchester-shape"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",
