@@ -22,10 +22,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         [radius * cos + 0.02 * x[2] * x[2], radius * sin, 0.09 * x[2]]
     });
     let base = mesh.pick(|x| x[2] < 1e-9);
-    let tip: Vec<(u32, f64)> = mesh.pick(|x| x[2] > 0.09 - 1e-9).into_iter().map(|node| (node, 1.0)).collect();
+    let tip: Vec<(u32, f64)> =
+        mesh.pick(|x| x[2] > 0.09 - 1e-9).into_iter().map(|node| (node, 1.0)).collect();
     let each = 1.0 / tip.len() as f64;
     let tip: Vec<(u32, f64)> = tip.into_iter().map(|(node, _)| (node, each)).collect();
-    let case = StaticCase { name: name.clone(), ..StaticCase::default() }.clamp(&base).push(&tip, [900.0, -400.0, 650.0]);
+    let case = StaticCase { name: name.clone(), ..StaticCase::default() }
+        .clamp(&base)
+        .push(&tip, [900.0, -400.0, 650.0]);
     let analysis = match analysis {
         "static" => Analysis::Static,
         "modes" => Analysis::Frequency(6),

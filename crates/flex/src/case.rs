@@ -29,7 +29,7 @@ pub struct Spring {
     pub stiffness: f64,
     /// Direction, of length one.
     pub direction: [f64; 3],
-    /// Nodes and their weights, which add up to one.
+    /// Nodes and their weights, which add up to one; to zero for a couple.
     pub nodes: Vec<(u32, f64)>,
 }
 
@@ -76,7 +76,8 @@ impl StaticCase {
 
     /// Adds a force [N] shared among nodes by weights.
     pub fn push(mut self, nodes: &[(u32, f64)], force: [f64; 3]) -> StaticCase {
-        let shared = nodes.iter().map(|(node, weight)| NodeForce { node: *node, force: force.map(|f| weight * f) });
+        let shared =
+            nodes.iter().map(|(node, weight)| NodeForce { node: *node, force: force.map(|f| weight * f) });
         self.forces.extend(shared);
         self
     }
@@ -94,7 +95,8 @@ impl StaticCase {
                     }
                 }
             }
-            let values = weights.iter().flat_map(|a| weights.iter().map(move |b| spring.stiffness * a * b)).collect();
+            let values =
+                weights.iter().flat_map(|a| weights.iter().map(move |b| spring.stiffness * a * b)).collect();
             DenseTerm { unknowns, values }
         };
         self.springs.iter().map(term).collect()
@@ -169,7 +171,9 @@ impl StaticCase {
         let names = ["along x", "along y", "along z", "about x", "about y", "about z"];
         let weight = |k: usize| vectors[k].abs();
         let main = (0..6).max_by(|a, b| weight(*a).total_cmp(&weight(*b))).unwrap_or(0);
-        Err(FlexError::FreeMotion { motion: format!("mostly {} (through the middle of the nodes)", names[main]) })
+        Err(FlexError::FreeMotion {
+            motion: format!("mostly {} (through the middle of the nodes)", names[main]),
+        })
     }
 }
 
@@ -177,11 +181,14 @@ impl StaticCase {
 /// units of the largest distance from it, so that all six are numbers of one size.
 pub fn rigid_motions(mesh: &Mesh) -> [Vec<[f64; 3]>; 6] {
     let count = mesh.nodes.len() as f64;
-    let middle: [f64; 3] = std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
+    let middle: [f64; 3] =
+        std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
     let from = |node: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|k| node[k] - middle[k]) };
-    let reach = mesh.nodes.iter().map(|node| from(node).iter().map(|x| x * x).sum::<f64>()).fold(0.0, f64::max);
+    let reach =
+        mesh.nodes.iter().map(|node| from(node).iter().map(|x| x * x).sum::<f64>()).fold(0.0, f64::max);
     let size = if reach > 0.0 { reach.sqrt() } else { 1.0 };
-    let field = |motion: &dyn Fn([f64; 3]) -> [f64; 3]| mesh.nodes.iter().map(|node| motion(from(node))).collect();
+    let field =
+        |motion: &dyn Fn([f64; 3]) -> [f64; 3]| mesh.nodes.iter().map(|node| motion(from(node))).collect();
     [
         field(&|_| [1.0, 0.0, 0.0]),
         field(&|_| [0.0, 1.0, 0.0]),

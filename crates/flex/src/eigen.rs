@@ -9,7 +9,10 @@ pub(crate) fn symmetric_eigen(matrix: &[f64], size: usize) -> (Vec<f64>, Vec<f64
     }
     let scale = a.iter().fold(0.0f64, |sum, value| sum.max(value.abs()));
     for _ in 0..60 {
-        let off = (0..size).flat_map(|p| (0..p).map(move |q| (p, q))).map(|(p, q)| a[p * size + q].powi(2)).sum::<f64>();
+        let off = (0..size)
+            .flat_map(|p| (0..p).map(move |q| (p, q)))
+            .map(|(p, q)| a[p * size + q].powi(2))
+            .sum::<f64>();
         if off.sqrt() <= 1e-17 * scale * size as f64 {
             break;
         }
@@ -58,7 +61,9 @@ mod tests {
         let matrix: Vec<f64> = (0..size * size)
             .map(|k| {
                 let (row, column) = (k / size, k % size);
-                ((row * column) as f64).sin() + if row == column { 3.0 } else { 0.0 } + ((row + column) as f64).cos()
+                ((row * column) as f64).sin()
+                    + if row == column { 3.0 } else { 0.0 }
+                    + ((row + column) as f64).cos()
             })
             .collect();
         let (values, vectors) = symmetric_eigen(&matrix, size);

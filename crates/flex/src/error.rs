@@ -48,13 +48,17 @@ pub enum FlexError {
         needed: f64,
     },
     /// A body that can still move as a whole, or in parts.
-    #[error("the supports leave a motion free: {motion}\nhint: add a support that holds it, or ask for inertia relief")]
+    #[error(
+        "the supports leave a motion free: {motion}\nhint: add a support that holds it, or ask for inertia relief"
+    )]
     FreeMotion {
         /// Which motion.
         motion: String,
     },
     /// A matrix without a Cholesky factor.
-    #[error("the stiffness matrix is not positive definite at unknown {unknown}\nhint: a support leaves a motion free, or an element is badly shaped")]
+    #[error(
+        "the stiffness matrix is not positive definite at unknown {unknown}\nhint: a support leaves a motion free, or an element is badly shaped"
+    )]
     NotDefinite {
         /// The unknown at which the factor broke off, in the order of elimination.
         unknown: usize,
@@ -75,7 +79,9 @@ pub enum FlexError {
         allowed: u64,
     },
     /// An iteration that came to no end.
-    #[error("{what} did not converge in {iterations} iterations: residual {residual:.1e}, needed {needed:.1e}\nhint: {hint}")]
+    #[error(
+        "{what} did not converge in {iterations} iterations: residual {residual:.1e}, needed {needed:.1e}\nhint: {hint}"
+    )]
     NoConvergence {
         /// Which iteration.
         what: &'static str,

@@ -4,9 +4,10 @@
 #![forbid(unsafe_code)]
 
 pub mod case;
-mod eigen;
+pub mod crank_case;
 pub mod crank_mesh;
 pub mod deck;
+mod eigen;
 pub mod element;
 mod error;
 mod material;

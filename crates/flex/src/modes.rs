@@ -5,12 +5,12 @@
 //! ```
 //! With `s > 0` a free body's matrix has a Cholesky factor, and its six rigid motions come out with `l = 0`.
 
+use crate::FlexError;
 use crate::case::StaticCase;
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
 use crate::sparse::{Factor, FactorPlan, Precision, Quantity, Structure, SymmetricMatrix};
 use crate::statics::SolveOptions;
-use crate::FlexError;
 use serde::Serialize;
 
 /// Vectors that go through the factor together: clusters of no more modes are found at once.
@@ -78,11 +78,21 @@ pub struct ModeSolution {
 /// # Errors
 /// As [`Mesh::check`]; [`FlexError::Memory`], [`FlexError::NotDefinite`], [`FlexError::NoConvergence`], and
 /// [`FlexError::Number`] where the mesh has fewer modes.
-pub fn modes(mesh: &Mesh, case: &StaticCase, count: usize, options: SolveOptions) -> Result<ModeSolution, FlexError> {
+pub fn modes(
+    mesh: &Mesh,
+    case: &StaticCase,
+    count: usize,
+    options: SolveOptions,
+) -> Result<ModeSolution, FlexError> {
     mesh.check()?;
     if let Some(material) = mesh.materials.iter().find(|material| material.density <= 0.0) {
         let (quantity, needed) = ("density [kg/m^3]", "above zero");
-        return Err(FlexError::Material { material: material.name.clone(), quantity, needed, got: material.density });
+        return Err(FlexError::Material {
+            material: material.name.clone(),
+            quantity,
+            needed,
+            got: material.density,
+        });
     }
     let free = StaticCase { inertia_relief: true, ..case.clone() };
     free.check(mesh)?;
@@ -93,7 +103,8 @@ pub fn modes(mesh: &Mesh, case: &StaticCase, count: usize, options: SolveOptions
         kept[structure.unknown(fixed.node, fixed.axis as usize)] = false;
     }
     let stiffness = structure.assemble(mesh, Quantity::Stiffness, &terms).restricted(&kept);
-    let mass = structure.assemble(mesh, Quantity::Mass, &[]).restricted(&kept);
+    let quantity = if options.coarse_mass { Quantity::CoarseMass } else { Quantity::Mass };
+    let mass = structure.assemble(mesh, quantity, &[]).restricted(&kept);
     if count == 0 || count + BLOCK > stiffness.size() {
         return Err(FlexError::Number {
             quantity: "the number of modes".to_owned(),
@@ -134,10 +145,9 @@ pub fn modes(mesh: &Mesh, case: &StaticCase, count: usize, options: SolveOptions
 /// One hundredth of `E/(rho L^2)`, with the length of the body: some way below the first mode of a stout one.
 fn shift(mesh: &Mesh) -> f64 {
     let extent = |axis: usize| {
-        let (low, high) = mesh
-            .nodes
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), node| (low.min(node[axis]), high.max(node[axis])));
+        let (low, high) = mesh.nodes.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), node| {
+            (low.min(node[axis]), high.max(node[axis]))
+        });
         high - low
     };
     let length = extent(0).hypot(extent(1)).hypot(extent(2));
@@ -285,14 +295,20 @@ fn lanczos(
 }
 
 /// Rayleigh quotient, vector of modal mass one, residual.
-fn checked(stiffness: &SymmetricMatrix, mass: &SymmetricMatrix, mut x: Vec<f64>, shift: f64) -> (f64, Vec<f64>, f64) {
+fn checked(
+    stiffness: &SymmetricMatrix,
+    mass: &SymmetricMatrix,
+    mut x: Vec<f64>,
+    shift: f64,
+) -> (f64, Vec<f64>, f64) {
     let (mut kx, mut mx) = (vec![0.0; x.len()], vec![0.0; x.len()]);
     stiffness.multiply(&x, &mut kx);
     mass.multiply(&x, &mut mx);
     let modal = crate::sparse::dot(&x, &mx);
     let value = crate::sparse::dot(&x, &kx) / modal;
     let rest: Vec<f64> = kx.iter().zip(&mx).map(|(k, m)| k - value * m).collect();
-    let against = if value.abs() < RIGID * shift { shift * crate::sparse::norm(&mx) } else { crate::sparse::norm(&kx) };
+    let against =
+        if value.abs() < RIGID * shift { shift * crate::sparse::norm(&mx) } else { crate::sparse::norm(&kx) };
     let residual = crate::sparse::norm(&rest) / against;
     let length = modal.sqrt();
     // The sign is that of the largest component: the same on every machine.

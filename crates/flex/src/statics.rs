@@ -15,11 +15,13 @@ pub struct SolveOptions {
     pub precision: Precision,
     /// Bytes that matrix and factor may take.
     pub memory: u64,
+    /// Whether modes have the mass of CalculiX, integrated with the rule of the stiffness.
+    pub coarse_mass: bool,
 }
 
 impl Default for SolveOptions {
     fn default() -> SolveOptions {
-        SolveOptions { precision: Precision::Single, memory: 8 << 30 }
+        SolveOptions { precision: Precision::Single, memory: 8 << 30, coarse_mass: false }
     }
 }
 
@@ -61,7 +63,11 @@ impl<'a> StaticSystem<'a> {
     ///
     /// # Errors
     /// As [`Mesh::check`], [`StaticCase::check`]; [`FlexError::Memory`], [`FlexError::NotDefinite`].
-    pub fn new(mesh: &'a Mesh, case: &StaticCase, options: SolveOptions) -> Result<StaticSystem<'a>, FlexError> {
+    pub fn new(
+        mesh: &'a Mesh,
+        case: &StaticCase,
+        options: SolveOptions,
+    ) -> Result<StaticSystem<'a>, FlexError> {
         mesh.check()?;
         case.check(mesh)?;
         let terms = case.terms();
@@ -145,12 +151,23 @@ impl<'a> StaticSystem<'a> {
             self.support.springs.iter().map(|spring| -spring.stiffness * mean(spring)).collect();
         let mut reaction = sum(&reactions);
         for (spring, force) in self.support.springs.iter().zip(&spring_forces) {
+            // Weights that add up to zero are a couple.
+            let share: f64 = spring.nodes.iter().map(|(_, weight)| weight).sum();
             for axis in 0..3 {
-                reaction[axis] += force * spring.direction[axis];
+                reaction[axis] += force * share * spring.direction[axis];
             }
         }
         let load = sum(&self.structure.scatter(load));
-        StaticSolution { displacements, energy, load, reaction, reactions, spring_forces, accelerations, report }
+        StaticSolution {
+            displacements,
+            energy,
+            load,
+            reaction,
+            reactions,
+            spring_forces,
+            accelerations,
+            report,
+        }
     }
 
     /// Forces on all unknowns: those of the case, and its centrifugal field `W^2 M (x, y, 0)`.
@@ -223,7 +240,11 @@ impl<'a> StaticSystem<'a> {
 ///
 /// # Errors
 /// As [`StaticSystem::new`] and [`StaticSystem::solve`].
-pub fn solve_static(mesh: &Mesh, case: &StaticCase, options: SolveOptions) -> Result<StaticSolution, FlexError> {
+pub fn solve_static(
+    mesh: &Mesh,
+    case: &StaticCase,
+    options: SolveOptions,
+) -> Result<StaticSolution, FlexError> {
     let mut solutions = StaticSystem::new(mesh, case, options)?.solve(&[case])?;
     Ok(solutions.remove(0))
 }
@@ -235,7 +256,8 @@ fn sum(field: &[[f64; 3]]) -> [f64; 3] {
 /// Largest distance of a node from the middle of all [m].
 fn reach(mesh: &Mesh) -> f64 {
     let count = mesh.nodes.len() as f64;
-    let middle: [f64; 3] = std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
+    let middle: [f64; 3] =
+        std::array::from_fn(|k| mesh.nodes.iter().map(|node| node[k]).sum::<f64>() / count);
     let squares = |node: &[f64; 3]| (0..3).map(|k| (node[k] - middle[k]).powi(2)).sum::<f64>();
     mesh.nodes.iter().map(squares).fold(0.0, f64::max).sqrt()
 }
@@ -308,7 +330,8 @@ pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress>
             first[*node as usize] = first[*node as usize].min(cell.material);
         }
     }
-    let mut sums = vec![(element::Stress::default(), 0.0, f64::INFINITY, f64::NEG_INFINITY); mesh.nodes.len()];
+    let mut sums =
+        vec![(element::Stress::default(), 0.0, f64::INFINITY, f64::NEG_INFINITY); mesh.nodes.len()];
     for (cell, stresses) in mesh.elements.iter().zip(each) {
         for (node, stress) in cell.nodes.iter().zip(stresses) {
             if first[*node as usize] == cell.material {
@@ -320,7 +343,11 @@ pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress>
         }
     }
     let mean = |(sum, count, least, most): (element::Stress, f64, f64, f64)| {
-        if count > 0.0 { NodeStress { stress: sum * (1.0 / count), jump: most - least } } else { NodeStress::default() }
+        if count > 0.0 {
+            NodeStress { stress: sum * (1.0 / count), jump: most - least }
+        } else {
+            NodeStress::default()
+        }
     };
     sums.into_iter().map(mean).collect()
 }

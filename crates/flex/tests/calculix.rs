@@ -37,13 +37,21 @@ fn ext_calculix_static() {
         let DeckStep::Static(case) = &deck.steps[0] else { panic!("a static step") };
         let solution = solve_static(&deck.mesh, case, SolveOptions::default()).unwrap();
         let energy = wanted["energy_mJ"].as_f64().unwrap();
-        assert!((1e3 * solution.energy / energy - 1.0).abs() < 1e-6, "{name}: {} {energy}", 1e3 * solution.energy);
-        let theirs: Vec<Vec<f64>> = wanted["displacements_mm"].as_array().unwrap().iter().map(numbers).collect();
+        assert!(
+            (1e3 * solution.energy / energy - 1.0).abs() < 1e-6,
+            "{name}: {} {energy}",
+            1e3 * solution.energy
+        );
+        let theirs: Vec<Vec<f64>> =
+            wanted["displacements_mm"].as_array().unwrap().iter().map(numbers).collect();
         assert_eq!(theirs.len(), deck.mesh.nodes.len());
         let largest = theirs.iter().flatten().fold(0.0f64, |most, u| most.max(u.abs()));
         for (ours, theirs) in solution.displacements.iter().zip(&theirs) {
             for axis in 0..3 {
-                assert!((1e3 * ours[axis] - theirs[axis]).abs() < 1e-6 * largest, "{name}: {ours:?} {theirs:?}");
+                assert!(
+                    (1e3 * ours[axis] - theirs[axis]).abs() < 1e-6 * largest,
+                    "{name}: {ours:?} {theirs:?}"
+                );
             }
         }
         for (ours, load) in solution.reaction.iter().zip(solution.load) {
@@ -52,12 +60,14 @@ fn ext_calculix_static() {
         // Stresses at the integration points, in the order xx, yy, zz, xy, xz, yz.
         let element = &deck.mesh.elements[0];
         let places = deck.mesh.places(element);
-        let moved: Vec<[f64; 3]> = element.nodes.iter().map(|node| solution.displacements[*node as usize]).collect();
+        let moved: Vec<[f64; 3]> =
+            element.nodes.iter().map(|node| solution.displacements[*node as usize]).collect();
         let stresses = wanted["stresses_MPa_first_element"].as_array().unwrap();
         let rule = stiffness_rule(element.kind);
         assert_eq!(stresses.len(), rule.len());
         for (point, theirs) in rule.iter().zip(stresses) {
-            let [xx, yy, zz, xy, yz, zx] = stress_at(element.kind, &places, &moved, &deck.mesh.materials[0], point.at).0;
+            let [xx, yy, zz, xy, yz, zx] =
+                stress_at(element.kind, &places, &moved, &deck.mesh.materials[0], point.at).0;
             for (ours, theirs) in [xx, yy, zz, xy, zx, yz].iter().zip(numbers(theirs)) {
                 assert!((1e-6 * ours - theirs).abs() < 1e-4, "{name}: {ours} {theirs}");
             }
@@ -72,10 +82,20 @@ fn ext_calculix_modes() {
         let (deck, wanted) = (deck(&name), numbers(&results(&name)["frequencies_Hz"]));
         let DeckStep::Frequency(count, case) = &deck.steps[0] else { panic!("a step of frequencies") };
         assert_eq!(*count, wanted.len());
-        let found = modes(&deck.mesh, case, *count, SolveOptions::default()).unwrap();
-        for (mode, wanted) in found.modes.iter().zip(wanted) {
-            assert!((mode.frequency / wanted - 1.0).abs() < 2e-4, "{name}: {} {wanted}", mode.frequency);
-            assert!(mode.residual < 1e-8);
+        // With CalculiX's rule for the mass the same to its printed digits; with the exact rule, the lowest two within 2e-4, and the
+        // higher ones of so coarse a mesh within 6e-4: they are what the rule leaves out of 5 elements over a wave.
+        for (coarse_mass, tolerances) in [(true, [1e-6, 1e-6]), (false, [2e-4, 6e-4])] {
+            let options = SolveOptions { coarse_mass, ..SolveOptions::default() };
+            let found = modes(&deck.mesh, case, *count, options).unwrap();
+            for (k, (mode, wanted)) in found.modes.iter().zip(&wanted).enumerate() {
+                let off = (mode.frequency / wanted - 1.0).abs();
+                assert!(
+                    off < tolerances[usize::from(k > 1)],
+                    "{name} {coarse_mass}: {} {wanted}",
+                    mode.frequency
+                );
+                assert!(mode.residual < 1e-8);
+            }
         }
     }
 }
@@ -120,10 +140,15 @@ fn bad_decks_are_refused_with_their_line() {
     of_line(change("*BOUNDARY\n", "*BOUNDARY\nNOWHERE, 1\n"), line_of("*BOUNDARY") + 1, "missing or empty");
     of_line(change("*CLOAD\n", "*CLOAD\n1, 4, 3\n"), line_of("*CLOAD") + 1, "degrees of freedom");
     of_line(change("*END STEP", "**"), line_of("*STEP"), "no *END STEP");
-    of_line(change("*STEP\n", "*NSET, NSET=X, GENERATE\n5, 3\n*STEP\n"), line_of("*STEP") + 1, "below the first");
+    of_line(
+        change("*STEP\n", "*NSET, NSET=X, GENERATE\n5, 3\n*STEP\n"),
+        line_of("*STEP") + 1,
+        "below the first",
+    );
     let first = good.lines().nth(line_of("*ELEMENT")).unwrap();
     let fields: Vec<&str> = first.split(',').collect();
-    let swapped = first.replacen(&format!("{},{},", fields[1], fields[2]), &format!("{},{},", fields[2], fields[1]), 1);
+    let swapped =
+        first.replacen(&format!("{},{},", fields[1], fields[2]), &format!("{},{},", fields[2], fields[1]), 1);
     assert!(matches!(read_deck(&change(first, &swapped)), Err(FlexError::Inverted { element: 1, .. })));
     let unused = change("*NODE, NSET=NALL\n", "*NODE, NSET=NALL\n99999, 1, 2, 3\n");
     assert!(matches!(read_deck(&unused), Err(FlexError::FreeNode { node: 1 })));

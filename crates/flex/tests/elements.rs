@@ -58,7 +58,11 @@ fn patch_of_distorted_elements_has_the_constant_stress() {
         for stress in node_stresses(&mesh, &solution.displacements) {
             for (k, (a, b)) in [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)].into_iter().enumerate() {
                 let wanted = mu * (slope[a][b] + slope[b][a]) + if a == b { trace } else { 0.0 };
-                assert!((stress.stress.0[k] - wanted).abs() < 1e-4, "{kind:?}: stress {k}: {} {wanted}", stress.stress.0[k]);
+                assert!(
+                    (stress.stress.0[k] - wanted).abs() < 1e-4,
+                    "{kind:?}: stress {k}: {} {wanted}",
+                    stress.stress.0[k]
+                );
             }
         }
     }
@@ -87,7 +91,8 @@ fn rigid_motions_need_no_force_and_have_the_mass_of_the_body() {
 
 #[test]
 fn assembly_and_solution_have_the_same_bits_for_any_number_of_threads() {
-    let mesh = mapped_block(ElementKind::Wedge, [6, 5, 12], steel(), |x| [0.1 * x[0], 0.1 * x[1], 0.4 * x[2]]);
+    let mesh =
+        mapped_block(ElementKind::Wedge, [6, 5, 12], steel(), |x| [0.1 * x[0], 0.1 * x[1], 0.4 * x[2]]);
     let base = mesh.pick(|x| x[2] == 0.0);
     let tip: Vec<(u32, f64)> = mesh.pick(|x| x[2] > 0.3999).into_iter().map(|node| (node, 1.0)).collect();
     let case = StaticCase::default().clamp(&base).push(&tip, [3.0, 1.0, 2.0]);
@@ -128,7 +133,9 @@ fn lit_lame_thick_cylinder() {
         (ElementKind::Tetrahedron, 10),
     ] {
         let mesh = cylinder(kind, through, [a, b, height]);
-        let inside = |node: &u32| (mesh.nodes[*node as usize][0].hypot(mesh.nodes[*node as usize][1]) - a).abs() < 1e-6;
+        let inside = |node: &u32| {
+            (mesh.nodes[*node as usize][0].hypot(mesh.nodes[*node as usize][1]) - a).abs() < 1e-6
+        };
         let (faces, crowded) = surface(&mesh);
         assert_eq!(crowded, 0);
         let bore: Vec<_> = faces.into_iter().filter(|face| face.nodes.iter().all(inside)).collect();
@@ -151,7 +158,10 @@ fn lit_lame_thick_cylinder() {
         }
         errors.push(worst);
         for k in 0..3 {
-            assert!((solution.reaction[k] + solution.load[k]).abs() < 1e-9 * pressure * a * height, "balance");
+            assert!(
+                (solution.reaction[k] + solution.load[k]).abs() < 1e-9 * pressure * a * height,
+                "balance"
+            );
         }
         assert!(solution.report.residual < 1e-10);
     }
@@ -176,8 +186,12 @@ fn lit_kirsch_hole_has_three_times_the_stress() {
         let (r, t) = (x[0].hypot(x[1]) / a, x[1].atan2(x[0]));
         let factor = tension * a / (8.0 * mu);
         [
-            factor * (r * (kappa + 1.0) * t.cos() + 2.0 / r * ((1.0 + kappa) * t.cos() + (3.0 * t).cos()) - 2.0 / r.powi(3) * (3.0 * t).cos()),
-            factor * (r * (kappa - 3.0) * t.sin() + 2.0 / r * ((1.0 - kappa) * t.sin() + (3.0 * t).sin()) - 2.0 / r.powi(3) * (3.0 * t).sin()),
+            factor
+                * (r * (kappa + 1.0) * t.cos() + 2.0 / r * ((1.0 + kappa) * t.cos() + (3.0 * t).cos())
+                    - 2.0 / r.powi(3) * (3.0 * t).cos()),
+            factor
+                * (r * (kappa - 3.0) * t.sin() + 2.0 / r * ((1.0 - kappa) * t.sin() + (3.0 * t).sin())
+                    - 2.0 / r.powi(3) * (3.0 * t).sin()),
         ]
     };
     let mut case = StaticCase::default();
@@ -204,8 +218,9 @@ fn lit_slender_beam_bends_as_timoshenko_says() {
     // Tip force on a cantilever: F L^3/(3 E I) + F L/(k G A), k = 10 (1 + nu)/(12 + 11 nu) (Cowper 1966).
     let (length, side, force) = (0.5_f64, 0.02_f64, 100.0_f64);
     let [e, nu, _] = STEEL;
-    let mesh =
-        mapped_block(ElementKind::Hexahedron, [1, 1, 25], steel(), |x| [side * (x[0] - 0.5), side * (x[1] - 0.5), length * x[2]]);
+    let mesh = mapped_block(ElementKind::Hexahedron, [1, 1, 25], steel(), |x| {
+        [side * (x[0] - 0.5), side * (x[1] - 0.5), length * x[2]]
+    });
     let tip = mesh.pick(|x| x[2] > length - 1e-9);
     let weights: Vec<(u32, f64)> = tip.iter().map(|node| (*node, 1.0 / tip.len() as f64)).collect();
     // Held so that the end can contract: the clamp adds nothing that the beam does not have.
@@ -215,11 +230,12 @@ fn lit_slender_beam_bends_as_timoshenko_says() {
     let case = StaticCase::default().hold(&base, 2, 0.0).hold(&line_x, 0, 0.0).hold(&line_y, 1, 0.0);
     let case = case.push(&weights, [force, 0.0, 0.0]);
     let solution = solve_static(&mesh, &case, SolveOptions::default()).unwrap();
-    let mean = tip.iter().map(|node| solution.displacements[*node as usize][0]).sum::<f64>() / tip.len() as f64;
+    let mean =
+        tip.iter().map(|node| solution.displacements[*node as usize][0]).sum::<f64>() / tip.len() as f64;
     let (area, inertia) = (side * side, side.powi(4) / 12.0);
     let shear = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
-    let wanted = force * length.powi(3) / (3.0 * e * inertia)
-        + force * length / (shear * steel().lame()[1] * area);
+    let wanted =
+        force * length.powi(3) / (3.0 * e * inertia) + force * length / (shear * steel().lame()[1] * area);
     close("tip", mean, wanted, 1e-3);
     close("energy", solution.energy, force * mean / 2.0, 2e-5);
     // The same bent by its ends' inertia: a free body under opposite forces needs no support.
@@ -261,7 +277,8 @@ fn lit_free_round_bar_in_torsion() {
         .map(|mode| mode.frequency)
         .collect();
     close("pair", bending[0], bending[1], 1e-6);
-    let euler = 4.730_040_745f64.powi(2) / (TAU * length * length) * (STEEL[0] * radius * radius / (4.0 * STEEL[2])).sqrt();
+    let euler = 4.730_040_745f64.powi(2) / (TAU * length * length)
+        * (STEEL[0] * radius * radius / (4.0 * STEEL[2])).sqrt();
     assert!(bending[0] < euler && bending[0] > 0.95 * euler, "{} {euler}", bending[0]);
 }
 

@@ -52,7 +52,8 @@ impl Polygon {
 impl Chords {
     /// The chords of a circle; none where it is not there.
     pub fn circle(&self, centre: Point, radius: f64) -> Polygon {
-        let own = |(at, r, _): &&(Point, f64, Polygon)| (*at - centre).norm() < SAME && (r - radius).abs() < SAME;
+        let own =
+            |(at, r, _): &&(Point, f64, Polygon)| (*at - centre).norm() < SAME && (r - radius).abs() < SAME;
         self.circles.iter().find(own).map(|(_, _, polygon)| polygon.clone()).unwrap_or_default()
     }
 
@@ -77,7 +78,8 @@ fn crossings(centre: Point, radius: f64, other: Point, other_radius: f64) -> Opt
     if distance < SAME || distance >= radius + other_radius || distance <= (radius - other_radius).abs() {
         return None;
     }
-    let cos = (radius * radius + distance * distance - other_radius * other_radius) / (2.0 * radius * distance);
+    let cos =
+        (radius * radius + distance * distance - other_radius * other_radius) / (2.0 * radius * distance);
     let (towards, half) = (apart.y.atan2(apart.x), cos.clamp(-1.0, 1.0).acos());
     Some([towards - half, towards + half])
 }
@@ -94,7 +96,8 @@ pub(super) fn chords(rings: &[Rings]) -> Chords {
             .iter()
             .map(|radius| {
                 let others = rings.iter().enumerate().filter(|(other, _)| *other != index);
-                let circles = others.flat_map(|(_, other)| other.radii.iter().map(move |r| (other.centre, *r)));
+                let circles =
+                    others.flat_map(|(_, other)| other.radii.iter().map(move |r| (other.centre, *r)));
                 let angles = circles.filter_map(|(centre, r)| crossings(own.centre, *radius, centre, r));
                 let mut angles: Vec<f64> = angles.flatten().map(|angle| angle.rem_euclid(TAU)).collect();
                 angles.sort_by(f64::total_cmp);
@@ -114,12 +117,17 @@ pub(super) fn chords(rings: &[Rings]) -> Chords {
             for (k, [from, to]) in sectors.iter().enumerate() {
                 // Within the sector: the crossings of this ring, and what is between them by its layer.
                 let mut stops = vec![*from];
-                stops.extend(crossed.iter().map(|angle| from + (angle - from).rem_euclid(TAU)).filter(|a| a <= to));
+                stops.extend(
+                    crossed.iter().map(|angle| from + (angle - from).rem_euclid(TAU)).filter(|a| a <= to),
+                );
                 stops.push(*to);
                 stops.sort_by(f64::total_cmp);
                 for pair in stops.windows(2) {
-                    let count = (((pair[1] - pair[0]) * radius / (1.6 * layer).min(own.chord)).round() as usize).max(1);
-                    angles.extend((0..count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
+                    let count = (((pair[1] - pair[0]) * radius / (1.6 * layer).min(own.chord)).round()
+                        as usize)
+                        .max(1);
+                    angles
+                        .extend((0..count).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / count as f64));
                 }
                 // After it to the next sector, at the same angles on all rings.
                 let next = sectors[(k + 1) % sectors.len()][0];
@@ -128,8 +136,10 @@ pub(super) fn chords(rings: &[Rings]) -> Chords {
             }
             angles.sort_by(f64::total_cmp);
             angles.dedup_by(|a, b| (*a - *b).abs() * *radius < SAME);
-            let points: Vec<usize> =
-                angles.iter().map(|angle| result.point(own.centre + Point::polar(*radius, *angle), SAME)).collect();
+            let points: Vec<usize> = angles
+                .iter()
+                .map(|angle| result.point(own.centre + Point::polar(*radius, *angle), SAME))
+                .collect();
             let at = |k: usize| own.centre + Point::polar(*radius, angles[k % angles.len()]);
             let polygon = Polygon((0..points.len()).map(|k| [at(k), at(k + 1)]).collect());
             result.circles.push((own.centre, *radius, polygon));
@@ -195,7 +205,8 @@ fn graded(from: f64, gap: f64, radius: f64, layer: f64, chord: f64) -> Vec<f64> 
         .map(|k| {
             let wanted = all * k as f64 / count as f64;
             let place = sums.partition_point(|sum| *sum <= wanted).clamp(1, STEPS);
-            let part = (place as f64 - 1.0 + (wanted - sums[place - 1]) / (sums[place] - sums[place - 1])) / STEPS as f64;
+            let part = (place as f64 - 1.0 + (wanted - sums[place - 1]) / (sums[place] - sums[place - 1]))
+                / STEPS as f64;
             from + gap * part
         })
         .collect()
@@ -206,7 +217,10 @@ pub(super) fn outline_chords(outline: &lanchester_shape::Outline, size: f64) -> 
     let mut result = Chords::default();
     for contour in outline.contours() {
         // Half the edges where they turn by more than a half circle: points along an edge are exact up to there.
-        let halved = contour.edges().iter().flat_map(|edge| if edge.bulge.abs() > 0.9 { edge.halves().to_vec() } else { vec![*edge] });
+        let halved = contour
+            .edges()
+            .iter()
+            .flat_map(|edge| if edge.bulge.abs() > 0.9 { edge.halves().to_vec() } else { vec![*edge] });
         for edge in halved {
             let turn = 4.0 * edge.bulge.abs().atan();
             let count = ((edge.length() / size).ceil().max((turn / (PI / 15.0)).ceil()) as usize).max(1);

@@ -74,8 +74,14 @@ mod tests {
 
     #[test]
     fn surface_lands_on_the_torus() {
-        let torus =
-            Torus { centre: Point::new(0.01, 0.0), bar: 0.024, radius: 0.003, face: 0.1, into: -1.0, fade: [0.009; 2] };
+        let torus = Torus {
+            centre: Point::new(0.01, 0.0),
+            bar: 0.024,
+            radius: 0.003,
+            face: 0.1,
+            into: -1.0,
+            fade: [0.009; 2],
+        };
         for k in 0..=20 {
             let part = 0.003 * f64::from(k) / 20.0;
             for (rho, zeta) in [(part, 0.0), (0.0, part)] {

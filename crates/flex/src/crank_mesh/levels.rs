@@ -38,11 +38,16 @@ mod tests {
 
     #[test]
     fn levels_rise_from_end_to_end_and_hold_the_fillets() {
-        for (length, fillets) in [(0.02, [0.003, 0.003]), (0.028, [0.003, 0.0]), (0.006, [0.003, 0.003]), (0.05, [0.0, 0.0])] {
+        for (length, fillets) in
+            [(0.02, [0.003, 0.003]), (0.028, [0.003, 0.0]), (0.006, [0.003, 0.003]), (0.05, [0.0, 0.0])]
+        {
             let levels = levels(length, fillets, 3, 0.008);
             assert_eq!(levels[0], 0.0);
             assert!((levels[levels.len() - 1] - length).abs() < 1e-15);
-            assert!(levels.windows(2).all(|pair| pair[1] - pair[0] > 1e-4 && pair[1] - pair[0] < 0.0125), "{levels:?}");
+            assert!(
+                levels.windows(2).all(|pair| pair[1] - pair[0] > 1e-4 && pair[1] - pair[0] < 0.0125),
+                "{levels:?}"
+            );
             for at in [fillets[0], length - fillets[1]] {
                 assert!(levels.iter().any(|level| (level - at).abs() < 1e-12), "{at} in {levels:?}");
             }

@@ -2,8 +2,8 @@
 
 use super::circles::Chords;
 use lanchester_shape::Point;
-use std::collections::{HashMap, HashSet};
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation};
+use std::collections::{HashMap, HashSet};
 
 /// Smallest angle that refinement asks for.
 const ANGLE: f64 = 26.0;
@@ -86,13 +86,17 @@ impl Net {
             let triangle = self.triangles[index];
             for k in 0..3 {
                 let [v, a, b] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
-                let is_ear = lines.contains(&key(v, a)) && lines.contains(&key(v, b)) && !lines.contains(&key(a, b));
+                let is_ear =
+                    lines.contains(&key(v, a)) && lines.contains(&key(v, b)) && !lines.contains(&key(a, b));
                 if !is_ear || self.angle(v, a, b) < EAR {
                     continue;
                 }
                 let others = beside.get(&key(a, b)).cloned().unwrap_or_default();
                 let Some(other) = others.into_iter().find(|other| *other != index) else { continue };
-                let Some(w) = self.triangles[other].into_iter().find(|point| *point != a && *point != b) else { continue };
+                let Some(w) = self.triangles[other].into_iter().find(|point| *point != a && *point != b)
+                else {
+                    continue;
+                };
                 let (one, two) = ([v, a, w], [v, w, b]);
                 if self.area(one) <= 0.0 || self.area(two) <= 0.0 {
                     continue;

@@ -108,7 +108,11 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
     let core_chords = chords(&rings);
     let core = net(&core_chords, options.size).map_err(|at| {
         let place = format!("({:.2}, {:.2}) mm across the crank", 1e3 * at.x, 1e3 * at.y);
-        refuse(&place, "circles of journals, pins and fillets nearly touch", "change a fillet radius slightly")
+        refuse(
+            &place,
+            "circles of journals, pins and fillets nearly touch",
+            "change a fillet radius slightly",
+        )
     })?;
     let mut sweep = Sweep {
         middles: middles(&core_chords),
@@ -122,13 +126,16 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
             Segment::Bar(bar) => {
                 let bar = &bars[*bar];
                 check_alone(&body, bar)?;
-                let [outer, bore] = [bar.radius, bar.bore].map(|radius| core_chords.circle(bar.centre, radius));
+                let [outer, bore] =
+                    [bar.radius, bar.bore].map(|radius| core_chords.circle(bar.centre, radius));
                 let own = |at: Point| outer.contains(at) && !bore.contains(at);
                 let triangles = sweep.pick(&core, own);
                 let along = levels(bar.faces[1] - bar.faces[0], bar.fillets, layers, options.size);
                 sweep.extrude(bar.faces[0], &along, |_| triangles.clone());
             }
-            Segment::Stack(stack) => stack_mesh(&mut sweep, stack, &bars, &core, &core_chords, &body, options)?,
+            Segment::Stack(stack) => {
+                stack_mesh(&mut sweep, stack, &bars, &core, &core_chords, &body, options)?
+            }
         }
     }
     let mut mesh = std::mem::take(&mut sweep.mesh);
@@ -161,9 +168,15 @@ fn check_options(options: CrankMeshOptions) -> Result<(), FlexError> {
 }
 
 /// One material: Young's modulus and Poisson's ratio of the file, or those of steel.
-fn material(engine: &Engine, body: &CrankshaftBody, elements: &[CrankElement]) -> Result<Material, FlexError> {
+fn material(
+    engine: &Engine,
+    body: &CrankshaftBody,
+    elements: &[CrankElement],
+) -> Result<Material, FlexError> {
     let density = elements[0].density;
-    if let Some(part) = body.parts.iter().find(|part| part.part.density() != density || !part.part.inserts().is_empty()) {
+    if let Some(part) =
+        body.parts.iter().find(|part| part.part.density() != density || !part.part.inserts().is_empty())
+    {
         return Err(refuse(&part.name, "has a material of its own", "leave inserts and other densities out"));
     }
     if let Some(part) = body.parts.iter().find(|part| !part.part.chamfers().is_empty()) {
@@ -173,7 +186,9 @@ fn material(engine: &Engine, body: &CrankshaftBody, elements: &[CrankElement]) -
     let steel = Material::steel();
     let material = Material {
         name: "crankshaft".to_owned(),
-        youngs_modulus: given.and_then(|own| own.youngs_modulus()).map_or(steel.youngs_modulus, |own| own.value),
+        youngs_modulus: given
+            .and_then(|own| own.youngs_modulus())
+            .map_or(steel.youngs_modulus, |own| own.value),
         poisson_ratio: given.and_then(|own| own.poisson_ratio()).map_or(steel.poisson_ratio, |own| own.value),
         density,
     };
@@ -242,7 +257,9 @@ fn check_fillets(bars: &[Bar], segments: &[Segment]) -> Result<(), FlexError> {
         if bar.fillets[0] + bar.fillets[1] > length * 0.98 {
             let message = format!(
                 "fillets of {:.2} and {:.2} mm leave nothing of its {:.2} mm",
-                1e3 * bar.fillets[0], 1e3 * bar.fillets[1], 1e3 * length
+                1e3 * bar.fillets[0],
+                1e3 * bar.fillets[1],
+                1e3 * length
             );
             return Err(refuse(&bar.name, message, "smaller fillets, or a longer bar"));
         }
@@ -267,7 +284,8 @@ fn rings(bars: &[Bar], layers: usize, size: f64) -> Vec<Rings> {
     let mut rings: Vec<Rings> = Vec::new();
     for bar in bars {
         let mut add = |radii: Vec<f64>, chord: f64, is_bore: bool| {
-            let own = |rings: &&mut Rings| rings.is_bore == is_bore && (rings.centre - bar.centre).norm() < TINY;
+            let own =
+                |rings: &&mut Rings| rings.is_bore == is_bore && (rings.centre - bar.centre).norm() < TINY;
             match rings.iter_mut().find(own) {
                 Some(rings) => {
                     rings.chord = rings.chord.min(chord);
@@ -353,7 +371,9 @@ fn stack_mesh(
         .map(|bar| {
             // Bars of one axis and radius share their circles.
             let own = &bars[*bar];
-            let same = |other: &&Bar| (other.centre - own.centre).norm() < TINY && (other.radius - own.radius).abs() < TINY;
+            let same = |other: &&Bar| {
+                (other.centre - own.centre).norm() < TINY && (other.radius - own.radius).abs() < TINY
+            };
             let fillets = bars.iter().filter(same).flat_map(|bar| bar.fillets);
             let outer = own.radius + fillets.fold(0.0, f64::max);
             (bars[*bar].centre, outer)
@@ -365,13 +385,15 @@ fn stack_mesh(
             if !outline.contains(*centre) && outline.holes().is_empty() || room < radius + 0.2e-3 {
                 let message = format!(
                     "its outline is {:.2} mm from the middle of a journal or pin, whose fillet reaches {:.2} mm",
-                    1e3 * room, 1e3 * radius
+                    1e3 * room,
+                    1e3 * radius
                 );
                 return Err(refuse(&stack.name, message, "a smaller fillet or a larger web"));
             }
         }
     }
-    let polygons: Vec<Polygon> = discs.iter().map(|(centre, radius)| core_chords.circle(*centre, *radius)).collect();
+    let polygons: Vec<Polygon> =
+        discs.iter().map(|(centre, radius)| core_chords.circle(*centre, *radius)).collect();
     let is_core = |at: Point| polygons.iter().any(|polygon| polygon.contains(at));
     let boundary = |middle: Point| {
         let place = |(centre, radius): &(Point, f64)| (middle - *centre).norm() - radius;
@@ -394,13 +416,25 @@ fn stack_mesh(
     for (outline, _) in &solids {
         let own = outline_chords(outline, options.size);
         // Holes are bores, circles of the core, with its chords.
-        let mut polygon = outline_chords(&Outline::new(outline.outer().clone(), Vec::new()).map_err(|source| {
-            refuse(&stack.name, source.to_string(), "a simpler outline")
-        })?, options.size).polygon();
+        let mut polygon = outline_chords(
+            &Outline::new(outline.outer().clone(), Vec::new())
+                .map_err(|source| refuse(&stack.name, source.to_string(), "a simpler outline"))?,
+            options.size,
+        )
+        .polygon();
         for hole in outline.holes() {
-            let bore = stack.bars.iter().flatten().map(|bar| &bars[*bar]).find(|bar| hole.contains(bar.centre) && bar.bore > 0.0);
+            let bore = stack
+                .bars
+                .iter()
+                .flatten()
+                .map(|bar| &bars[*bar])
+                .find(|bar| hole.contains(bar.centre) && bar.bore > 0.0);
             let Some(bore) = bore else {
-                return Err(refuse(&stack.name, "has a hole that is no bore of its journal or pin", "leave the hole out"));
+                return Err(refuse(
+                    &stack.name,
+                    "has a hole that is no bore of its journal or pin",
+                    "leave the hole out",
+                ));
             };
             polygon.0.extend(core_chords.circle(bore.centre, bore.bore).0);
         }
@@ -438,9 +472,20 @@ fn stack_mesh(
         sweep.middles.insert([a.min(b), a.max(b)], *middle);
     }
     let mut all = sweep.pick(core, is_core);
-    all.extend(outside.triangles.iter().map(|triangle| triangle.map(number)).filter(|triangle| !is_core(sweep.centre(triangle))));
+    all.extend(
+        outside
+            .triangles
+            .iter()
+            .map(|triangle| triangle.map(number))
+            .filter(|triangle| !is_core(sweep.centre(triangle))),
+    );
     let radius = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
-    let mut along = levels(stack.faces[1] - stack.faces[0], [radius(0), radius(1)], options.fillet_elements / 2, options.size);
+    let mut along = levels(
+        stack.faces[1] - stack.faces[0],
+        [radius(0), radius(1)],
+        options.fillet_elements / 2,
+        options.size,
+    );
     for plane in &planes {
         let at = plane - stack.faces[0];
         // A slab's face takes the place of a level that is near.
@@ -531,8 +576,14 @@ impl Sweep {
 
 /// Pulls corners onto their fillets and names the sets.
 fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<FilletPlace> {
-    let mut set = |mesh: &Mesh, name: String, is_in: &dyn Fn(&[f64; 3]) -> bool| NodeSet { name, nodes: mesh.pick(is_in) };
-    let ends = mesh.nodes.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], node| [a.min(node[2]), b.max(node[2])]);
+    let set = |mesh: &Mesh, name: String, is_in: &dyn Fn(&[f64; 3]) -> bool| NodeSet {
+        name,
+        nodes: mesh.pick(is_in),
+    };
+    let ends = mesh
+        .nodes
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], node| [a.min(node[2]), b.max(node[2])]);
     let mut sets = Vec::new();
     for bar in bars {
         sets.push(set(mesh, bar.set.clone(), &|at| {
@@ -561,7 +612,10 @@ fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<FilletPlac
                     radius,
                     face: stack.faces[end],
                     into: if end == 0 { -1.0 } else { 1.0 },
-                    fade: [(3.0 * radius).min(0.95 * (bar.radius - bar.bore)), (3.0 * radius).min(0.6 * thickness)],
+                    fade: [
+                        (3.0 * radius).min(0.95 * (bar.radius - bar.bore)),
+                        (3.0 * radius).min(0.6 * thickness),
+                    ],
                 };
                 for (node, (at, to)) in mesh.nodes.iter().zip(&mut moved).enumerate() {
                     let (u, side) = torus.displacement(*at);

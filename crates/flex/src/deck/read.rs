@@ -27,7 +27,8 @@ pub struct Deck {
 }
 
 /// Cards that only ask for output.
-const OUTPUTS: [&str; 6] = ["*NODE PRINT", "*EL PRINT", "*NODE FILE", "*EL FILE", "*NODE OUTPUT", "*ELEMENT OUTPUT"];
+const OUTPUTS: [&str; 6] =
+    ["*NODE PRINT", "*EL PRINT", "*NODE FILE", "*EL FILE", "*NODE OUTPUT", "*ELEMENT OUTPUT"];
 
 struct Card {
     line: usize,
@@ -63,7 +64,8 @@ pub fn read_deck(text: &str) -> Result<Deck, FlexError> {
             continue;
         }
         if !line.starts_with('*') {
-            let fields = line.trim_end_matches(',').split(',').map(|field| field.trim().to_uppercase()).collect();
+            let fields =
+                line.trim_end_matches(',').split(',').map(|field| field.trim().to_uppercase()).collect();
             data.push((number, fields));
             continue;
         }
@@ -113,8 +115,10 @@ impl Reader {
             "*ELEMENT" => self.read_elements(card, data),
             "*NSET" | "*ELSET" => self.read_set(card, data),
             "*MATERIAL" => {
-                let name = card.options.get("NAME").ok_or_else(|| wrong(card.line, "*MATERIAL needs NAME="))?;
-                let none = Material { name: name.clone(), youngs_modulus: 0.0, poisson_ratio: 0.0, density: 0.0 };
+                let name =
+                    card.options.get("NAME").ok_or_else(|| wrong(card.line, "*MATERIAL needs NAME="))?;
+                let none =
+                    Material { name: name.clone(), youngs_modulus: 0.0, poisson_ratio: 0.0, density: 0.0 };
                 self.mesh.materials.push(none);
                 Ok(())
             }
@@ -190,19 +194,26 @@ impl Reader {
             }
             if fields.len() > kind.nodes() + 1 {
                 let (got, needed) = (fields.len() - 1, kind.nodes());
-                return Err(wrong(*line, format!("element {} of type {name} has {got} nodes, needed {needed}", fields[0])));
+                return Err(wrong(
+                    *line,
+                    format!("element {} of type {name} has {got} nodes, needed {needed}", fields[0]),
+                ));
             }
             if fields.len() < kind.nodes() + 1 {
                 continue;
             }
             let find = |node: &u32| {
-                let unknown = || wrong(*line, format!("element {} names node {node}, which is not there", fields[0]));
+                let unknown =
+                    || wrong(*line, format!("element {} names node {node}, which is not there", fields[0]));
                 self.nodes.get(node).copied().ok_or_else(unknown)
             };
             let nodes = fields[1..].iter().map(find).collect::<Result<Vec<u32>, FlexError>>()?;
             let index = self.mesh.elements.len() as u32;
             if self.elements.insert(fields[0], index).is_some() {
-                return Err(wrong(*line, format!("element {} is there twice; number each element once", fields[0])));
+                return Err(wrong(
+                    *line,
+                    format!("element {} is there twice; number each element once", fields[0]),
+                ));
             }
             set.push(index);
             self.mesh.elements.push(Element { kind, nodes, material: 0 });
@@ -211,7 +222,10 @@ impl Reader {
         }
         if let Some(element) = fields.first() {
             let (got, needed) = (fields.len() - 1, kind.nodes());
-            return Err(wrong(card.line, format!("element {element} of type {name} has {got} nodes, needed {needed}")));
+            return Err(wrong(
+                card.line,
+                format!("element {element} of type {name} has {got} nodes, needed {needed}"),
+            ));
         }
         if let Some(name) = card.options.get("ELSET") {
             self.element_sets.entry(name.clone()).or_default().extend(set);
@@ -222,7 +236,8 @@ impl Reader {
     fn read_set(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
         let is_node = card.name == "*NSET";
         let key = if is_node { "NSET" } else { "ELSET" };
-        let name = card.options.get(key).ok_or_else(|| wrong(card.line, format!("{} needs {key}=", card.name)))?;
+        let name =
+            card.options.get(key).ok_or_else(|| wrong(card.line, format!("{} needs {key}=", card.name)))?;
         let mut members = Vec::new();
         for (line, fields) in data {
             if card.options.contains_key("GENERATE") {
@@ -261,7 +276,9 @@ impl Reader {
         };
         if let Ok(number) = field.parse::<u32>() {
             let found = numbers.get(&number).copied();
-            return found.map(|index| vec![index]).ok_or_else(|| wrong(line, format!("{what} {number} is not there")));
+            return found
+                .map(|index| vec![index])
+                .ok_or_else(|| wrong(line, format!("{what} {number} is not there")));
         }
         let found = sets.get(field).filter(|set| !set.is_empty()).cloned();
         found.ok_or_else(|| wrong(line, format!("{what} set {field} is missing or empty")))
@@ -275,7 +292,10 @@ impl Reader {
             return Err(wrong(card.line, format!("{} needs numbers in the next line", card.name)));
         };
         if let Some(kind) = card.options.get("TYPE").filter(|kind| *kind != "ISO") {
-            return Err(wrong(card.line, format!("elasticity of type {kind}: only isotropic materials are read")));
+            return Err(wrong(
+                card.line,
+                format!("elasticity of type {kind}: only isotropic materials are read"),
+            ));
         }
         if card.name == "*DENSITY" {
             material.density = 1e12 * number(*line, fields.first(), "the density")?;
@@ -305,15 +325,20 @@ impl Reader {
 
     fn read_boundary(&mut self, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
         for (line, fields) in data {
-            let first = index(*line, fields.get(1).map_or("", String::as_str), "the first degree of freedom")?;
+            let first =
+                index(*line, fields.get(1).map_or("", String::as_str), "the first degree of freedom")?;
             let last = match fields.get(2).filter(|field| !field.is_empty()) {
                 Some(field) => index(*line, field, "the last degree of freedom")?,
                 None => first,
             };
             if first > last || last > 3 {
-                return Err(wrong(*line, format!("degrees of freedom are 1, 2 and 3, got {first} to {last}")));
+                return Err(wrong(
+                    *line,
+                    format!("degrees of freedom are 1, 2 and 3, got {first} to {last}"),
+                ));
             }
-            let value = if fields.len() > 3 { 1e-3 * number(*line, fields.get(3), "a displacement")? } else { 0.0 };
+            let value =
+                if fields.len() > 3 { 1e-3 * number(*line, fields.get(3), "a displacement")? } else { 0.0 };
             for node in self.members(*line, &fields[0], true)? {
                 for axis in first..=last {
                     let axis = (axis - 1) as u8;

@@ -34,7 +34,13 @@ pub fn write_deck(mesh: &Mesh, case: &StaticCase, analysis: Analysis) -> Result<
     }
     let mut deck = String::new();
     let text = &mut deck;
-    line(text, format_args!("*HEADING\n{} (units: N, mm, tonne, s, MPa)\n*NODE, NSET=NALL", case.name.replace('\n', " ")));
+    line(
+        text,
+        format_args!(
+            "*HEADING\n{} (units: N, mm, tonne, s, MPa)\n*NODE, NSET=NALL",
+            case.name.replace('\n', " ")
+        ),
+    );
     for (index, node) in mesh.nodes.iter().enumerate() {
         let [x, y, z] = node.map(|value| 1e3 * value);
         line(text, format_args!("{}, {x:.12e}, {y:.12e}, {z:.12e}", index + 1));
@@ -70,11 +76,21 @@ pub fn write_deck(mesh: &Mesh, case: &StaticCase, analysis: Analysis) -> Result<
     }
     for (index, material) in mesh.materials.iter().enumerate() {
         let (e, density) = (1e-6 * material.youngs_modulus, 1e-12 * material.density);
-        line(text, format_args!("*MATERIAL, NAME=M{}\n*ELASTIC\n{e:.12e}, {:.12e}", index + 1, material.poisson_ratio));
+        line(
+            text,
+            format_args!(
+                "*MATERIAL, NAME=M{}\n*ELASTIC\n{e:.12e}, {:.12e}",
+                index + 1,
+                material.poisson_ratio
+            ),
+        );
         line(text, format_args!("*DENSITY\n{density:.12e}"));
     }
     for (kind, material) in &sets {
-        line(text, format_args!("*SOLID SECTION, ELSET={}, MATERIAL=M{}", set_name(*kind, *material), material + 1));
+        line(
+            text,
+            format_args!("*SOLID SECTION, ELSET={}, MATERIAL=M{}", set_name(*kind, *material), material + 1),
+        );
     }
     let zero: Vec<_> = case.fixed.iter().filter(|fixed| fixed.value == 0.0).collect();
     if !zero.is_empty() {

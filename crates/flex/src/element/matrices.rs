@@ -57,7 +57,9 @@ fn jacobian(nodes: &[[f64; 3]], shape: &ShapeValues) -> [[f64; 3]; 3] {
 /// Determinant of the Jacobian at a point of the element's own coordinates [m^3]: positive everywhere in a valid element.
 pub fn jacobian_determinant(kind: ElementKind, nodes: &[[f64; 3]], at: [f64; 3]) -> f64 {
     let [a, b, c] = jacobian(nodes, &shape_values(kind, at));
-    a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+    a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 /// Stiffness matrix [N/m] of an element with these nodes [m].

@@ -12,11 +12,8 @@ pub struct IntegrationPoint {
 }
 
 /// Points and weights of Gauss's rule with three points on (-1, 1).
-const GAUSS_3: [[f64; 2]; 3] = [
-    [-0.774_596_669_241_483_4, 5.0 / 9.0],
-    [0.0, 8.0 / 9.0],
-    [0.774_596_669_241_483_4, 5.0 / 9.0],
-];
+const GAUSS_3: [[f64; 2]; 3] =
+    [[-0.774_596_669_241_483_4, 5.0 / 9.0], [0.0, 8.0 / 9.0], [0.774_596_669_241_483_4, 5.0 / 9.0]];
 /// With four points.
 const GAUSS_4: [[f64; 2]; 4] = [
     [-0.861_136_311_594_052_6, 0.347_854_845_137_453_85],
@@ -86,9 +83,10 @@ pub fn mass_rule(kind: ElementKind) -> Vec<IntegrationPoint> {
         ElementKind::Wedge => {
             let mut points = Vec::with_capacity(18);
             for [t, wt] in GAUSS_3 {
-                for (a, weight) in
-                    [(0.445_948_490_915_964_9, 0.223_381_589_678_011_47), (0.091_576_213_509_770_74, 0.109_951_743_655_321_87)]
-                {
+                for (a, weight) in [
+                    (0.445_948_490_915_964_9, 0.223_381_589_678_011_47),
+                    (0.091_576_213_509_770_74, 0.109_951_743_655_321_87),
+                ] {
                     let b = 1.0 - 2.0 * a;
                     for [r, s] in [[a, a], [b, a], [a, b]] {
                         points.push(IntegrationPoint { at: [r, s, t], weight: wt * weight / 2.0 });
@@ -152,9 +150,7 @@ mod tests {
         let factorial = |n: i32| (1..=n).map(f64::from).product::<f64>();
         let line = |n: i32| if n % 2 == 0 { 2.0 / f64::from(n + 1) } else { 0.0 };
         match kind {
-            ElementKind::Tetrahedron => {
-                factorial(a) * factorial(b) * factorial(c) / factorial(a + b + c + 3)
-            }
+            ElementKind::Tetrahedron => factorial(a) * factorial(b) * factorial(c) / factorial(a + b + c + 3),
             ElementKind::Wedge => factorial(a) * factorial(b) / factorial(a + b + 2) * line(c),
             ElementKind::Hexahedron => line(a) * line(b) * line(c),
         }

@@ -96,8 +96,7 @@ fn wedge([r, s, t]: [f64; 3], values: &mut ShapeValues) {
             let node = 3 * side + i;
             values.n[node] = 0.5 * l[i] * height * bracket;
             let by_l = 0.5 * height * (bracket + 2.0 * l[i]);
-            values.d[node] =
-                [by_l * dl[i][0], by_l * dl[i][1], 0.5 * l[i] * sign * (bracket + height)];
+            values.d[node] = [by_l * dl[i][0], by_l * dl[i][1], 0.5 * l[i] * sign * (bracket + height)];
             let j = (i + 1) % 3;
             let edge = 6 + 3 * side + i;
             values.n[edge] = 2.0 * l[i] * l[j] * height;
@@ -116,13 +115,19 @@ fn wedge([r, s, t]: [f64; 3], values: &mut ShapeValues) {
 fn hexahedron(at: [f64; 3], values: &mut ShapeValues) {
     for (node, place) in HEXAHEDRON.iter().enumerate() {
         // Along each axis: linear (1 + x x_i) at an end, quadratic (1 - x^2) in the middle.
-        let factor: [f64; 3] = std::array::from_fn(|k| {
-            if place[k] == 0.0 { 1.0 - at[k] * at[k] } else { 1.0 + at[k] * place[k] }
-        });
-        let slope: [f64; 3] =
-            std::array::from_fn(|k| if place[k] == 0.0 { -2.0 * at[k] } else { place[k] });
+        let factor: [f64; 3] =
+            std::array::from_fn(
+                |k| {
+                    if place[k] == 0.0 { 1.0 - at[k] * at[k] } else { 1.0 + at[k] * place[k] }
+                },
+            );
+        let slope: [f64; 3] = std::array::from_fn(|k| if place[k] == 0.0 { -2.0 * at[k] } else { place[k] });
         let product = factor[0] * factor[1] * factor[2];
-        let by = [slope[0] * factor[1] * factor[2], factor[0] * slope[1] * factor[2], factor[0] * factor[1] * slope[2]];
+        let by = [
+            slope[0] * factor[1] * factor[2],
+            factor[0] * slope[1] * factor[2],
+            factor[0] * factor[1] * slope[2],
+        ];
         if node < 8 {
             let bracket = at[0] * place[0] + at[1] * place[1] + at[2] * place[2] - 2.0;
             values.n[node] = product * bracket / 8.0;

@@ -22,7 +22,9 @@ pub fn mapped_block(
     let cuts: &[&[usize]] = match kind {
         ElementKind::Hexahedron => &[&[0, 1, 3, 2, 4, 5, 7, 6]],
         ElementKind::Wedge => &[&[0, 1, 3, 4, 5, 7], &[0, 3, 2, 4, 7, 6]],
-        ElementKind::Tetrahedron => &[&[0, 1, 3, 7], &[0, 3, 2, 7], &[0, 2, 6, 7], &[0, 6, 4, 7], &[0, 4, 5, 7], &[0, 5, 1, 7]],
+        ElementKind::Tetrahedron => {
+            &[&[0, 1, 3, 7], &[0, 3, 2, 7], &[0, 2, 6, 7], &[0, 6, 4, 7], &[0, 4, 5, 7], &[0, 5, 1, 7]]
+        }
     };
     let mut unit = 0.0f64;
     for k in 0..8 {
@@ -30,9 +32,11 @@ pub fn mapped_block(
     }
     let unit = if unit > 0.0 { unit * 1e-9 } else { 1e-12 };
     for cell in 0..divisions.iter().product() {
-        let first = [cell % divisions[0], (cell / divisions[0]) % divisions[1], cell / (divisions[0] * divisions[1])];
+        let first =
+            [cell % divisions[0], (cell / divisions[0]) % divisions[1], cell / (divisions[0] * divisions[1])];
         for cut in cuts {
-            let steps_of = |k: usize| -> [usize; 3] { std::array::from_fn(|a| 2 * (first[a] + corner(cut[k])[a])) };
+            let steps_of =
+                |k: usize| -> [usize; 3] { std::array::from_fn(|a| 2 * (first[a] + corner(cut[k])[a])) };
             let middles = kind.edges().iter().map(|[a, b]| {
                 let (a, b) = (steps_of(*a), steps_of(*b));
                 std::array::from_fn(|k| (a[k] + b[k]) / 2)

@@ -67,11 +67,14 @@ impl Mesh {
     /// # Errors
     /// The first of them.
     pub fn check(&self) -> Result<(), FlexError> {
-        let missing = |what, number: u32, hint| {
-            Err(FlexError::Missing { what, name: (number + 1).to_string(), hint })
-        };
+        let missing =
+            |what, number: u32, hint| Err(FlexError::Missing { what, name: (number + 1).to_string(), hint });
         if self.elements.is_empty() {
-            return Err(FlexError::Missing { what: "element", name: "1".to_owned(), hint: "a mesh has elements" });
+            return Err(FlexError::Missing {
+                what: "element",
+                name: "1".to_owned(),
+                hint: "a mesh has elements",
+            });
         }
         for material in &self.materials {
             material.check()?;

@@ -44,7 +44,8 @@ fn scaled_jacobian(kind: ElementKind, nodes: &[[f64; 3]]) -> f64 {
     let inner: Vec<f64> = rule.iter().map(|point| jacobian_determinant(kind, nodes, point.at)).collect();
     let weights: f64 = rule.iter().map(|point| point.weight).sum();
     let mean = rule.iter().zip(&inner).map(|(point, value)| point.weight * value).sum::<f64>() / weights;
-    let at_nodes = (0..kind.nodes()).map(|node| jacobian_determinant(kind, nodes, local_coordinates(kind, node)));
+    let at_nodes =
+        (0..kind.nodes()).map(|node| jacobian_determinant(kind, nodes, local_coordinates(kind, node)));
     let least = inner.iter().copied().chain(at_nodes).fold(f64::INFINITY, f64::min);
     if mean > 0.0 { least / mean } else { -1.0 }
 }

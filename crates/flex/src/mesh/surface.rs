@@ -19,14 +19,18 @@ pub fn surface(mesh: &Mesh) -> (Vec<SurfaceFace>, usize) {
     let mut faces: BTreeMap<Vec<u32>, (u32, usize, usize)> = BTreeMap::new();
     for (index, element) in mesh.elements.iter().enumerate() {
         for (place, face) in element.kind.faces().iter().enumerate() {
-            let mut key: Vec<u32> = face_nodes(element.kind, face).iter().map(|k| element.nodes[*k]).collect();
+            let mut key: Vec<u32> =
+                face_nodes(element.kind, face).iter().map(|k| element.nodes[*k]).collect();
             key.sort_unstable();
             faces.entry(key).or_insert((index as u32, place, 0)).2 += 1;
         }
     }
     let crowded = faces.values().filter(|(_, _, count)| *count > 2).count();
-    let mut outer: Vec<(u32, usize)> =
-        faces.values().filter(|(_, _, count)| *count == 1).map(|(element, place, _)| (*element, *place)).collect();
+    let mut outer: Vec<(u32, usize)> = faces
+        .values()
+        .filter(|(_, _, count)| *count == 1)
+        .map(|(element, place, _)| (*element, *place))
+        .collect();
     outer.sort_unstable();
     let face = |(element, place): (u32, usize)| {
         let source = &mesh.elements[element as usize];
@@ -75,7 +79,10 @@ fn face_rule(nodes: usize) -> Vec<([f64; 2], f64)> {
     if nodes == 6 {
         let rule = crate::element::mass_rule(ElementKind::Wedge);
         // One layer of the wedge's rule, whose weights add up to the triangle's area.
-        return rule[6..12].iter().map(|point| ([point.at[0], point.at[1]], point.weight / (8.0 / 9.0))).collect();
+        return rule[6..12]
+            .iter()
+            .map(|point| ([point.at[0], point.at[1]], point.weight / (8.0 / 9.0)))
+            .collect();
     }
     let rule = crate::element::stiffness_rule(ElementKind::Hexahedron);
     rule[9..18].iter().map(|point| ([point.at[0], point.at[1]], point.weight / (8.0 / 9.0))).collect()

@@ -4,12 +4,12 @@ use super::SymmetricMatrix;
 use crate::FlexError;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltError;
+use faer::perm::PermRef;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
 };
-use faer::perm::PermRef;
-use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::traits::RealField;
 use faer::{Conj, MatMut, Par, Side};
@@ -63,10 +63,21 @@ impl FactorPlan {
             SymmetricOrdering::Custom(PermRef::new_checked(&identity, &identity, size)),
             params,
         )
-        .map_err(|_| FlexError::Memory { unknowns: size, entries: rows.len(), needed: u64::MAX, allowed: 0 })?;
+        .map_err(|_| FlexError::Memory {
+            unknowns: size,
+            entries: rows.len(),
+            needed: u64::MAX,
+            allowed: 0,
+        })?;
         let operations = operations(&symbolic);
         let entries = symbolic.len_val();
-        Ok(FactorPlan { symbolic: Arc::new(symbolic), unknowns: size, nonzeros: rows.len(), entries, operations })
+        Ok(FactorPlan {
+            symbolic: Arc::new(symbolic),
+            unknowns: size,
+            nonzeros: rows.len(),
+            entries,
+            operations,
+        })
     }
 
     /// Bytes of the matrix and its factor.
@@ -98,7 +109,8 @@ fn operations(symbolic: &SymbolicCholesky<u32>) -> f64 {
     let (begin, end) = (factor.supernode_begin(), factor.supernode_end());
     (0..factor.n_supernodes())
         .map(|node| {
-            let (columns, below) = (f64::from(end[node] - begin[node]), factor.supernode(node).pattern().len());
+            let (columns, below) =
+                (f64::from(end[node] - begin[node]), factor.supernode(node).pattern().len());
             let tall = columns + below as f64;
             // Sum of (tall - k)^2 for k from 0 to columns - 1.
             columns * tall * tall - tall * columns * (columns - 1.0)

@@ -8,7 +8,7 @@ mod solve;
 
 pub use assembly::{DenseTerm, Quantity, Structure};
 pub use factor::{Factor, FactorPlan, Precision};
-pub(crate) use matrix::{dot, norm};
 pub use matrix::{Pattern, SymmetricMatrix};
+pub(crate) use matrix::{dot, norm};
 pub use order::{nested_dissection, postorder};
 pub use solve::{SolveReport, Solver};

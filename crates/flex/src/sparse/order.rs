@@ -71,8 +71,9 @@ pub fn nested_dissection(places: &[[f64; 3]], elements: &[&[u32]]) -> Vec<u32> {
         part.nodes.extend_from_slice(nodes);
         part.starts.push(part.nodes.len() as u32);
         let count = nodes.len() as f64;
-        part.middles
-            .push(std::array::from_fn(|k| nodes.iter().map(|node| places[*node as usize][k]).sum::<f64>() / count));
+        part.middles.push(std::array::from_fn(|k| {
+            nodes.iter().map(|node| places[*node as usize][k]).sum::<f64>() / count
+        }));
     }
     dissect(part)
 }
@@ -93,8 +94,7 @@ fn dissect(part: Part) -> Vec<u32> {
     let [a, b] = halves;
     let large = part.elements() > PARALLEL;
     drop(part);
-    let (mut order, rest) =
-        if large { join(|| dissect(a), || dissect(b)) } else { (dissect(a), dissect(b)) };
+    let (mut order, rest) = if large { join(|| dissect(a), || dissect(b)) } else { (dissect(a), dissect(b)) };
     order.extend(rest);
     order.extend(separator);
     order
