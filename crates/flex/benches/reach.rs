@@ -1,4 +1,4 @@
-//! Times of the solver on a crankshaft: `cargo run --release -p lanchester-flex --example reach -- FILE SIZE_MM FILLET_ELEMENTS`.
+//! Times of the solver on a crankshaft: `cargo bench -p lanchester-flex --bench reach -- FILE SIZE_MM FILLET_ELEMENTS`.
 
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_mesh::{CrankMeshOptions, crank_mesh};
@@ -7,9 +7,11 @@ use lanchester_flex::statics::{SolveOptions, StaticSystem, node_stresses};
 use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let arguments: Vec<String> = std::env::args().collect();
-    let [_, file, size, elements, ..] = arguments.as_slice() else {
-        return Err("FILE SIZE_MM FILLET_ELEMENTS".into());
+    let arguments: Vec<String> =
+        std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
+    let [file, size, elements] = arguments.as_slice() else {
+        println!("nothing measured: give FILE SIZE_MM FILLET_ELEMENTS");
+        return Ok(());
     };
     let engine = lanchester_file::read(&std::fs::read_to_string(file)?)
         .engine()
