@@ -8,6 +8,11 @@ use crate::{FlexError, element};
 use rayon::prelude::*;
 use serde::Serialize;
 
+/// Loads on all unknowns, and the accelerations that balance them.
+type Loaded = (Vec<f64>, Option<[f64; 6]>);
+/// Superconvergent points of a kind of element, and the weights of their values at its nodes.
+type Recovery = (Vec<[f64; 3]>, Vec<Vec<f64>>);
+
 /// How to solve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SolveOptions {
@@ -115,7 +120,7 @@ impl<'a> StaticSystem<'a> {
             loads.push((load, accelerations));
         }
         let (solutions, report) = self.solver.solve(&sides)?;
-        let solution = |(free, (load, accelerations)): (Vec<f64>, (Vec<f64>, Option<[f64; 6]>))| {
+        let solution = |(free, (load, accelerations)): (Vec<f64>, Loaded)| {
             let mut u = given.clone();
             let mut values = free.into_iter();
             for k in (0..size).filter(|k| self.kept[*k]) {
@@ -302,7 +307,7 @@ pub struct NodeStress {
 
 /// Stress at the nodes, extrapolated from the superconvergent points and averaged within the material with the lowest index there.
 pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress> {
-    let tables: Vec<(Vec<[f64; 3]>, Vec<Vec<f64>>)> = element::ElementKind::ALL
+    let tables: Vec<Recovery> = element::ElementKind::ALL
         .iter()
         .map(|kind| (element::recovery_points(*kind), element::extrapolation(*kind)))
         .collect();
