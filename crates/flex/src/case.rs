@@ -19,7 +19,7 @@ pub struct Fixed {
 /// A spring between the mean displacement of nodes and the ground, along one direction.
 ///
 /// ```text
-/// u_m = SUM w_i u_i . n        F = k u_m, shared among the nodes by w: adds no stiffness of its own        (book, eq. 91.6)
+/// u_m = SUM w_i u_i . n        F = k u_m, shared among the nodes by w: adds no stiffness of its own        (book, eq. 43.6)
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Spring {
@@ -29,7 +29,7 @@ pub struct Spring {
     pub stiffness: f64,
     /// Direction, of length one.
     pub direction: [f64; 3],
-    /// Nodes and their weights, which add up to one.
+    /// Nodes and their weights, which add up to one; to zero for a couple.
     pub nodes: Vec<(u32, f64)>,
 }
 

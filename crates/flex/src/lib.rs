@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 pub mod case;
+pub mod crank_case;
 pub mod crank_mesh;
 pub mod deck;
 mod eigen;

@@ -1,7 +1,7 @@
 //! Natural modes by shift-and-invert block Lanczos in the inner product of the mass.
 //!
 //! ```text
-//! K x = l M x        (K + s M)^-1 M x = x/(l + s)        x^T M x = 1        f = sqrt(l)/2 pi                 (book, eq. 91.8)
+//! K x = l M x        (K + s M)^-1 M x = x/(l + s)        x^T M x = 1        f = sqrt(l)/2 pi                 (book, eq. 43.8)
 //! ```
 //! With `s > 0` a free body's matrix has a Cholesky factor, and its six rigid motions come out with `l = 0`.
 
@@ -103,7 +103,8 @@ pub fn modes(
         kept[structure.unknown(fixed.node, fixed.axis as usize)] = false;
     }
     let stiffness = structure.assemble(mesh, Quantity::Stiffness, &terms).restricted(&kept);
-    let mass = structure.assemble(mesh, Quantity::Mass, &[]).restricted(&kept);
+    let quantity = if options.coarse_mass { Quantity::CoarseMass } else { Quantity::Mass };
+    let mass = structure.assemble(mesh, quantity, &[]).restricted(&kept);
     if count == 0 || count + BLOCK > stiffness.size() {
         return Err(FlexError::Number {
             quantity: "the number of modes".to_owned(),

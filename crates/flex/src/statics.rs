@@ -8,6 +8,11 @@ use crate::{FlexError, element};
 use rayon::prelude::*;
 use serde::Serialize;
 
+/// Loads on all unknowns, and the accelerations that balance them.
+type Loaded = (Vec<f64>, Option<[f64; 6]>);
+/// Superconvergent points of a kind of element, and the weights of their values at its nodes.
+type Recovery = (Vec<[f64; 3]>, Vec<Vec<f64>>);
+
 /// How to solve.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SolveOptions {
@@ -15,11 +20,13 @@ pub struct SolveOptions {
     pub precision: Precision,
     /// Bytes that matrix and factor may take.
     pub memory: u64,
+    /// Whether modes have the mass of CalculiX, integrated with the rule of the stiffness.
+    pub coarse_mass: bool,
 }
 
 impl Default for SolveOptions {
     fn default() -> SolveOptions {
-        SolveOptions { precision: Precision::Single, memory: 8 << 30 }
+        SolveOptions { precision: Precision::Single, memory: 8 << 30, coarse_mass: false }
     }
 }
 
@@ -113,7 +120,7 @@ impl<'a> StaticSystem<'a> {
             loads.push((load, accelerations));
         }
         let (solutions, report) = self.solver.solve(&sides)?;
-        let solution = |(free, (load, accelerations)): (Vec<f64>, (Vec<f64>, Option<[f64; 6]>))| {
+        let solution = |(free, (load, accelerations)): (Vec<f64>, Loaded)| {
             let mut u = given.clone();
             let mut values = free.into_iter();
             for k in (0..size).filter(|k| self.kept[*k]) {
@@ -149,8 +156,10 @@ impl<'a> StaticSystem<'a> {
             self.support.springs.iter().map(|spring| -spring.stiffness * mean(spring)).collect();
         let mut reaction = sum(&reactions);
         for (spring, force) in self.support.springs.iter().zip(&spring_forces) {
+            // Weights that add up to zero are a couple.
+            let share: f64 = spring.nodes.iter().map(|(_, weight)| weight).sum();
             for axis in 0..3 {
-                reaction[axis] += force * spring.direction[axis];
+                reaction[axis] += force * share * spring.direction[axis];
             }
         }
         let load = sum(&self.structure.scatter(load));
@@ -196,7 +205,7 @@ impl<'a> StaticSystem<'a> {
     /// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
     ///
     /// ```text
-    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 91.7)
+    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
     /// ```
     fn relieve(&self, load: &mut [f64]) -> Result<[f64; 6], FlexError> {
         let (mass, size) = (self.mass()?, load.len());
@@ -298,7 +307,7 @@ pub struct NodeStress {
 
 /// Stress at the nodes, extrapolated from the superconvergent points and averaged within the material with the lowest index there.
 pub fn node_stresses(mesh: &Mesh, displacements: &[[f64; 3]]) -> Vec<NodeStress> {
-    let tables: Vec<(Vec<[f64; 3]>, Vec<Vec<f64>>)> = element::ElementKind::ALL
+    let tables: Vec<Recovery> = element::ElementKind::ALL
         .iter()
         .map(|kind| (element::recovery_points(*kind), element::extrapolation(*kind)))
         .collect();

@@ -78,3 +78,38 @@ pub fn write_vtu(mesh: &Mesh, fields: &[NodeField]) -> Vec<u8> {
     file.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
     file
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Material;
+    use crate::element::ElementKind;
+    use crate::mesh::mapped_block;
+
+    #[test]
+    fn every_array_is_where_the_head_says() {
+        let mesh = mapped_block(ElementKind::Wedge, [1, 1, 1], Material::steel(), |x| x);
+        let values: Vec<f64> = (0..3 * mesh.nodes.len()).map(|k| k as f64).collect();
+        let field = NodeField { name: "displacement".to_owned(), components: 3, values: values.clone() };
+        let file = write_vtu(&mesh, &[field]);
+        let start = file.windows(2).position(|pair| pair == b"\n_").unwrap() + 2;
+        let head = String::from_utf8(file[..start].to_vec()).unwrap();
+        let offsets: Vec<usize> = head
+            .match_indices("offset=\"")
+            .map(|(at, key)| head[at + key.len()..].split('"').next().unwrap().parse().unwrap())
+            .collect();
+        assert_eq!(offsets.len(), 5);
+        let length = |offset: usize| {
+            let bytes: [u8; 8] = file[start + offset..start + offset + 8].try_into().unwrap();
+            u64::from_le_bytes(bytes) as usize
+        };
+        let wanted = [24 * mesh.nodes.len(), 24 * mesh.nodes.len(), 4 * 30, 4 * 2, 2];
+        for (offset, wanted) in offsets.iter().zip(wanted) {
+            assert_eq!(length(*offset), wanted);
+        }
+        let first = start + offsets[0] + 8;
+        assert_eq!(f64::from_le_bytes(file[first + 8..first + 16].try_into().unwrap()), values[1]);
+        assert_eq!(&file[start + offsets[4] + 8..][..2], [26, 26]);
+        assert!(file.ends_with(b"</VTKFile>\n"));
+    }
+}

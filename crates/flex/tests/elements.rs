@@ -165,9 +165,9 @@ fn lit_lame_thick_cylinder() {
         }
         assert!(solution.report.residual < 1e-10);
     }
-    // Extrapolation to the surface is linear: its error is of second order in the size of the elements.
+    // Extrapolation to the surface is linear: of second order in the size of the elements, which here grow with the radius.
     for pair in errors.chunks(2) {
-        assert!(pair[1] < 0.35 * pair[0] && pair[1] < 0.01, "hoop stress: {errors:?}");
+        assert!(pair[1] < 0.4 * pair[0] && pair[1] < 0.01, "hoop stress: {errors:?}");
     }
 }
 

@@ -42,6 +42,7 @@ const ARROWS: [(&str, &[&str]); 24] = [
         &["lanchester-model", "lanchester-results", "lanchester-task", "lanchester-mechanism"],
     ),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
+    ("lanchester-flex", &["lanchester-model", "lanchester-geometry", "lanchester-shape"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",

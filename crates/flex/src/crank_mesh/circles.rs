@@ -9,7 +9,10 @@ const SAME: f64 = 1e-7;
 /// Chords near crossings are no longer than this share of the radius: what two circles have in common is narrow.
 const LENS: f64 = 0.12;
 /// Chords are no longer than this share of the radius.
-const ROUND: f64 = 0.33;
+const ROUND: f64 = 0.25;
+
+/// Edges of an outline shorter than this are left out [m].
+const SHORT: f64 = 2e-5;
 
 /// Circles about one centre: a bar with the layers of its fillets, or a bore.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,11 +30,40 @@ pub(super) struct Rings {
 pub(super) struct Chords {
     pub points: Vec<Point>,
     pub chords: Vec<([usize; 2], Point)>,
+    /// Centre and radius of each circle and its chords.
+    pub circles: Vec<(Point, f64, Polygon)>,
+}
+
+/// A closed line of chords.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Polygon(pub Vec<[Point; 2]>);
+
+impl Polygon {
+    /// Whether a point is within: a ray from it crosses an odd number of chords.
+    pub fn contains(&self, at: Point) -> bool {
+        let crossed = self.0.iter().filter(|[a, b]| {
+            let spans = (a.y > at.y) != (b.y > at.y);
+            spans && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
+        });
+        crossed.count() % 2 == 1
+    }
 }
 
 impl Chords {
-    fn point(&mut self, at: Point) -> usize {
-        if let Some(found) = self.points.iter().position(|point| (*point - at).norm() < SAME) {
+    /// The chords of a circle; none where it is not there.
+    pub fn circle(&self, centre: Point, radius: f64) -> Polygon {
+        let own =
+            |(at, r, _): &&(Point, f64, Polygon)| (*at - centre).norm() < SAME && (r - radius).abs() < SAME;
+        self.circles.iter().find(own).map(|(_, _, polygon)| polygon.clone()).unwrap_or_default()
+    }
+
+    /// All chords as one polygon, holes included.
+    pub fn polygon(&self) -> Polygon {
+        Polygon(self.chords.iter().map(|([a, b], _)| [self.points[*a], self.points[*b]]).collect())
+    }
+
+    fn point(&mut self, at: Point, same: f64) -> usize {
+        if let Some(found) = self.points.iter().position(|point| (*point - at).norm() < same) {
             return found;
         }
         self.points.push(at);
@@ -104,8 +136,13 @@ pub(super) fn chords(rings: &[Rings]) -> Chords {
             }
             angles.sort_by(f64::total_cmp);
             angles.dedup_by(|a, b| (*a - *b).abs() * *radius < SAME);
-            let points: Vec<usize> =
-                angles.iter().map(|angle| result.point(own.centre + Point::polar(*radius, *angle))).collect();
+            let points: Vec<usize> = angles
+                .iter()
+                .map(|angle| result.point(own.centre + Point::polar(*radius, *angle), SAME))
+                .collect();
+            let at = |k: usize| own.centre + Point::polar(*radius, angles[k % angles.len()]);
+            let polygon = Polygon((0..points.len()).map(|k| [at(k), at(k + 1)]).collect());
+            result.circles.push((own.centre, *radius, polygon));
             for k in 0..points.len() {
                 let (a, b) = (angles[k], angles[(k + 1) % angles.len()]);
                 let middle = a + (b - a).rem_euclid(TAU) / 2.0;
@@ -175,16 +212,21 @@ fn graded(from: f64, gap: f64, radius: f64, layer: f64, chord: f64) -> Vec<f64> 
         .collect()
 }
 
-/// Chords no longer than `size` and no more than 20 degrees along the edges of an outline.
+/// Chords no longer than `size` and no more than 12 degrees along the edges of an outline.
 pub(super) fn outline_chords(outline: &lanchester_shape::Outline, size: f64) -> Chords {
     let mut result = Chords::default();
     for contour in outline.contours() {
-        for edge in contour.edges() {
+        // Half the edges where they turn by more than a half circle: points along an edge are exact up to there.
+        let halved = contour
+            .edges()
+            .iter()
+            .flat_map(|edge| if edge.bulge.abs() > 0.9 { edge.halves().to_vec() } else { vec![*edge] });
+        for edge in halved {
             let turn = 4.0 * edge.bulge.abs().atan();
-            let count = ((edge.length() / size).ceil().max((turn / (PI / 9.0)).ceil()) as usize).max(1);
+            let count = ((edge.length() / size).ceil().max((turn / (PI / 15.0)).ceil()) as usize).max(1);
             for k in 0..count {
                 let at = |part: f64| edge.at((k as f64 + part) / count as f64).0;
-                let ends = [result.point(at(0.0)), result.point(at(1.0))];
+                let ends = [result.point(at(0.0), SHORT), result.point(at(1.0), SHORT)];
                 if ends[0] != ends[1] {
                     result.chords.push((ends, at(0.5)));
                 }

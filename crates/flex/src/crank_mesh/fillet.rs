@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! rho: outside the cylinder   zeta: from the web's face into the bar   corner at (0, 0)
-//! cylinder, 0 <= zeta <= R    a = (pi/4)(1 - zeta/R)    to (R (1 - cos a), R (1 - sin a))                    (book, eq. 91.9)
+//! cylinder, 0 <= zeta <= R    a = (pi/4)(1 - zeta/R)    to (R (1 - cos a), R (1 - sin a))                    (book, eq. 43.9)
 //! face,     0 <= rho  <= R    a = (pi/4)(1 + rho/R)
 //! inside    times w(u) = (1 - u)^2 (1 + 2 u), u the depth below the cylinder and below the face over H
 //! ```

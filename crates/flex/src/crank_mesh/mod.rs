@@ -3,7 +3,7 @@
 //! * All circles of journals, pins, bores and fillets make one plane net, the core. Each web adds what its outline has beyond the
 //!   fillets of its two bars. Bars and webs take their triangles from these nets, so that they fit at every face.
 //! * Triangles become wedges between levels along z: layers within the fillet radius at both sides of a face, growing after.
-//! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 91.9).
+//! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 43.9).
 
 mod circles;
 mod fillet;

@@ -3,9 +3,14 @@
 use super::circles::Chords;
 use lanchester_shape::Point;
 use spade::{AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation};
+use std::collections::{HashMap, HashSet};
 
 /// Smallest angle that refinement asks for.
 const ANGLE: f64 = 26.0;
+/// Triangles lower than this are none [m].
+const FLAT: f64 = 1e-8;
+/// Two chords that meet at a larger angle [rad] are one smooth line.
+const EAR: f64 = 2.3;
 
 /// Points and triangles, anticlockwise.
 #[derive(Debug, Clone, Default)]
@@ -54,5 +59,74 @@ pub(super) fn net(chords: &Chords, size: f64) -> Result<Net, Point> {
         })
         .collect();
     triangles.sort_unstable();
-    Ok(Net { points, triangles })
+    let mut net = Net { points, triangles };
+    net.flip_ears(chords);
+    // Points on one straight line of the hull leave triangles of rounding outside it.
+    let is_flat = |corners: &[usize; 3]| {
+        let side = |k: usize| (net.points[corners[k]] - net.points[corners[(k + 1) % 3]]).norm();
+        net.area(*corners) < FLAT * side(0).max(side(1)).max(side(2))
+    };
+    let triangles = net.triangles.iter().copied().filter(|corners| !is_flat(corners)).collect();
+    net.triangles = triangles;
+    Ok(net)
+}
+
+impl Net {
+    /// A triangle with two chords of one smooth line, which are arcs, would be folded at the corner between them: its third edge is
+    /// turned to that corner.
+    fn flip_ears(&mut self, chords: &Chords) {
+        let lines: HashSet<[usize; 2]> = chords.chords.iter().map(|([a, b], _)| key(*a, *b)).collect();
+        let mut beside: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
+        for (index, triangle) in self.triangles.iter().enumerate() {
+            for k in 0..3 {
+                beside.entry(key(triangle[k], triangle[(k + 1) % 3])).or_default().push(index);
+            }
+        }
+        for index in 0..self.triangles.len() {
+            let triangle = self.triangles[index];
+            for k in 0..3 {
+                let [v, a, b] = [triangle[k], triangle[(k + 1) % 3], triangle[(k + 2) % 3]];
+                let is_ear =
+                    lines.contains(&key(v, a)) && lines.contains(&key(v, b)) && !lines.contains(&key(a, b));
+                if !is_ear || self.angle(v, a, b) < EAR {
+                    continue;
+                }
+                let others = beside.get(&key(a, b)).cloned().unwrap_or_default();
+                let Some(other) = others.into_iter().find(|other| *other != index) else { continue };
+                let Some(w) = self.triangles[other].into_iter().find(|point| *point != a && *point != b)
+                else {
+                    continue;
+                };
+                let (one, two) = ([v, a, w], [v, w, b]);
+                if self.area(one) <= 0.0 || self.area(two) <= 0.0 {
+                    continue;
+                }
+                self.triangles[index] = one;
+                self.triangles[other] = two;
+                beside.remove(&key(a, b));
+                beside.insert(key(v, w), vec![index, other]);
+                for (edge, from, to) in [(key(a, w), other, index), (key(v, b), index, other)] {
+                    for owner in beside.entry(edge).or_default() {
+                        if *owner == from {
+                            *owner = to;
+                        }
+                    }
+                }
+                break;
+            }
+        }
+    }
+
+    fn angle(&self, at: usize, a: usize, b: usize) -> f64 {
+        let (u, v) = (self.points[a] - self.points[at], self.points[b] - self.points[at]);
+        (u.dot(v) / (u.norm() * v.norm())).clamp(-1.0, 1.0).acos()
+    }
+
+    fn area(&self, [a, b, c]: [usize; 3]) -> f64 {
+        (self.points[b] - self.points[a]).cross(self.points[c] - self.points[a])
+    }
+}
+
+fn key(a: usize, b: usize) -> [usize; 2] {
+    [a.min(b), a.max(b)]
 }

@@ -1,6 +1,6 @@
 //! From the elements of a crankshaft to its mesh.
 
-use super::circles::{Chords, Rings, chords, outline_chords};
+use super::circles::{Chords, Polygon, Rings, chords, outline_chords};
 use super::fillet::{Side, Torus};
 use super::levels::levels;
 use super::net::{Net, net};
@@ -126,8 +126,9 @@ pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> R
             Segment::Bar(bar) => {
                 let bar = &bars[*bar];
                 check_alone(&body, bar)?;
-                let inside = |at: Point| (at - bar.centre).norm();
-                let own = |at: Point| inside(at) < bar.radius && inside(at) > bar.bore;
+                let [outer, bore] =
+                    [bar.radius, bar.bore].map(|radius| core_chords.circle(bar.centre, radius));
+                let own = |at: Point| outer.contains(at) && !bore.contains(at);
                 let triangles = sweep.pick(&core, own);
                 let along = levels(bar.faces[1] - bar.faces[0], bar.fillets, layers, options.size);
                 sweep.extrude(bar.faces[0], &along, |_| triangles.clone());
@@ -391,7 +392,9 @@ fn stack_mesh(
             }
         }
     }
-    let is_core = |at: Point| discs.iter().any(|(centre, radius)| (at - *centre).norm() < *radius);
+    let polygons: Vec<Polygon> =
+        discs.iter().map(|(centre, radius)| core_chords.circle(*centre, *radius)).collect();
+    let is_core = |at: Point| polygons.iter().any(|polygon| polygon.contains(at));
     let boundary = |middle: Point| {
         let place = |(centre, radius): &(Point, f64)| (middle - *centre).norm() - radius;
         discs.iter().any(|disc| place(disc).abs() < TINY) && discs.iter().all(|disc| place(disc) > -TINY)
@@ -408,13 +411,38 @@ fn stack_mesh(
         });
         outer.chords.push((ends, *middle));
     }
-    let mut seen: Vec<Outline> = Vec::new();
+    let mut seen: Vec<&Outline> = Vec::new();
+    let mut filled: Vec<Polygon> = Vec::new();
     for (outline, _) in &solids {
-        if seen.contains(outline) {
+        let own = outline_chords(outline, options.size);
+        // Holes are bores, circles of the core, with its chords.
+        let mut polygon = outline_chords(
+            &Outline::new(outline.outer().clone(), Vec::new())
+                .map_err(|source| refuse(&stack.name, source.to_string(), "a simpler outline"))?,
+            options.size,
+        )
+        .polygon();
+        for hole in outline.holes() {
+            let bore = stack
+                .bars
+                .iter()
+                .flatten()
+                .map(|bar| &bars[*bar])
+                .find(|bar| hole.contains(bar.centre) && bar.bore > 0.0);
+            let Some(bore) = bore else {
+                return Err(refuse(
+                    &stack.name,
+                    "has a hole that is no bore of its journal or pin",
+                    "leave the hole out",
+                ));
+            };
+            polygon.0.extend(core_chords.circle(bore.centre, bore.bore).0);
+        }
+        filled.push(polygon);
+        if seen.contains(&outline) {
             continue;
         }
-        seen.push(outline.clone());
-        let own = outline_chords(outline, options.size);
+        seen.push(outline);
         // Holes of bores are circles of the core already.
         for ([a, b], middle) in own.chords.iter().filter(|(_, middle)| !is_core(*middle)) {
             let ends = [*a, *b].map(|point| {
@@ -471,13 +499,14 @@ fn stack_mesh(
     along.sort_by(f64::total_cmp);
     let centres: Vec<Point> = all.iter().map(|triangle| sweep.centre(triangle)).collect();
     sweep.extrude(stack.faces[0], &along, |z| {
-        let there: Vec<&Outline> = solids
+        let there: Vec<&Polygon> = solids
             .iter()
-            .filter(|(_, faces)| faces[0] < z && z < faces[1])
-            .map(|(outline, _)| outline)
+            .zip(&filled)
+            .filter(|((_, faces), _)| faces[0] < z && z < faces[1])
+            .map(|(_, polygon)| polygon)
             .collect();
-        let filled = |at: &Point| there.iter().any(|outline| outline.contains(*at));
-        all.iter().zip(&centres).filter(|(_, at)| filled(at)).map(|(triangle, _)| *triangle).collect()
+        let is_filled = |at: &Point| there.iter().any(|polygon| polygon.contains(*at));
+        all.iter().zip(&centres).filter(|(_, at)| is_filled(at)).map(|(triangle, _)| *triangle).collect()
     });
     Ok(())
 }
@@ -547,7 +576,7 @@ impl Sweep {
 
 /// Pulls corners onto their fillets and names the sets.
 fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<FilletPlace> {
-    let mut set = |mesh: &Mesh, name: String, is_in: &dyn Fn(&[f64; 3]) -> bool| NodeSet {
+    let set = |mesh: &Mesh, name: String, is_in: &dyn Fn(&[f64; 3]) -> bool| NodeSet {
         name,
         nodes: mesh.pick(is_in),
     };

@@ -1,8 +1,8 @@
 //! Stiffness and consistent mass of one element.
 //!
 //! ```text
-//! K_ij = INT lambda g_i g_j^T + mu (g_j g_i^T + (g_i . g_j) I) dV        g_i: gradient of shape function i       (book, eq. 91.2)
-//! M_ij = INT rho N_i N_j dV I                                                                                    (book, eq. 91.3)
+//! K_ij = INT lambda g_i g_j^T + mu (g_j g_i^T + (g_i . g_j) I) dV        g_i: gradient of shape function i       (book, eq. 43.2)
+//! M_ij = INT rho N_i N_j dV I                                                                                    (book, eq. 43.3)
 //! ```
 
 use super::quadrature::IntegrationPoint;

@@ -15,7 +15,7 @@ impl Stress {
     /// Equivalent stress of von Mises [Pa].
     ///
     /// ```text
-    /// s_v = sqrt(((s_x - s_y)^2 + (s_y - s_z)^2 + (s_z - s_x)^2)/2 + 3 (t_xy^2 + t_yz^2 + t_zx^2))        (book, eq. 91.4)
+    /// s_v = sqrt(((s_x - s_y)^2 + (s_y - s_z)^2 + (s_z - s_x)^2)/2 + 3 (t_xy^2 + t_yz^2 + t_zx^2))        (book, eq. 43.4)
     /// ```
     pub fn von_mises(&self) -> f64 {
         let [x, y, z, xy, yz, zx] = self.0;

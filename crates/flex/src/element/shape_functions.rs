@@ -5,7 +5,7 @@
 //! wedge         L = (1-r-s, r, s), -1<=t<=1   corner L_i (1 -+ t)(2 L_i - 2 -+ t)/2      edge 2 L_i L_j (1 -+ t)    L_i (1 - t^2)
 //! hexahedron    -1 <= r, s, t <= 1            corner (1+rr_i)(1+ss_i)(1+tt_i)(rr_i+ss_i+tt_i-2)/8    edge (1-r^2)(1+ss_i)(1+tt_i)/4
 //! ```
-//! (book, eq. 91.1.) The upper sign is that of the lower triangle of a wedge.
+//! (book, eq. 43.1.) The upper sign is that of the lower triangle of a wedge.
 
 use super::ElementKind;
 

@@ -23,8 +23,10 @@ const RANGES: usize = 8;
 pub enum Quantity {
     /// Stiffness [N/m].
     Stiffness,
-    /// Consistent mass [kg].
+    /// Consistent mass [kg], exact for elements with straight edges.
     Mass,
+    /// Consistent mass with the rule of the stiffness, as CalculiX has it.
+    CoarseMass,
 }
 
 /// A dense symmetric term between degrees of freedom, such as a spring between means of surfaces.
@@ -134,7 +136,7 @@ impl Structure {
             .iter()
             .map(|kind| {
                 let rule = match quantity {
-                    Quantity::Stiffness => stiffness_rule(*kind),
+                    Quantity::Stiffness | Quantity::CoarseMass => stiffness_rule(*kind),
                     Quantity::Mass => mass_rule(*kind),
                 };
                 rule.into_iter().map(|point| (point, shape_values(*kind, point.at))).collect()
@@ -150,7 +152,9 @@ impl Structure {
                 let material = &mesh.materials[element.material as usize];
                 match quantity {
                     Quantity::Stiffness => stiffness_matrix(element.kind, &places, material, rule, matrix),
-                    Quantity::Mass => mass_matrix(element.kind, &places, material.density, rule, matrix),
+                    Quantity::Mass | Quantity::CoarseMass => {
+                        mass_matrix(element.kind, &places, material.density, rule, matrix)
+                    }
                 }
             });
             let mut rest = values.as_mut_slice();

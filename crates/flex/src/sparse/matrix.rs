@@ -60,10 +60,8 @@ impl SymmetricMatrix {
     /// Rows and columns that are kept, numbered anew in their order.
     pub fn restricted(&self, kept: &[bool]) -> SymmetricMatrix {
         let mut number = vec![u32::MAX; kept.len()];
-        let mut count = 0;
-        for (index, _) in kept.iter().enumerate().filter(|(_, kept)| **kept) {
-            number[index] = count;
-            count += 1;
+        for (count, index) in (0..kept.len()).filter(|index| kept[*index]).enumerate() {
+            number[index] = count as u32;
         }
         let mut pattern = Pattern { starts: vec![0], rows: Vec::with_capacity(self.pattern.rows.len()) };
         let mut values = Vec::with_capacity(self.values.len());

@@ -141,7 +141,7 @@ impl Solver {
     /// Conjugate gradients with the factor as preconditioner, all right-hand sides in step.
     ///
     /// ```text
-    /// z = (L L^T)^-1 r    b = r.z / (r.z of before)    p = z + b p    a = r.z / p.Kp    u += a p    r -= a Kp       (book, eq. 91.5)
+    /// z = (L L^T)^-1 r    b = r.z / (r.z of before)    p = z + b p    a = r.z / p.Kp    u += a p    r -= a Kp       (book, eq. 43.5)
     /// ```
     fn refine(&self, sides: &[Vec<f64>]) -> (Vec<Vec<f64>>, usize, f64) {
         let size = self.plan.unknowns;
