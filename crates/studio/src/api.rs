@@ -4,7 +4,8 @@ use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
 use crate::{
-    balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview, simulation,
+    balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview,
+    simulation,
 };
 use axum::Router;
 use axum::body::Bytes;
