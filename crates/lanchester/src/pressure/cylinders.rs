@@ -143,7 +143,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
     let (source, pressures, cycles) = match &gas.source {
         GasSource::Traces { traces: named, .. } => {
             let measured =
-                measured_gas::pressures(named, traces, gas, &volumes, speed, TracePlace::Cylinder)?;
+                measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Cylinder)?;
             let files: Vec<&str> = named.iter().map(|trace| trace.file.as_str()).collect();
             let Measured { curves, warnings: said } = measured;
             warnings.extend(said);
@@ -165,7 +165,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
         CrankcasePressure::Trace(trace) => {
             let named = std::slice::from_ref(trace);
             let measured =
-                measured_gas::pressures(named, traces, gas, &volumes, speed, TracePlace::Crankcase)?;
+                measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Crankcase)?;
             warnings.extend(measured.warnings);
             measured.curves
         }

@@ -147,7 +147,7 @@ mod tests {
     /// At a computed speed the pressures are those of the cycle there; between two they lie between, close to the cycle's own.
     #[test]
     fn a_computed_cycle_is_interpolated_between_its_speeds() {
-        let text = include_str!("../../../examples/single-gas.toml");
+        let text = include_str!("../../../../examples/single-gas.toml");
         let engine = lanchester_file::read(text).engine().expect("the example has no mistakes");
         let gas = SpeedGas::new(&engine, Ok(&[]));
         let (lowest, highest) = (engine.speed.lowest, engine.speed.highest);
