@@ -142,8 +142,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
     let mut warnings = Vec::new();
     let (source, pressures, cycles) = match &gas.source {
         GasSource::Traces { traces: named, .. } => {
-            let measured =
-                measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Cylinder)?;
+            let measured = measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Cylinder)?;
             let files: Vec<&str> = named.iter().map(|trace| trace.file.as_str()).collect();
             let Measured { curves, warnings: said } = measured;
             warnings.extend(said);
@@ -164,8 +163,7 @@ pub fn cylinder_gas(engine: &Engine, traces: &[TraceFile], speed: f64) -> Result
             .collect::<Result<Vec<_>, _>>()?,
         CrankcasePressure::Trace(trace) => {
             let named = std::slice::from_ref(trace);
-            let measured =
-                measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Crankcase)?;
+            let measured = measured::pressures(named, traces, gas, &volumes, speed, TracePlace::Crankcase)?;
             warnings.extend(measured.warnings);
             measured.curves
         }

@@ -6,9 +6,9 @@
 use lanchester_file::{read, template};
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, CylinderBearings, CylinderGas, End, GasTrain, InternalRequest,
-    KnownInertia, Lever, MountSystem, PeriodicCurve, PinLoad, SpeedResponse, Torque, TorqueRequest,
-    TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders, speed_ripple,
-    torque, vector_amplitude,
+    KnownInertia, Lever, MountSystem, OuterTorque, PeriodicCurve, PinLoad, SpeedResponse, Torque,
+    TorqueRequest, TurningInertia, bearing_loads, inertia_excitations, internal_moments, merged_orders,
+    speed_ripple, torque, vector_amplitude,
 };
 use lanchester_model::{Engine, EngineParts, MovingParts, Strokes};
 use lanchester_study::sensitivity::*;
@@ -96,7 +96,14 @@ fn point(name: &str, curve: fn(f64) -> PeriodicCurve) -> OperatingPoint {
     let gas = Some(gas(&engine, curve));
     let speed = 0.7 * engine.speed.highest;
     let turning = KnownInertia::default();
-    let mut point = OperatingPoint { engine, speed, gas, turning, weights: Weights::Fixed };
+    let mut point = OperatingPoint {
+        engine,
+        speed,
+        gas,
+        turning,
+        outer: OuterTorque::default(),
+        weights: Weights::Fixed,
+    };
     for (place, input) in Input::single(&point).into_iter().enumerate() {
         let by = 500.0 * (1.0 + 4.0 * (0.618_034 * place as f64).fract()) * step(input);
         let is_of_engine = input.quantity.is_of_engine() || input.quantity.measure() == Measure::Factor;
@@ -497,7 +504,14 @@ fn even_four() -> OperatingPoint {
     let engine = engine("in-line-4-mounts");
     let gas = Some(gas(&engine, jumping));
     let speed = 0.7 * engine.speed.highest;
-    OperatingPoint { engine, speed, gas, turning: KnownInertia::default(), weights: Weights::Fixed }
+    OperatingPoint {
+        engine,
+        speed,
+        gas,
+        turning: KnownInertia::default(),
+        outer: OuterTorque::default(),
+        weights: Weights::Fixed,
+    }
 }
 
 #[test]
