@@ -1,9 +1,8 @@
 //! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure; `cargo xtask quick` is what a change needs
 //! before the next one.
 //!
-//! All that is compiled is compiled once: the tests and the program in one profile with one set of features (`lanchester-testkit` brings
-//! those that tests need), lints and documentation from one check of the workspace. The optimised program of the README's commands is
-//! another profile, because that is the one that users get.
+//! Tests and program are compiled once, in one profile with one set of features (`lanchester-testkit` brings those that tests need). The
+//! optimised program of the README's commands is another profile, because that is the one that users get.
 
 use crate::command::{cargo, quiet};
 use crate::steps::{Lane, Steps};

@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 /// What the random cases of the tests are drawn from: a change is judged by its own cases only (decision 20).
 const SEED: &str = "1";
@@ -20,8 +21,10 @@ const SEED: &str = "1";
 const LISTED: usize = 10;
 /// Tests that took longer in the last whole run are left out of a quick one [s].
 const QUICK: f64 = 1.0;
-/// Test programs that run at a time, each with a thread a processor.
+/// Test programs that run at a time.
 const AT_A_TIME: usize = 2;
+/// Tests that each of them runs at a time: where one waits for its last, the other has the processors.
+const THREADS: usize = 2;
 
 /// One test program.
 pub struct TestProgram {
@@ -67,56 +70,59 @@ impl TestProgram {
     }
 
     /// Runs its tests but those to be left out.
+    ///
+    /// A program tells each test as it ends and begins the next one of its list at that moment: so much is known of when each began.
     fn run(&self, seed: Option<&str>, left_out: &[&str]) -> Result<Vec<Test>> {
+        let names = self.tests()?;
+        let mut waiting = names.iter().map(String::as_str).filter(|name| !left_out.contains(name));
         let mut program = Command::new(&self.path);
-        // What a test takes is known to libtest, which tells it only to who says that it need not stay so. The program is compiled
-        // already: nothing of ours may use what is not stable.
-        program.env("RUSTC_BOOTSTRAP", "1").args(["-Z", "unstable-options", "--format", "json"]);
-        program.arg("--report-time").arg("--exact");
+        program.args(["--exact", "--test-threads", &THREADS.to_string()]);
         program.args(left_out.iter().flat_map(|name| ["--skip", name]));
         program.env("CARGO_MANIFEST_DIR", &self.folder).current_dir(&self.folder);
         program.envs(seed.map(|seed| ("PROPTEST_RNG_SEED", seed)));
-        let mut child = program.stdout(Stdio::piped()).spawn().context("cannot start a test program")?;
-        let mut found = Vec::new();
+        let mut child = program
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .context("cannot start a test program")?;
+        let errors = child.stderr.take().context("invariant: its errors are a pipe")?;
+        let errors = std::thread::spawn(move || std::io::read_to_string(errors).unwrap_or_default());
+        let mut running: Vec<(&str, Instant)> =
+            waiting.by_ref().take(THREADS).map(|name| (name, Instant::now())).collect();
+        let (mut found, mut said) = (Vec::new(), String::new());
         let lines = BufReader::new(child.stdout.take().context("invariant: its output is a pipe")?).lines();
         for line in lines {
-            found.extend(test(&self.name, &line?));
+            let line = line?;
+            let Some(name) = ended(&line) else {
+                said.push_str(&line);
+                said.push('\n');
+                continue;
+            };
+            let place = running.iter().position(|(known, _)| *known == name);
+            let time = place.map_or(0.0, |place| running.swap_remove(place).1.elapsed().as_secs_f64());
+            running.extend(waiting.next().map(|next| (next, Instant::now())));
+            found.push(Test { name: format!("{} {name}", self.name), time });
         }
         let status = child.wait()?;
-        // A program that is killed or stops by itself reports no failed test.
-        ensure!(
-            status.success() || found.iter().any(|test| test.failure.is_some()),
-            "the test program `{}` ended with {status}",
-            self.name
-        );
+        said.push_str(&errors.join().unwrap_or_default());
+        ensure!(status.success(), "the test program `{}` ended with {status}\n{said}", self.name);
         Ok(found)
     }
 }
 
-/// How a test went.
+/// What a test took.
 struct Test {
     /// Program and test.
     name: String,
     /// [s]
     time: f64,
-    /// What it printed, where it failed.
-    failure: Option<String>,
 }
 
-/// Reads a line of the report of a test program; `None` where it is no result of a test.
-fn test(program: &str, line: &str) -> Option<Test> {
-    let line: Value = serde_json::from_str(line).ok()?;
-    let failed = match (line["type"].as_str()?, line["event"].as_str()?) {
-        ("test", "ok") => false,
-        ("test", "failed" | "timeout") => true,
-        _ => return None,
-    };
-    let said = line["stdout"].as_str().unwrap_or("it printed nothing").to_owned();
-    Some(Test {
-        name: format!("{program} {}", line["name"].as_str()?),
-        time: line["exec_time"].as_f64().unwrap_or_default(),
-        failure: failed.then_some(said),
-    })
+/// Name of the test of whose end a line tells; `None` where it tells of none.
+fn ended(line: &str) -> Option<&str> {
+    let (name, outcome) = line.strip_prefix("test ")?.rsplit_once(" ... ")?;
+    let is_end = matches!(outcome.split(',').next(), Some("ok" | "ignored" | "FAILED"));
+    is_end.then(|| name.strip_suffix(" - should panic").unwrap_or(name))
 }
 
 /// All tests with the cases of CI, documentation's too; the slowest are listed, and their times kept for `quick`.
@@ -181,11 +187,8 @@ fn run(programs: &[TestProgram], seed: Option<&str>, left_out: &[&str]) -> Resul
             Err(error) => broken.push(format!("{error:#}")),
         }
     }
-    let failed =
-        tests.iter().filter_map(|test| Some(format!("-- {}\n{}", test.name, test.failure.as_ref()?)));
-    broken.extend(failed);
     if !broken.is_empty() {
-        bail!("{} of {} tests failed\n{}", broken.len(), tests.len(), broken.join("\n"));
+        bail!("{} of {} test programs failed\n{}", broken.len(), programs.len(), broken.join("\n"));
     }
     Ok(tests)
 }
@@ -206,21 +209,21 @@ mod tests {
 
     #[test]
     fn results_are_read_and_the_slowest_are_listed() {
-        let ok = r#"{ "type": "test", "name": "a::b", "event": "ok", "exec_time": 0.25 }"#;
-        let failed =
-            r#"{ "type": "test", "name": "c", "event": "failed", "exec_time": 1.5, "stdout": "left\n" }"#;
-        let started = r#"{ "type": "test", "event": "started", "name": "a::b" }"#;
-        let suite = r#"{ "type": "suite", "event": "ok", "passed": 1 }"#;
-        assert!(test("x", started).is_none() && test("x", suite).is_none() && test("x", "noise").is_none());
-        let tests: Vec<Test> = [ok, failed].iter().filter_map(|line| test("x lib", line)).collect();
-        assert_eq!(
-            (tests[0].name.as_str(), tests[0].time, tests[0].failure.as_deref()),
-            ("x lib a::b", 0.25, None)
-        );
-        assert_eq!(tests[1].failure.as_deref(), Some("left\n"));
-        assert_eq!(
-            slowest(&tests),
-            "   slowest of 2 tests, 2 s together:\n      1.5 s  x lib c\n      0.2 s  x lib a::b"
-        );
+        assert_eq!(ended("test a::b ... ok"), Some("a::b"));
+        assert_eq!(ended("test a::b - should panic ... FAILED"), Some("a::b"));
+        assert_eq!(ended("test slow ... ignored, needs a server"), Some("slow"));
+        for noise in [
+            "running 3 tests",
+            "test result: ok. 3 passed",
+            "test a has been running for over 60 seconds",
+            "",
+        ] {
+            assert_eq!(ended(noise), None, "{noise}");
+        }
+        let tests = [("x lib a", 0.25), ("x lib b", 1.5)];
+        let tests = tests.map(|(name, time)| Test { name: name.to_owned(), time });
+        let list = slowest(&tests);
+        assert!(list.contains("slowest of 2 tests, 2 s together"), "{list}");
+        assert!(list.find("x lib b").unwrap() < list.find("x lib a").unwrap(), "{list}");
     }
 }

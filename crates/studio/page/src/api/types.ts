@@ -3233,11 +3233,11 @@ export type SimulationAnswer = {
   /** Force of the block on every mount [N], its size. */
   mounts: NamedCurve[];
   /** Turn of the block: unit quaternion w, x, y, z; empty with a fixed block. */
-  orientation: [number, number, number, number][];
+  orientation: Array<[number, number, number, number]>;
   /** First sample of the last period. */
   period_start: number;
   /** Where the block's origin is [m]: x, y and z; empty with a fixed block. */
-  position: [number, number, number][];
+  position: Array<[number, number, number]>;
   /** Side thrust of every cylinder [N]. */
   side_thrust: NamedCurve[];
   /** Its rate [rad/s]. */
