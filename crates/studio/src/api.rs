@@ -1,12 +1,8 @@
-//! The one list of questions and answers.
+//! What a question is: its path, its schemas, and what answers it.
 
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::server::{Studio, superseded};
-use crate::{
-    balancing, bond_graph, counterweights, figures, files, reading, results, session, shape_preview,
-    simulation,
-};
 use axum::Router;
 use axum::body::Bytes;
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
@@ -40,7 +36,7 @@ pub(crate) struct Made {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// All questions with their schemas, and what answers them.
+/// Questions with their schemas, and what answers them; [`crate::questions::all`] has all of them.
 pub struct Api {
     router: Router<Arc<Studio>>,
     pub(crate) endpoints: Vec<Endpoint>,
@@ -49,15 +45,9 @@ pub struct Api {
     pub(crate) asked: SchemaGenerator,
 }
 
-impl Default for Api {
-    fn default() -> Api {
-        Api::new()
-    }
-}
-
 impl Api {
-    /// The list.
-    pub fn new() -> Api {
+    /// Without questions.
+    pub(crate) fn new() -> Api {
         let generator = |settings: SchemaSettings| {
             let settings = settings.with(|settings| {
                 settings.definitions_path = "/components/schemas".into();
@@ -65,22 +55,12 @@ impl Api {
             });
             settings.into_generator()
         };
-        let api = Api {
+        let mut api = Api {
             router: Router::new(),
             endpoints: Vec::new(),
             schemas: generator(SchemaSettings::draft2020_12().for_serialize()),
             asked: generator(SchemaSettings::draft2020_12().for_deserialize()),
         };
-        let api = session::questions(api);
-        let api = files::questions(api);
-        let api = reading::questions(api);
-        let api = results::questions(api);
-        let api = simulation::questions(api);
-        let api = figures::questions(api);
-        let api = balancing::questions(api);
-        let api = counterweights::questions(api);
-        let api = bond_graph::questions(api);
-        let mut api = shape_preview::questions(api);
         // What every question may get instead of its answer.
         api.schemas.subschema_for::<Problem>();
         api

@@ -4,36 +4,24 @@
 //! JSON over the facade, the same structures as `--format json` prints. The engine file's text is the only state, and the page
 //! holds it: every question brings the text along, so that two windows, a restart or a lost connection cost nothing.
 //!
-//! [`Api`] is the one list of questions: the server answers by it, and [`openapi`] and [`typescript`] describe it.
+//! `questions` has the one list of questions: the server answers by it, and [`openapi`] and [`typescript`] describe it.
 #![forbid(unsafe_code)]
 
 mod api;
 mod asker;
 mod assets;
-mod balancing;
-mod bond_graph;
-mod counterweights;
-mod design_choice;
 mod error;
-mod figures;
-mod files;
 mod folder;
 mod gate;
 mod lanes;
 mod openapi;
 mod problem;
-mod reading;
+mod questions;
 mod remembered;
-mod results;
 mod server;
-mod session;
-mod shape_preview;
-mod simulation;
-mod summary;
 mod typescript;
 mod watch;
 
-pub use api::Api;
 pub use assets::THIRD_PARTY;
 pub use error::StudioError;
 pub use openapi::openapi;

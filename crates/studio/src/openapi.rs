@@ -1,11 +1,12 @@
 //! The description of all questions and answers as OpenAPI 3.1, whose schemas are JSON Schemas.
 
-use crate::api::{Answer, Api, Endpoint};
+use crate::api::{Answer, Endpoint};
+use crate::questions;
 use serde_json::{Map, Value, json};
 
 /// The description.
 pub fn openapi() -> Value {
-    let mut api = Api::new();
+    let mut api = questions::all();
     let mut paths = Map::new();
     for endpoint in &api.endpoints {
         let methods = paths.entry(endpoint.path).or_insert_with(|| json!({}));

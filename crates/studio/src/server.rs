@@ -1,12 +1,12 @@
 //! The server: one address, a page and its questions.
 
-use crate::api::Api;
 use crate::assets::asset;
 use crate::error::StudioError;
 use crate::folder::Folder;
 use crate::gate::{Gate, random_token};
 use crate::lanes::Lanes;
 use crate::problem::Problem;
+use crate::questions;
 use crate::remembered::Remembered;
 use crate::watch::events;
 use axum::Router;
@@ -165,7 +165,8 @@ async fn terminated() {
 
 fn router(studio: Arc<Studio>, gate: Gate) -> Router {
     let watched = studio.clone();
-    let questions = Api::new().router(studio).route("/api/events", get(move || async { events(watched) }));
+    let questions =
+        questions::all().router(studio).route("/api/events", get(move || async { events(watched) }));
     let questions = questions
         .layer(DefaultBodyLimit::max(LONGEST_QUESTION))
         .layer(from_fn_with_state(gate.clone(), with_token));

@@ -95,6 +95,7 @@ pub(crate) const FILES: &[(&str, &str)] = embedded![
     "three-four-cylinder-thesis/figures-4.12-4.16.json",
     "flexible-paper/source.json",
     "flexible-paper/single.toml",
+    "flexible-paper/rigid-run.toml",
     "flexible-paper/crankpin.json",
     "flexible-paper/text.json",
     "balancing-tool-paper/source.json",

@@ -1,13 +1,11 @@
 //! What the rules still forgive. Every number here must shrink; a line that is needed no more is a breach itself.
 
 /// Folders with more source files side by side than fit at one glance, and how many they may hold.
-pub const FOLDERS: [(&str, usize); 14] = [
+pub const FOLDERS: [(&str, usize); 12] = [
     ("crates/balance/src", 33),
-    ("crates/cli/src", 34),
     ("crates/cli/src/commands", 30),
     ("crates/cli/tests/commands", 28),
     ("crates/file/src/read", 32),
-    ("crates/lanchester/src", 41),
     ("crates/mechanism/src", 49),
     ("crates/model/src", 29),
     ("crates/multibody/src", 28),

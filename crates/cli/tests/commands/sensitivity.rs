@@ -89,7 +89,7 @@ fn gas_alone_grows_with_its_pressure() {
     let mean = torque["torque"]["indicated"]["torque"].as_f64().expect("a torque");
     let of = |place: usize| &json["outputs"][place];
     let number = |value: &Value| value.as_f64().expect("a number");
-    assert_eq!(of(1)["name"], "mean torque (gas alone)");
+    assert_eq!(of(1)["name"], "mean gas torque");
     assert!((number(&of(1)["nominal"]) - mean).abs() < 1e-9 * mean);
     // Bore first: a factor on the area is a factor on the torque.
     let bore = number(&json["inputs"][0]["nominal"]);

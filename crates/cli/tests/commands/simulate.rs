@@ -143,13 +143,6 @@ fn bad_input_is_told() {
         &["the block less"],
     );
     refused(
-        "simulate-loss",
-        "in-line-4-mounts.toml",
-        same,
-        &["--imposed", "--block", "mounts"],
-        &["loss factor", "block fixed"],
-    );
-    refused(
         "simulate-free",
         SET,
         |text| {
@@ -163,6 +156,14 @@ fn bad_input_is_told() {
     refused("simulate-cylinder", SET, same, &["--misfire", "4"], &["from 1 to 3"]);
     refused("simulate-tolerance", SET, same, &["--tolerance", "1"], &["tolerance"]);
     refused("simulate-duration", SET, same, &["--for", "soon"], &["--for"]);
+}
+
+/// Loss factors have no meaning in time of their own: the run says by what they are replaced, and how well.
+#[test]
+fn loss_factors_are_fitted_and_the_run_says_how_well() {
+    let folder = example("simulate-loss", "in-line-4-mounts.toml", same);
+    let text = output(&folder, 0, &["simulate", "engine.toml", "--imposed", "--block", "mounts"]);
+    assert!(text.contains("Maxwell chains") && text.contains("% off"), "{text}");
 }
 
 #[test]

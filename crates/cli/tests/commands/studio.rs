@@ -274,8 +274,11 @@ fn a_mistake_tells_its_key_and_a_question_about_no_engine_its_mistakes() {
     assert_eq!(reading["diagnostics"][0]["path"], "crank.body.web_thickness");
     let refused = server.json(422, "POST", "/api/loads", &json!({ "text": wrong }));
     assert_eq!(refused["diagnostics"][0]["code"], reading["diagnostics"][0]["code"]);
-    let none = server.json(422, "POST", "/api/torque", &json!({ "text": text }));
-    assert!(none["hint"].as_str().unwrap().contains("[gas]"), "{none}");
+    let none = server.json(422, "POST", "/api/mounts", &json!({ "text": text }));
+    assert!(none["hint"].as_str().unwrap().contains("[block]"), "{none}");
+    // Without gas there is the torque of inertia.
+    let torque = server.post("/api/torque", &json!({ "text": text }));
+    assert_eq!(torque["torque"]["with_gas"], false);
     for (path, question) in [
         ("/api/loads", json!({ "text": text, "speed": -1 })),
         ("/api/loads", json!({ "text": text, "samples": u64::MAX })),

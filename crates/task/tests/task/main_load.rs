@@ -68,5 +68,5 @@ fn what_is_no_main_bearing() {
     assert!(refused("largest main-bearing load mean").contains("write \"main-bearing load mean\""));
     assert!(refused("main-bearing laod").contains("did you mean \"main-bearing load\"?"));
     assert!(refused("main-bearing load rns").contains("a number from 1 on"));
-    assert!(refused("main bearing load rms").contains("did you mean \"main-bearing load rms\"?"));
+    assert!(refused("main-baering load rms").contains("did you mean \"main-bearing load rms\"?"));
 }

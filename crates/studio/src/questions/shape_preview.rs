@@ -2,9 +2,9 @@
 
 use crate::api::Api;
 use crate::asker::Asker;
-use crate::design_choice::shape_task;
 use crate::problem::Problem;
-use crate::reading::engine_file;
+use crate::questions::design_choice::shape_task;
+use crate::questions::reading::engine_file;
 use lanchester::file::{EngineFile, write_back};
 use lanchester::geometry::clearance::Clearances;
 use lanchester::geometry::{

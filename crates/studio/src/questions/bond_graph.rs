@@ -3,7 +3,7 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::{engine_file, in_utf16};
+use crate::questions::reading::{engine_file, in_utf16};
 use lanchester::bondgraph::{
     Equation, Graph, Notation, Placed, Simulation, SimulationRequest, causality_text, equations, graph_file,
     mathml, placed,
@@ -20,20 +20,20 @@ const MOST_EVALUATIONS: u64 = 200_000;
 
 /// Graphs of the course, to start from: name and file.
 const EXAMPLES: [(&str, &str); 14] = [
-    ("mass-spring-damper", include_str!("../../../examples/bond-graphs/mass-spring-damper.toml")),
-    ("dc-motor", include_str!("../../../examples/bond-graphs/dc-motor.toml")),
-    ("two-tanks", include_str!("../../../examples/bond-graphs/two-tanks.toml")),
-    ("two-tanks-turbulent", include_str!("../../../examples/bond-graphs/two-tanks-turbulent.toml")),
-    ("gear-train", include_str!("../../../examples/bond-graphs/gear-train.toml")),
-    ("slider-crank", include_str!("../../../examples/bond-graphs/slider-crank.toml")),
-    ("slider-crank-elastic", include_str!("../../../examples/bond-graphs/slider-crank-elastic.toml")),
-    ("double-pendulum", include_str!("../../../examples/bond-graphs/double-pendulum.toml")),
-    ("double-pendulum-stiff", include_str!("../../../examples/bond-graphs/double-pendulum-stiff.toml")),
-    ("prismatic-pair", include_str!("../../../examples/bond-graphs/prismatic-pair.toml")),
-    ("hydraulic-press", include_str!("../../../examples/bond-graphs/hydraulic-press.toml")),
-    ("thermal-chain", include_str!("../../../examples/bond-graphs/thermal-chain.toml")),
-    ("torsion-chain", include_str!("../../../examples/bond-graphs/torsion-chain.toml")),
-    ("single-cylinder", include_str!("../../../examples/bond-graphs/single-cylinder.toml")),
+    ("mass-spring-damper", include_str!("../../../../examples/bond-graphs/mass-spring-damper.toml")),
+    ("dc-motor", include_str!("../../../../examples/bond-graphs/dc-motor.toml")),
+    ("two-tanks", include_str!("../../../../examples/bond-graphs/two-tanks.toml")),
+    ("two-tanks-turbulent", include_str!("../../../../examples/bond-graphs/two-tanks-turbulent.toml")),
+    ("gear-train", include_str!("../../../../examples/bond-graphs/gear-train.toml")),
+    ("slider-crank", include_str!("../../../../examples/bond-graphs/slider-crank.toml")),
+    ("slider-crank-elastic", include_str!("../../../../examples/bond-graphs/slider-crank-elastic.toml")),
+    ("double-pendulum", include_str!("../../../../examples/bond-graphs/double-pendulum.toml")),
+    ("double-pendulum-stiff", include_str!("../../../../examples/bond-graphs/double-pendulum-stiff.toml")),
+    ("prismatic-pair", include_str!("../../../../examples/bond-graphs/prismatic-pair.toml")),
+    ("hydraulic-press", include_str!("../../../../examples/bond-graphs/hydraulic-press.toml")),
+    ("thermal-chain", include_str!("../../../../examples/bond-graphs/thermal-chain.toml")),
+    ("torsion-chain", include_str!("../../../../examples/bond-graphs/torsion-chain.toml")),
+    ("single-cylinder", include_str!("../../../../examples/bond-graphs/single-cylinder.toml")),
 ];
 
 /// A graph file.

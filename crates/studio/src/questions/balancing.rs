@@ -3,7 +3,7 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::{NewText, engine, engine_file};
+use crate::questions::reading::{NewText, engine, engine_file};
 use crate::server::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,

@@ -3,7 +3,7 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::summary::{EngineSummary, summary};
+use crate::questions::summary::{EngineSummary, summary};
 use lanchester::file::{self, Diagnostic, Edit, EngineFile, FileEntry, Related, file_entries};
 use lanchester::model::Engine;
 use schemars::JsonSchema;

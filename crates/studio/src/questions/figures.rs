@@ -3,7 +3,7 @@
 use crate::api::{Api, Made};
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::{EngineText, engine, engine_file};
+use crate::questions::reading::{EngineText, engine, engine_file};
 use crate::server::Studio;
 use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{InternalRequest, LoadRequest};

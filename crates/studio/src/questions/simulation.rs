@@ -3,7 +3,7 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::engine_file;
+use crate::questions::reading::engine_file;
 use crate::server::superseded;
 use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
 use lanchester::report::{SimulationResult, simulation_words};

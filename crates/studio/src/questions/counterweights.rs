@@ -2,9 +2,9 @@
 
 use crate::api::{Api, Made};
 use crate::asker::Asker;
-use crate::design_choice::{Aim, design_request};
 use crate::problem::Problem;
-use crate::reading::{EngineText, NewText, engine, engine_file};
+use crate::questions::design_choice::{Aim, design_request};
+use crate::questions::reading::{EngineText, NewText, engine, engine_file};
 use lanchester::file::{EngineFile, write_back};
 use lanchester::geometry::drawing::{part_dxf, part_svg};
 use lanchester::geometry::export::{StepHeader, glb, solids, step, stl};

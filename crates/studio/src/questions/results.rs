@@ -3,7 +3,7 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::reading::{engine, engine_file};
+use crate::questions::reading::{engine, engine_file};
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
     MotionTrace, MountStudy, TorqueRequest, Trace, internal_cases, loads,

@@ -1,0 +1,33 @@
+//! What can be asked, question by question.
+
+pub(crate) mod balancing;
+pub(crate) mod bond_graph;
+pub(crate) mod counterweights;
+pub(crate) mod design_choice;
+pub(crate) mod figures;
+pub(crate) mod files;
+pub(crate) mod reading;
+pub(crate) mod results;
+pub(crate) mod session;
+pub(crate) mod shape_preview;
+pub(crate) mod simulation;
+pub(crate) mod summary;
+
+use crate::api::Api;
+
+/// The one list of questions.
+pub(crate) fn all() -> Api {
+    let lists = [
+        session::questions,
+        files::questions,
+        reading::questions,
+        results::questions,
+        simulation::questions,
+        figures::questions,
+        balancing::questions,
+        counterweights::questions,
+        bond_graph::questions,
+        shape_preview::questions,
+    ];
+    lists.into_iter().fold(Api::new(), |api, questions| questions(api))
+}
