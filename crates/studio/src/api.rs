@@ -2,7 +2,7 @@
 
 use crate::asker::Asker;
 use crate::problem::Problem;
-use crate::server::{Studio, superseded};
+use crate::state::{Studio, superseded};
 use axum::Router;
 use axum::body::Bytes;
 use axum::http::{HeaderMap, HeaderValue, StatusCode, header};

@@ -1,7 +1,7 @@
 //! Who asked, and whether they still wait for the answer.
 
 use crate::lanes::Place;
-use crate::server::Studio;
+use crate::state::Studio;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -19,6 +19,7 @@ mod problem;
 mod questions;
 mod remembered;
 mod server;
+mod state;
 mod typescript;
 mod watch;
 

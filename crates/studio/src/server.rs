@@ -8,6 +8,7 @@ use crate::lanes::Lanes;
 use crate::problem::Problem;
 use crate::questions;
 use crate::remembered::Remembered;
+use crate::state::Studio;
 use crate::watch::events;
 use axum::Router;
 use axum::body::{Body, to_bytes};
@@ -19,9 +20,6 @@ use axum::routing::get;
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
-use lanchester::TraceFile;
-use lanchester::mechanism::MountStudy;
-use lanchester::model::Engine;
 use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::PathBuf;
@@ -54,22 +52,6 @@ pub struct Options {
     pub token: Option<String>,
     /// Name, version and commit of the program, for reports.
     pub program: String,
-}
-
-/// All that the block on its mounts depends on.
-pub(crate) type MountsAsked = (Engine, Vec<TraceFile>, usize);
-
-/// What answers are made of.
-pub(crate) struct Studio {
-    pub(crate) program: String,
-    pub(crate) folder: Folder,
-    /// Name of the file that was opened or saved last: its changes are told.
-    pub(crate) open: Mutex<Option<String>>,
-    pub(crate) lanes: Lanes,
-    /// The block on its mounts, by engine, traces and number of speeds.
-    pub(crate) mounted: Remembered<MountsAsked, MountStudy>,
-    /// Computations at a time: as many as there are processors.
-    pub(crate) processors: Arc<Semaphore>,
 }
 
 /// Serves until the process is asked to stop (Ctrl-C); `announce` gets the address once it answers.
@@ -209,13 +191,4 @@ async fn in_place(State(gate): State<Gate>, request: Request, next: Next) -> Res
         Ok(()) => next.run(request).await,
         Err(problem) => problem.into_response(),
     }
-}
-
-/// What a question that was left behind gets.
-pub(crate) fn superseded() -> Problem {
-    Problem::new(
-        StatusCode::CONFLICT,
-        "a newer question took the place of this one",
-        "wait for the newer answer",
-    )
 }

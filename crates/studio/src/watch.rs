@@ -1,6 +1,6 @@
 //! Tells the page when the open file changes on the disk.
 
-use crate::server::Studio;
+use crate::state::Studio;
 use axum::response::sse::{Event, KeepAlive, KeepAliveStream, Sse};
 use std::convert::Infallible;
 use std::sync::{Arc, PoisonError};

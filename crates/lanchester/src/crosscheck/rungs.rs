@@ -24,7 +24,7 @@ const LIKE_FOR_LIKE: f64 = 1e-10;
 
 /// The same for the speed of a run whose steps have the tolerance [`STEPS`].
 const FREE_SPEED: f64 = 1e-9;
-const STEPS: f64 = 1e-13;
+const STEPS: f64 = 1e-12;
 
 /// A kind of load that cancels is held against this share of what single parts exert.
 const CANCELLED: f64 = 1e-3;

@@ -4,7 +4,7 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{NewText, engine, engine_file};
-use crate::server::superseded;
+use crate::state::superseded;
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceError, BalanceSettings, Consequences, DriveRule, Judged,
     Next, Outcome, RobustMeasure, SearchState, Target, arrangements, fitted, searched_engine,

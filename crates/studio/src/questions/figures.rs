@@ -4,7 +4,7 @@ use crate::api::{Api, Made};
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{EngineText, engine, engine_file};
-use crate::server::Studio;
+use crate::state::Studio;
 use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{InternalRequest, LoadRequest};
 use lanchester::{EngineReport, Scene, is_running, provenance, scene};

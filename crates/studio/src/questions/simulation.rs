@@ -4,7 +4,7 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::engine_file;
-use crate::server::superseded;
+use crate::state::superseded;
 use lanchester::multibody::{LoadLaw, MainRule, RunOutcome};
 use lanchester::report::{SimulationResult, simulation_words};
 use lanchester::task::option;
