@@ -259,7 +259,7 @@ fn left_out(
         ("the stop of [[simulation.event]]", does(|a| matches!(a, Action::Stop))),
         ("`duration = \"periodic\"`", input.duration == Some(RunLength::Periodic)),
         ("`imposed_against`", input.imposed_against.is_some() && !(imposed && moves)),
-        ("`imposed`", !input.imposed.is_empty() && !(imposed && request.speed.is_none())),
+        ("`imposed`", !input.imposed.is_empty() && (!imposed || request.speed.is_some())),
         (
             "`block = \"equilibrium\"` of `start`",
             moves && input.start_block == Some(StartOfBlock::Equilibrium),

@@ -90,7 +90,7 @@ fn with_rates(points: &[(f64, Complex64)], rates: [f64; MOST_BRANCHES]) -> Optio
         let own = DMatrix::from_fn(chosen.len(), chosen.len(), |i, j| normal[(chosen[i], chosen[j])]);
         let Some(factors) = own.cholesky() else { continue };
         let found = factors.solve(&DVector::from_fn(chosen.len(), |i, _| load[chosen[i]]));
-        if found.iter().any(|value| !(*value >= 0.0)) {
+        if !found.iter().all(|value| *value >= 0.0) {
             continue;
         }
         let mut full = DVector::zeros(columns);

@@ -262,7 +262,7 @@ impl fmt::Display for Output {
 }
 
 /// Takes a word with the space behind it from the front of a text.
-fn take<'a, T: Copy>(text: &mut &'a str, words: &[(&str, T)]) -> Option<T> {
+fn take<T: Copy>(text: &mut &str, words: &[(&str, T)]) -> Option<T> {
     let (rest, found) = words.iter().find_map(|(word, value)| Some((after(text, word)?, *value)))?;
     *text = rest;
     Some(found)

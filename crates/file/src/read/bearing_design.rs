@@ -24,7 +24,7 @@ impl<'a> Reader<'a> {
         Some((design != BearingDesign::default()).then_some(design))
     }
 
-    #[expect(clippy::type_complexity, reason = "those of all, and single ones with their index")]
+    /// Those of all, and single ones with their index.
     fn bearings_of(
         &mut self,
         bearings: &'a Section,

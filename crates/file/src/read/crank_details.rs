@@ -21,6 +21,9 @@ pub(super) struct BodyDraft {
     is_good: bool,
 }
 
+/// Webs by index, with the places [m] where they stand.
+type WebPlaces = Vec<(usize, f64)>;
+
 impl BodyDraft {
     /// Sizes at a web, or the uniform ones.
     pub(super) fn at_web(&self, web: Option<usize>) -> MaybeBody {
@@ -199,7 +202,7 @@ impl<'a> Reader<'a> {
         &mut self,
         section: &'a Section,
         throws: Option<usize>,
-    ) -> Option<(Vec<WebDetail>, Vec<(usize, f64)>)> {
+    ) -> Option<(Vec<WebDetail>, WebPlaces)> {
         let tables = section.tables("web").or(&[])?;
         let (mut found, mut places, mut known, mut is_good) = (Vec::new(), Vec::new(), Vec::new(), true);
         for own in tables {
