@@ -104,7 +104,7 @@ pub(super) static SHAFT: Table = Table {
             "inertia",
             Inertia,
             NotNegative,
-            "Its polar moment of inertia about its axis, for runs in time and the motion of the block.",
+            "Its polar moment of inertia about its axis: counts in torque and speed ripple, in the roll of the block and in runs in time.",
             "\"0.0008 kg m2\"",
         ),
         key(
