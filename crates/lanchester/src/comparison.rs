@@ -5,10 +5,8 @@ use crate::parts::web_bounds::{WebBoundError, optimise_on_webs};
 use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use crate::pressure::over_speed::SpeedGas;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
-use lanchester_balance::{
-    Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome,
-    TwinArrangement, arranged, as_it_stands, fitted,
-};
+use lanchester_balance::{Affected, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome, as_it_stands, fitted};
+use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,

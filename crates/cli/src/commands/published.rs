@@ -7,7 +7,7 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::options::published::MatrixShafts;
-use lanchester::balance::published::{
+use lanchester::literature::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodAnswer,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };

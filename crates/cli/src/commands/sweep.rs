@@ -7,7 +7,8 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::requests::loads::series;
-use lanchester::balance::{Answer, CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
+use lanchester::balance::Answer;
+use lanchester::literature::{CrankLoad, SweepOptions, SweptCrank, sweep, swept, with_even_crank};
 use lanchester::mechanism::Kinematics;
 use lanchester::model::Engine;
 use lanchester::report::{

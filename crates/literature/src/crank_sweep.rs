@@ -15,7 +15,7 @@
 //! Louvigny, Preliminary design of twin-cylinder engines (2008), section 4.2.2 and figures 22, 36, 46; step and grid
 //! are not printed there, and follow from its tables.
 
-use crate::error::BalanceError;
+use lanchester_balance::BalanceError;
 use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism};
 use lanchester_model::Engine;
 use lanchester_task::Load;

@@ -1,10 +1,10 @@
 //! A crank by the sweep of the twin-cylinder thesis, with the true peaks of what it finds and the true optimum beside it.
 
-use crate::answer::{Answer, Outcome};
+use lanchester_balance::{Answer, Outcome};
 use crate::arrangement_task::swept_task;
 use crate::crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
-use crate::error::BalanceError;
-use crate::optimum::optimise_with;
+use lanchester_balance::BalanceError;
+use lanchester_balance::optimise_with;
 use crate::twin_arrangement::{ArrangementOptions, crank_load, with_even_crank};
 use lanchester_mechanism::{Kinematics, LoadRequest, total_loads};
 use lanchester_model::Engine;
@@ -54,7 +54,7 @@ impl Swept {
 ///
 /// # Example
 /// ```
-/// use lanchester_balance::{SweepOptions, swept};
+/// use lanchester_literature::{SweepOptions, swept};
 /// use lanchester_mechanism::Kinematics;
 /// let template = lanchester_file::template("single").expect("it is in the gallery");
 /// let single = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");

@@ -16,15 +16,15 @@
 //!
 //! One mass for all counterweights and four equations: what is left over is always given, for the whole crank.
 
-use super::basis::Basis;
-use super::matrices::MethodMatrices;
-use super::remark::Remark;
-use super::resultant::{
+use crate::basis::Basis;
+use crate::matrices::MethodMatrices;
+use crate::remark::Remark;
+use crate::resultant::{
     EngineResidual, Motion, OrderResultant, Resultant, Scale, piston_resultant, reciprocating, riders,
     throw_resultant,
 };
-use super::shaft_pair::{ShaftOrder, ShaftPair};
-use crate::error::BalanceError;
+use crate::shaft_pair::{ShaftOrder, ShaftPair};
+use lanchester_balance::BalanceError;
 use lanchester_model::{Counterweight, Engine, RodJoint};
 use num_complex::Complex64;
 use serde::Serialize;

@@ -4,10 +4,10 @@
 //! digits of its Table 5 follow if that maximum is taken among the angles 0, 1, .., 6 **radians** (an inference: a range
 //! "0 to 2 pi" in whole steps). For what is right, [`MatrixMethod::fit`] treats each sense for itself.
 
-use super::matrix_method::MatrixMethod;
-use super::resultant::{EngineResidual, Motion, reciprocating};
-use super::shaft_pair::shaft_name;
-use crate::error::BalanceError;
+use crate::matrix_method::MatrixMethod;
+use crate::resultant::{EngineResidual, Motion, reciprocating};
+use crate::shaft_pair::shaft_name;
+use lanchester_balance::BalanceError;
 use lanchester_model::{BalanceShaft, Engine, EngineParts, Ratio, ShaftWeight};
 use num_complex::Complex64;
 use serde::Serialize;

@@ -12,7 +12,7 @@
 //! with `c_1 = 1` and `c_2 = r/l` as all of these sources have it (the fictitious masses `m/2` and `m Lambda / 8` of the
 //! tool paper), or with the exact coefficients.
 
-use crate::error::BalanceError;
+use lanchester_balance::BalanceError;
 use lanchester_mechanism::exact_coefficients;
 use lanchester_model::Engine;
 use num_complex::Complex64;

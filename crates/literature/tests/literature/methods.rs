@@ -1,7 +1,7 @@
 //! Published methods beside the true optimum, the matrices against the loads of random cranks, the balancer's phase.
 
 use lanchester_balance::Outcome;
-use lanchester_balance::published::{
+use lanchester_literature::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodFound,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
@@ -97,10 +97,10 @@ proptest! {
                 (first.force_forward, first.couple_forward)
             },
         );
-        let column = |m: &lanchester_balance::published::Matrix, k: usize| {
+        let column = |m: &lanchester_literature::Matrix, k: usize| {
             (Complex64::new(m.along_cylinders[k], m.across[k]), m.along_crank[k])
         };
-        let sum = |m: &lanchester_balance::published::Matrix, amounts: &dyn Fn(usize) -> f64| {
+        let sum = |m: &lanchester_literature::Matrix, amounts: &dyn Fn(usize) -> f64| {
             (0..m.columns()).fold((Complex64::ZERO, Complex64::ZERO), |(force, couple), k| {
                 let (direction, z) = column(m, k);
                 let part = square * amounts(k) * direction;
@@ -262,7 +262,7 @@ fn the_printed_shafts_stand_beside_the_corrected() {
         panic!("{:?}", printed.found)
     };
     assert!((shafts.first_mass - 0.3948).abs() < 0.5e-4, "{}", shafts.first_mass);
-    let couple = |answer: &lanchester_balance::published::MethodAnswer| {
+    let couple = |answer: &lanchester_literature::MethodAnswer| {
         let wanted = Criterion::Peak(Load::Couple);
         answer.optimum.effects.iter().find(|e| e.criterion == wanted).expect("always there").before
     };

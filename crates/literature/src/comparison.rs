@@ -1,16 +1,16 @@
 //! A published method fitted to an engine, with the true optimum of the same devices beside it.
 
-use super::half_rules::{
+use crate::half_rules::{
     BalanceFactor, BalancerPhase, FourCylinderBalance, FourCylinderRule, ThreeCylinderBalance,
     ThreeCylinderRule,
 };
-use super::matrix_method::{MatrixBalance, MatrixMethod};
-use super::printed_v::{AngleRule, PrintedV};
-use super::resultant::EngineResidual;
-use crate::answer::Answer;
-use crate::error::BalanceError;
-use crate::fitted::fitted;
-use crate::optimum::optimise;
+use crate::matrix_method::{MatrixBalance, MatrixMethod};
+use crate::printed_v::{AngleRule, PrintedV};
+use crate::resultant::EngineResidual;
+use lanchester_balance::Answer;
+use lanchester_balance::BalanceError;
+use lanchester_balance::fitted;
+use lanchester_balance::optimise;
 use lanchester_mechanism::{LoadRequest, OrderLoads, loads};
 use lanchester_model::Engine;
 use lanchester_task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Load, Place, Seat, Stage, Tie};
@@ -156,7 +156,7 @@ impl PublishedMethod {
         for (weight, found) in weights.iter_mut().zip(&optimum.weights) {
             weight.optimum = if found.used { found.unbalance } else { Complex64::ZERO };
         }
-        let without = crate::fitted::bare(&after, &task);
+        let without = lanchester_balance::bare(&after, &task);
         Ok(MethodAnswer {
             version: METHOD_ANSWER_VERSION,
             engine: engine.name.clone(),

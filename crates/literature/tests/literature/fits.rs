@@ -1,7 +1,7 @@
 //! The published methods: their printed numbers, what they leave over, and that the loads of the fitted engine agree.
 
 use lanchester_balance::BalanceError;
-use lanchester_balance::published::{
+use lanchester_literature::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, Basis, EngineResidual, FourCylinderRule, MatrixBalance,
     MatrixMethod, Remark, ShaftPair, ThreeCylinderRule,
 };

@@ -2,7 +2,7 @@
 //! continuous cycle can stand beside the thesis's sizes.
 
 use crate::crank_sweep::CrankLoad;
-use crate::error::BalanceError;
+use lanchester_balance::BalanceError;
 use crate::twin_arrangement::{ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load};
 use lanchester_model::Engine;
 use lanchester_task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie};

@@ -1,9 +1,8 @@
 //! How long the twin-cylinder thesis takes: five engines, two strokes, nine arrangements, each with its sizes, the
 //! engine's loads on the 1-degree grid of the tables, and its true optima, on one thread.
 use criterion::{Criterion, criterion_group, criterion_main};
-use lanchester_balance::{
-    Answer, ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task, optimise_with,
-};
+use lanchester_balance::{Answer, optimise_with};
+use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task};
 use lanchester_file::read;
 use lanchester_mechanism::{LoadRequest, LoadSet, PeakMode, total_loads};
 use lanchester_model::Engine;

@@ -1,8 +1,8 @@
 //! The pair of balance shafts of one order: one turns with the crank, one against it.
 
-use super::basis::Basis;
-use super::matrices::Matrix;
-use super::resultant::{OrderResultant, Resultant, Scale};
+use crate::basis::Basis;
+use crate::matrices::Matrix;
+use crate::resultant::{OrderResultant, Resultant, Scale};
 use lanchester_model::{BalanceShaft, EngineParts, Ratio, ShaftWeight};
 use serde::Serialize;
 

@@ -18,12 +18,12 @@
 //! The moments are taken from the throws of the engine at hand, so that unequal spacings, either sense of the cranks and
 //! unequal masses are covered; for the thesis's engines they are its closed forms.
 
-use super::matrix_method::{along_crank, bare};
-use super::resultant::{
+use crate::matrix_method::{along_crank, bare};
+use crate::resultant::{
     EngineResidual, Motion, OrderResultant, Resultant, all_throws, reciprocating, riders,
 };
-use super::shaft_pair::shaft_name;
-use crate::error::BalanceError;
+use crate::shaft_pair::shaft_name;
+use lanchester_balance::BalanceError;
 use lanchester_model::{BalanceShaft, Counterweight, Engine, Ratio, RodJoint, ShaftWeight};
 use num_complex::Complex64;
 use serde::Serialize;

@@ -23,7 +23,7 @@
 //! Louvigny, Preliminary design of twin-cylinder engines (2008), sections 4.2 to 4.11.
 
 use crate::crank_sweep::{CrankLoad, CrankSweep, SweepOptions, sweep};
-use crate::error::BalanceError;
+use lanchester_balance::BalanceError;
 use lanchester_mechanism::{Kinematics, LoadRequest, Mechanism, OrderLoads, Part, Selection};
 use lanchester_model::{BalanceShaft, Counterweight, Engine, Ratio, ShaftWeight};
 use num_complex::Complex64;
@@ -213,7 +213,7 @@ impl ArrangementOptions {
 ///
 /// # Example
 /// ```
-/// use lanchester_balance::{ArrangementOptions, TwinArrangement, arranged};
+/// use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged};
 /// let template = lanchester_file::template("twin-360").expect("it is in the gallery");
 /// let twin = lanchester_file::read(template.text).engine().expect("the gallery has no mistakes");
 /// let balanced = arranged(&twin, TwinArrangement::TwoFirst, &ArrangementOptions::default())?;
