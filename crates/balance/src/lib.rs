@@ -18,20 +18,16 @@ mod cost;
 mod criterion;
 mod error;
 mod fitted;
-mod gas_over_speed;
-mod gas_range;
 mod infeasible;
 mod limits;
-mod mount_range;
 mod mounts;
 mod operator;
 mod optimum;
+mod over_speed;
 mod problem;
 mod robust;
 mod rounding;
 mod settings;
-mod speed_places;
-mod speed_range;
 mod stages;
 mod wave;
 
@@ -46,8 +42,8 @@ pub use consequences::{
 };
 pub use error::BalanceError;
 pub use fitted::{bare, fitted};
-pub use gas_over_speed::GasOverSpeed;
 pub use optimum::{optimise, optimise_watched, optimise_with};
+pub use over_speed::*;
 pub use robust::{
     ROBUST_VERSION, RobustAnswer, RobustLimit, RobustMeasure, RobustRequest, RobustStage, optimise_robust,
     optimise_robust_while,

@@ -5,9 +5,11 @@ use crate::parts::web_bounds::{WebBoundError, optimise_on_webs};
 use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use crate::pressure::over_speed::SpeedGas;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
-use lanchester_balance::{Affected, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome, as_it_stands, fitted};
-use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged};
+use lanchester_balance::{
+    Affected, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome, as_it_stands, fitted,
+};
 use lanchester_file::EngineFile;
+use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged};
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,
     SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,

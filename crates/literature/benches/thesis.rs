@@ -2,8 +2,8 @@
 //! engine's loads on the 1-degree grid of the tables, and its true optima, on one thread.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_balance::{Answer, optimise_with};
-use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task};
 use lanchester_file::read;
+use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged, arrangement_task, crank_task};
 use lanchester_mechanism::{LoadRequest, LoadSet, PeakMode, total_loads};
 use lanchester_model::Engine;
 use std::hint::black_box;

@@ -2,8 +2,8 @@
 //! continuous cycle can stand beside the thesis's sizes.
 
 use crate::crank_sweep::CrankLoad;
-use lanchester_balance::BalanceError;
 use crate::twin_arrangement::{ArrangementOptions, CrankRule, TwinArrangement, arranged, crank_load};
+use lanchester_balance::BalanceError;
 use lanchester_model::Engine;
 use lanchester_task::{BalanceTask, Criterion, FreeShaft, FreeWeight, Load, Phase, Place, Seat, Stage, Tie};
 use std::f64::consts::{PI, TAU};

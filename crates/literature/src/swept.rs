@@ -1,11 +1,11 @@
 //! A crank by the sweep of the twin-cylinder thesis, with the true peaks of what it finds and the true optimum beside it.
 
-use lanchester_balance::{Answer, Outcome};
 use crate::arrangement_task::swept_task;
 use crate::crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
+use crate::twin_arrangement::{ArrangementOptions, crank_load, with_even_crank};
 use lanchester_balance::BalanceError;
 use lanchester_balance::optimise_with;
-use crate::twin_arrangement::{ArrangementOptions, crank_load, with_even_crank};
+use lanchester_balance::{Answer, Outcome};
 use lanchester_mechanism::{Kinematics, LoadRequest, total_loads};
 use lanchester_model::Engine;
 use serde::Serialize;

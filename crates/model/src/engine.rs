@@ -8,19 +8,19 @@
 //! +y, the origin lies on the axis of crankshaft 1 at the reference plane (default: midway between the first and the
 //! last throw plane). `theta` is the angle of crankshaft 1; `theta = 0` where throw 1 of the file points along +x.
 
-use crate::bearing_design::BearingDesign;
-use crate::bearings::Bearings;
-use crate::block::Block;
-use crate::crank_body::{CounterweightPart, CrankBody, Envelope};
-use crate::crank_details::CrankDetails;
-use crate::crank_material::CrankMaterial;
+use crate::crank::body::{CounterweightPart, CrankBody, Envelope};
+use crate::crank::details::CrankDetails;
+use crate::crank::material::CrankMaterial;
 use crate::fault::Fault;
-use crate::flywheel::Flywheel;
-use crate::friction::Friction;
-use crate::gas::Gas;
 use crate::gear::Gear;
-use crate::mount::Mount;
 use crate::ratio::Ratio;
+use crate::running::bearing_design::BearingDesign;
+use crate::running::bearings::Bearings;
+use crate::running::block::Block;
+use crate::running::flywheel::Flywheel;
+use crate::running::friction::Friction;
+use crate::running::gas::Gas;
+use crate::running::mount::Mount;
 use crate::shaft_part::ShaftWeightPart;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};

@@ -1,7 +1,7 @@
 //! What a counterweight that is a part weighs on the crankshaft: its unbalance, plane and direction.
 
 use crate::angle;
-use crate::crank_body::{CounterweightForm, CounterweightPart, CrankBody};
+use crate::crank::body::{CounterweightForm, CounterweightPart, CrankBody};
 use crate::engine::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;

@@ -1,9 +1,9 @@
 //! What `workshop bobweight` answers: the bobweights, the share that is right, and how far they are from the optimum.
 
 use crate::bobweight::{Bobweight, bobweights};
-use crate::common_factor::{FactorEffect, common_factor, pin_pair_effect};
 use crate::error::WorkshopError;
-use crate::plane::end_planes;
+use crate::factor::common_factor::{FactorEffect, common_factor, pin_pair_effect};
+use crate::rotor::plane::end_planes;
 use lanchester_balance::{BalanceError, Outcome, optimise};
 use lanchester_mechanism::{LoadError, LoadRequest, total_loads};
 use lanchester_model::{Counterweight, Engine};

@@ -1,19 +1,13 @@
 //! What the rules still forgive. Every number here must shrink; a line that is needed no more is a breach itself.
 
 /// Folders with more source files side by side than fit at one glance, and how many they may hold.
-pub const FOLDERS: [(&str, usize); 12] = [
-    ("crates/balance/src", 33),
+pub const FOLDERS: [(&str, usize); 6] = [
     ("crates/cli/src/commands", 30),
-    ("crates/cli/tests/commands", 28),
-    ("crates/file/src/read", 32),
-    ("crates/mechanism/src", 49),
-    ("crates/model/src", 29),
     ("crates/multibody/src", 28),
     ("crates/studio/page/src/parts/balance", 35),
     ("crates/studio/page/src/parts/counterweight", 27),
     ("crates/studio/page/src/parts/engine", 35),
     ("crates/studio/page/src/parts/results", 35),
-    ("crates/workshop/src", 28),
 ];
 
 /// Crates whose files import one another in circles, and how many files may stand in such circles.

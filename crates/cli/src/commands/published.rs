@@ -7,11 +7,11 @@ use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::options::published::MatrixShafts;
+use lanchester::balance::{BalanceError, Consequences};
 use lanchester::literature::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodAnswer,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
-use lanchester::balance::{BalanceError, Consequences};
 use lanchester::mechanism::{LoadRequest, loads};
 use lanchester::model::Engine;
 use lanchester::report::{

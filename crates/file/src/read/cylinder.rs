@@ -1,6 +1,10 @@
 //! Cylinders with their pistons and rods, in the general form and from a layout.
 
-use super::rod::DraftRod;
+pub(in crate::read) mod chamber;
+pub(in crate::read) mod linkage;
+pub(in crate::read) mod rod;
+
+use super::cylinder::rod::DraftRod;
 use super::{Drafts, Reader};
 use crate::document::{Field, Section, Span};
 use crate::layout::{Arrangement, CylinderPlace};

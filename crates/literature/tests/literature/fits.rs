@@ -1,11 +1,11 @@
 //! The published methods: their printed numbers, what they leave over, and that the loads of the fitted engine agree.
 
 use lanchester_balance::BalanceError;
+use lanchester_file::{template, templates};
 use lanchester_literature::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, Basis, EngineResidual, FourCylinderRule, MatrixBalance,
     MatrixMethod, Remark, ShaftPair, ThreeCylinderRule,
 };
-use lanchester_file::{template, templates};
 use lanchester_mechanism::{LoadRequest, loads, series_coefficients};
 use lanchester_testkit::gallery::{engine, gallery};
 use lanchester_testkit::{Within, assert_close};

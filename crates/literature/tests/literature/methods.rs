@@ -1,11 +1,11 @@
 //! Published methods beside the true optimum, the matrices against the loads of random cranks, the balancer's phase.
 
 use lanchester_balance::Outcome;
+use lanchester_file::templates;
 use lanchester_literature::{
     Alpha, AngleRule, BalanceFactor, BalancerPhase, FourCylinderRule, MatrixMethod, MethodFound,
     PublishedMethod, ShaftPair, ThreeCylinderRule,
 };
-use lanchester_file::templates;
 use lanchester_mechanism::{Kinematics, LoadRequest, Loads, Part, loads};
 use lanchester_model::Engine;
 use lanchester_task::{Criterion, Load};

@@ -166,8 +166,8 @@ fn draw(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_literature::{SweepOptions, sweep};
     use lanchester_file::{read, template};
+    use lanchester_literature::{SweepOptions, sweep};
     use lanchester_mechanism::Kinematics;
 
     #[test]

@@ -123,8 +123,8 @@ pub fn sweep_steps_table(sweep: &CrankSweep) -> Table {
 mod tests {
     use super::*;
     use lanchester_balance::consequences;
-    use lanchester_literature::{SweepOptions, swept, with_even_crank};
     use lanchester_file::{read, template};
+    use lanchester_literature::{SweepOptions, swept, with_even_crank};
     use lanchester_mechanism::Kinematics;
     use lanchester_model::Engine;
 
