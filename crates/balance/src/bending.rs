@@ -15,9 +15,9 @@
 use crate::convex::curve::Member;
 use crate::convex::dense::{Matrix, norm};
 use crate::convex::programme::Group;
-use crate::criterion::{Judged, missing};
-use crate::error::BalanceError;
+use crate::error::{BalanceError, missing};
 use crate::fitted::bare;
+use crate::judged::Judged;
 use crate::operator::Operator;
 use lanchester_mechanism::{Beam, BeamModel, turning_loads};
 use lanchester_model::Engine;

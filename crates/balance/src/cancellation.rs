@@ -20,7 +20,7 @@ use crate::error::BalanceError;
 use crate::fitted::{bare, fitted};
 use crate::limits::found_limits;
 use crate::operator::{Operator, middle};
-use crate::optimum::{found_stage, optimise_with, with_devices};
+use crate::optimum::found::{found_stage, with_devices};
 use crate::problem::Problem;
 use crate::settings::StopCause;
 use crate::stages::{Reached, StageProof, Walk};
@@ -33,19 +33,19 @@ use lightest::{Lightest, lightest};
 use obstruction::obstructions;
 use total::Total;
 
-/// Rows and columns that depend on others to within this share of the longest depend on them: the matrix comes from
-/// geometry alone, exact to rounding.
-const RANK: f64 = 1e-12;
-
 /// What has vanished, as a share of the loads of all moving masses.
 const VANISHED: f64 = 1e-10;
 
+/// What finds the optimum of a task in which nothing is to vanish.
+pub(crate) type Optimise<'a> = &'a dyn Fn(&BalanceTask) -> Result<Answer, BalanceError>;
+
 /// The weights that make the orders of `task.cancel` vanish and come first by the default stages, then the lightest; where none can, the proof, and the weights that
-/// leave the least.
+/// leave the least by `optimise`.
 pub(crate) fn cancel(
     engine: &Engine,
     task: &BalanceTask,
     kinematics: Kinematics,
+    optimise: Optimise<'_>,
 ) -> Result<Answer, BalanceError> {
     check(engine, task)?;
     suits(task)?;
@@ -60,7 +60,7 @@ pub(crate) fn cancel(
         }
         Err(_) => {
             let proofs = obstructions(&equations, &operator.grid, &mut solves);
-            Question { engine, task, kinematics, operator, equations }.remaining(&proofs)
+            Question { engine, task, kinematics, operator, equations }.remaining(&proofs, optimise)
         }
     }
 }
@@ -182,13 +182,13 @@ impl Question<'_> {
     }
 
     /// The answer where they cannot vanish: what leaves the least of the first, then of the second, and so on.
-    fn remaining(self, proofs: &[Weighed]) -> Result<Answer, BalanceError> {
+    fn remaining(self, proofs: &[Weighed], optimise: Optimise<'_>) -> Result<Answer, BalanceError> {
         let Question { engine, task, kinematics, equations, .. } = &self;
-        let mut answer = optimise_with(engine, &judged(task, stages_of(task)), *kinematics)?;
+        let mut answer = optimise(&judged(task, stages_of(task)))?;
         answer.task = (*task).clone();
         let mut orders = orders(engine, task, *kinematics, &answer)?;
         for (order, stage) in orders.iter_mut().zip(stages_of(task)) {
-            let alone = optimise_with(engine, &judged(task, vec![stage]), *kinematics)?;
+            let alone = optimise(&judged(task, vec![stage]))?;
             order.least_alone = alone.stages.first().map_or(order.left, |stage| stage.value);
         }
         let obstructions: Vec<Obstruction> = proofs

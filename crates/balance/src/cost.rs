@@ -8,8 +8,8 @@
 use crate::convex::curve::Member;
 use crate::convex::dense::Matrix;
 use crate::convex::programme::Group;
-use crate::criterion::Judged;
 use crate::fitted::replaces;
+use crate::judged::Judged;
 use crate::operator::{Operator, WeightColumns};
 use lanchester_model::Engine;
 use lanchester_task::{BalanceTask, Criterion, Seat};

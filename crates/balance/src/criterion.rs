@@ -9,10 +9,11 @@ use crate::convex::curve::{Curve, Grid, Member};
 use crate::convex::dense::{Matrix, norm, shortened};
 use crate::convex::programme::Group;
 use crate::cost;
-use crate::error::BalanceError;
+use crate::error::{BalanceError, missing};
+use crate::judged::{Judged, LargestSum};
 use crate::mounts;
 use crate::operator::{Channel, Operator};
-use crate::over_speed::gas_range::indices;
+use crate::over_speed::criteria::indices;
 use crate::over_speed::places::GasCycle;
 use crate::wave::{Wave, curve};
 use lanchester_model::Engine;
@@ -25,51 +26,6 @@ const SHORTENED: f64 = 1e-15;
 
 /// Equal angles of a revolution at which a mean over the cycle is judged.
 const MEAN_ANGLES: usize = 180;
-
-/// A criterion in terms of the groups of a programme: `scale * SUM of share * level`.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Judged {
-    pub criterion: Criterion,
-    /// Groups with their shares.
-    pub groups: Vec<(usize, f64)>,
-    /// Where the largest of several such sums counts: these, and the variable that none of them passes, which `groups` has.
-    pub largest: Option<LargestSum>,
-    /// What a level of 1 is in the criterion's unit.
-    pub scale: f64,
-    /// The criterion where all variables are 0.
-    pub unbalanced: f64,
-}
-
-/// Sums of groups none of which passes a variable:
-///
-/// ```text
-/// minimise u   with   SUM over j of w_j |F_s(theta_j)| <= u   for every speed s
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct LargestSum {
-    pub variable: usize,
-    pub sums: Vec<Vec<(usize, f64)>>,
-}
-
-impl Judged {
-    /// The criterion at the levels of the groups, in its own unit.
-    pub fn value(&self, level: impl Fn(usize) -> f64) -> f64 {
-        // An empty sum is a negative zero.
-        let sum = |groups: &[(usize, f64)]| {
-            0.0 + self.scale * groups.iter().map(|&(group, share)| share * level(group)).sum::<f64>()
-        };
-        match &self.largest {
-            Some(largest) => largest.sums.iter().map(|groups| sum(groups)).fold(0.0, f64::max),
-            None => sum(&self.groups),
-        }
-    }
-
-    /// All groups that it depends on.
-    pub fn seen(&self) -> impl Iterator<Item = usize> {
-        let sums = self.largest.iter().flat_map(|largest| largest.sums.iter().flatten());
-        self.groups.iter().chain(sums).map(|one| one.0)
-    }
-}
 
 /// The vectors whose largest amount is the peak of `load`, and whether it is a force (else a moment).
 pub(crate) fn vectors(
@@ -104,10 +60,6 @@ pub(crate) fn vectors(
         Load::LargestMainLoad => (main_loads(operator)?.iter().map(|main| main.to_vec()).collect(), true),
         Load::BendingMoment => unreachable!("invariant: the bending moment is judged by itself"),
     })
-}
-
-pub(crate) fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> BalanceError {
-    BalanceError::Missing { criterion: criterion.to_string(), needed, hint }
 }
 
 /// The loads of all main bearings, of which there must be some.

@@ -114,3 +114,8 @@ impl BalanceError {
         BalanceError::Engine(Fault::first_of(faults))
     }
 }
+
+/// A criterion without what it needs.
+pub(crate) fn missing(criterion: &str, needed: &'static str, hint: &'static str) -> BalanceError {
+    BalanceError::Missing { criterion: criterion.to_string(), needed, hint }
+}

@@ -2,9 +2,8 @@
 
 use crate::convex::dense::{Matrix, RowFactors};
 use crate::convex::programme::{Programme, Row, Solution};
-use crate::convex::{Failure, solve};
+use crate::convex::{Failure, GAP, solve};
 use crate::problem::{Problem, Rule};
-use crate::stages::GAP;
 
 /// What stands between the limits and an answer.
 pub(crate) struct Obstacle {

@@ -19,6 +19,7 @@ mod criterion;
 mod error;
 mod fitted;
 mod infeasible;
+mod judged;
 mod limits;
 mod mounts;
 mod operator;

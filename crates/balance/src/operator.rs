@@ -11,8 +11,8 @@
 use crate::convex::curve::Grid;
 use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
+use crate::over_speed::criteria::criteria;
 use crate::over_speed::places::SpeedPlaces;
-use crate::over_speed::range::criteria;
 use crate::rounding::clear_rounding;
 use crate::wave::Wave;
 use lanchester_mechanism::{

@@ -1,8 +1,11 @@
 //! Loads that a higher speed need not raise: over a range of speeds, with gas, at mounts on springs.
 
+pub(crate) mod criteria;
 pub(crate) mod gas;
 pub(crate) mod gas_range;
+pub(crate) mod kind;
 pub(crate) mod mount_range;
+pub(crate) mod place_loads;
 pub(crate) mod places;
 pub(crate) mod range;
 

@@ -2,8 +2,9 @@
 
 use crate::convex::HOLDS;
 use crate::convex::programme::{Group, Programme, Row};
-use crate::criterion::{Judged, amounts, judge, level};
+use crate::criterion::{amounts, judge, level};
 use crate::error::BalanceError;
+use crate::judged::Judged;
 use crate::operator::Operator;
 use lanchester_model::Engine;
 use lanchester_task::{BalanceTask, Criterion, GiveUp, Load, Mains, Place, Seat, Stage};

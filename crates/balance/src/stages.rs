@@ -13,13 +13,10 @@
 use crate::convex::curve::Member;
 use crate::convex::dense::{Matrix, RowFactors, add_scaled, norm};
 use crate::convex::programme::{Programme, Row, Solution, UNSEEN};
-use crate::convex::{Failure, better, proved, solve};
-use crate::criterion::Judged;
+use crate::convex::{Failure, GAP, better, proved, solve};
+use crate::judged::Judged;
 use crate::problem::Problem;
 use lanchester_task::criterion_unit;
-
-/// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
-pub(crate) const GAP: f64 = 1e-9;
 
 /// Share of the unbalanced load below which an optimum counts as vanishing.
 const FLOOR: f64 = 1e-6;

@@ -214,3 +214,7 @@ fn coefficient(sense: OrderSense, m: usize, [cos, sin]: [f64; 2]) -> Complex64 {
         OrderSense::Alternating => Complex64::new(cos, -sin),
     }
 }
+
+/// Rows and columns that depend on others to within this share of the longest depend on them: the matrix comes from
+/// geometry alone, exact to rounding.
+pub(super) const RANK: f64 = 1e-12;

@@ -9,7 +9,7 @@
 //! above 0 says that there is no such `u` (the conic lemma of Farkas).
 
 use super::answer::{Functional, FunctionalTerm};
-use super::equations::{Device, Equations};
+use super::equations::{Device, Equations, RANK};
 use crate::convex::dense::{Matrix, RowFactors, dot, norm};
 use lanchester_task::BalanceTask;
 use num_complex::Complex64;
@@ -78,7 +78,7 @@ pub(super) fn released(equations: &Equations, multipliers: &[f64]) -> Vec<f64> {
         let column: Vec<f64> = (0..equations.matrix.rows).map(|r| equations.matrix[(r, v)]).collect();
         columns.push(&column);
     }
-    let (range, _) = RowFactors::of(&columns, super::RANK).bases();
+    let (range, _) = RowFactors::of(&columns, RANK).bases();
     let mut along = vec![0.0; range.columns];
     range.add_transposed(multipliers, 1.0, &mut along);
     multipliers.iter().zip(range.times(&along)).map(|(m, pull)| m - pull).collect()

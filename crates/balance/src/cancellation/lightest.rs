@@ -6,14 +6,12 @@
 //! Every `u` that satisfies the equations is `u_0 + N z`, with the orthonormal null space `N` of the matrix, so that the
 //! equations hold to rounding whatever the solver does with `z`.
 
-use super::RANK;
-use super::equations::Equations;
+use super::equations::{Equations, RANK};
 use super::functional::{Weighed, weigh};
 use crate::convex::curve::{Grid, Member};
 use crate::convex::dense::{Matrix, RowFactors, least_squares};
 use crate::convex::programme::{Group, Programme, Row, Solution};
-use crate::convex::{Failure, HOLDS, solve};
-use crate::stages::GAP;
+use crate::convex::{Failure, GAP, HOLDS, solve};
 use std::rc::Rc;
 
 /// Amounts below this share of the largest are tried at nothing.

@@ -8,15 +8,13 @@
 //! minimise SUM over parts |a u - b|   with   ties, |u_i| <= most_i, u_i >= 0 on a given direction
 //! ```
 
-use super::RANK;
-use super::equations::Equations;
+use super::equations::{Equations, RANK};
 use super::functional::{Weighed, released, weigh};
 use super::lightest::{bounded, pulls};
 use crate::convex::curve::{Grid, Member};
 use crate::convex::dense::{Matrix, RowFactors, least_squares};
 use crate::convex::programme::Group;
-use crate::convex::solve;
-use crate::stages::GAP;
+use crate::convex::{GAP, solve};
 use std::rc::Rc;
 
 /// A distance in natural amounts that is no rounding.

@@ -549,3 +549,9 @@ impl Member {
         self.at(x).summits(grid, floor)
     }
 }
+
+/// Distance of two angles on the circle.
+pub(crate) fn apart(a: f64, b: f64) -> f64 {
+    let d = (a - b).rem_euclid(TAU);
+    d.min(TAU - d)
+}

@@ -2,7 +2,7 @@
 
 use super::certificate::certify;
 use super::cone::{self, Frame, Touch};
-use super::curve::{FixedMember, Member, Summit};
+use super::curve::{FixedMember, Member, Summit, apart};
 use super::dense::{add_scaled, dot};
 use super::polish::polish;
 use super::programme::{Programme, Solution};
@@ -290,8 +290,5 @@ fn add_summits(programme: &Programme, x: &[f64], touches: &mut Vec<Touch>) -> Ve
     levels
 }
 
-/// Distance of two angles on the circle.
-pub(crate) fn apart(a: f64, b: f64) -> f64 {
-    let d = (a - b).rem_euclid(TAU);
-    d.min(TAU - d)
-}
+/// The gap that is aimed at, relative to the larger of the optimum and a millionth of the unbalanced load.
+pub(crate) const GAP: f64 = 1e-9;

@@ -11,9 +11,8 @@
 //! The system is regularised so that more peaks than needed do no harm; since every step starts from the true
 //! residuals, that costs steps and no accuracy.
 
-use super::curve::Member;
+use super::curve::{Member, apart};
 use super::dense::{Matrix, add_scaled, dot, eliminate, norm};
-use super::exchange::apart;
 use super::programme::{Programme, Row};
 
 /// A peak with less curvature than this share of its amount does not say where it would move to.

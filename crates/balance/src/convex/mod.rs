@@ -9,4 +9,4 @@ mod kkt;
 mod polish;
 pub(crate) mod programme;
 
-pub(crate) use exchange::{Failure, HOLDS, better, proved, solve};
+pub(crate) use exchange::{Failure, GAP, HOLDS, better, proved, solve};

@@ -1,9 +1,8 @@
 //! The last digits: which peaks and rows hold the optimum up, and Newton's method on them ([`super::kkt`]).
 
 use super::cone::ConePoint;
-use super::curve::Member;
+use super::curve::{Member, apart};
 use super::dense::{add_scaled, least_squares, norm};
-use super::exchange::apart;
 use super::kkt::{Newcomer, Peak, Pin, State};
 use super::programme::{Programme, Support, largest};
 

@@ -3,9 +3,10 @@
 use crate::answer::Answer;
 use crate::error::BalanceError;
 use crate::fitted::bare;
+use crate::over_speed::criteria::{criteria, indices};
 use crate::over_speed::gas::{GasOverSpeed, pressures};
+use crate::over_speed::kind::{Fitted, OverSpeeds, Worst, judged, no_gas, steps};
 use crate::over_speed::places::{GasCycle, GasPeak, SpeedPlaces};
-use crate::over_speed::range::{Fitted, OverSpeeds, Worst, criteria, judged, no_gas, steps};
 use lanchester_mechanism::{CylinderGas, MainForces};
 use lanchester_model::Engine;
 use lanchester_numerics::golden_section;
@@ -239,14 +240,6 @@ impl OverSpeeds for GasRange<'_> {
         found.peaks.iter().for_each(|peak| places.add_peak(*peak, self.period()));
         found.cycles.iter().for_each(|cycle| places.add_cycle(cycle.clone()));
         Ok(())
-    }
-}
-
-/// The main bearings that count.
-pub(crate) fn indices(mains: Mains, count: usize) -> Vec<usize> {
-    match mains {
-        Mains::One(index) => vec![index],
-        Mains::All | Mains::Largest => (0..count).collect(),
     }
 }
 
