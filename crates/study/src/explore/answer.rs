@@ -3,8 +3,8 @@
 use crate::explore::counts::Counts;
 use crate::explore::error::ExploreError;
 use crate::explore::explorer::{EXPLORATION_VERSION, Exploration, Explorer, Run};
-use crate::explore::kernel::LayoutOrders;
 use crate::explore::layout::Layout;
+use crate::explore::layout_orders::LayoutOrders;
 use crate::explore::objective::Objective;
 use crate::explore::sample::JudgedCase;
 use crate::explore::space::ChoiceCount;

@@ -1,6 +1,6 @@
 //! Why a search is refused.
 
-use crate::explore::space::Choice;
+use crate::explore::choice::Choice;
 use lanchester_mechanism::LoadError;
 
 /// Why a search is refused, or stopped.

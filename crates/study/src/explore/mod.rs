@@ -6,6 +6,7 @@
 
 mod answer;
 mod candidate;
+mod choice;
 mod constraint;
 mod counts;
 mod error;
@@ -14,9 +15,12 @@ mod firing;
 mod front;
 mod kernel;
 mod layout;
+mod layout_engine;
+mod layout_orders;
 mod objective;
 mod parts;
 mod sample;
+mod search;
 mod shaft_set;
 mod space;
 mod symmetry;
@@ -24,14 +28,15 @@ mod walk;
 
 pub use answer::{ExploreAnswer, FoundLayout, GivenEngine, JudgedBy};
 pub use candidate::Candidate;
+pub use choice::Choice;
 pub use constraint::Constraint;
 pub use counts::{Broken, Counts, Invalid, InvalidCount};
 pub use error::ExploreError;
 pub use explorer::{EXPLORATION_VERSION, Exploration, ExploreRequest, Explorer, Run};
-pub use kernel::LayoutOrders;
 pub use layout::{BankPair, Layout};
+pub use layout_orders::LayoutOrders;
 pub use objective::{Objective, Sense};
 pub use parts::Parts;
 pub use sample::JudgedCase;
 pub use shaft_set::{Removes, ShaftDesign, ShaftSet};
-pub use space::{Banks, Choice, ChoiceCount, CounterweightPattern, Space, even_angles};
+pub use space::{Banks, ChoiceCount, CounterweightPattern, Space, even_angles};

@@ -10,7 +10,7 @@
 //! with `f` and `m` the engine's coefficients of `e^{+-i n theta}`, those of the shafts before it in the set included.
 
 use crate::explore::error::ExploreError;
-use crate::explore::kernel::LayoutOrders;
+use crate::explore::layout_orders::LayoutOrders;
 use crate::explore::objective::Sense;
 use lanchester_model::{BalanceShaft, Ratio, ShaftWeight};
 use num_complex::Complex64;

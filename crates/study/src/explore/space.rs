@@ -3,6 +3,7 @@
 //! A case number is a number in mixed radix; its digits are, from the slowest to the fastest: spacing, bank angle, split
 //! angle, bank stagger, rod ratio, counterweights, shafts, the angle of each throw but the first, the firing order.
 
+use crate::explore::choice::Choice;
 use crate::explore::error::ExploreError;
 use crate::explore::parts::Parts;
 use crate::explore::shaft_set::ShaftSet;
@@ -76,60 +77,6 @@ pub struct CounterweightPattern {
     pub reciprocating: f64,
     /// Whether each web has its weight, from the free end, two webs a group; `None`: all have.
     pub webs: Option<Vec<bool>>,
-}
-
-/// One of the choices that make a layout, in the order of the digits of a case number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Choice {
-    /// Distance of neighbouring groups.
-    Spacing,
-    /// Angle between the banks.
-    BankAngle,
-    /// Split (offset) pins.
-    SplitAngle,
-    /// Bank 2 behind bank 1.
-    Stagger,
-    /// Crank radius over rod length.
-    RodRatio,
-    /// Weights on the webs.
-    Counterweights,
-    /// Balance shafts.
-    Shafts,
-    /// Angles of the throws.
-    ThrowAngles,
-    /// Firing orders.
-    Firing,
-}
-
-impl Choice {
-    /// All choices, the slowest digit first.
-    pub const ALL: [Choice; 9] = [
-        Choice::Spacing,
-        Choice::BankAngle,
-        Choice::SplitAngle,
-        Choice::Stagger,
-        Choice::RodRatio,
-        Choice::Counterweights,
-        Choice::Shafts,
-        Choice::ThrowAngles,
-        Choice::Firing,
-    ];
-
-    /// Name for messages and tables.
-    pub fn name(self) -> &'static str {
-        match self {
-            Choice::Spacing => "the list of spacings",
-            Choice::BankAngle => "the list of bank angles",
-            Choice::SplitAngle => "the list of split angles",
-            Choice::Stagger => "the list of bank staggers",
-            Choice::RodRatio => "the list of rod ratios",
-            Choice::Counterweights => "the list of counterweight patterns",
-            Choice::Shafts => "the list of shaft sets",
-            Choice::ThrowAngles => "the list of throw angles",
-            Choice::Firing => "the choice of firing orders",
-        }
-    }
 }
 
 /// A choice and how many values it has.

@@ -10,7 +10,8 @@ mod error;
 mod lanes;
 mod model;
 mod peak;
-mod run;
+mod request;
+mod result;
 mod sampler;
 mod scattering;
 mod share;
@@ -22,13 +23,11 @@ mod worst;
 
 pub use assignment::{Assignment, AssignmentRequest, WeighedRod, assign, standard_lever};
 pub use error::ScatterError;
-pub use run::{
-    Capability, Contribution, Limit, Output, OutputScatter, Percentile, SCATTER_VERSION, Scatter,
-    ScatterRequest, scatter,
-};
-pub use scattering::{Drawn, Scattering, Tally};
+pub use request::{Limit, Output, ScatterRequest};
+pub use result::{Capability, Contribution, Deviation, OutputScatter, Percentile, SCATTER_VERSION, Scatter};
+pub use scattering::{Drawn, Scattering, Tally, scatter};
 pub use study::{
-    Deviation, LimitVerdict, SCATTER_STUDY_VERSION, ScatterOptions, ScatterStudy, TOLD_SHARES, Tightened,
-    scatter_study, scatter_study_of,
+    LimitVerdict, SCATTER_STUDY_VERSION, ScatterOptions, ScatterStudy, TOLD_SHARES, Tightened, scatter_study,
+    scatter_study_of,
 };
 pub use worst::{WorstCase, worst_cases};

@@ -4,7 +4,7 @@ use crate::scatter::error::ScatterError;
 use crate::scatter::lanes::{Lanes, ZERO, map};
 use crate::scatter::model::{Model, Spectrum};
 use crate::scatter::peak::PeakGrid;
-use crate::scatter::run::{Output, ScatterRequest};
+use crate::scatter::request::{Output, ScatterRequest};
 use crate::scatter::stream::{Shape, Stream};
 use crate::scatter::tolerance::{Variable, variables};
 

@@ -3,13 +3,11 @@
 use crate::scatter::deviated::deviated;
 use crate::scatter::error::ScatterError;
 use crate::scatter::lanes::{WIDTH, ZERO};
-use crate::scatter::run::{
-    Capability, Output, OutputScatter, Percentile, SCATTER_VERSION, Scatter, ScatterRequest,
-};
+use crate::scatter::request::{Output, ScatterRequest};
+use crate::scatter::result::{Capability, Deviation, OutputScatter, Percentile, SCATTER_VERSION, Scatter};
 use crate::scatter::sampler::Sampler;
 use crate::scatter::share::{SHARED, shares};
 use crate::scatter::statistics::{MOST_KEPT, Statistics, at_share};
-use crate::scatter::study::Deviation;
 use lanchester_model::{Engine, Fault};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -289,4 +287,17 @@ fn stretches(samples: &Range<u64>) -> impl IndexedParallelIterator<Item = Range<
         let from = start + k as u64 * STRETCH;
         from..end.min(from + STRETCH)
     })
+}
+
+/// Scatter of the outputs over samples of the engine.
+///
+/// Sample `k` depends on seed and `k` alone, and sums do not depend on their order: the result is the same for any number
+/// of threads. [`Scattering`] draws the same samples stretch by stretch.
+///
+/// # Errors
+/// [`ScatterError`] where the request is impossible or the engine is of a kind that is not computed.
+pub fn scatter(request: &ScatterRequest) -> Result<Scatter, ScatterError> {
+    let scattering = Scattering::new(request.clone())?;
+    let tally = scattering.draw_all(0..request.samples)?;
+    scattering.scatter(&tally).ok_or(ScatterError::NoSample)
 }

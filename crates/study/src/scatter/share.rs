@@ -1,6 +1,7 @@
 //! Which tolerance the scatter comes from.
 
-use crate::scatter::run::{Contribution, ScatterRequest};
+use crate::scatter::request::ScatterRequest;
+use crate::scatter::result::Contribution;
 use crate::scatter::sampler::Sampler;
 use rayon::prelude::*;
 

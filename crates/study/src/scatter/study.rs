@@ -1,7 +1,8 @@
 //! The scatter of an engine by the tolerances of its file: distribution, worst cases, limits, and what to tighten first.
 
 use crate::scatter::error::ScatterError;
-use crate::scatter::run::{Capability, Limit, Output, Scatter, ScatterRequest};
+use crate::scatter::request::{Limit, Output, ScatterRequest};
+use crate::scatter::result::{Capability, Deviation, Scatter};
 use crate::scatter::scattering::{Scattering, Tally};
 use crate::scatter::statistics::at_share;
 use crate::scatter::worst::{WorstCase, worst_cases};
@@ -51,15 +52,6 @@ impl Default for ScatterOptions {
             capability: 1.33,
         }
     }
-}
-
-/// A deviation that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub struct Deviation {
-    /// Place of its tolerance in the list, from 0.
-    pub tolerance: usize,
-    /// Index of the part; `None` for all parts together.
-    pub part: Option<usize>,
 }
 
 /// What halving one tolerance would do.

@@ -2,7 +2,7 @@
 
 use crate::scatter::error::ScatterError;
 use crate::scatter::lanes::{Lanes, WIDTH, ZERO};
-use crate::scatter::run::{Output, ScatterRequest};
+use crate::scatter::request::{Output, ScatterRequest};
 use crate::scatter::sampler::Sampler;
 use crate::scatter::stream::Stream;
 use serde::Serialize;

@@ -1,5 +1,6 @@
 //! Exact derivatives of outputs.
 
+use super::amount::Amount;
 use super::bending::{BendingSpot, bending_slope, bending_spots};
 use super::energy::{Energy, EnergySpots};
 use super::error::SensitivityError;
@@ -13,7 +14,6 @@ use super::prepared::Prepared;
 use super::ripple::{Ripple, RippleSpots};
 use super::slope::{Grown, Slope};
 use super::stretch::{Stretch, stretches};
-use super::study::Amount;
 use super::train::{Side, Train};
 use super::value::{nothing, values};
 use super::wave::{Load, LoadAt, SAME_HEIGHT, Spot, Wave};

@@ -6,11 +6,7 @@
 //! A counterweight that follows keeps its share of the rotating unbalance R of its throw and its direction from it. What it takes of the
 //! reciprocating masses is part of its amount, and follows R too.
 
-use super::quantity::Quantity;
-use super::train::Train;
 use lanchester_model::{Counterweight, EngineParts};
-use lanchester_task::Varied;
-use num_dual::Dual64;
 use serde::Serialize;
 
 /// What counterweights do while throws and masses vary.
@@ -25,14 +21,14 @@ pub enum Weights {
 }
 
 /// The throw that a counterweight answers: the nearest on its crankshaft.
-fn throw_of(engine: &EngineParts, weight: &Counterweight) -> Option<usize> {
+pub(super) fn throw_of(engine: &EngineParts, weight: &Counterweight) -> Option<usize> {
     let own = (0..engine.throws.len()).filter(|&throw| engine.throws[throw].crankshaft == weight.crankshaft);
     let distance = |throw: &usize| (engine.throws[*throw].z - weight.z).abs();
     own.min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }
 
 /// Rotating unbalance of a throw and the big ends on its pin [kg m].
-fn rotating(engine: &EngineParts, throw: usize) -> f64 {
+pub(super) fn rotating(engine: &EngineParts, throw: usize) -> f64 {
     let own = &engine.throws[throw];
     let big_ends = engine.cylinders.iter().filter(|cylinder| cylinder.throw == throw);
     own.unbalance + own.radius * big_ends.map(|cylinder| cylinder.rod.big_end_mass).sum::<f64>()
@@ -52,22 +48,4 @@ pub(super) fn follow(before: &EngineParts, engine: &mut EngineParts) {
         weight.unbalance *= factor;
         weight.angle += turned;
     }
-}
-
-/// Factor on the unbalance of counterweight `index` and the angle [rad] by which it turns, with their derivatives.
-pub(super) fn followed(train: &Train<'_>, index: usize) -> (Dual64, Dual64) {
-    let engine = train.engine;
-    let unchanged = (Dual64::new(1.0, 0.0), Dual64::new(0.0, 0.0));
-    let Some(throw) = throw_of(engine, &engine.counterweights[index]) else { return unchanged };
-    let nominal = rotating(engine, throw);
-    if nominal <= 0.0 {
-        return unchanged;
-    }
-    let own = &engine.throws[throw];
-    let big_ends = (0..engine.cylinders.len()).filter(|&cylinder| engine.cylinders[cylinder].throw == throw);
-    let big_ends =
-        big_ends.map(|cylinder| train.rod_masses(cylinder)[0]).fold(Dual64::new(0.0, 0.0), |a, b| a + b);
-    let now = train.part(Varied::ThrowUnbalance, throw, own.unbalance)
-        + train.of(Quantity::Part(Varied::CrankRadius), throw, own.radius) * big_ends;
-    (now / nominal, train.part(Varied::ThrowAngle, throw, 0.0))
 }

@@ -3,6 +3,7 @@
 //! [`sensitivity`] gives the exact derivatives of peaks, means and orders by every number of the engine, the outputs at both ends of the
 //! range of each, and which part of the variance over all ranges comes from which.
 
+mod amount;
 mod bending;
 mod derivative;
 mod energy;
@@ -28,6 +29,7 @@ mod train;
 mod value;
 mod wave;
 
+pub use amount::Amount;
 pub use derivative::derivatives;
 pub use error::SensitivityError;
 pub use follow::Weights;
@@ -38,6 +40,5 @@ pub use quantity::{Axis, Direction, Measure, Quantity};
 pub use slope::Slope;
 pub use sobol::{Index, Sobol};
 pub use study::{
-    Amount, Effect, OutputSensitivity, SENSITIVITY_VERSION, Sensitivity, SensitivityRequest, VariedInput,
-    sensitivity,
+    Effect, OutputSensitivity, SENSITIVITY_VERSION, Sensitivity, SensitivityRequest, VariedInput, sensitivity,
 };

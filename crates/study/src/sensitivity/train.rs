@@ -11,7 +11,7 @@
 //! `J` is what two end masses miss of a rod's inertia, `psi` its direction. The angle is a dual number too: where a load is looked at an
 //! angle that moves with the input, such as that of a jump of the pressure, it carries the rate at which it moves.
 
-use super::follow::{Weights, followed};
+use super::follow::{Weights, rotating, throw_of};
 use super::input::Input;
 use super::jet::{Jet, known};
 use super::prepared::{PistonGas, Prepared};
@@ -214,13 +214,31 @@ impl<'a> Train<'a> {
             let mut angle = self.part(Varied::CounterweightAngle, index, weight.angle);
             let mut unbalance = self.part(Varied::CounterweightUnbalance, index, weight.unbalance);
             if self.prepared.point.weights == Weights::Follow {
-                let (factor, turned) = followed(self, index);
+                let (factor, turned) = self.followed(index);
                 (angle, unbalance) = (angle + turned, unbalance * factor);
             }
             let z = self.plane(self.of(Quantity::CounterweightPlane, index, weight.z), weight.z);
             turning(weight.crankshaft, angle, unbalance, z)
         });
         throws.chain(weights).collect()
+    }
+
+    /// Factor on the unbalance of counterweight `index` and the angle [rad] by which it turns.
+    fn followed(&self, index: usize) -> (Dual64, Dual64) {
+        let engine = self.engine;
+        let unchanged = (known(1.0), known(0.0));
+        let Some(throw) = throw_of(engine, &engine.counterweights[index]) else { return unchanged };
+        let nominal = rotating(engine, throw);
+        if nominal <= 0.0 {
+            return unchanged;
+        }
+        let own = &engine.throws[throw];
+        let big_ends =
+            (0..engine.cylinders.len()).filter(|&cylinder| engine.cylinders[cylinder].throw == throw);
+        let big_ends = big_ends.map(|cylinder| self.rod_masses(cylinder)[0]).fold(known(0.0), |a, b| a + b);
+        let now = self.part(Varied::ThrowUnbalance, throw, own.unbalance)
+            + self.of(Quantity::Part(Varied::CrankRadius), throw, own.radius) * big_ends;
+        (now / nominal, self.part(Varied::ThrowAngle, throw, 0.0))
     }
 
     fn add_shafts(&self, theta: Dual64, sums: &mut Sums) {
