@@ -9,19 +9,19 @@ mod part;
 mod running;
 mod shaft_part;
 mod simulation;
+mod text;
 
 pub(crate) use part::shape_entries;
 pub(crate) use shaft_part::shaft_shape;
+pub(crate) use text::{quantity, quoted, ratio};
 
 use crate::engine_file::EngineFile;
 use crate::firing::turn;
 use crate::read::fired_after;
-use lanchester_model::Ratio;
-use lanchester_model::angle;
 use lanchester_model::{Cylinder, Engine, Rod, RodJoint, RodMassRule, Rotation, Strokes, Throw};
-use lanchester_units::{Dimension, exact_text, neighbours, text_that};
-use std::f64::consts::TAU;
+use lanchester_units::{Dimension, neighbours, text_that};
 use std::fmt::Write;
+use text::File;
 
 /// The general form of the engine as an engine file: every throw, cylinder, weight and firing angle written out.
 ///
@@ -72,40 +72,7 @@ pub fn expanded(file: &EngineFile) -> String {
     text.text
 }
 
-#[derive(Default)]
-struct File {
-    text: String,
-}
-
 impl File {
-    fn comment(&mut self, comment: &str) {
-        self.line(&format!("# {comment}"));
-    }
-
-    fn header(&mut self, header: &str, comment: &str) {
-        self.line("");
-        self.line(&if comment.is_empty() { header.to_string() } else { format!("{header}  # {comment}") });
-    }
-
-    fn entry(&mut self, key: &str, value: &str) {
-        self.line(&format!("{key} = {value}"));
-    }
-
-    fn entry_with_comment(&mut self, key: &str, value: &str, comment: &str) {
-        self.line(&format!("{key} = {value}  # {comment}"));
-    }
-
-    fn entry_unless_zero(&mut self, key: &str, value: f64, dimension: Dimension) {
-        if value != 0.0 {
-            self.entry(key, &quantity(value, dimension));
-        }
-    }
-
-    fn line(&mut self, line: &str) {
-        self.text.push_str(line);
-        self.text.push('\n');
-    }
-
     fn firing(&mut self, engine: &Engine) {
         let angles: Option<Vec<f64>> =
             engine.cylinders.iter().map(|cylinder| cylinder.firing_angle).collect();
@@ -303,44 +270,4 @@ fn mass_and_centre(rod: &Rod) -> (f64, f64) {
         .flat_map(|mass| neighbours(centre).into_iter().map(move |centre| (mass, centre)))
         .find(|(mass, centre)| fits(*mass, *centre))
         .unwrap_or((mass, centre))
-}
-
-pub(crate) fn quantity(value: f64, dimension: Dimension) -> String {
-    format!("\"{}\"", exact_text(value, dimension))
-}
-
-/// The angle from which the reader makes the same `direction`, counted from `zero`.
-fn turn_between(zero: f64, direction: f64) -> String {
-    let fits = |turn: f64| angle::direction(zero + turn) == direction;
-    // Sums of some pairs of doubles miss every other double: a turn less is finer.
-    let turn = direction - zero;
-    let guess = [turn, turn - TAU, turn + TAU]
-        .into_iter()
-        .find(|guess| neighbours(*guess).into_iter().any(fits))
-        .unwrap_or(turn);
-    format!("\"{}\"", text_that(guess, Dimension::Angle, fits))
-}
-
-pub(crate) fn ratio(ratio: Ratio) -> String {
-    if ratio.denominator() == 1 { ratio.to_string() } else { format!("\"{ratio}\"") }
-}
-
-/// A TOML basic string.
-pub(crate) fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for c in text.chars() {
-        match c {
-            '"' => out.push_str("\\\""),
-            '\\' => out.push_str("\\\\"),
-            '\n' => out.push_str("\\n"),
-            '\t' => out.push_str("\\t"),
-            '\r' => out.push_str("\\r"),
-            c if c.is_control() => {
-                let _ = write!(out, "\\u{:04X}", c as u32);
-            }
-            c => out.push(c),
-        }
-    }
-    out.push('"');
-    out
 }

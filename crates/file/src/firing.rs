@@ -1,17 +1,16 @@
 //! When the cylinders fire: a firing order laid on the dead centres that the crank gives.
 
+mod angle;
 mod orders;
 
-use crate::layout::Problem;
+pub(crate) use angle::turn;
+
+use crate::problem::Problem;
+use angle::{SAME, whole};
 use lanchester_model::{Ratio, greatest_common_divisor};
 use lanchester_model::{Strokes, working_cycle};
+use orders::MOST_LISTED;
 use std::f64::consts::TAU;
-
-/// Two crank angles closer than this [rad] are one.
-const SAME: f64 = 1e-6;
-
-/// Orders that a message lists at most.
-const MOST_LISTED: usize = 8;
 
 /// Revolutions of crankshaft 1 beyond which crankshafts have no common period.
 const MOST_REVOLUTIONS: u32 = 1 << 16;
@@ -29,13 +28,6 @@ pub(crate) fn common_cycle(strokes: Strokes, ratios: impl Iterator<Item = Ratio>
         Some(revolutions) => TAU * f64::from(revolutions),
         None => ratios.map(|ratio| working_cycle(strokes, ratio)).fold(0.0, f64::max),
     }
-}
-
-/// The angle in [0, period); an angle that misses the period by rounding is 0.
-pub(crate) fn turn(angle: f64, period: f64) -> f64 {
-    let turned = angle.rem_euclid(period);
-    // Adding 0 turns -0 into 0.
-    if period - turned < 1e-9 { 0.0 } else { turned + 0.0 }
 }
 
 /// Angle [rad] by which the crank stands past the cylinder axis at top dead centre, where crank and rod are in one
@@ -108,12 +100,6 @@ pub(crate) fn assign(strokes: Strokes, tops: &[f64], order: &[usize]) -> Result<
         firing[number - 1] = turn(start + theta, cycle);
     }
     Ok(firing)
-}
-
-/// The angle in [0, 2 pi), where angles that differ by no more than [`SAME`] count as one.
-fn whole(angle: f64) -> f64 {
-    let turned = angle.rem_euclid(TAU);
-    if turned < SAME || TAU - turned < SAME { 0.0 } else { turned }
 }
 
 /// Rising firing angles after the first cylinder's (which is 0), each `tops[k]` plus whole revolutions within the

@@ -38,6 +38,7 @@ mod engine_file;
 mod expanded;
 mod firing;
 mod layout;
+mod problem;
 mod read;
 mod schema;
 mod template;

@@ -7,6 +7,7 @@ mod clearance;
 mod crank;
 mod cylinder;
 mod design;
+mod drafts;
 mod firing;
 mod gas;
 mod gear;
@@ -16,6 +17,7 @@ mod mount;
 mod names;
 mod part;
 mod places;
+mod reader;
 mod running;
 mod shaft;
 mod simulation;
@@ -23,16 +25,17 @@ mod sizes;
 mod tolerances;
 mod weights;
 
-use crate::document::{self, Field, Section, Span};
+pub(crate) use firing::fired_after;
+pub(crate) use reader::Reader;
+
+use crate::document;
 use crate::engine_file::EngineFile;
 use crate::schema::FILE;
-use cylinder::DraftCylinder;
-pub(crate) use firing::fired_after;
+use drafts::Drafts;
 use lanchester_diagnostic::{Diagnostic, Mistake, Mistakes};
 use lanchester_model::{Crankshaft, Engine, EngineParts, Fault, Rotation, SpeedRange, Strokes};
 use lanchester_task::Tasks;
 use lanchester_units::Dimension;
-use layers::Layers;
 
 /// What reading an engine file gives.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,17 +73,6 @@ pub(crate) fn read_with_origin(text: &str) -> (Reading, Option<f64>) {
     debug_assert!(file.is_some() || mistakes.any_error(), "a file without an engine has an error");
     let (file, origin) = file.filter(|_| !mistakes.any_error()).unzip();
     (Reading { file, diagnostics: mistakes.into_diagnostics(text) }, origin)
-}
-
-/// Tables whose keys hold for many parts: a key of them that no part needs is a doubt, not a mistake.
-const DEFAULTS: [&str; 5] = ["crank", "piston", "rod", "articulated_rod", "cylinders"];
-
-/// Reads the tree, collecting mistakes.
-pub(crate) struct Reader<'a> {
-    pub(crate) root: &'a Section,
-    /// Whether the syntax is whole; if not, nothing can be called missing.
-    pub(crate) whole: bool,
-    pub(crate) mistakes: &'a mut Mistakes,
 }
 
 impl<'a> Reader<'a> {
@@ -277,109 +269,6 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value; a mistake if the key is not there.
-    pub(crate) fn required<T>(&mut self, section: &Section, key: &str, field: Field<T>) -> Option<T> {
-        match field {
-            Field::Given(spot) => Some(spot.value),
-            Field::Bad => None,
-            Field::Absent => {
-                let header = section.title();
-                self.missing(
-                    section.span.clone(),
-                    format!("`{key}` is missing in {header}"),
-                    section.example(key),
-                );
-                None
-            }
-        }
-    }
-
-    /// Something that has to be there is not; no mistake if it may hide behind a mistake of syntax.
-    pub(crate) fn missing(&mut self, span: Span, message: String, hint: String) {
-        if self.whole {
-            self.mistakes.push(Mistake::error("E0202", span, message).hint(hint));
-        } else {
-            // The engine is lost all the same: the mistake of syntax stands for this one.
-            debug_assert!(self.mistakes.any_error());
-        }
-    }
-
-    /// Neither the part nor the table of defaults says something that every part must have.
-    fn missing_in(&mut self, layers: &Layers<'a>, what: &str, example: &str) {
-        let default = layers.default;
-        if layers.broken {
-            return;
-        }
-        if layers.sections.is_empty() {
-            // One sentence for all that it would hold.
-            self.missing(0..0, format!("[{default}] is missing"), format!("add [{default}] with {example}"));
-        } else {
-            self.missing(
-                layers.place(),
-                format!("{what} is missing"),
-                format!("add {example} to [{default}]"),
-            );
-        }
-    }
-
-    /// Two keys that say the same thing.
-    pub(crate) fn two_sources(&mut self, section: &Section, keep: &str, other: &str, what: &str) {
-        self.mistakes.push(
-            Mistake::error(
-                "E0203",
-                section.key_span(other),
-                format!("`{keep}` and `{other}` both give {what}"),
-            )
-            .label("second source")
-            .related(section.key_span(keep), "first source")
-            .hint("keep one of the two"),
-        );
-    }
-
-    /// A key that means nothing beside what else the file says.
-    pub(crate) fn without_effect(&mut self, section: &Section, key: &str, why: &str, hint: &str) {
-        self.mistakes.push(
-            Mistake::error("E0204", section.key_span(key), format!("`{key}` has no effect: {why}"))
-                .hint(hint),
-        );
-    }
-
-    pub(crate) fn report_unused(&mut self) {
-        for (path, span) in self.root.unused() {
-            let table = path.split('.').next().unwrap_or("");
-            if DEFAULTS.contains(&table) {
-                let (message, hint) = if path == table {
-                    (format!("[{table}] is never used"), "leave it out")
-                } else {
-                    (
-                        format!("`{path}` is never used"),
-                        "every part that it could hold for has its own value, or is not there; leave it out",
-                    )
-                };
-                self.mistakes.push(Mistake::warning("W0204", span, message).hint(hint));
-            } else {
-                let message = format!("`{path}` has no effect");
-                self.mistakes.push(Mistake::error("E0204", span, message).hint("leave it out"));
-            }
-        }
-    }
-
-    /// A table of the root, `None` if it is not there; the flag says that it is there but bad.
-    pub(crate) fn section(&self, name: &str) -> (Option<&'a Section>, bool) {
-        match self.root.table(name) {
-            Field::Given(spot) => (Some(spot.value), false),
-            Field::Absent => (None, false),
-            Field::Bad => (None, true),
-        }
-    }
-
-    /// The tables that say something about one part, the nearest first.
-    fn layers(&self, own: &[Option<&'a Section>], default: &'static str) -> Layers<'a> {
-        let (section, broken) = self.section(default);
-        let sections: Vec<&Section> = own.iter().copied().flatten().chain(section).collect();
-        Layers { sections, broken, default }
-    }
-
     /// A short form must not expand to more than the general form may hold.
     fn check_counts(&mut self, drafts: &Drafts<'a>) {
         let most = match self.root.limit("cylinder") {
@@ -427,27 +316,3 @@ impl<'a> Reader<'a> {
 
 /// Most revolutions of crankshaft 1 in a period of all shafts.
 const LONGEST_PERIOD: u64 = 64;
-
-/// Throws and cylinders as far as they could be read.
-struct Drafts<'a> {
-    throws: Vec<Option<crank::DraftThrow>>,
-    cylinders: Vec<Option<DraftCylinder<'a>>>,
-    /// Whether they come from `[layout]`.
-    from_layout: bool,
-}
-
-impl<'a> Drafts<'a> {
-    /// Midway between the first and the last throw plane; `None` if not all are known.
-    fn middle(&self) -> Option<f64> {
-        let planes: Option<Vec<f64>> =
-            self.throws.iter().map(|throw| throw.as_ref().map(|throw| throw.throw.z)).collect();
-        let planes = planes?;
-        let first = planes.iter().copied().fold(f64::INFINITY, f64::min);
-        let last = planes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        (!planes.is_empty()).then(|| first + (last - first) / 2.0)
-    }
-
-    fn into_parts(self) -> (Option<Vec<crank::DraftThrow>>, Option<Vec<DraftCylinder<'a>>>) {
-        (self.throws.into_iter().collect(), self.cylinders.into_iter().collect())
-    }
-}

@@ -1,9 +1,9 @@
 //! Criteria of `[balance]` as they stand: their names and the values beside them. What they mean, only the whole file
 //! can tell.
 
+use super::section::{Span, Spot, Term, Value};
 use super::value::LONGEST_LIST;
 use super::walk::Walk;
-use super::{Span, Spot, Term, Value};
 use crate::schema::Key;
 use lanchester_diagnostic::Mistake;
 use toml_spanner::{Item, Value as Toml};

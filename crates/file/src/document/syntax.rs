@@ -1,6 +1,6 @@
 //! Mistakes of TOML syntax.
 
-use super::Span;
+use super::section::Span;
 use lanchester_diagnostic::Mistake;
 
 pub(super) fn line_of(text: &str, at: usize) -> &str {

@@ -1,7 +1,7 @@
 //! Values: texts, words, numbers, quantities with their units.
 
+use super::section::{Spot, Value};
 use super::walk::Walk;
-use super::{Spot, Value};
 use crate::schema::Key;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Ratio;

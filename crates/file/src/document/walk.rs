@@ -1,7 +1,7 @@
 //! Tables and keys: what the file may hold, and where it stands.
 
+use super::section::{Entry, Section, Span, Value};
 use super::syntax::line_of;
-use super::{Entry, Section, Span, Value};
 use crate::schema::{Bound, Key, Kind, Table};
 use lanchester_diagnostic::{Mistake, Mistakes};
 use lanchester_units::Dimension;

@@ -1,6 +1,6 @@
 //! The section `[balance]`.
 
-use super::{File, quantity, quoted, ratio, turn_between};
+use super::text::{File, quantity, quoted, ratio, turn_between};
 use lanchester_model::Engine;
 use lanchester_model::angle;
 use lanchester_task::WHAT_FITS;

@@ -1,6 +1,6 @@
 //! `[bearings]`.
 
-use super::{File, quantity, quoted};
+use super::text::{File, quantity, quoted};
 use lanchester_model::{BearingData, Engine, Housing};
 use lanchester_units::Dimension;
 

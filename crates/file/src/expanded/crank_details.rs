@@ -1,6 +1,6 @@
 //! Elements of the crankshaft: those that differ as tables, all of them as a list in comments, and `[crank.material]`.
 
-use super::{File, quantity, quoted};
+use super::text::{File, quantity, quoted};
 use lanchester_model::{
     CrankElement, CrankElementForm, CrankEnd, Engine, Fillet, JournalDetail, OilHole, PinDetail,
 };

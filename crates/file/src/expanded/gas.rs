@@ -1,6 +1,6 @@
 //! `[gas]` and its tables.
 
-use super::{File, quantity, quoted};
+use super::text::{File, quantity, quoted};
 use lanchester_model::Engine;
 use lanchester_model::*;
 use lanchester_units::Dimension;

@@ -1,6 +1,6 @@
 //! The block and its mounts as an engine file.
 
-use super::{File, quantity, quoted};
+use super::text::{File, quantity, quoted};
 use lanchester_model::Engine;
 use lanchester_model::MovingParts;
 use lanchester_model::{FRAME_AXES, MountSpring};

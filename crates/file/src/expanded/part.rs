@@ -1,6 +1,6 @@
 //! `[crank.body]`, counterweights as parts, `[counterweight_design]` and `[clearance]`.
 
-use super::{File, quantity, turn_between};
+use super::text::{File, quantity, turn_between};
 use lanchester_model::angle;
 use lanchester_model::{Counterweight, Engine};
 use lanchester_model::{CounterweightForm, CounterweightPart};

@@ -1,6 +1,6 @@
 //! `[friction]`, `[flywheel]`, `[bearings]` and `[tolerances]`.
 
-use super::{File, quantity};
+use super::text::{File, quantity};
 use lanchester_model::Engine;
 use lanchester_model::Friction;
 use lanchester_task::{Distribution, Extent, Tasks};

@@ -1,7 +1,7 @@
 //! Weights of balance shafts, and `[shaft_weight_design]`.
 
 use super::part::range_text;
-use super::{File, quantity};
+use super::text::{File, quantity};
 use lanchester_model::ShaftWeight;
 use lanchester_model::ShaftWeightPart;
 use lanchester_task::{ShaftWeightAim, Tasks};

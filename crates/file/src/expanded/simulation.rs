@@ -1,6 +1,6 @@
 //! What the file says of a run in time.
 
-use super::{File, quantity};
+use super::text::{File, quantity};
 use lanchester_model::{
     Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, MainSharing, ReactsOn, RodGuidance,
     RunLength, RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,

@@ -1,9 +1,12 @@
 //! The orders that a crank can fire, the most even first.
 
-use super::{MOST_LISTED, SAME, whole};
+use super::angle::{SAME, whole};
 use lanchester_model::Strokes;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
+
+/// Orders that a message lists at most.
+pub(super) const MOST_LISTED: usize = 8;
 
 /// More dead centres than this are not worth a list (the search grows with their square).
 const MOST_DEAD_CENTRES: usize = 48;

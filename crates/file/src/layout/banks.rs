@@ -1,9 +1,9 @@
 //! V, boxer, flat and W: banks of cylinders that face one another along the crank.
 
-use super::{
-    Bank, CylinderPlace, LayoutKind, LayoutSpec, Numbering, Pins, Problem, Rods, Skeleton, ThrowFrame,
-    degrees, planes,
-};
+use super::planes::planes;
+use super::skeleton::{CylinderPlace, Skeleton, ThrowFrame};
+use super::spec::{Bank, LayoutKind, LayoutSpec, Numbering, Pins, Rods};
+use crate::problem::{Problem, degrees};
 use lanchester_model::RodJoint;
 use std::f64::consts::PI;
 

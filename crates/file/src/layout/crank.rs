@@ -1,7 +1,9 @@
 //! Angles of the throws: given, or derived from the firing order.
 
-use super::{LayoutSpec, Problem, Skeleton, degrees};
+use super::skeleton::{Skeleton, ThrowFrame};
+use super::spec::LayoutSpec;
 use crate::firing;
+use crate::problem::{Problem, degrees};
 use std::f64::consts::TAU;
 
 /// Largest disagreement of two cylinders about the angle of a pin that they share [rad] that is taken for rounding of
@@ -28,7 +30,7 @@ pub(super) fn angles(
         }
     };
     let first = skeleton.throws.first().map_or(0.0, |throw| entry_angles[throw.entry] + throw.lead);
-    let angle = |throw: &super::ThrowFrame| firing::turn(entry_angles[throw.entry] + throw.lead - first, TAU);
+    let angle = |throw: &ThrowFrame| firing::turn(entry_angles[throw.entry] + throw.lead - first, TAU);
     Some(skeleton.throws.iter().map(angle).collect())
 }
 

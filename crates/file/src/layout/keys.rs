@@ -1,6 +1,7 @@
 //! Keys that have no effect for this layout, or beside another key.
 
-use super::{LayoutKind, LayoutSpec, Pins, Problem, Rods};
+use super::spec::{LayoutKind, LayoutSpec, Pins, Rods};
+use crate::problem::Problem;
 
 const ALL: [LayoutKind; 7] = [
     LayoutKind::InLine,

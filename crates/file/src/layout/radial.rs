@@ -1,6 +1,9 @@
 //! Radial: rows of cylinders around a throw each.
 
-use super::{CylinderPlace, LayoutSpec, Problem, Rods, Skeleton, ThrowFrame, evenly_spaced};
+use super::planes::evenly_spaced;
+use super::skeleton::{CylinderPlace, Skeleton, ThrowFrame};
+use super::spec::{LayoutSpec, Rods};
+use crate::problem::Problem;
 use lanchester_model::RodJoint;
 use std::f64::consts::TAU;
 

@@ -1,6 +1,9 @@
 //! In-line and VR: a throw for every cylinder.
 
-use super::{CylinderPlace, LayoutKind, LayoutSpec, Problem, Skeleton, ThrowFrame, planes};
+use super::planes::planes;
+use super::skeleton::{CylinderPlace, Skeleton, ThrowFrame};
+use super::spec::{LayoutKind, LayoutSpec};
+use crate::problem::Problem;
 use lanchester_model::RodJoint;
 use std::f64::consts::PI;
 

@@ -1,5 +1,6 @@
 use super::*;
 use crate::firing;
+use lanchester_model::{RodJoint, Strokes};
 use proptest::option::of;
 use proptest::prelude::*;
 use std::f64::consts::TAU;

@@ -1,8 +1,9 @@
 //! `[layout]` as the layout's own terms, and its problems as mistakes in the file.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section, Spot};
-use crate::layout::{Arrangement, Bank, LayoutKind, LayoutSpec, Numbering, Pins, Problem, Rods, arrange};
+use crate::layout::{Arrangement, Bank, LayoutKind, LayoutSpec, Numbering, Pins, Rods, arrange};
+use crate::problem::Problem;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Strokes;
 

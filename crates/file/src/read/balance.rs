@@ -5,11 +5,12 @@ mod crank_inertia;
 mod criteria;
 mod devices;
 mod drill;
+mod follows;
 mod free_shaft;
 mod free_weight;
 mod ties;
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section, Span};
 use crank_inertia::DraftInertia;
 use free_weight::DraftFreeWeight;

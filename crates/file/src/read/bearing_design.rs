@@ -1,6 +1,6 @@
 //! What `[bearings.main]`, `[bearings.crankpin]` and `[bearings.film]` say beyond sizes.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{

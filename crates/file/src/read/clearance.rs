@@ -1,6 +1,7 @@
 //! `[clearance]`: what the crankshaft must stay clear of.
 
-use super::{Drafts, Reader};
+use super::drafts::Drafts;
+use super::reader::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Envelope, Liner, RodEnvelope, Skirt};

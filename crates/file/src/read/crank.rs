@@ -5,8 +5,8 @@ pub(in crate::read) mod details;
 pub(in crate::read) mod mains;
 pub(in crate::read) mod material;
 
-use super::Reader;
 use super::layers::Layers;
+use super::reader::Reader;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Ratio;

@@ -5,28 +5,14 @@ pub(in crate::read) mod linkage;
 pub(in crate::read) mod rod;
 
 use super::cylinder::rod::DraftRod;
-use super::{Drafts, Reader};
+use super::drafts::{DraftCylinder, Drafts};
+use super::reader::Reader;
 use crate::document::{Field, Section, Span};
 use crate::layout::{Arrangement, CylinderPlace};
 use crate::read::crank::DraftThrow;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::angle;
 use lanchester_model::{Crankshaft, Cylinder, RodJoint, Strokes, Throw};
-
-/// A cylinder and where the file speaks of it.
-#[derive(Debug, Clone)]
-pub(super) struct DraftCylinder<'a> {
-    pub(super) cylinder: Cylinder,
-    /// Its own table, if it has one.
-    pub(super) section: Option<&'a Section>,
-    /// Its header, or the layout's.
-    pub(super) span: Span,
-    pub(super) length_span: Span,
-    pub(super) piston_mass_span: Span,
-    pub(super) bore_span: Option<Span>,
-    /// Whether its rod says that it has its pin for itself.
-    pub(super) own_pin: bool,
-}
 
 /// Where a cylinder stands, and what its rod's big end sits on.
 struct Place {

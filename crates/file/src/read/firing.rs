@@ -1,6 +1,7 @@
 //! When the cylinders fire.
 
-use super::{Drafts, Reader};
+use super::drafts::Drafts;
+use super::reader::Reader;
 use crate::document::{Field, Section, Spot};
 use crate::firing;
 use lanchester_diagnostic::Mistake;

@@ -5,7 +5,8 @@ mod cycle;
 mod opening;
 mod walls;
 
-use super::{Drafts, Reader};
+use super::drafts::Drafts;
+use super::reader::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Strokes;

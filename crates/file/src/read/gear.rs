@@ -1,6 +1,6 @@
 //! Gears, pulleys and other wheels that turn with the crank.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::Section;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Gear, GearDisc};

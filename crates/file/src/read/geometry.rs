@@ -1,6 +1,6 @@
 //! Mistakes of shapes at the key that causes them.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_shape::{GeometryError, plausible_density};

@@ -1,6 +1,6 @@
 //! The block and its mounts.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section, Spot};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Block, InertiaFault, MovingParts};

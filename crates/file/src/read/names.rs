@@ -1,6 +1,6 @@
 //! Names that tell parts of a kind apart.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Section, Span};
 use lanchester_diagnostic::Mistake;
 

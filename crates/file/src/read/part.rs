@@ -1,7 +1,7 @@
 //! `[counterweight.shape]`: a counterweight as a part.
 
-use super::Reader;
-use super::crank::body::MaybeBody;
+use super::crank::details::MaybeBody;
+use super::reader::Reader;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{CounterweightForm, CrankBody};

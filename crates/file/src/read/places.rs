@@ -1,7 +1,8 @@
 //! Two parts in one place, parts that nothing holds.
 
-use super::cylinder::DraftCylinder;
-use super::{Drafts, Reader};
+use super::drafts::DraftCylinder;
+use super::drafts::Drafts;
+use super::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Crankshaft, RodJoint};
 use lanchester_units::Dimension;

@@ -1,8 +1,9 @@
 //! `[friction]`, `[flywheel]` and `[bearings]`.
 
-use super::crank::body::MaybeBody;
 use super::crank::details::BodyDraft;
-use super::{Drafts, Reader};
+use super::crank::details::MaybeBody;
+use super::drafts::Drafts;
+use super::reader::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Flywheel;

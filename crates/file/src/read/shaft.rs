@@ -2,7 +2,7 @@
 
 pub(in crate::read) mod part;
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::Section;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::ShaftWeightPart;

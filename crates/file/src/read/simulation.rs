@@ -3,7 +3,7 @@
 pub(in crate::read) mod event;
 pub(in crate::read) mod parts;
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{

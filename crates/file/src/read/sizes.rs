@@ -1,6 +1,7 @@
 //! Sizes that are possible, but more likely a slip of a unit.
 
-use super::{Drafts, Reader};
+use super::drafts::Drafts;
+use super::reader::Reader;
 use crate::document::{Field, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_units::Dimension;

@@ -1,6 +1,6 @@
 //! `[tolerances]`.
 
-use super::Reader;
+use super::reader::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Engine;

@@ -1,9 +1,9 @@
 //! Counterweights: one by one, and the short form.
 
-use super::Reader;
 use super::crank::details::BodyDraft;
-use super::cylinder::DraftCylinder;
+use super::drafts::DraftCylinder;
 use super::part::DraftPart;
+use super::reader::Reader;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::CounterweightPart;

@@ -5,6 +5,7 @@ mod clearance;
 mod crank_body;
 mod design;
 mod devices;
+mod entry;
 mod gas;
 mod layout;
 mod mount;
@@ -15,15 +16,18 @@ mod simulation;
 mod tolerances;
 mod train;
 
+pub(crate) use entry::{key, quantity};
+
 use super::Bound::{Any, Positive};
 use super::Need::{Optional, Required};
-use super::{Bound, Key, Kind, Need, Table};
+use super::{Kind, Table};
 use balance::BALANCE;
 use clearance::CLEARANCE;
 use design::COUNTERWEIGHT_DESIGN;
 use devices::{COUNTERWEIGHT, COUNTERWEIGHTS, GEAR, SHAFT};
+use entry::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_MOUNTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS};
 use gas::GAS;
-use lanchester_units::Dimension::{self, Angle, Length, Speed};
+use lanchester_units::Dimension::{Angle, Length, Speed};
 use layout::LAYOUT;
 use mount::{BLOCK, MOUNT};
 use running::{BEARINGS, FLYWHEEL, FRICTION};
@@ -31,38 +35,6 @@ use shaft_part::SHAFT_WEIGHT_DESIGN;
 use simulation::{DRIVELINE, GOVERNOR, LOAD, MOST_LINKS, SIMULATION, STARTER};
 use tolerances::TOLERANCES;
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
-
-/// Counts above which a file is refused, so that nothing explodes.
-const MOST_CYLINDERS: i64 = 64;
-const MOST_THROWS: i64 = 64;
-const MOST_CRANKSHAFTS: i64 = 8;
-const MOST_WEIGHTS: usize = 256;
-const MOST_SHAFTS: usize = 64;
-const MOST_MOUNTS: usize = 64;
-
-pub(crate) const fn key(
-    name: &'static str,
-    kind: Kind,
-    need: Need,
-    doc: &'static str,
-    example: &'static str,
-) -> Key {
-    Key { name, kind, need, doc, example, layouts: &[] }
-}
-
-pub(crate) const fn quantity(
-    name: &'static str,
-    dimension: Dimension,
-    bound: Bound,
-    doc: &'static str,
-    example: &'static str,
-) -> Key {
-    key(name, Kind::Quantity(dimension, bound), Optional, doc, example)
-}
-
-const fn for_layouts(layouts: &'static [&'static str], key: Key) -> Key {
-    Key { layouts, ..key }
-}
 
 /// The whole file.
 pub(crate) static FILE: Table = Table {

@@ -3,7 +3,7 @@
 use super::amount::{Units, angle_near, same_amount, same_direction, same_place, turn_between};
 use super::entry::{Entry, List, NewEntry, block};
 use super::splice::Splices;
-use super::{PART, dimension_text, matches, set_shape, set_unbalance};
+use super::weight::{PART, dimension_text, matches, set_shape, set_unbalance};
 use crate::expanded::{quoted, shape_entries};
 use lanchester_model::{Counterweight, Engine};
 use lanchester_model::{CounterweightForm, CounterweightPart};

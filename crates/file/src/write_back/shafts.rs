@@ -3,7 +3,7 @@
 use super::amount::{Units, angle_near, same_amount, same_direction, same_place};
 use super::entry::{Entry, List, NewEntry, list_value};
 use super::splice::Splices;
-use super::{PART, dimension_text, matches, set_shape, set_unbalance};
+use super::weight::{PART, dimension_text, matches, set_shape, set_unbalance};
 use crate::expanded::{quoted, ratio, shaft_shape};
 use lanchester_model::ShaftWeightPart;
 use lanchester_model::{BalanceShaft, Engine, ShaftWeight};

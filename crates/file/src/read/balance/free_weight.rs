@@ -2,7 +2,7 @@
 
 use super::Reader;
 use super::drill;
-use super::ties::Follows;
+use super::follows::Follows;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Engine;

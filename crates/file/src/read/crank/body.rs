@@ -2,16 +2,14 @@
 
 use crate::document::{Field, Section};
 use crate::read::crank::DraftThrow;
-use crate::read::crank::details::BodyDraft;
-use crate::read::{Drafts, Reader};
+use crate::read::crank::details::{BodyDraft, MaybeBody};
+use crate::read::drafts::Drafts;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Throw;
 use lanchester_model::{CrankBody, CrankDetails, CrankPlace};
 use lanchester_model::{TOUCH, pin, throw_unbalances};
 use lanchester_units::Dimension;
-
-/// `[crank.body]`: the outer `None` says bad, the inner one absent.
-pub(in crate::read) type MaybeBody = Option<Option<CrankBody>>;
 
 /// Takes the unbalances of the throws from the body; what stops that is reported elsewhere.
 pub(in crate::read) fn weigh(throws: &mut [Throw], body: &BodyDraft) {

@@ -2,8 +2,8 @@
 //! `[[crank.body.flange]]`, and fillets and oil holes of all.
 
 use crate::document::{Field, Section, Span};
-use crate::read::crank::body::MaybeBody;
-use crate::read::{Drafts, Reader};
+use crate::read::drafts::Drafts;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{
     CrankBody, CrankDetails, CrankElementForm, CrankEnd, CrankFault, CrankPlace, EndStep, EngineParts,
@@ -386,3 +386,6 @@ fn optional(section: &Section, key: &str) -> Option<Option<f64>> {
         Field::Bad => None,
     }
 }
+
+/// `[crank.body]`: the outer `None` says bad, the inner one absent.
+pub(in crate::read) type MaybeBody = Option<Option<CrankBody>>;

@@ -1,8 +1,9 @@
 //! Places of the main bearings.
 
 use crate::document::{Field, Section, Span};
+use crate::read::drafts::Drafts;
 use crate::read::layers::Layers;
-use crate::read::{Drafts, Reader};
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Crankshaft, Throw};
 use lanchester_units::Dimension;

@@ -1,7 +1,7 @@
 //! `[crank.material]`: what the crankshafts are made of.
 
 use crate::document::Field;
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{CrankMaterial, Forging, MaterialPreset};
 

@@ -1,7 +1,8 @@
 //! Pistons that share a combustion chamber: opposed pistons, and pistons side by side under one head.
 
 use crate::document::{Field, Span};
-use crate::read::{Drafts, Reader};
+use crate::read::drafts::Drafts;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Crankshaft, Engine};
 use std::f64::consts::TAU;

@@ -1,6 +1,7 @@
 //! Whether every crank can turn.
 
-use crate::read::{Drafts, Reader};
+use crate::read::drafts::Drafts;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::linkage::{CLEARANCE, MARGIN, largest_reach};
 use lanchester_model::{Cylinder, RodJoint};

@@ -1,8 +1,8 @@
 //! Connecting rods: lengths and masses.
 
 use crate::document::{Field, Section, Span};
-use crate::read::Reader;
 use crate::read::layers::Layers;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Rod, RodJoint, RodMassRule};
 use lanchester_units::Dimension;

@@ -1,7 +1,7 @@
 //! `[gas.fuel]` and `[gas.heat_release]`.
 
 use crate::document::Section;
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Combustion, Fuel, FuelSupply, HeatRelease};
 use std::f64::consts::TAU;

@@ -1,7 +1,7 @@
 //! `[gas.cycle]` with `[gas.intake]`, `[gas.exhaust]` and `[gas.walls]`.
 
 use crate::document::{Field, Section};
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Strokes;
 use lanchester_model::{GasCycle, GasProcess, HeatSplit, IdealHeat, Reservoir, SingleZone, Walls};

@@ -1,7 +1,7 @@
 //! Valves and ports: `[gas.intake]` and `[gas.exhaust]`.
 
 use crate::document::{Field, Section};
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Strokes;
 use lanchester_model::{Opening, OpeningShape, SingleZone};

@@ -1,7 +1,7 @@
 //! `[gas.walls]`: whose heat transfer coefficient, or given.
 
 use crate::document::{Field, Section};
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::Strokes;
 use lanchester_model::WallModel;

@@ -1,7 +1,7 @@
 //! `[shaft.weights.shape]` and `[shaft_weight_design]`: weights of balance shafts as parts.
 
 use crate::document::{Field, Section};
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::ShaftWeight;
 use lanchester_model::ShaftWeightPart;

@@ -1,7 +1,7 @@
 //! `[[simulation.event]]`: when something happens, and what.
 
 use crate::document::Section;
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use crate::read::simulation::revolutions;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Action, Event, LoadLaw, When};

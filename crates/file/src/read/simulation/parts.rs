@@ -1,7 +1,7 @@
 //! `[load]`, `[starter]` and `[governor]`.
 
 use crate::document::{Field, Section};
-use crate::read::Reader;
+use crate::read::reader::Reader;
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{Governor, LoadLaw, ReactsOn, RunLoad, Starter};
 use std::f64::consts::TAU;

@@ -3,7 +3,7 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
+use super::entry::{MOST_CRANKSHAFTS, MOST_SHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use lanchester_task::WHAT_FITS;
 use lanchester_units::Dimension::{Angle, Density, Inertia, Length, Speed, Unbalance};
 

@@ -2,7 +2,7 @@
 
 use super::super::Bound::{NotNegative, Positive};
 use super::super::{Key, Table};
-use super::quantity;
+use super::entry::quantity;
 use lanchester_units::Dimension::Length;
 
 pub(super) static CLEARANCE: Table = Table {

@@ -4,7 +4,7 @@ use super::super::Bound::Any;
 use super::super::Bound::{NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::{MOST_CRANKSHAFTS, MOST_THROWS, key, quantity};
+use super::entry::{MOST_CRANKSHAFTS, MOST_THROWS, key, quantity};
 use lanchester_units::Dimension::{Angle, Density, Length, Pressure};
 
 /// Most tables of elements of a kind, and of steps of nose or flange.

@@ -3,7 +3,7 @@
 use super::super::Bound::{NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Bound, Key, Kind, Need, Table};
-use super::{key, quantity};
+use super::entry::{key, quantity};
 use lanchester_units::Dimension::{self, Angle, Density, Inertia, Length, Mass};
 
 pub(super) static COUNTERWEIGHT_DESIGN: Table = Table {

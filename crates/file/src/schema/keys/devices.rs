@@ -3,9 +3,9 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
+use super::entry::{MOST_CRANKSHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use super::part::SHAPE;
 use super::shaft_part::SHAFT_WEIGHT_SHAPE;
-use super::{MOST_CRANKSHAFTS, MOST_THROWS, MOST_WEIGHTS, key, quantity};
 use lanchester_units::Dimension::{Angle, Density, Inertia, Length, Mass, Unbalance};
 
 pub(super) static COUNTERWEIGHTS: Table = Table {

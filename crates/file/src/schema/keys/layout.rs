@@ -3,7 +3,7 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Kind, Table};
-use super::{MOST_CYLINDERS, for_layouts, key, quantity};
+use super::entry::{MOST_CYLINDERS, for_layouts, key, quantity};
 use lanchester_units::Dimension::{Angle, Length};
 
 const BANKED: &[&str] = &["v", "boxer", "flat", "w"];

@@ -3,7 +3,7 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::{MOST_CYLINDERS, key, quantity};
+use super::entry::{MOST_CYLINDERS, key, quantity};
 use lanchester_units::Dimension::{
     Angle, Damping, Density, Inertia, Length, Pressure, PressurePerSpeed, PressurePerSpeedSquared, Speed,
     Stiffness, Temperature, Viscosity,

@@ -4,7 +4,7 @@ use super::super::Bound::{Any, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Kind, Table};
 use super::design::range;
-use super::{key, quantity};
+use super::entry::{key, quantity};
 use lanchester_units::Dimension::{Angle, Density, Length};
 
 pub(super) static SHAFT_WEIGHT_SHAPE: Table = Table {

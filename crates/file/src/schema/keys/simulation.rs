@@ -3,7 +3,7 @@
 use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Kind, Table};
-use super::{key, quantity};
+use super::entry::{key, quantity};
 use lanchester_units::Dimension::{
     Angle, AngularDamping, AngularStiffness, Inertia, PerSpeed, Power, Rate, Speed, Stiffness, Time, Torque,
 };

@@ -3,7 +3,7 @@
 use super::super::Bound::Positive;
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
-use super::key;
+use super::entry::key;
 use lanchester_units::Dimension::{self, Angle, Length, Mass, Unbalance};
 
 /// Keys of the quantities that vary, and more.

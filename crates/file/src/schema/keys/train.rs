@@ -4,7 +4,7 @@ use super::super::Bound::{Any, NotNegative, Positive};
 use super::super::Need::{Optional, Required};
 use super::super::{Key, Kind, Table};
 use super::crank_body::{CRANK_BODY, CRANK_MATERIAL};
-use super::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_THROWS, key, quantity};
+use super::entry::{MOST_CRANKSHAFTS, MOST_CYLINDERS, MOST_THROWS, key, quantity};
 use lanchester_units::Dimension::{Angle, Inertia, Length, Mass, Unbalance};
 
 pub(super) static CRANK: Table = Table {
