@@ -2,6 +2,7 @@
 
 pub(crate) mod curve;
 pub(crate) mod envelope;
+pub(crate) mod extreme;
 pub(crate) mod extremes;
 pub(crate) mod lanes;
 pub(crate) mod spline;
@@ -9,3 +10,4 @@ pub(crate) mod true_mean;
 pub(crate) mod true_peak;
 
 pub use curve::{CurveError, End, PeriodicCurve};
+pub use extreme::{Extreme, Extremes};

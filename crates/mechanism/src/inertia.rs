@@ -3,7 +3,9 @@
 pub(crate) mod diagnosis;
 pub(crate) mod internal;
 pub(crate) mod loads;
+pub(crate) mod order_axis;
 pub(crate) mod orders;
+pub(crate) mod part;
 pub(crate) mod peaks;
 pub(crate) mod point;
 pub(crate) mod request;
@@ -13,6 +15,7 @@ pub(crate) mod trace;
 
 pub use internal::*;
 pub use loads::{loads, total_loads};
+pub use part::Part;
 pub use request::{Kinematics, LoadError, LoadRequest, PeakMode};
 pub use result::*;
 pub use spectrum::OrderPlan;

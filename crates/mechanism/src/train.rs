@@ -10,7 +10,6 @@ pub(crate) mod sampling;
 pub(crate) mod series;
 pub(crate) mod turned;
 
-pub use chamber::ChamberMotion;
 pub use mechanism::{Mechanism, Selection, firing_period};
 pub use motion::motion;
 pub use rod_place::{RodLinkage, RodPlace, RodReach};

@@ -1,6 +1,6 @@
 //! What every engine has to keep: finite numbers of the right sign, places that exist, linkages that turn, names of their own.
 
-use crate::engine::{BalanceShaft, Counterweight, Crankshaft, Cylinder, EngineParts, RodJoint, Throw};
+use crate::engine_parts::{BalanceShaft, Counterweight, Crankshaft, Cylinder, EngineParts, RodJoint, Throw};
 use crate::fault::{Fault, Part, unique};
 use crate::gear::Gear;
 use crate::linkage::{CLEARANCE, MARGIN, largest_reach};
@@ -8,8 +8,10 @@ use crate::ratio::Ratio;
 use crate::running::block::Block;
 use crate::running::mount::Mount;
 
-/// Adds all faults of the parts.
-pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
+/// All faults of the parts.
+pub(crate) fn faults(parts: &EngineParts) -> Vec<Fault> {
+    let mut found = Vec::new();
+    let faults = &mut found;
     let EngineParts { crankshafts, throws, cylinders, counterweights, shafts, mounts, .. } = parts;
     let range = parts.speed;
     let part = &mut Part { faults, name: &|| "speed".into() };
@@ -49,6 +51,7 @@ pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
     unique("shafts", shafts.iter().map(|shaft| shaft.name.as_str()), faults);
     unique("gears", parts.gears.iter().map(|gear| gear.name.as_str()), faults);
     unique("mounts", mounts.iter().map(|mount| mount.name.as_str()), faults);
+    found
 }
 
 fn of_crankshaft(crankshaft: &Crankshaft, index: usize, part: &mut Part<'_>) {

@@ -7,6 +7,7 @@ pub mod angle;
 mod crank;
 mod engine;
 mod engine_check;
+mod engine_parts;
 mod fault;
 mod gear;
 pub mod linkage;
@@ -19,7 +20,8 @@ mod shaft_part;
 mod spacing;
 
 pub use crank::*;
-pub use engine::*;
+pub use engine::Engine;
+pub use engine_parts::*;
 pub use fault::Fault;
 pub use gear::{Gear, GearDisc};
 pub use origin::{Origin, Sourced};

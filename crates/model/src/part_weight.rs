@@ -2,7 +2,7 @@
 
 use crate::angle;
 use crate::crank::body::{CounterweightForm, CounterweightPart, CrankBody};
-use crate::engine::{EngineParts, Throw};
+use crate::engine_parts::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 

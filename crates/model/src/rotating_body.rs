@@ -9,7 +9,7 @@
 
 use crate::crank::body::CounterweightForm;
 use crate::crank::elements::CrankElementForm;
-use crate::engine::EngineParts;
+use crate::engine_parts::EngineParts;
 use crate::origin::{Origin, Sourced};
 use serde::Serialize;
 

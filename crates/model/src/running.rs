@@ -1,5 +1,6 @@
 //! What the engine runs on and against: bearings, block and mounts, friction, gas, and runs in time.
 
+mod bearing_data;
 pub(crate) mod bearing_design;
 pub(crate) mod bearings;
 pub(crate) mod block;

@@ -2,10 +2,10 @@
 
 use crate::balance_task::{Criterion, Load};
 use crate::main_load;
-use crate::option::BadQuantity;
 use lanchester_model::Engine;
 use lanchester_model::Mount;
 use lanchester_results::{Axis, Counted, LARGEST_ORDER, Output, Place, Quantity, Size, order_text};
+use lanchester_units::BadQuantity;
 use lanchester_units::nearest;
 use lanchester_units::{Dimension, Refusal, one_of};
 

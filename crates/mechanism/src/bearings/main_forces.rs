@@ -2,8 +2,8 @@
 
 use crate::bearings::plan::{BearingPlan, BearingTrace};
 use crate::bearings::request::BearingRequest;
+use crate::curves::extreme::Extreme;
 use crate::curves::true_peak::true_peak;
-use crate::inertia::result::Extreme;
 use crate::torque::gas::CylinderGas;
 use crate::torque::gas_train::GasTrain;
 use crate::torque::request::{Lever, TorqueError};

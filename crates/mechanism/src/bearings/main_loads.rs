@@ -2,8 +2,8 @@
 
 use crate::bearings::plan::{BearingPlan, BearingTrace};
 use crate::bearings::request::{BearingPart, BearingRequest};
+use crate::curves::extreme::Extreme;
 use crate::curves::true_peak::true_peak;
-use crate::inertia::result::Extreme;
 use crate::torque::request::TorqueError;
 use lanchester_model::Engine;
 use serde::Serialize;

@@ -4,7 +4,7 @@
 //! still beat the best one. Each is bracketed by a change of sign of the derivative and refined there, so that an
 //! extreme is found to the last digits in angle as well as in value.
 
-use crate::inertia::result::{Extreme, Extremes};
+use crate::curves::extreme::{Extreme, Extremes};
 use std::f64::consts::TAU;
 
 /// Values this close, relative to the range, tie: the first angle of them counts.

@@ -1,6 +1,6 @@
 //! True peaks of a load: from its samples to the extreme over the continuous angle.
 
-use crate::inertia::result::Extreme;
+use crate::curves::extreme::Extreme;
 use crate::speed::energy::peak;
 
 /// Local maxima of the samples below this share of the largest are no candidates.

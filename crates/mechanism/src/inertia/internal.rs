@@ -15,8 +15,8 @@
 use crate::bearings::beam::{Beam, BeamModel, walk};
 use crate::bearings::rod_force::RodForce;
 use crate::curves::envelope::largest;
+use crate::curves::extreme::Extreme;
 use crate::inertia::request::{Kinematics, LoadError, LoadRequest};
-use crate::inertia::result::Extreme;
 use crate::train::mechanism::{Mechanism, linkage, master_of};
 use lanchester_model::Engine;
 use num_complex::Complex64;

@@ -1,9 +1,10 @@
 //! All loads of an engine: whole, by part, by cylinder.
 
 use crate::inertia::diagnosis::diagnose;
+use crate::inertia::part::Part;
 use crate::inertia::peaks::Scale;
 use crate::inertia::request::{LoadError, LoadRequest};
-use crate::inertia::result::{CylinderLoads, LoadSet, Loads, Part, PartLoads, RESULT_VERSION};
+use crate::inertia::result::{CylinderLoads, LoadSet, Loads, PartLoads, RESULT_VERSION};
 use crate::train::mechanism::{Mechanism, Selection};
 use crate::train::motion::motion;
 use lanchester_model::Engine;

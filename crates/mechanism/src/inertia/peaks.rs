@@ -1,9 +1,10 @@
 //! Extremes of every quantity of a load set.
 
+use crate::curves::extreme::{Extreme, Extremes};
 use crate::curves::extremes::{grid_extremes, refined_extremes};
 use crate::inertia::point::Point;
 use crate::inertia::request::PeakMode;
-use crate::inertia::result::{Extreme, Extremes, Peaks, Trace};
+use crate::inertia::result::{Peaks, Trace};
 use crate::train::mechanism::Mechanism;
 
 /// Angles in a revolution of the grid that is refined, at least.

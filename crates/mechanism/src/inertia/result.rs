@@ -3,7 +3,8 @@
 //! All in SI and radians. Components are those of the frame (book, "Conventions"): what the moving parts exert on
 //! the block, couples about the reference point of [`Loads::reference`].
 
-use crate::train::chamber::ChamberMotion;
+use crate::curves::extreme::Extremes;
+use crate::inertia::part::Part;
 use num_complex::Complex64;
 use serde::Serialize;
 
@@ -87,39 +88,6 @@ impl OrderLoads {
     }
 }
 
-/// Which moving parts a load comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Part {
-    /// Crank throws and the rods' big ends.
-    Rotating,
-    /// Pistons and the rods' small ends (with the moving knuckle pins of articulated rods).
-    Reciprocating,
-    /// What the two-mass rods miss of the true rod inertia: torque and roll moment only.
-    RodInertia,
-    /// Weights on the crankshafts.
-    Counterweights,
-    /// Balance shafts.
-    Shafts,
-}
-
-impl Part {
-    /// All parts in the order of tables.
-    pub const ALL: [Part; 5] =
-        [Part::Rotating, Part::Reciprocating, Part::RodInertia, Part::Counterweights, Part::Shafts];
-
-    /// Name for tables and legends.
-    pub fn name(self) -> &'static str {
-        match self {
-            Part::Rotating => "rotating",
-            Part::Reciprocating => "reciprocating",
-            Part::RodInertia => "rod inertia",
-            Part::Counterweights => "counterweights",
-            Part::Shafts => "balance shafts",
-        }
-    }
-}
-
 /// Loads of the whole engine, of one kind of part, or of one cylinder.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LoadSet {
@@ -130,36 +98,6 @@ pub struct LoadSet {
     pub orders: Vec<OrderLoads>,
     /// Extremes over the continuous angle (or over the grid, where one was asked for).
     pub peaks: Peaks,
-}
-
-/// An extreme and where it is.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
-pub struct Extreme {
-    /// Value [N] or [N m].
-    pub value: f64,
-    /// Crank angle [rad] of the first place that attains it, in one period.
-    pub theta: f64,
-}
-
-/// Largest and smallest value of one quantity over the period.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
-pub struct Extremes {
-    /// Largest value.
-    pub max: Extreme,
-    /// Smallest value.
-    pub min: Extreme,
-}
-
-impl Extremes {
-    /// Largest absolute value.
-    pub fn max_abs(&self) -> f64 {
-        self.max.value.abs().max(self.min.value.abs())
-    }
-
-    /// Largest minus smallest value.
-    pub fn range(&self) -> f64 {
-        self.max.value - self.min.value
-    }
 }
 
 /// Extremes of every quantity of a [`LoadSet`].
@@ -248,6 +186,21 @@ pub struct Articulation {
     pub stroke_difference: f64,
     /// Angle of TDC minus the angle at which the crank points along the cylinder [rad].
     pub top_dead_centre_shift: f64,
+}
+
+/// The chamber that pistons share.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct ChamberMotion {
+    /// Numbers of its cylinders, from 1, rising.
+    pub cylinders: Vec<usize>,
+    /// Crank angle of crankshaft 1 at its top dead centre, where its volume is least [rad], in the first turn of its crankshafts.
+    pub top_dead_centre: f64,
+    /// Crank angle at its bottom dead centre, where its volume is largest [rad], in the first turn.
+    pub bottom_dead_centre: f64,
+    /// Largest less smallest volume [m^3]; without bores the same of the travels [m].
+    pub swept: f64,
+    /// What the pistons leave free below their own top dead centres where its volume is least [m^3]; 0 where they are all there at once.
+    pub least: f64,
 }
 
 /// Loads of an engine at one speed.

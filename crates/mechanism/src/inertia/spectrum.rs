@@ -10,7 +10,8 @@
 //! ```
 
 use crate::curves::lanes::{ComplexLanes, Lanes, WIDTH};
-use crate::inertia::orders::{Harmonic, OrderAxis, empty};
+use crate::inertia::order_axis::OrderAxis;
+use crate::inertia::orders::{Harmonic, empty};
 use crate::inertia::result::OrderLoads;
 use crate::inertia::trace::{Kernel, dispatch, run_portable};
 use crate::train::drive::{Drive, Linkage};

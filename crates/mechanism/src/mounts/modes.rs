@@ -8,8 +8,9 @@
 use crate::curves::extremes::root;
 use crate::mounts::error::MountError;
 use crate::mounts::result::{DampedMode, MountMode, MountModes};
+use crate::mounts::spring::Spring;
 use crate::mounts::symmetric::symmetric_eigen;
-use crate::mounts::system::{MountSystem, Spring};
+use crate::mounts::system::MountSystem;
 use nalgebra::{Matrix6, SMatrix, Schur, Vector6};
 use num_complex::Complex64;
 

@@ -6,9 +6,9 @@
 //! At t, -t, pi - t and pi + t the sums are those of even and odd harmonics, of cosines and sines, with other signs: a
 //! quarter of the cycle gives all of it. Newton's method on the slope of `f.f` takes each hill that can matter to its top.
 
+use crate::curves::extreme::Extreme;
 use crate::curves::extremes::root;
 use crate::inertia::request::MAX_REVOLUTIONS;
-use crate::inertia::result::Extreme;
 use crate::mounts::error::MountError;
 use crate::mounts::result::OrderResponse;
 use num_complex::Complex64;

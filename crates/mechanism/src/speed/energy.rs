@@ -8,8 +8,8 @@
 //! E has its extremes where T crosses its mean. The torque is smooth between breaks (knots of the pressures): each stretch is
 //! integrated with the Gauss rule, crossings within it are roots.
 
+use crate::curves::extreme::{Extreme, Extremes};
 use crate::curves::extremes::root;
-use crate::inertia::result::{Extreme, Extremes};
 use lanchester_numerics::golden_section;
 use serde::Serialize;
 

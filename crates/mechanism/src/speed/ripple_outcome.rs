@@ -1,6 +1,6 @@
 //! What becomes of the speed within the cycle: a periodic speed, an inertia that is not known, or an engine that stops.
 
-use crate::speed::flywheel::{FLYWHEEL_VERSION, SpeedRipple, TurningInertia};
+use crate::speed::ripple::{FLYWHEEL_VERSION, SpeedRipple, TurningInertia};
 use serde::Serialize;
 
 /// Lowest speed over the mean [1] below which an engine counts as stopped: a load that takes the same torque at every angle, and the

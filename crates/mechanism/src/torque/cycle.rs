@@ -1,8 +1,9 @@
 //! Torque over the working cycle: gas at every cylinder's firing angle, and inertia.
 
 use crate::curves::curve::PeriodicCurve;
+use crate::curves::extreme::Extreme;
 use crate::inertia::request::LoadError;
-use crate::inertia::result::{Extreme, OrderLoads};
+use crate::inertia::result::OrderLoads;
 use crate::speed::energy::{Breaks, SHARE_OF_WIDTH, STRETCHES};
 use crate::torque::firing_chart::chart_of;
 use crate::torque::gas::CylinderGas;

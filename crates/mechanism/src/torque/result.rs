@@ -1,6 +1,7 @@
 //! What a torque calculation returns: plain data, SI and radians.
 
-use crate::inertia::result::{Extreme, Extremes, OrderLoads};
+use crate::curves::extreme::{Extreme, Extremes};
+use crate::inertia::result::OrderLoads;
 use crate::speed::energy::EnergyVariation;
 use crate::torque::firing_chart::FiringChart;
 use crate::torque::request::Lever;

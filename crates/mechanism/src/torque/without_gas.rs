@@ -1,7 +1,7 @@
 //! Torque of an engine without gas: that of the inertia of pistons and rods alone, whose mean over a revolution is zero.
 
+use crate::curves::extreme::{Extreme, Extremes};
 use crate::inertia::request::LoadRequest;
-use crate::inertia::result::{Extreme, Extremes};
 use crate::speed::energy::{Breaks, EnergyVariation, STRETCHES};
 use crate::torque::cycle::{InertiaTorque, inertia_orders};
 use crate::torque::firing_chart::{firing_chart, no_firing};

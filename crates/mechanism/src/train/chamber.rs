@@ -8,30 +8,14 @@
 
 use crate::curves::extremes::extremes_over_turn;
 use crate::inertia::request::LoadError;
-use crate::inertia::result::CylinderMotion;
+use crate::inertia::result::{ChamberMotion, CylinderMotion};
 use crate::train::drive::Linkage;
 use crate::train::mechanism::{linkage, master_of};
 use lanchester_model::Engine;
-use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
 /// Angles of a turn that are scanned before extremes are refined.
 const SCAN: usize = 1440;
-
-/// The chamber that pistons share.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct ChamberMotion {
-    /// Numbers of its cylinders, from 1, rising.
-    pub cylinders: Vec<usize>,
-    /// Crank angle of crankshaft 1 at its top dead centre, where its volume is least [rad], in the first turn of its crankshafts.
-    pub top_dead_centre: f64,
-    /// Crank angle at its bottom dead centre, where its volume is largest [rad], in the first turn.
-    pub bottom_dead_centre: f64,
-    /// Largest less smallest volume [m^3]; without bores the same of the travels [m].
-    pub swept: f64,
-    /// What the pistons leave free below their own top dead centres where its volume is least [m^3]; 0 where they are all there at once.
-    pub least: f64,
-}
 
 /// One piston of a chamber.
 struct ChamberPiston {

@@ -27,9 +27,9 @@
 //! Articulated rods: the big-end mass at the knuckle pin `K` counts at the crankpin `A` with the rotating parts (as
 //! [`Engine::rod_unbalance`] does); what its true motion adds, `-m (K'' - A'')`, counts with the reciprocating parts.
 
-use crate::inertia::orders::OrderAxis;
+use crate::inertia::order_axis::OrderAxis;
+use crate::inertia::part::Part;
 use crate::inertia::request::{LoadError, LoadRequest, MAX_REVOLUTIONS};
-use crate::inertia::result::Part;
 use crate::train::drive::{Drive, Linkage};
 use crate::train::linkage::{Articulated, Slider};
 use lanchester_model::{Cylinder, Engine, Ratio, RodJoint, greatest_common_divisor};

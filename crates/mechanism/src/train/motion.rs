@@ -1,8 +1,9 @@
 //! Motion of every cylinder: dead centres, strokes, speeds, rod angles.
 
+use crate::curves::extreme::Extremes;
 use crate::curves::extremes::extremes_over_turn;
 use crate::inertia::request::{LoadError, LoadRequest};
-use crate::inertia::result::{Articulation, CylinderMotion, Extremes, MotionTrace};
+use crate::inertia::result::{Articulation, CylinderMotion, MotionTrace};
 use crate::train::chamber::chamber_motion;
 use crate::train::drive::{Drive, Linkage};
 use crate::train::mechanism::{linkage, master_of, period};

@@ -5,7 +5,7 @@ use crate::crank::elements::{CrankElement, CrankElementForm, RoundBar};
 use crate::crank::expansion::CrankElementsFault;
 use crate::crank::material::CrankMaterial;
 use crate::crank::plain_web::TOUCH;
-use crate::engine::EngineParts;
+use crate::engine_parts::EngineParts;
 use crate::fault::{Fault, Part};
 use crate::running::bearing_design::{BearingData, BearingDesign, Housing};
 use std::collections::HashSet;

@@ -4,7 +4,7 @@ use crate::crank::body::CrankBody;
 use crate::crank::details::{CrankDetails, CrankEnd, EndStep};
 use crate::crank::elements::{CrankElement, CrankElementForm, Disc, RoundBar};
 use crate::crank::plain_web::{SharedWeb, TOUCH, pin};
-use crate::engine::{EngineParts, Throw};
+use crate::engine_parts::{EngineParts, Throw};
 use lanchester_shape::Point;
 
 /// Why a crankshaft has no elements.

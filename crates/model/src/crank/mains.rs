@@ -1,6 +1,6 @@
 //! Where the main bearings of a crankshaft stand.
 
-use crate::engine::{EngineParts, Throw};
+use crate::engine_parts::{EngineParts, Throw};
 
 /// Without webs in the file: throws closer than this many crank radii leave no room for two webs and a main bearing
 /// between them.

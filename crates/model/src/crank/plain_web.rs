@@ -2,7 +2,7 @@
 
 use crate::crank::body::CrankBody;
 use crate::crank::details::CrankDetails;
-use crate::engine::{EngineParts, Throw};
+use crate::engine_parts::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 

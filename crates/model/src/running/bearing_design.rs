@@ -1,7 +1,5 @@
 //! What the main and crankpin bearings are like beyond their sizes: clearance, grooves, law, oil. Their sizes are in [`crate::Bearings`].
 
-use crate::engine::EngineParts;
-use crate::running::bearings::PlainBearing;
 use serde::Serialize;
 
 /// What the file's `[bearings.main]`, `[bearings.crankpin]` and `[bearings.film]` say beyond sizes. `None`: not said.
@@ -9,7 +7,7 @@ use serde::Serialize;
 pub struct BearingDesign {
     /// All main bearings.
     pub main: BearingData,
-    /// Main bearings that differ, with their index counted as [`EngineParts::main_bearings`].
+    /// Main bearings that differ, with their index counted as [`crate::EngineParts::main_bearings`].
     pub main_each: Vec<(usize, BearingData)>,
     /// All crankpin bearings.
     pub crankpin: BearingData,
@@ -152,28 +150,4 @@ impl BearingData {
             housing: self.housing.or(all.housing),
         }
     }
-}
-
-impl EngineParts {
-    /// All that is known of main bearing `index`, counted as [`EngineParts::main_bearings`]: its own data over those of all, with the
-    /// width of `[bearings.main]`.
-    pub fn main_bearing_data(&self, index: usize) -> BearingData {
-        let size = self.bearings.and_then(|bearings| bearings.main);
-        let Some(design) = &self.bearing_design else { return sized(BearingData::default(), size) };
-        let own = design.main_each.iter().find(|(own, _)| *own == index);
-        sized(own.map_or_else(|| design.main.clone(), |(_, own)| own.over(&design.main)), size)
-    }
-
-    /// All that is known of the crankpin bearing of cylinder `index`: its own data over those of all, with the width of
-    /// `[bearings.crankpin]`.
-    pub fn crankpin_bearing_data(&self, index: usize) -> BearingData {
-        let size = self.bearings.and_then(|bearings| bearings.crankpin);
-        let Some(design) = &self.bearing_design else { return sized(BearingData::default(), size) };
-        let own = design.crankpin_each.iter().find(|(own, _)| *own == index);
-        sized(own.map_or_else(|| design.crankpin.clone(), |(_, own)| own.over(&design.crankpin)), size)
-    }
-}
-
-fn sized(data: BearingData, size: Option<PlainBearing>) -> BearingData {
-    BearingData { width: data.width.or(size.map(|size| size.width)), ..data }
 }
