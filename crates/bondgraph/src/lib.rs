@@ -42,8 +42,9 @@ pub use curve::Curve;
 pub use description::{Description, Entry, Happening, Text, Use};
 pub use domain::Domain;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
-    EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw, engine_graph,
+    CompliantJoints, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
+    EngineRequest, EngineStart, EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient,
+    WallLaw, engine_graph,
 };
 pub use equations::{Equations, equations};
 pub use file::{is_graph_file, used_graphs};

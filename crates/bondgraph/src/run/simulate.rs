@@ -6,6 +6,7 @@ use crate::run::audit::{Audit, audit};
 use crate::run::compiled::Compiled;
 use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
 use serde::Serialize;
+use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 /// More events than these at places that cannot be told apart mean that a condition switches to and fro.
@@ -184,6 +185,15 @@ impl Equations {
             statistics: pass.statistics,
             operations: compiled.operations(),
         }
+    }
+
+    /// Effort of every bond at the start, by its name.
+    pub(crate) fn efforts_at_start(&self) -> HashMap<String, f64> {
+        let mut compiled = Compiled::new(self, false);
+        let y: Vec<f64> = self.states.iter().map(|state| state.start).collect();
+        compiled.settle(0.0, &y);
+        let variables = compiled.variables(0.0, &y, self.graph.signals.len());
+        (0..self.graph.bonds.len()).map(|bond| (self.graph.bond_name(bond), variables[bond])).collect()
     }
 
     fn series(&self, pass: &Pass) -> Vec<Series> {
