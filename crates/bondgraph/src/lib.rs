@@ -51,7 +51,9 @@ pub use file::{is_graph_file, used_graphs};
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
-pub use output::draw::{DrawnBond, DrawnElement, Placed, drawing, moving_drawing, placed};
+pub use output::draw::{
+    DrawnBond, DrawnElement, DrawnName, DrawnTile, Placed, drawing, moving_drawing, placed,
+};
 pub use output::export::{graphml, modelica};
 pub use output::mathml::mathml;
 pub use output::shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};
