@@ -210,7 +210,9 @@ impl Dop853 {
         let n = y.len();
         self.statistics.steps += 1;
         let stiff = self.measure_stiffness(h, n);
-        let watched = system.events() > 0 && !self.is_quiet(system, *t, to, y, h);
+        let watched = system.events() > 0
+            && !self.is_quiet(system, *t, to, y, h)
+            && !(self.settings.glance && self.is_far(system, (*t, y), to, h));
         let dense =
             watched || self.settings.dense && self.settings.samples.is_none_or(|grid| grid.within(*t, to));
         if dense && let Some(outcome) = self.interpolate(system, *t, y, h) {
@@ -249,6 +251,13 @@ impl Dop853 {
         }
         self.trial.iter_mut().for_each(|most| *most *= 2.0 * h.abs());
         self.sides.are_known(system.events()) && system.is_quiet(from, to, y, &self.trial)
+    }
+
+    /// Whether every event function keeps well away from zero on the cubic between the ends of the step.
+    fn is_far(&mut self, system: &mut impl System, (t, y): (f64, &[f64]), to: f64, h: f64) -> bool {
+        let n = y.len();
+        let slopes = [&self.stages[..n], &self.stages[12 * n..13 * n]];
+        self.sides.are_far(system, [(t, y), (to, &self.next)], slopes, h)
     }
 
     /// Three more stages and the seven coefficients of the interpolant.

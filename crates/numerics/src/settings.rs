@@ -21,6 +21,9 @@ pub struct Settings {
     pub stiffness_test: bool,
     /// Whether steps carry an interpolant; needed for samples between steps and for events.
     pub dense: bool,
+    /// Whether [`crate::Dop853`] looks for events on the cubic between the ends of a step first, and makes its interpolant only where an
+    /// event function comes near to zero there.
+    pub glance: bool,
     /// Where samples will be taken; [`crate::Dop853`] makes no interpolant for steps without any. `None`: anywhere.
     pub samples: Option<SampleGrid>,
 }
@@ -55,6 +58,7 @@ impl Settings {
             event_tolerance: 1e-12,
             stiffness_test: false,
             dense: true,
+            glance: false,
             samples: None,
         }
     }
