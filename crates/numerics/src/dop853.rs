@@ -255,8 +255,7 @@ impl Dop853 {
 
     /// Whether every event function keeps well away from zero on the cubic between the ends of the step.
     fn is_far(&mut self, system: &mut impl System, (t, y): (f64, &[f64]), to: f64, h: f64) -> bool {
-        let n = y.len();
-        let slopes = [&self.stages[..n], &self.stages[12 * n..13 * n]];
+        let slopes = [self.stages.row(0), self.stages.row(12)];
         self.sides.are_far(system, [(t, y), (to, &self.next)], slopes, h)
     }
 
