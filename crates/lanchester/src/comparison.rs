@@ -152,7 +152,9 @@ pub enum CompareError {
         error: Box<WebBoundError>,
     },
     /// The optimum that was asked for is none.
-    #[error("{engine}: its balance has no optimum: {reason}\nhint: `lanchester balance` tells more")]
+    #[error(
+        "{engine}: its balance has no optimum: {reason}\nhint: balance this engine by itself: the answer says by how much each limit is missed"
+    )]
     NoOptimum {
         /// Name of the engine.
         engine: String,

@@ -186,7 +186,7 @@ impl PublishedMethod {
                         method: "the printed variant of the matrix method",
                         needed: "a V engine",
                         got: "cylinders in line".to_owned(),
-                        hint: "leave out --as-printed: in line the corrected equations give the printed masses",
+                        hint: "take the corrected equations: in line they give the printed masses",
                     });
                 }
                 let printed = method.printed_v(engine, *rule)?;

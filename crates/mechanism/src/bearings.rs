@@ -8,6 +8,7 @@ pub(crate) mod plan;
 pub(crate) mod request;
 pub(crate) mod result;
 pub(crate) mod rod_force;
+pub(crate) mod throw_forces;
 
 pub use beam::{Beam, BeamModel};
 pub use main_forces::MainForces;
@@ -16,3 +17,4 @@ pub use main_orders::{MainOrder, MainOrders, main_orders};
 pub use plan::{BearingPlan, BearingTrace, RodTrace};
 pub use request::{BearingPart, BearingRequest};
 pub use result::*;
+pub use throw_forces::{ThrowForce, throw_forces};

@@ -18,6 +18,7 @@ mod published;
 #[cfg(test)]
 mod sample;
 mod simulated;
+mod stress;
 mod study;
 mod torque;
 pub mod workshop;
@@ -34,5 +35,6 @@ pub use page::{Provenance, ReportHead, figures, report};
 pub use parts::*;
 pub use published::*;
 pub use simulated::*;
+pub use stress::*;
 pub use study::*;
 pub use torque::*;

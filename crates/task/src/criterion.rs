@@ -110,7 +110,7 @@ pub fn cost_has_no_value(name: &str) -> Refusal {
         code: "E0103",
         message: format!("`{name}` has no unit that could stand in a limit or a weighted sum"),
         label: "no quantity".into(),
-        hint: "write budget = 40 in [balance], or --budget 40, for the largest cost; or minimise the cost as a stage of its own".into(),
+        hint: "give the largest cost as the budget, such as budget = 40 in [balance]; or minimise the cost as a stage of its own".into(),
     }
 }
 

@@ -24,6 +24,7 @@ pub mod search;
 pub mod sensitivity;
 pub mod show;
 pub mod simulate;
+pub mod stress;
 pub mod studio;
 pub mod sweep;
 pub mod torque;

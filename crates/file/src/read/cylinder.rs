@@ -326,7 +326,7 @@ impl<'a> Reader<'a> {
                         section,
                         key,
                         "[layout] says where the cylinder stands",
-                        "leave it out, or use the general form: `lanchester show` prints it",
+                        "leave it out, or write the engine in the general form, to which this one expands",
                     );
                 }
             }
@@ -342,7 +342,7 @@ impl<'a> Reader<'a> {
                             rod,
                             key,
                             "[layout] says what the rods sit on",
-                            "leave it out, or use the general form: `lanchester show` prints it",
+                            "leave it out, or write the engine in the general form, to which this one expands",
                         );
                     }
                 }

@@ -199,7 +199,7 @@ fn counterweight(masses: &ThrowMasses, request: &FactorRequest) -> Result<Comple
         angle,
         angle.cos() < -1e-3,
         "on the side away from the throw (more than 90 deg from it)",
-        "a factor is the part of the counterweight opposite the throw: give --angle, for example 180 deg",
+        "a factor is the part of the counterweight opposite the throw: give an angle, for example 180 deg",
     )?;
     let opposite = opposite(masses, request)?;
     check("unbalance [kg m]", opposite, true, "finite", "check the factor")?;

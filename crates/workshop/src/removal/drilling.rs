@@ -67,7 +67,7 @@ pub fn drilling(sheet: &Sheet) -> Result<Drilling, WorkshopError> {
         return Err(WorkshopError::missing(
             "a run with a trial weight",
             "drilling",
-            "`lanchester workshop correct` tells what to do next",
+            "measure a run with a trial weight: the correction of the sheet says where",
         ));
     }
     let mut planes = Vec::new();

@@ -141,7 +141,7 @@ impl<'a> Reader<'a> {
             let message = "[shaft_weight_design] is for the weights of balance shafts, and there is no shaft";
             self.mistakes.push(
                 Mistake::warning("W0204", section.span.clone(), message)
-                    .hint("add a [[shaft]], or let `lanchester balance --shaft` find one"),
+                    .hint("add a [[shaft]], or a free one: [[balance.shaft]]"),
             );
         }
     }
