@@ -7,6 +7,7 @@ pub(crate) mod figure;
 pub(crate) mod flow;
 pub(crate) mod magnitude;
 pub(crate) mod number;
+pub(crate) mod paragraph;
 pub(crate) mod plot;
 pub(crate) mod polar;
 pub(crate) mod section;

@@ -2,9 +2,9 @@
 
 use crate::kit::figure::Figure;
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::polar::polar_panel;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
-use crate::loads::text::push_wrapped;
 use lanchester_mechanism::{BearingLoads, BearingSize, CylinderBearings, MainBearing, PinLoad};
 use num_complex::Complex64;
 

@@ -1,9 +1,9 @@
 //! A section: what one topic has to say, in the order in which it is read, for every front end.
 
 use crate::kit::figure::Figure;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::svg::escape;
 use crate::kit::table::{Table, push_rich};
-use crate::loads::text::push_wrapped;
 
 /// What one topic has to say of an engine: words, figures and tables in the order in which they are read.
 ///

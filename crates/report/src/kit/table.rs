@@ -1,8 +1,8 @@
 //! A small table: columns with units, numbers aligned right, rendered as text, HTML or CSV.
 
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::svg::escape;
-use crate::loads::text::push_wrapped;
 use std::fmt::Write;
 
 /// A table.

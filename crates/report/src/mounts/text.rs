@@ -1,8 +1,8 @@
 //! The block on its mounts as plain text and as CSV.
 
 use crate::kit::number::{self, phase_degrees};
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{csv_number, push_csv_line};
-use crate::loads::text::push_wrapped;
 use crate::mounts::tables::{mount_axes_words, mount_tables, mounted_body_words};
 use lanchester_mechanism::{MountStudy, vector_amplitude};
 use std::f64::consts::TAU;

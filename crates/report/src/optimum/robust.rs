@@ -1,7 +1,7 @@
 //! The answer for a production of engines, as plain text.
 
 use crate::kit::number::short;
-use crate::loads::text::push_wrapped;
+use crate::kit::paragraph::push_wrapped;
 use crate::optimum::tables::{effects_table, found_inertias_table, found_shafts_table, found_weights_table};
 use lanchester_balance::{RobustAnswer, RobustMeasure};
 use lanchester_model::Engine;

@@ -1,7 +1,7 @@
 //! The answer of a balancing question as plain text.
 
 use crate::kit::number;
-use crate::loads::text::push_wrapped;
+use crate::kit::paragraph::push_wrapped;
 use crate::optimum::before_after::before_and_after_table;
 use crate::optimum::cancellation::{cancellation_headline, cancellation_proof_table, cancelled_orders_table};
 use crate::optimum::consequence_text::consequence_words;

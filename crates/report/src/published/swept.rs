@@ -1,8 +1,8 @@
 //! A swept crank beside the true optimum, as plain text and as tables.
 
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table};
-use crate::loads::text::push_wrapped;
 use crate::optimum::consequence_tables::consequences_table;
 use crate::optimum::consequence_text::consequence_words;
 use crate::published::crank_curve::{load_name, load_unit};

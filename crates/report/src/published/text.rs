@@ -1,7 +1,7 @@
 //! A published method and the optimum beside it as plain text.
 
 use crate::kit::number;
-use crate::loads::text::push_wrapped;
+use crate::kit::paragraph::push_wrapped;
 use crate::optimum::consequence_tables::consequences_table;
 use crate::optimum::consequence_text::consequence_words;
 use crate::optimum::tables::stages_table;

@@ -1,8 +1,8 @@
 //! How far closed form, bond graph and multibody simulation agree: the table of `crosscheck`.
 
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
-use crate::loads::text::push_wrapped;
 use serde::Serialize;
 
 /// Version of these structures; raised when a field changes its meaning or goes.

@@ -3,8 +3,8 @@
 use crate::kit::figure::Figure;
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
-use crate::simulated::run::SimulationResult;
-use crate::simulated::section::{curve, figure, panel};
+use crate::simulated::figure::{curve, figure, panel};
+use crate::simulated::result::SimulationResult;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

@@ -3,9 +3,11 @@
 use crate::kit::figure::{Figure, Panel};
 use crate::kit::flow::energy_flow;
 use crate::kit::section::Section;
-use crate::kit::xy_plot::{XyCurve, XyPlot};
+use crate::kit::xy_plot::XyCurve;
+use crate::simulated::figure::{curve, figure, panel};
 use crate::simulated::orders::reaction_figures;
-use crate::simulated::run::{SimulationResult, audit_words, simulation_tables, simulation_words};
+use crate::simulated::result::SimulationResult;
+use crate::simulated::run::{audit_words, simulation_tables, simulation_words};
 use std::f64::consts::{PI, TAU};
 
 /// A simulated run, as a section of a report.
@@ -19,24 +21,6 @@ pub fn simulation_section(result: &SimulationResult) -> Section {
         .rows(beside)
         .rows(broad)
         .tables(simulation_tables(result))
-}
-
-pub(crate) fn figure(id: &str, title: &str, caption: &str, panels: Vec<Panel>) -> Figure {
-    let columns = panels.len().min(2);
-    Figure { id: id.into(), title: title.into(), caption: caption.into(), panels, columns }
-}
-
-pub(crate) fn curve(name: &str, style: usize, points: Vec<(f64, f64)>) -> XyCurve {
-    XyCurve { name: name.into(), style, points, dots: false }
-}
-
-pub(crate) fn panel(
-    [abscissa, ordinate]: [&str; 2],
-    units: [&str; 2],
-    polar: Option<f64>,
-    curves: Vec<XyCurve>,
-) -> Panel {
-    XyPlot { abscissa, ordinate, units, polar, curves }.panel()
 }
 
 /// Every figure of a simulated run.

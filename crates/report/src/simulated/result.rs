@@ -1,0 +1,111 @@
+//! A simulated run with what its reader must know.
+
+use lanchester_multibody::{MainRule, Occasion, PeriodicOutcome, Run};
+use serde::Serialize;
+use std::f64::consts::TAU;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const SIMULATION_VERSION: u32 = 1;
+
+/// A simulated run with what its reader must know.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SimulationResult {
+    /// [`SIMULATION_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// Where the pressures come from, in words; `None`: no gas.
+    pub gas: Option<String>,
+    /// What was chosen where nothing was said, and what the file gives but the run does not use.
+    pub notes: Vec<String>,
+    /// Revolutions after which all shafts and cylinders stand as before.
+    pub revolutions: u32,
+    /// What each event of the run does, in words.
+    pub actions: Vec<String>,
+    /// Names of the mounts.
+    pub mounts: Vec<String>,
+    /// Planes of the main bearings [m], by crankshaft.
+    pub mains: Vec<Vec<f64>>,
+    /// The rule of main bearings that tables of one rule and pictures show.
+    pub main_rule: MainRule,
+    /// How the search for a periodic motion ended, where one was asked for.
+    pub periodic: Option<PeriodicResult>,
+    /// The run.
+    pub run: Run,
+}
+
+/// How the search for a periodic motion ended.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PeriodicResult {
+    /// Outcome.
+    pub outcome: PeriodicOutcome,
+    /// Largest change over one period, over the size of its kind of state.
+    pub residual: f64,
+    /// Newton's iterations.
+    pub iterations: usize,
+    /// Multipliers by falling size: real and imaginary part.
+    pub multipliers: Vec<[f64; 2]>,
+}
+
+impl SimulationResult {
+    /// Samples of the last whole period, or all where there is none.
+    pub fn last_period(&self) -> std::ops::Range<usize> {
+        let theta = &self.run.samples.theta;
+        let Some(end) = theta.last() else { return 0..0 };
+        let from = end - TAU * f64::from(self.revolutions) - 1e-9;
+        let first = theta.iter().position(|at| *at >= from).unwrap_or(0);
+        if theta[0] > from + 2e-9 { 0..theta.len() } else { first..theta.len() }
+    }
+
+    /// Highest, lowest and mean (over time) speed in the last whole period [rad/s].
+    pub fn speeds(&self) -> [f64; 3] {
+        let range = self.last_period();
+        let (speed, time) = (&self.run.samples.speed[range.clone()], &self.run.samples.time[range.clone()]);
+        let theta = &self.run.samples.theta[range];
+        let most = speed.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = speed.iter().copied().fold(f64::INFINITY, f64::min);
+        let mean = match (theta.first(), theta.last(), time.first(), time.last()) {
+            (Some(a), Some(b), Some(from), Some(to)) if to > from => (b - a) / (to - from),
+            _ => speed.first().copied().unwrap_or(0.0),
+        };
+        [most, least, mean]
+    }
+
+    /// Words for something that happened in the run.
+    pub fn happened(&self, what: Occasion) -> String {
+        occasion_words(what, &self.actions)
+    }
+
+    /// Main bearings: number of the crankshaft, of the main, plane, largest load by every rule [N].
+    pub(super) fn mains(&self) -> Vec<(usize, usize, f64, [f64; 3])> {
+        let mut all = Vec::new();
+        for (shaft, planes) in self.mains.iter().enumerate() {
+            for (main, z) in planes.iter().enumerate() {
+                let of = |rule: usize| {
+                    let loads = self
+                        .run
+                        .samples
+                        .reactions
+                        .iter()
+                        .filter_map(|r| r.rotors.get(shaft)?.mains[rule].get(main));
+                    loads.map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
+                };
+                all.push((shaft + 1, main + 1, *z, [of(0), of(1), of(2)]));
+            }
+        }
+        all
+    }
+}
+
+/// What happened, in words.
+pub(super) fn occasion_words(what: Occasion, actions: &[String]) -> String {
+    match what {
+        Occasion::Event { index } => {
+            actions.get(index).cloned().unwrap_or_else(|| format!("event {}", index + 1))
+        }
+        Occasion::StarterOff => "the starter lets go".into(),
+        Occasion::Reversed => "the crank reverses".into(),
+        Occasion::Held => "friction holds the crank".into(),
+        Occasion::Released => "the crank breaks away".into(),
+    }
+}
