@@ -2,13 +2,13 @@
 
 use crate::files::Source;
 use crate::fitting::Fitting;
-use crate::gas::GasRun;
+use crate::gas_run::GasRun;
 use crate::inputs::inputs;
 use crate::shape::ShapeFit;
 use crate::source::{Change, Edit, KinematicsName, NewValue};
 use lanchester::file::read;
 use lanchester::file::workshop::read_sheet;
-use lanchester::mechanism::{Kinematics, LoadRequest, Loads, PeakMode, loads};
+use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, loads};
 use lanchester::model::Engine;
 use lanchester::task::workshop::Sheet;
 use std::cell::OnceCell;
@@ -27,6 +27,21 @@ pub(crate) struct Run {
     pub power_step: Option<f64>,
     /// What the gas does, once it was asked for.
     pub gas: OnceCell<Result<GasRun, String>>,
+}
+
+impl Run {
+    /// The twin thesis's `M_z`: balance shafts and weights, without side thrust and torque reaction.
+    pub fn roll_of_shafts(&self) -> Vec<f64> {
+        let weights = [Part::Counterweights, Part::Shafts];
+        let traces: Vec<_> = self
+            .loads
+            .parts
+            .iter()
+            .filter(|p| weights.contains(&p.part))
+            .map(|p| &p.loads.trace.roll_moment)
+            .collect();
+        (0..self.loads.total.trace.theta.len()).map(|i| traces.iter().map(|t| t[i]).sum()).collect()
+    }
 }
 
 /// Keeps what was computed, for a table asks for the same engine many times.

@@ -1,6 +1,6 @@
 //! The files of `validation/` as the program keeps them, and the sources that they make up.
 
-use crate::Deferred;
+use crate::result::Deferred;
 use crate::source::{Change, KinematicsName, Table};
 use serde::Deserialize;
 use std::collections::BTreeMap;

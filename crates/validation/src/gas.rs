@@ -14,18 +14,9 @@
 //! The pressures are those of the synthetic traces, where the engine names them.
 
 use crate::case::Run;
-use crate::files::TRACES;
-use lanchester::mechanism::{
-    BearingLoads, BearingRequest, Extreme, Lever, Torque, TorqueRequest, bearing_loads, torque,
-};
-use lanchester::{TraceFile, cylinder_gas};
-use std::f64::consts::{PI, TAU};
-
-/// Torque and bearing loads of an engine.
-pub(crate) struct GasRun {
-    torque: Torque,
-    bearings: BearingLoads,
-}
+use crate::gas_run::GasRun;
+use lanchester::mechanism::Extreme;
+use std::f64::consts::PI;
 
 /// A quantity of the gas.
 pub(crate) enum GasKey {
@@ -70,7 +61,8 @@ impl GasKey {
             let (at, power) = largest_power(*torques, run.power_step);
             return Ok(if *speed { at } else { power });
         }
-        let gas = run.gas.get_or_init(|| GasRun::of(run)).as_ref().map_err(Clone::clone)?;
+        let gas =
+            run.gas.get_or_init(|| GasRun::of(&run.engine, run.kinematics)).as_ref().map_err(Clone::clone)?;
         let pin = gas.bearings.cylinders.first().ok_or("the engine has no cylinder")?;
         let cylinder = gas.torque.cylinders.first().ok_or("the engine has no cylinder")?;
         let of =
@@ -92,41 +84,6 @@ impl GasKey {
             }
             GasKey::LargestPower { .. } => return Err("the power needs no gas".to_string()),
         })
-    }
-}
-
-impl GasRun {
-    fn of(run: &Run) -> Result<GasRun, String> {
-        let engine = &run.engine;
-        let traces = TRACES.map(|(name, text)| TraceFile { name: name.into(), text: text.into() });
-        let gas = cylinder_gas(engine, &traces, engine.speed.highest).map_err(|error| error.to_string())?;
-        let request = TorqueRequest {
-            lever: Lever::Sine,
-            kinematics: run.kinematics,
-            max_order: 1,
-            samples: 1,
-            ..TorqueRequest::default()
-        };
-        let found = torque(engine, &gas.cylinders, &request).map_err(|error| error.to_string())?;
-        // Forces are printed to whole degrees.
-        let request = BearingRequest { samples: 3600, ..BearingRequest::default() };
-        let bearings =
-            bearing_loads(engine, Some(&gas.cylinders), &request).map_err(|error| error.to_string())?;
-        Ok(GasRun { torque: found, bearings })
-    }
-
-    /// Largest of some forces within half a turn of firing, and its angle after it [rad].
-    fn largest_while_pushing(&self, forces: &[f64], firing: f64) -> Extreme {
-        let period = self.bearings.period;
-        let after = |theta: f64| (theta - firing + 0.5 * period).rem_euclid(period) - 0.5 * period;
-        let mut largest = Extreme { value: f64::NEG_INFINITY, theta: 0.0 };
-        for (force, theta) in forces.iter().zip(&self.bearings.theta) {
-            let theta = after(*theta);
-            if theta.abs() <= 0.25 * TAU && *force > largest.value {
-                largest = Extreme { value: *force, theta };
-            }
-        }
-        largest
     }
 }
 

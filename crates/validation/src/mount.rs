@@ -6,7 +6,6 @@
 //! | `mount N Fres max` | largest force over the angle, with the twin thesis's own `M_z`: of shafts and weights alone |
 
 use crate::case::Run;
-use crate::quantity::roll_of_shafts;
 use lanchester::mechanism::{Excitation, MountError, MountSystem};
 
 /// A quantity of a mount.
@@ -51,7 +50,7 @@ impl MountKey {
     fn largest(&self, run: &Run, system: &MountSystem, mount: usize) -> f64 {
         let trace = &run.loads.total.trace;
         let [x, y, z] = system.body().centre;
-        let rolls = roll_of_shafts(run);
+        let rolls = run.roll_of_shafts();
         let force = |j: usize| {
             let (fx, fy) = (trace.force_x[j], trace.force_y[j]);
             let couple = [trace.couple_x[j] + z * fy, trace.couple_y[j] - z * fx];

@@ -22,29 +22,11 @@ use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::shape::ShapeKey;
+use crate::value::Value;
 use crate::workshop::WorkshopKey;
 use lanchester::mechanism::{Extremes, LoadSet, Part};
 use lanchester::model::Engine;
 use num_complex::Complex64;
-
-/// What a quantity is: a number in SI units (degrees for angles), or Yes and No.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Value {
-    Number(f64),
-    Word(&'static str),
-}
-
-impl Value {
-    pub fn number(self) -> Option<f64> {
-        match self {
-            Value::Number(number) => Some(number),
-            Value::Word(_) => None,
-        }
-    }
-}
-
-/// A quantity and the run that it is taken from.
-pub(crate) type Comparable<'a> = (&'a Key, &'a Run);
 
 /// A quantity of a run.
 pub(crate) enum Key {
@@ -433,7 +415,7 @@ impl PeakKey {
             PeakKey::ForceRange => range(&peaks.force),
             PeakKey::CoupleX => peaks.couple_x.max_abs(),
             PeakKey::CoupleY => peaks.couple_y.max_abs(),
-            PeakKey::RollOfShafts => largest(roll_of_shafts(run).into_iter().map(f64::abs)),
+            PeakKey::RollOfShafts => largest(run.roll_of_shafts().into_iter().map(f64::abs)),
             PeakKey::Moment => largest(thesis_moment(run)),
             PeakKey::MomentRange => {
                 let smallest = thesis_moment(run).into_iter().fold(f64::INFINITY, f64::min);
@@ -447,23 +429,10 @@ fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, f64::max)
 }
 
-/// The twin thesis's `M_z`: balance shafts and weights, without side thrust and torque reaction.
-pub(crate) fn roll_of_shafts(run: &Run) -> Vec<f64> {
-    let weights = [Part::Counterweights, Part::Shafts];
-    let traces: Vec<_> = run
-        .loads
-        .parts
-        .iter()
-        .filter(|p| weights.contains(&p.part))
-        .map(|p| &p.loads.trace.roll_moment)
-        .collect();
-    (0..run.loads.total.trace.theta.len()).map(|i| traces.iter().map(|t| t[i]).sum()).collect()
-}
-
 /// The twin thesis's `M_res = sqrt(M_x² + M_y² + M_z²)` with its own `M_z`.
 fn thesis_moment(run: &Run) -> Vec<f64> {
     let trace = &run.loads.total.trace;
-    let roll = roll_of_shafts(run);
+    let roll = run.roll_of_shafts();
     trace.couple_x.iter().zip(&trace.couple_y).zip(roll).map(|((x, y), z)| x.hypot(*y).hypot(z)).collect()
 }
 

@@ -1,6 +1,5 @@
 //! What the table files of `validation/` hold.
 
-use crate::quantity::Comparable;
 use crate::verdict::Verdict;
 use lanchester::mechanism::Kinematics;
 use serde::Deserialize;
@@ -121,26 +120,6 @@ impl Comparison {
             Comparison::Ratio => "ratio",
             Comparison::MeanError => "mean error",
         }
-    }
-
-    /// Value against reference [%].
-    pub fn of(self, value: Comparable, reference: Comparable) -> Result<f64, String> {
-        if let Comparison::MeanError = self {
-            let (value, reference) = (value.0.trace_of(value.1)?, reference.0.trace_of(reference.1)?);
-            let errors = value.iter().zip(&reference).map(|(v, r)| ((v - r) / r).abs());
-            return Ok(100.0 * errors.sum::<f64>() / reference.len() as f64);
-        }
-        let (value, reference) = (value.0.number_of(value.1)?, reference.0.number_of(reference.1)?);
-        // Forces and couples that vanish in both stay as they are: 0 %, as tables print it.
-        const VANISHING: f64 = 1e-6;
-        let both_vanish = value.abs() < VANISHING && reference.abs() < VANISHING;
-        let increase = if both_vanish { 0.0 } else { 100.0 * (value / reference - 1.0) };
-        Ok(match self {
-            Comparison::Increase => increase,
-            Comparison::Decrease => -increase,
-            Comparison::Error | Comparison::MeanError => increase.abs(),
-            Comparison::Ratio => increase + 100.0,
-        })
     }
 }
 

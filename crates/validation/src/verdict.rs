@@ -1,6 +1,6 @@
 //! A printed number, and how ours stands to it.
 
-use crate::quantity::Value;
+use crate::value::Value;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
