@@ -1,6 +1,6 @@
 //! Which option or command mends an error: what only the command line can say. The errors themselves name neither.
 
-use lanchester::{CounterweightError, LayoutComparisonError, LayoutSize, LayoutSpaceError};
+use lanchester::{CounterweightError, LayoutSize, LayoutSpaceError};
 use std::any::Any;
 
 /// What to write on the command line so that `error` goes, where an option or a command does it.

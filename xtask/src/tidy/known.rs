@@ -1,8 +1,7 @@
 //! What the rules still forgive. Every number here must shrink; a line that is needed no more is a breach itself.
 
 /// Folders with more source files side by side than fit at one glance, and how many they may hold.
-pub const FOLDERS: [(&str, usize); 6] = [
-    ("crates/cli/src/commands", 30),
+pub const FOLDERS: [(&str, usize); 5] = [
     ("crates/multibody/src", 28),
     ("crates/studio/page/src/parts/balance", 35),
     ("crates/studio/page/src/parts/counterweight", 27),

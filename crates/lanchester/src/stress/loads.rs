@@ -50,7 +50,14 @@ pub(crate) fn named_loads(
     Ok((loads, source))
 }
 
-fn named(engine: &Engine, crankshaft: usize, name: String, theta: f64, speed: f64, forces: &[ThrowForce]) -> NamedLoad {
+fn named(
+    engine: &Engine,
+    crankshaft: usize,
+    name: String,
+    theta: f64,
+    speed: f64,
+    forces: &[ThrowForce],
+) -> NamedLoad {
     let ratio = engine.crankshafts[crankshaft].ratio.value();
     NamedLoad {
         name,
@@ -93,12 +100,11 @@ fn of_closed_form(
     let grid: Vec<f64> = (0..count).map(|k| period * k as f64 / count as f64).collect();
     let over = at(&grid)?;
     let mut wanted: Vec<(f64, Vec<String>)> = Vec::new();
-    let mut add = |theta: f64, name: String| {
-        match wanted.iter_mut().find(|(own, _)| (own - theta).abs() < 1e-9) {
+    let mut add =
+        |theta: f64, name: String| match wanted.iter_mut().find(|(own, _)| (own - theta).abs() < 1e-9) {
             Some((_, names)) => names.push(name),
             None => wanted.push((theta, vec![name])),
-        }
-    };
+        };
     let throws = over.first().map_or(0, Vec::len);
     for k in 0..throws {
         let pin = over[0][k].throw + 1;

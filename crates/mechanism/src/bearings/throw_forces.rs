@@ -46,7 +46,8 @@ pub fn throw_forces(
     };
     let throws: Vec<usize> =
         (0..engine.throws.len()).filter(|throw| engine.throws[*throw].crankshaft == crankshaft).collect();
-    let sense = engine.crankshafts.get(crankshaft).map_or(1.0, |own| f64::from(own.ratio.numerator().signum()));
+    let sense =
+        engine.crankshafts.get(crankshaft).map_or(1.0, |own| f64::from(own.ratio.numerator().signum()));
     let at = |theta: &f64| {
         let of = |throw: &usize| {
             let on_pin = |(index, cylinder): (usize, &lanchester_model::Cylinder)| {
@@ -62,4 +63,3 @@ pub fn throw_forces(
     };
     Ok(theta.iter().map(at).collect())
 }
-

@@ -78,8 +78,9 @@ impl StressCase {
 impl StaticStress {
     /// The case with the largest stress in a fillet.
     pub fn worst(&self) -> Option<&StressCase> {
-        let value =
-            |case: &StressCase| case.worst().and_then(|peak| peak.stress).map_or(0.0, |stress| stress.von_mises);
+        let value = |case: &StressCase| {
+            case.worst().and_then(|peak| peak.stress).map_or(0.0, |stress| stress.von_mises)
+        };
         self.cases.iter().max_by(|a, b| value(a).total_cmp(&value(b)))
     }
 
@@ -95,9 +96,9 @@ impl StaticStress {
         else {
             return "No fillet has a stress.".to_owned();
         };
-        let safety = self.safety(stress.von_mises).map_or(String::new(), |safety| {
-            format!(", {} times below yield", number::short(safety, 3))
-        });
+        let safety = self
+            .safety(stress.von_mises)
+            .map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)));
         format!(
             "Largest fillet stress {} MPa (von Mises) at {}, under {}{safety}.",
             number::short(1e-6 * stress.von_mises, 4),
@@ -208,7 +209,8 @@ impl StaticStress {
     pub(crate) fn surfaces_table(&self) -> Table {
         let count = self.cases.first().map_or(0, |case| case.result.surfaces.len());
         let most = |k: usize| {
-            let of = |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
+            let of =
+                |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
             self.cases.iter().max_by(|a, b| of(a).total_cmp(&of(b)))
         };
         let found: Vec<(String, f64, String)> = (0..count)
@@ -235,8 +237,7 @@ impl StaticStress {
         let solve = &self.solve;
         let imbalance = self.cases.iter().map(|case| {
             let size = case.load.iter().chain(&case.reaction).fold(0.0f64, |most, f| most.max(f.abs()));
-            let rest =
-                (0..3).map(|k| (case.load[k] + case.reaction[k]).abs()).fold(0.0f64, f64::max);
+            let rest = (0..3).map(|k| (case.load[k] + case.reaction[k]).abs()).fold(0.0f64, f64::max);
             if size > 0.0 && case.reaction.iter().any(|f| *f != 0.0) { rest / size } else { 0.0 }
         });
         format!(
@@ -284,8 +285,19 @@ pub fn static_stress_text(stress: &StaticStress) -> String {
 pub fn static_stress_csv(stress: &StaticStress) -> String {
     let mut out = String::new();
     let head = [
-        "case", "angle [deg]", "speed [rpm]", "place", "radius [mm]", "von Mises [MPa]", "principal [MPa]", "jump",
-        "x [mm]", "y [mm]", "z [mm]", "displacement [mm]", "energy [J]",
+        "case",
+        "angle [deg]",
+        "speed [rpm]",
+        "place",
+        "radius [mm]",
+        "von Mises [MPa]",
+        "principal [MPa]",
+        "jump",
+        "x [mm]",
+        "y [mm]",
+        "z [mm]",
+        "displacement [mm]",
+        "energy [J]",
     ];
     push_csv_line(&mut out, head.map(str::to_owned));
     for case in &stress.cases {

@@ -1,7 +1,9 @@
 //! `lanchester balance --method sweep`: the crank by the sweep of the twin-cylinder thesis, the true optimum beside it.
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
-use crate::commands::found::{WithConsequences, consequences, put_into_file, tell_what_does_not_fit};
+use crate::commands::balance::found::{
+    WithConsequences, consequences, put_into_file, tell_what_does_not_fit,
+};
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};

@@ -1,7 +1,7 @@
 //! `lanchester balance --search`: which arrangement of crank weights and balance shafts, and one of them in full.
 
 use crate::arguments::{BalanceArguments, BalanceTable};
-use crate::commands::found::{
+use crate::commands::balance::found::{
     WithConsequences, consequences, csv, loads_of, put_into_file, tell_what_does_not_fit,
 };
 use crate::commands::{Opened, json, open};

@@ -1,7 +1,7 @@
 //! `lanchester balance --robust`: the best weights for engines within their tolerances.
 
 use crate::arguments::BalanceArguments;
-use crate::commands::found::{consequences, put_into_file};
+use crate::commands::balance::found::{consequences, put_into_file};
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::print;

@@ -1,7 +1,7 @@
 //! `lanchester balance --method`: a published method, what it leaves, and the true optimum beside it.
 
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
-use crate::commands::found::WithConsequences;
+use crate::commands::balance::found::WithConsequences;
 use crate::commands::{Opened, json};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, write_result};
@@ -91,7 +91,7 @@ pub fn tell(
 ) -> Result<u8, Failure> {
     let engine = &opened.file.engine;
     if let Some(folder) = &arguments.figures {
-        let of_method = loads(&answer.fitted, &LoadRequest::default()).map_err(super::refused)?;
+        let of_method = loads(&answer.fitted, &LoadRequest::default()).map_err(crate::commands::refused)?;
         let figures = crank_view(&answer.fitted).into_iter().chain(share_plots(&answer.fitted, &of_method));
         let figures = figures.chain(consequence_figures(&answer.fitted, effect));
         for figure in figures {

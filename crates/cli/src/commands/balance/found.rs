@@ -2,8 +2,8 @@
 
 use crate::arguments::{BalanceArguments, BalanceTable};
 use crate::commands::Opened;
-use crate::commands::put_back::PutBack;
 use crate::failure::Failure;
+use crate::put_back::PutBack;
 use lanchester::WebExcess;
 use lanchester::balance::{Answer, Consequences};
 use lanchester::mechanism::{LoadRequest, Loads, loads};
@@ -16,7 +16,7 @@ use lanchester::task::BalanceTask;
 use serde::Serialize;
 
 pub fn loads_of(engine: &Engine) -> Result<Loads, Failure> {
-    loads(engine, &LoadRequest::default()).map_err(super::refused)
+    loads(engine, &LoadRequest::default()).map_err(crate::commands::refused)
 }
 
 /// Does what `--write` and `--dry-run` of `balance` ask ([`PutBack`]). Where only the difference is shown, what gets worse and
