@@ -2,8 +2,8 @@
 
 use super::body::CrankSheet;
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
-use crate::loads::text::push_wrapped;
 use lanchester_flex::modes::{ModeKind, ModeSolution};
 use serde::Serialize;
 

@@ -2,8 +2,8 @@
 
 use super::body::CrankSheet;
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
-use crate::loads::text::push_wrapped;
 use lanchester_flex::crank_case::{CrankCase, CrankLoad, SurfacePeak};
 use lanchester_flex::sparse::SolveReport;
 use serde::Serialize;
