@@ -1,10 +1,9 @@
 //! Exact derivatives of outputs.
 
-use super::amount::Amount;
 use super::bending::{BendingSpot, bending_slope, bending_spots};
 use super::energy::{Energy, EnergySpots};
 use super::error::SensitivityError;
-use super::input::Input;
+use super::input::{Amount, Input};
 use super::jet::known;
 use super::mains::Mains;
 use super::mount_force::{MountForces, mount_orders};

@@ -3,7 +3,6 @@
 //! [`sensitivity`] gives the exact derivatives of peaks, means and orders by every number of the engine, the outputs at both ends of the
 //! range of each, and which part of the variance over all ranges comes from which.
 
-mod amount;
 mod bending;
 mod derivative;
 mod energy;
@@ -29,11 +28,10 @@ mod train;
 mod value;
 mod wave;
 
-pub use amount::Amount;
 pub use derivative::derivatives;
 pub use error::SensitivityError;
 pub use follow::Weights;
-pub use input::Input;
+pub use input::{Amount, Input};
 pub use operating_point::OperatingPoint;
 pub use output::{Needs, Output, Size, Target};
 pub use quantity::{Axis, Direction, Measure, Quantity};

@@ -1,10 +1,9 @@
 //! Sensitivities of an engine: exact derivatives, one input at a time over ranges, and shares of the variance over all ranges.
 
-use super::amount::Amount;
 use super::derivative::derivatives;
 use super::error::SensitivityError;
 use super::follow::Weights;
-use super::input::Input;
+use super::input::{Amount, Input};
 use super::operating_point::OperatingPoint;
 use super::output::Output;
 use super::quantity::{Measure, Quantity};
