@@ -4,7 +4,7 @@ use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use crate::loads::text::push_wrapped;
 use crate::simulated::orders::{joints_table, orders_table};
-use lanchester_multibody::{MainRule, Occasion, PeriodicOutcome, Run, RunOutcome};
+use lanchester_multibody::{MainRule, Occasion, Outcome, PeriodicOutcome, Run, RunOutcome};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -114,7 +114,14 @@ fn outcome_words(outcome: &RunOutcome) -> String {
         ),
         RunOutcome::Cancelled => "incomplete: cancelled, the samples so far are shown".into(),
         RunOutcome::TooManyEvaluations => "incomplete: as many evaluations as are allowed were used".into(),
-        RunOutcome::Failed { reason } => format!("incomplete: {reason:?}; the samples before it are good"),
+        RunOutcome::Failed { reason, theta, quantity } => {
+            let what = match (quantity, reason) {
+                (Some(quantity), _) => format!("the {quantity} becomes no finite number"),
+                (None, Outcome::StepTooSmall { .. }) => "no step is short enough for the tolerance".into(),
+                (None, _) => "the equations of motion have no solution".into(),
+            };
+            format!("incomplete: {what} behind {} deg; the samples up to there are good", degrees(*theta))
+        }
     }
 }
 
