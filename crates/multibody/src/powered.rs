@@ -148,6 +148,10 @@ pub(crate) struct Powered<'a> {
 }
 
 /// What block and crank have without a driveline.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one of them is on the stack during an evaluation: a box would cost more"
+)]
 enum Own {
     /// Their equations, and the forces on the seven speeds.
     Block(Equations, [f64; 7]),
