@@ -17,8 +17,8 @@ pub use error::CycleError;
 pub use ideal::{GasState, IdealCycle, ideal_cycle};
 pub use indicated::{Indicated, PvPoint, indicated, pressure_volume, work_between};
 pub use trace::{
-    MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing, read_trace,
-    trace_codes,
+    MOST_HARMONICS, MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing,
+    read_torque, read_trace, trace_codes,
 };
 pub use volume::CylinderVolume;
 pub use zone::{

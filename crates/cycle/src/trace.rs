@@ -6,10 +6,12 @@ mod fault;
 mod firing;
 mod options;
 mod table;
+mod torque;
 
 pub use fault::{TraceError, TraceFault, trace_codes};
 pub use firing::check_firing;
 pub use options::{TraceOptions, TracePlace};
+pub use torque::{MOST_HARMONICS, read_torque};
 
 use closing::{Closed, closed};
 use column::check_pressures;
@@ -35,10 +37,10 @@ pub struct MeasuredTrace {
 pub fn read_trace(text: &str, options: &TraceOptions) -> Result<MeasuredTrace, TraceError> {
     let fault =
         |(line, fault): (Option<u64>, TraceFault)| TraceError { file: options.name.to_string(), line, fault };
-    let table = table::read(text).map_err(fault)?;
+    let table = table::read(text, table::Holds::Pressure).map_err(fault)?;
     column::check_angles(&table, options.cycle).map_err(fault)?;
     let mut trace = MeasuredTrace { columns: Vec::new(), warnings: Vec::new() };
-    for (heading, values) in table.pressures {
+    for (heading, values) in table.columns {
         let mut pressures: Vec<f64> = values;
         if options.gauge {
             for pressure in &mut pressures {

@@ -7,7 +7,9 @@ use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
 };
-use lanchester_mechanism::{CylinderGas, GasTrain, Lever, PeriodicCurve, TorqueError, TorqueRequest, torque};
+use lanchester_mechanism::{
+    CylinderGas, GasTrain, Lever, LoadError, PeriodicCurve, TorqueError, TorqueRequest, torque,
+};
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, LoadLaw, ReactsOn, RunLength, SimulationInput, SpeedKind,
     StartOfBlock,
@@ -218,7 +220,8 @@ pub fn engine_bond_graph(
         until: starter.until,
         reacts_on_block: starter.reacts_on == ReactsOn::Block,
     });
-    found.torque = input.torque.iter().map(|order| [order.order, order.sin, order.cos]).collect();
+    let orders = input.torque_orders().map_err(|error| TorqueError::from(LoadError::Unread(error)))?;
+    found.torque = orders.iter().map(|order| [order.order, order.sin, order.cos]).collect();
     found.joints = joints(engine, &request.joints, &mut notes);
     let unused = left_out(engine, input, &found, request);
     if !unused.is_empty() {

@@ -36,6 +36,7 @@ mod sample_study;
 mod scene;
 mod simulation;
 mod stress;
+mod torque_files;
 mod torque_report;
 
 pub use arrangements::arrangements;
@@ -73,6 +74,7 @@ pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
 pub use stress::*;
+pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,

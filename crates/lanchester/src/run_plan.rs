@@ -91,7 +91,16 @@ pub(crate) fn plan(
         }
         simulation.main_stiffness = vec![input.main_stiffness.clone()];
     }
-    simulation.torque.clone_from(&input.torque);
+    for named in &input.torque_files {
+        if let Some(curve) = &named.curve {
+            notes.push(format!(
+                "Torque of {}: {} orders, which depart from its samples by at most {:.2} % of their range.",
+                named.file,
+                curve.orders.len(),
+                100.0 * curve.departure
+            ));
+        }
+    }
     simulation.starter = input.starter;
     simulation.driveline.clone_from(&input.driveline);
     simulation.piston_damping = input.piston_damping.unwrap_or(0.0);

@@ -5,7 +5,7 @@ use crate::pressure::cylinders::TraceFile;
 use crate::pressure::simulated::{GivenGas, gas_over_speed};
 use crate::run_plan::{RunPlan, action_words, plan};
 use lanchester_file::EngineFile;
-use lanchester_mechanism::{GasTrain, Lever, TorqueRequest, torque};
+use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
 use lanchester_model::MainSharing;
 pub use lanchester_model::RunLength;
 use lanchester_multibody::{
@@ -82,6 +82,10 @@ pub fn simulate_watched(
     let mut train = Train::new(engine, &rotor_inertia(engine))?;
     let RunPlan { mut simulation, length, reference_speed: speed, mut notes } =
         plan(engine, input, &mut train, request)?;
+    simulation.torque = match input {
+        Some(input) => input.torque_orders().map_err(LoadError::Unread)?,
+        None => Vec::new(),
+    };
     let is_imposed = matches!(simulation.drive, Drive::Imposed { .. });
     let is_constant = matches!(&simulation.drive, Drive::Imposed { profile, .. } if profile.len() == 1);
     let with_gas = request.gas.or(input.and_then(|input| input.gas)).unwrap_or(true);

@@ -33,6 +33,7 @@ pub use block_body::BlockBody;
 pub use dynamics::{CrankInertia, Equations};
 pub use error::MultibodyError;
 pub use gas_pressure::GasPressure;
+pub use lanchester_numerics::Outcome;
 pub use loads::Loads;
 pub use main_rules::{MainRule, MainShares};
 pub use maxwell::{MOST_BRANCHES, MaxwellChain};

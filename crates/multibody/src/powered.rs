@@ -55,6 +55,19 @@ impl Layout {
         self.works() + self.counted.iter().filter(|counted| **counted).count()
     }
 
+    /// What a component of a state is, in words.
+    pub fn name(self, component: usize) -> &'static str {
+        match component {
+            0 => "crank angle",
+            1 => "speed of the crank",
+            _ if component < self.pose() => "motion of the driveline",
+            _ if component < self.governor() => "motion of the block",
+            _ if component < self.relaxing() => "governor",
+            _ if component < self.works() => "force of a mount",
+            _ => "energy of gas, load, friction or dampers",
+        }
+    }
+
     /// The works of a state, by their names.
     pub fn all_works(self, state: &[f64]) -> [f64; WORKS] {
         let mut own = state[self.works()..].iter();
@@ -135,6 +148,10 @@ pub(crate) struct Powered<'a> {
 }
 
 /// What block and crank have without a driveline.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "one of them is on the stack during an evaluation: a box would cost more"
+)]
 enum Own {
     /// Their equations, and the forces on the seven speeds.
     Block(Equations, [f64; 7]),

@@ -116,12 +116,16 @@ struct Carrier {
     spin: Vector3<f64>,
     speed: f64,
     rate: f64,
+    /// Whether the block moves.
+    moves: bool,
 }
 
 impl Carrier {
     fn new(motion: &Motion, rates: &[f64; 7]) -> Carrier {
         let [x, y, z, about_x, about_y, about_z, rate] = *rates;
+        let at_rest = rates[..6] == [0.0; 6];
         Carrier {
+            moves: !at_rest || motion.spin != Vector3::zeros() || motion.velocity != Vector3::zeros(),
             linear: Vector3::new(x, y, z) + motion.spin.cross(&motion.velocity),
             angular: Vector3::new(about_x, about_y, about_z),
             spin: motion.spin,
@@ -134,6 +138,9 @@ impl Carrier {
     #[inline]
     fn turned(&self, [at, rate, bend]: [Vector3<f64>; 3]) -> Vector3<f64> {
         let w = self.speed;
+        if !self.moves {
+            return w * w * bend + self.rate * rate;
+        }
         self.angular.cross(&at)
             + self.spin.cross(&(self.spin.cross(&at) + 2.0 * w * rate))
             + w * w * bend
@@ -143,6 +150,12 @@ impl Carrier {
     #[inline]
     fn point(&self, c: [Vector3<f64>; 3]) -> Vector3<f64> {
         self.linear + self.turned(c)
+    }
+
+    /// What the acceleration of a point that stands still in the block gains for each metre along the crank axis.
+    fn along_axis(&self) -> Vector3<f64> {
+        let z = Vector3::z();
+        self.angular.cross(&z) + self.spin.cross(&self.spin.cross(&z))
     }
 
     /// Acceleration of a point that stands still in the block.
@@ -186,8 +199,11 @@ impl Train {
         scratch.handed.clear();
         scratch.handed.resize(self.cylinders.len(), None);
         // Articulated rods first: their masters carry them.
+        let is_slave = |index: &usize| self.cylinders[*index].lower_pin != LowerPin::Crankpin;
+        let articulated = self.order.last().is_some_and(is_slave);
         for &index in self.order.iter().rev() {
-            let (own, on_pin) = self.rod(instant, &carrier, index, &scratch.handed);
+            let carried = if articulated { &scratch.handed[..] } else { &[] };
+            let (own, on_pin) = self.rod(instant, &carrier, index, carried);
             cylinders[index] = own;
             scratch.handed[index] = Some(on_pin);
         }
@@ -337,35 +353,42 @@ impl Train {
         let turn = Complex64::cis(rotor.ratio * instant.motion.theta);
         let Scratch { handed, loads, sums } = scratch;
         loads.clear();
-        for unbalance in &rotor.unbalances {
-            let moment = unbalance.moment * turn;
-            let c = [moment, moment * Complex64::new(0.0, rotor.ratio), -rotor.ratio * rotor.ratio * moment];
-            let c = c.map(|across| in_plane(across, 0.0));
-            let at_axis = carrier.still(in_plane(rotor.axis, unbalance.z));
-            let couple = c[0].cross(&(instant.gravity - at_axis));
-            loads.push(ShaftLoad { z: unbalance.z, force: -carrier.turned(c), couple });
-        }
+        // Unbalances a + i b turn together: what they exert is linear in a and b, and in the planes that they are in.
+        let directions = [turn, turn * Complex64::I].map(|unit| in_plane(unit, 0.0));
+        let [force_a, force_b] = [turn, turn * Complex64::I].map(|unit| {
+            let rates = [unit, unit * Complex64::new(0.0, rotor.ratio), -rotor.ratio * rotor.ratio * unit];
+            -carrier.turned(rates.map(|across| in_plane(across, 0.0)))
+        });
+        let at_axis = instant.gravity - carrier.still(in_plane(rotor.axis, 0.0));
+        let [couple_a, couple_b] = directions.map(|unit| unit.cross(&at_axis));
+        let along = carrier.along_axis();
+        let [by_plane_a, by_plane_b] = directions.map(|unit| -unit.cross(&along));
+        let spin = carrier.spin.z + rotor.ratio * w;
+        let gyroscopic = -spin * Vector3::new(carrier.spin.y, -carrier.spin.x, 0.0);
+        let zero = Vector3::zeros();
+        loads.push(ShaftLoad { force: force_a, couple: couple_a });
+        loads.push(ShaftLoad { force: force_b, couple: couple_b });
+        loads.push(ShaftLoad { force: zero, couple: by_plane_a });
+        loads.push(ShaftLoad { force: zero, couple: by_plane_b });
+        loads.push(ShaftLoad { force: zero, couple: gyroscopic });
+        let (first, product) = (rotor.first_moment, rotor.product);
+        let mut force = first.re * force_a + first.im * force_b;
+        let mut moment = first.re * couple_a
+            + first.im * couple_b
+            + product.re * (by_plane_a + z.cross(&force_a))
+            + product.im * (by_plane_b + z.cross(&force_b))
+            + rotor.inertia * gyroscopic;
         for (cylinder, on_pin) in self.cylinders.iter().zip(handed.iter()) {
             let on_crankpin = cylinder.rotor == index && cylinder.lower_pin == LowerPin::Crankpin;
             if let Some(on_pin) = on_pin.filter(|_| on_crankpin) {
                 let pin = in_plane(cylinder.crankpin * turn, 0.0);
                 let couple = on_pin.couple + pin.cross(&on_pin.force);
-                loads.push(ShaftLoad { z: cylinder.z, force: on_pin.force, couple });
+                force += on_pin.force;
+                moment += couple + cylinder.z * z.cross(&on_pin.force);
+                loads.push(ShaftLoad { force: on_pin.force, couple });
             }
         }
-        let spin = carrier.spin.z + rotor.ratio * w;
-        let gyroscopic = -spin * Vector3::new(carrier.spin.y, -carrier.spin.x, 0.0);
-        let end = rotor.mains.last().copied().unwrap_or(0.0);
-        let zero = Vector3::zeros();
-        loads.push(ShaftLoad { z: end, force: zero, couple: rotor.flywheel * gyroscopic });
-        let each = (rotor.inertia - rotor.flywheel) / rotor.bays().count() as f64;
-        loads.extend(rotor.bays().map(|z| ShaftLoad { z, force: zero, couple: each * gyroscopic }));
         let needs = rotor.inertia * (carrier.angular.z + rotor.ratio * carrier.rate);
-        let (mut force, mut moment) = (zero, zero);
-        for load in loads.iter() {
-            force += load.force;
-            moment += load.couple + load.z * z.cross(&load.force);
-        }
         let torque = needs - moment.z;
         moment.z = 0.0;
         let mains = shares.map_or_else(Default::default, |shares| shares.carried(loads, sums));

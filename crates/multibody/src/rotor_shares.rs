@@ -1,26 +1,24 @@
 //! Shares of the main bearings of one rotor, tabulated: every load of a rotor acts in a plane that never changes.
 
 use crate::main_rules::{MainRule, MainShares};
-use crate::train::{LowerPin, Train};
+use crate::train::{LowerPin, Train, Unbalance};
 use nalgebra::Vector3;
 
-/// A load on a shaft: force and couple at a plane.
+/// A load on a shaft: force and couple of one row of [`RotorShares`].
 pub(crate) struct ShaftLoad {
-    /// Plane [m].
-    pub z: f64,
-    /// Force [N].
+    /// Force [N]; of the unbalances along a or b by unit.
     pub force: Vector3<f64>,
-    /// Couple about the axis in that plane [N m].
+    /// Couple about the axis [N m]; the same.
     pub couple: Vector3<f64>,
 }
 
 /// What every main bearing of a rotor carries of every load on it, by rule.
+///
+/// Rows: all unbalances `a + i b` along a, along b, the couples of each by its plane along a, along b, the polar inertia, every rod on a crankpin.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RotorShares {
     mains: usize,
-    /// Planes of the loads in the order of [`Train::load_planes`].
-    planes: usize,
-    /// By plane, rule and main: share of a force, and its slope [1/m].
+    /// By row, rule and main: share of a force, and of a couple [1/m].
     table: Vec<[f64; 2]>,
 }
 
@@ -30,7 +28,7 @@ impl RotorShares {
         if self.mains == 0 {
             return Default::default();
         }
-        debug_assert!(loads.len() == self.planes, "a load in every plane");
+        debug_assert!(loads.len() * 3 * self.mains == self.table.len(), "a load for every row");
         sums.clear();
         sums.resize(3 * self.mains, [0.0; 2]);
         for (load, row) in loads.iter().zip(self.table.chunks_exact(3 * self.mains)) {
@@ -46,38 +44,52 @@ impl RotorShares {
 }
 
 impl Train {
-    /// Planes in which loads act on a rotor [m]: its unbalances, its rods, what sits behind the last main, the middles of its bays.
-    pub(crate) fn load_planes(&self, index: usize) -> Vec<f64> {
-        let rotor = &self.rotors[index];
-        let mut planes: Vec<f64> = rotor.unbalances.iter().map(|unbalance| unbalance.z).collect();
-        let rods = self.cylinders.iter().filter(|c| c.rotor == index && c.lower_pin == LowerPin::Crankpin);
-        planes.extend(rods.map(|cylinder| cylinder.z));
-        planes.push(rotor.mains.last().copied().unwrap_or(0.0));
-        planes.extend(rotor.bays());
-        planes
-    }
-
     /// Shares of the mains of every rotor; `stiffness` by crankshaft and main, empty: all alike.
     pub fn main_shares(&self, stiffness: &[Vec<f64>]) -> Vec<RotorShares> {
-        let of = |index: usize| {
-            let mains = &self.rotors[index].mains;
-            let planes = self.load_planes(index);
-            let stiffness = stiffness.get(index).map_or(&[][..], Vec::as_slice);
-            let rules: Vec<MainShares> = MainRule::ALL
-                .into_iter()
-                .filter_map(|rule| MainShares::new(mains, rule, stiffness))
-                .collect();
-            if rules.len() < MainRule::ALL.len() {
-                return RotorShares::default();
-            }
-            let mut table = Vec::with_capacity(planes.len() * rules.len() * mains.len());
-            for z in &planes {
-                for shares in &rules {
-                    table.extend((0..mains.len()).map(|main| shares.share(main, *z)));
+        (0..self.rotors.len())
+            .map(|index| self.rotor_shares(index, stiffness.get(index).map_or(&[][..], Vec::as_slice)))
+            .collect()
+    }
+
+    fn rotor_shares(&self, index: usize, stiffness: &[f64]) -> RotorShares {
+        let rotor = &self.rotors[index];
+        let rules: Vec<MainShares> = MainRule::ALL
+            .into_iter()
+            .filter_map(|rule| MainShares::new(&rotor.mains, rule, stiffness))
+            .collect();
+        if rules.len() < MainRule::ALL.len() {
+            return RotorShares::default();
+        }
+        let mut table = Vec::new();
+        // A row as the sum of loads at planes, with the weights of their forces and of their couples.
+        let mut row = |parts: &[(f64, [f64; 2])]| {
+            for shares in &rules {
+                for main in 0..rotor.mains.len() {
+                    let mut sum = [0.0; 2];
+                    for (z, weights) in parts {
+                        let own = shares.share(main, *z);
+                        (0..2).for_each(|k| sum[k] += weights[k] * own[k]);
+                    }
+                    table.push(sum);
                 }
             }
-            RotorShares { mains: mains.len(), planes: planes.len(), table }
         };
-        (0..self.rotors.len()).map(of).collect()
+        let unbalances = |weights: &dyn Fn(&Unbalance) -> [f64; 2]| -> Vec<(f64, [f64; 2])> {
+            rotor.unbalances.iter().map(|unbalance| (unbalance.z, weights(unbalance))).collect()
+        };
+        row(&unbalances(&|one| [one.moment.re; 2]));
+        row(&unbalances(&|one| [one.moment.im; 2]));
+        row(&unbalances(&|one| [0.0, one.z * one.moment.re]));
+        row(&unbalances(&|one| [0.0, one.z * one.moment.im]));
+        let each = (rotor.inertia - rotor.flywheel) / rotor.bays().count() as f64;
+        let mut inertia: Vec<(f64, [f64; 2])> = rotor.bays().map(|z| (z, [0.0, each])).collect();
+        inertia.push((rotor.mains.last().copied().unwrap_or(0.0), [0.0, rotor.flywheel]));
+        row(&inertia);
+        for cylinder in &self.cylinders {
+            if cylinder.rotor == index && cylinder.lower_pin == LowerPin::Crankpin {
+                row(&[(cylinder.z, [1.0; 2])]);
+            }
+        }
+        RotorShares { mains: rotor.mains.len(), table }
     }
 }

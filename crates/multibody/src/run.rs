@@ -334,7 +334,13 @@ impl<'a> Runner<'a> {
                 }
                 Outcome::TooManyEvaluations { .. } => return RunOutcome::TooManyEvaluations,
                 Outcome::Stopped => return RunOutcome::Cancelled,
-                reason => return RunOutcome::Failed { reason },
+                reason => {
+                    let quantity = match reason {
+                        Outcome::NotFinite { component } => Some(self.powered.layout.name(component)),
+                        _ => None,
+                    };
+                    return RunOutcome::Failed { reason, theta: self.state[0], quantity };
+                }
             }
         }
         RunOutcome::TooManyEvaluations

@@ -55,6 +55,10 @@ pub enum RunOutcome {
     Failed {
         /// What the integrator says.
         reason: Outcome,
+        /// Crank angle [rad] of the last good state.
+        theta: f64,
+        /// Which quantity of the state became no number, where one did.
+        quantity: Option<&'static str>,
     },
 }
 

@@ -2,8 +2,9 @@
 
 use crate::problem::{Found, Problem};
 use axum::http::StatusCode;
+use lanchester::file::EngineFile;
 use lanchester::model::Engine;
-use lanchester::{TraceFile, fnv1a, trace_names};
+use lanchester::{TraceFile, fnv1a, give_torques, torque_file_names, trace_names};
 use lanchester_files::{NewFile, Over, PutError, open_regular};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -111,16 +112,27 @@ impl Folder {
 
     /// The files of pressure that an engine names; they stand in this folder.
     pub(crate) fn traces(&self, engine: &Engine) -> Result<Vec<TraceFile>, Problem> {
+        self.named(trace_names(engine), "[gas]")
+    }
+
+    /// Gives an engine file the torques of the files in this folder that it names.
+    pub(crate) fn with_torques(&self, mut file: EngineFile) -> Result<EngineFile, Problem> {
+        let files = self.named(torque_file_names(&file), "[simulation]")?;
+        give_torques(&mut file, &files).map_err(Problem::refused)?;
+        Ok(file)
+    }
+
+    fn named(&self, names: Vec<&str>, by: &str) -> Result<Vec<TraceFile>, Problem> {
         let read = |name: &str| {
             let path = self.root.join(name);
             let there = path.canonicalize().map_err(|error| {
-                let hint = format!("[gas] names it: put it into the folder {}", self.name());
+                let hint = format!("{by} names it: put it into the folder {}", self.name());
                 Problem::new(StatusCode::UNPROCESSABLE_ENTITY, format!("cannot read {name}: {error}"), hint)
             })?;
             let text = self.read(&self.within(&there, name)?, name, LONGEST_TRACE)?;
             Ok(TraceFile { name: name.to_string(), text })
         };
-        trace_names(engine).into_iter().map(read).collect()
+        names.into_iter().map(read).collect()
     }
 
     /// The path of a file that may be opened and saved: a plain name in this folder.

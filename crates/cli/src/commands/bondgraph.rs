@@ -8,7 +8,7 @@ use crate::options::bondgraph::{
     BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, JointsOption, MethodOption,
     NotationOption, PreferOption,
 };
-use crate::trace_files::trace_files;
+use crate::trace_files::{read_torques, trace_files};
 use lanchester::bondgraph::{
     CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadTorque, Method, Notation,
     Preference, SimulationRequest, audit_text, causality, causality_text, drawing, equations,
@@ -114,7 +114,9 @@ fn of_engine(
     if !reading.diagnostics.is_empty() {
         eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
     }
-    let engine = reading.engine().ok_or_else(Failure::diagnosed)?;
+    let mut engine_file = reading.file.ok_or_else(Failure::diagnosed)?;
+    read_torques(&mut engine_file, file)?;
+    let engine = &engine_file.engine;
     let options = &arguments.engine;
     let load = match options.load.as_deref().map(str::trim) {
         None => None,
@@ -135,15 +137,11 @@ fn of_engine(
         gas_as_states: options.gas_states,
         load,
         load_on_block: options.load_on_block,
-        simulation: reading
-            .file
-            .as_ref()
-            .and_then(|file| file.tasks.simulation.as_deref().cloned())
-            .unwrap_or_default(),
+        simulation: engine_file.tasks.simulation.as_deref().cloned().unwrap_or_default(),
         ..BondGraphRequest::default()
     };
-    let traces = if request.gas { trace_files(&engine, file)? } else { Vec::new() };
-    let found = engine_bond_graph(&engine, &traces, &request).map_err(Failure::refused)?;
+    let traces = if request.gas { trace_files(engine, file)? } else { Vec::new() };
+    let found = engine_bond_graph(engine, &traces, &request).map_err(Failure::refused)?;
     for note in &found.notes {
         tell(format_args!("note: {note}"));
     }

@@ -5,7 +5,7 @@ use crate::commands::json;
 use crate::failure::{DONE, Failure, WRONG_INPUT};
 use crate::files::{print, read_source, tell};
 use crate::format::Format;
-use crate::trace_files::trace_files;
+use crate::trace_files::{read_torques, trace_files};
 use lanchester::cylinder_gas;
 use lanchester::file::{Diagnostic, Severity, read, render};
 use lanchester::model::Engine;
@@ -45,10 +45,14 @@ pub fn run(arguments: &CheckArguments, colour: bool) -> Result<u8, Failure> {
         if reading.file.is_none() {
             status = WRONG_INPUT;
         }
-        let (gas, has_gas_error) = match &reading.file {
+        let (mut gas, mut has_gas_error) = match &reading.file {
             Some(file) => gas(&file.engine, path),
             None => (Vec::new(), false),
         };
+        if let Some(Err(failure)) = reading.file.clone().map(|mut file| read_torques(&mut file, path)) {
+            gas.push(failure.message);
+            has_gas_error = true;
+        }
         if has_gas_error {
             status = WRONG_INPUT;
         }

@@ -27,6 +27,7 @@ pub mod workshop;
 
 use crate::failure::Failure;
 use crate::files::{Source, read_source, write_result};
+use crate::trace_files::read_torques;
 use lanchester::file::{Diagnostic, EngineFile, read, render};
 use lanchester::mechanism::LoadError;
 use lanchester::report::Figure;
@@ -47,7 +48,10 @@ pub fn open(path: &Path, colour: bool) -> Result<Opened, Failure> {
         eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
     }
     match reading.file {
-        Some(file) => Ok(Opened { source, file, warnings: reading.diagnostics }),
+        Some(mut file) => {
+            read_torques(&mut file, path)?;
+            Ok(Opened { source, file, warnings: reading.diagnostics })
+        }
         None => Err(Failure::diagnosed()),
     }
 }

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod bad_simulations;
 mod bond_graph;
 mod compare;
 mod counterweight;

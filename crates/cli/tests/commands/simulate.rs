@@ -251,3 +251,50 @@ fn crosscheck_lists_every_condition_and_what_is_missing() {
     assert!(text.contains("disagrees"), "{text}");
     message(&folder, 2, &["crosscheck", "engine.toml", "--bar", "0"]);
 }
+
+/// A torque over the angle from a file is that of its orders: in the run, in the speed fluctuation, in the cross-check.
+#[test]
+fn a_torque_from_a_file_is_that_of_its_orders() {
+    let of = |test: &str, torque: &str| {
+        example(test, SET, |text| {
+            let gas = text.find("[gas]").unwrap();
+            let rest = text.find("# Flywheel and rotor").unwrap();
+            let text = format!("{}{}", &text[..gas], &text[rest..text.find("[load]").unwrap()]);
+            format!("{text}\n[simulation]\ntorque = {torque}\n")
+        })
+    };
+    let listed = of(
+        "simulate-orders",
+        "[{ order = 0, cos = \"20 N m\" }, { order = 1.5, sin = \"60 N m\" }, { order = 3, cos = \"-15 N m\" }]",
+    );
+    let named = of("simulate-file", "[{ file = \"torque.csv\" }]");
+    let torque = |theta: f64| 20.0 + 60.0 * (1.5 * theta).sin() - 15.0 * (3.0 * theta).cos();
+    let lines = (0..=720).map(|deg| format!("{deg}; {}\n", torque(f64::from(deg).to_radians())));
+    let text = format!("# synthetic\ntheta [deg]; torque [N m]\n{}", lines.collect::<String>());
+    fs::write(named.join("torque.csv"), text).unwrap();
+    let rest = ["engine.toml", "--format", "json"];
+    for (command, pointers) in [
+        ("simulate", ["/run/samples/speed/1234", "/run/samples/outside_torque/77"]),
+        ("torque", ["/ripples/0/speed/40", "/ripples/0/speed/90"]),
+    ] {
+        let run = |folder: &PathBuf| output_json(folder, 0, &[&[command], &rest[..]].concat());
+        let (a, b) = (run(&listed), run(&named));
+        for pointer in pointers {
+            let (a, b) = (number(&a, pointer), number(&b, pointer));
+            // The spline through samples at every degree is off by (h n)^4 of an order.
+            assert!((a - b).abs() < 1e-5 * a.abs().max(1.0), "{command} {pointer}: {a} {b}");
+        }
+    }
+    let text = output(&named, 0, &["simulate", "engine.toml", "--for", "1 revolution"]);
+    assert!(text.contains("Torque of torque.csv:"), "{text}");
+    let told = output(&named, 0, &["crosscheck", "engine.toml", "--condition", "b"]);
+    assert!(told.contains("agrees") && !told.contains("disagrees"), "{told}");
+    let expanded = output(&named, 0, &["show", "engine.toml"]);
+    assert!(expanded.contains("file = \"torque.csv\""), "{expanded}");
+    fs::write(named.join("torque.csv"), "theta [deg]; p [bar]\n0; 1\n").unwrap();
+    assert!(message(&named, 2, &["simulate", "engine.toml"]).contains("E1621"));
+    assert!(message(&named, 2, &["torque", "engine.toml"]).contains("torque.csv"));
+    fs::remove_file(named.join("torque.csv")).unwrap();
+    let told = message(&named, 2, &["simulate", "engine.toml"]);
+    assert!(told.contains("torque.csv") && told.contains("[simulation] names it"), "{told}");
+}

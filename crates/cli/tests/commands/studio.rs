@@ -554,3 +554,59 @@ fn what_cannot_be_served_is_told() {
     let nowhere = message(&folder, 2, &["studio", "nowhere/four.toml", "--no-open"]);
     assert!(nowhere.contains("nowhere") && nowhere.contains("hint: "), "{nowhere}");
 }
+
+/// The tab Simulate shows the run that the command makes, thinned, and refuses what the command refuses.
+#[test]
+fn the_simulation_is_that_of_the_command() {
+    let folder = folder("studio-simulate");
+    let text = fs::read_to_string(examples().join("generator-set-3.toml")).unwrap();
+    let text = text.replace("duration = \"24 s\"", "duration = \"0.6 s\"");
+    fs::write(folder.join("set.toml"), &text).unwrap();
+    let server = Server::start(&folder, "set.toml");
+    let ours: Value =
+        serde_json::from_str(&output(&folder, 0, &["simulate", "set.toml", "--format", "json"])).unwrap();
+    let run = &ours["run"];
+    let answer = server.post("/api/simulate", &json!({ "text": text }));
+    assert_eq!(answer["complete"], true);
+    let series = |value: &Value| value.as_array().map_or(0, Vec::len);
+    let count = series(&answer["time"]);
+    assert!(count > 100 && count <= 4000, "{count}");
+    for curve in ["theta", "speed", "position", "orientation"] {
+        assert_eq!(series(&answer[curve]), count, "{curve}");
+        let last = |samples: &Value| samples.as_array().unwrap().last().unwrap().clone();
+        assert_eq!(last(&answer[curve]), last(&run["samples"][curve]), "{curve}");
+    }
+    // As many forces as the engine has mounts, main bearings and cylinders, one value a sample.
+    for (curves, many) in [("mounts", 4), ("mains", 4), ("side_thrust", 3)] {
+        let own = answer[curves].as_array().unwrap();
+        assert_eq!(own.len(), many, "{curves}");
+        assert!(own.iter().all(|curve| series(&curve["values"]) == count), "{curves}");
+    }
+    let told: Vec<&str> =
+        answer["events"].as_array().unwrap().iter().filter_map(|e| e["what"].as_str()).collect();
+    assert!(told.contains(&"the starter lets go") && told.len() == series(&run["events"]), "{told:?}");
+    let works = answer["energy"].as_array().unwrap().iter().map(|part| part["energy"].as_f64().unwrap());
+    let largest = works.clone().map(f64::abs).fold(0.0, f64::max);
+    assert!(works.sum::<f64>().abs() < 1e-6 * largest, "what goes in comes out: {:?}", answer["energy"]);
+    // Form fields go before the file.
+    let fixed = json!({ "text": text, "on_mounts": false, "imposed": true, "speed": 150.0, "revolutions": 2.0, "gas": false });
+    let fixed = server.post("/api/simulate", &fixed);
+    assert_eq!((series(&fixed["position"]), series(&fixed["mounts"])), (0, 0));
+    assert!(fixed["speed"].as_array().unwrap().iter().all(|w| (w.as_f64().unwrap() - 150.0).abs() < 1e-9));
+    // What cannot be run is refused with words, as the command does.
+    for (key, value, words) in [
+        ("speed", json!(-1.0), "0 or more"),
+        ("revolutions", json!(1e9), "revolutions"),
+        ("misfire", json!([4]), "from 1 to 3"),
+        ("load", json!("5 kg"), "load"),
+        ("sped", json!(1.0), "sped"),
+    ] {
+        let mut question = json!({ "text": text });
+        question[key] = value;
+        let body = serde_json::to_vec(&question).unwrap();
+        let token = [("x-lanchester-token", server.token.as_str())];
+        let (status, _, answer) = server.ask("POST", "/api/simulate", &token, &body);
+        let answer = String::from_utf8_lossy(&answer);
+        assert!((400..500).contains(&status) && answer.contains(words), "{key}: {status} {answer}");
+    }
+}

@@ -1,4 +1,4 @@
-//! What can be wrong with a file of pressures.
+//! What can be wrong with a file of pressures or of a torque.
 
 use lanchester_mechanism::CurveError;
 
@@ -209,6 +209,30 @@ pub enum TraceFault {
         /// Cylinders of the engine.
         cylinders: usize,
     },
+    /// A heading of a file of torque without a unit, or with one that is neither of an angle nor of a torque.
+    #[error(
+        "the column \"{column}\" names no unit of an angle or a torque\nhint: head it like `theta [deg]` or `torque [N m]`"
+    )]
+    TorqueHeading {
+        /// Its heading.
+        column: String,
+    },
+    /// Not one column of torque.
+    #[error(
+        "one column of torque is needed, got {got}\nhint: head it `torque [N m]`, and give every torque a file of its own"
+    )]
+    Torques {
+        /// How many there are.
+        got: usize,
+    },
+    /// The end of a torque does not meet its beginning.
+    #[error("the torque does not close: its end and its beginning differ by {by:.4} N m, {:.2} % of its range\nhint: give one whole period, or its length as `period`", 100.0 * .share)]
+    TorqueNotClosed {
+        /// By how much [N m], with its sign.
+        by: f64,
+        /// By which share of the range.
+        share: f64,
+    },
     /// No curve.
     #[error(transparent)]
     Curve(#[from] CurveError),
@@ -241,7 +265,10 @@ static CODES: &[(&str, &str)] = &[
     ("E1617", "a peak far from firing top dead centre"),
     ("E1618", "a cycle that takes up work: it runs backwards"),
     ("E1619", "neither one column for all cylinders nor one for each"),
-    ("E1620", "pressures that are no curve"),
+    ("E1620", "pressures or torques that are no curve"),
+    ("E1621", "a column of a file of torque without a unit of an angle or a torque"),
+    ("E1622", "not one column of torque"),
+    ("E1623", "a torque whose end does not meet its beginning"),
 ];
 
 impl TraceFault {
@@ -268,6 +295,9 @@ impl TraceFault {
             TraceFault::Backwards { .. } => "E1618",
             TraceFault::Columns { .. } => "E1619",
             TraceFault::Curve(_) => "E1620",
+            TraceFault::TorqueHeading { .. } => "E1621",
+            TraceFault::Torques { .. } => "E1622",
+            TraceFault::TorqueNotClosed { .. } => "E1623",
         }
     }
 }

@@ -11,20 +11,27 @@ pub(super) struct Table {
     pub(super) angles: Vec<f64>,
     /// Line of each angle, from 1.
     pub(super) lines: Vec<u64>,
-    /// Heading and values [Pa] of each column of pressure.
-    pub(super) pressures: Vec<(String, Vec<f64>)>,
+    /// Heading and values [Pa] of each column of pressure, or [N m] of torque.
+    pub(super) columns: Vec<(String, Vec<f64>)>,
+}
+
+/// What the columns beside that of the angle hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Holds {
+    Pressure,
+    Torque,
 }
 
 enum Column {
     /// Factor to rad.
     Angle(f64),
-    /// Factor to Pa.
-    Pressure(f64),
+    /// Factor to Pa or N m.
+    Value(f64),
 }
 
 type Placed<T> = Result<T, (Option<u64>, TraceFault)>;
 
-pub(super) fn read(text: &str) -> Placed<Table> {
+pub(super) fn read(text: &str, holds: Holds) -> Placed<Table> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let delimiter = delimiter(text);
     let mut reader = ReaderBuilder::new()
@@ -42,8 +49,14 @@ pub(super) fn read(text: &str) -> Placed<Table> {
     let columns: Vec<(String, Column)> = header
         .iter()
         .map(|heading| {
-            let kind = column(heading)
-                .ok_or_else(|| (header_line, TraceFault::Heading { column: heading.to_string() }))?;
+            let kind = column(heading, holds).ok_or_else(|| {
+                let column = heading.to_string();
+                let fault = match holds {
+                    Holds::Pressure => TraceFault::Heading { column },
+                    Holds::Torque => TraceFault::TorqueHeading { column },
+                };
+                (header_line, fault)
+            })?;
             Ok((heading.to_string(), kind))
         })
         .collect::<Placed<_>>()?;
@@ -51,8 +64,12 @@ pub(super) fn read(text: &str) -> Placed<Table> {
     if count != 1 {
         return Err((header_line, TraceFault::Angles { got: count }));
     }
-    if columns.len() == 1 {
-        return Err((header_line, TraceFault::NoPressure));
+    match holds {
+        Holds::Pressure if columns.len() == 1 => return Err((header_line, TraceFault::NoPressure)),
+        Holds::Torque if columns.len() != 2 => {
+            return Err((header_line, TraceFault::Torques { got: columns.len() - 1 }));
+        }
+        _ => {}
     }
     let mut values: Vec<Vec<f64>> = columns.iter().map(|_| Vec::new()).collect();
     let mut lines = Vec::new();
@@ -64,20 +81,20 @@ pub(super) fn read(text: &str) -> Placed<Table> {
             return Err((line, TraceFault::RowLength { got, needed, has_commas: delimiter == b',' }));
         }
         for ((text, (heading, kind)), values) in record.iter().zip(&columns).zip(&mut values) {
-            let (Column::Angle(factor) | Column::Pressure(factor)) = kind;
+            let (Column::Angle(factor) | Column::Value(factor)) = kind;
             values.push(number(text, heading).map_err(|fault| (line, fault))? * factor);
         }
         lines.push(line.unwrap_or(0));
     }
     let mut angles = Vec::new();
-    let mut pressures = Vec::new();
+    let mut others = Vec::new();
     for ((heading, kind), values) in columns.into_iter().zip(values) {
         match kind {
             Column::Angle(_) => angles = values,
-            Column::Pressure(_) => pressures.push((heading, values)),
+            Column::Value(_) => others.push((heading, values)),
         }
     }
-    Ok(Table { angles, lines, pressures })
+    Ok(Table { angles, lines, columns: others })
 }
 
 /// What parts the columns: a semicolon or a tab where the first line that is no comment has one.
@@ -87,14 +104,15 @@ fn delimiter(text: &str) -> u8 {
 }
 
 /// Unit of a heading such as `p1 [bar]` or `theta (deg)`.
-fn column(heading: &str) -> Option<Column> {
+fn column(heading: &str, holds: Holds) -> Option<Column> {
     let open = heading.rfind(['[', '('])?;
     let unit = heading[open + 1..].trim_end_matches([']', ')', ' ']).trim();
     let text = format!("1 {}", if unit == "°" { "deg" } else { unit });
-    option::angle(&text, heading)
-        .map(Column::Angle)
-        .or_else(|_| option::pressure(&text, heading).map(Column::Pressure))
-        .ok()
+    let value = || match holds {
+        Holds::Pressure => option::pressure(&text, heading),
+        Holds::Torque => option::torque(&text, heading),
+    };
+    option::angle(&text, heading).map(Column::Angle).or_else(|_| value().map(Column::Value)).ok()
 }
 
 fn number(text: &str, heading: &str) -> Result<f64, TraceFault> {

@@ -5,5 +5,6 @@
 mod balance;
 mod ideal;
 mod support;
+mod torque;
 mod trace;
 mod zone;

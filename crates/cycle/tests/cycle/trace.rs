@@ -243,7 +243,11 @@ fn every_code_is_listed_and_has_a_bad_file() {
     }
     // The number of columns is checked where all cylinders are known; a text is always CSV, and its angles rise.
     let curve = PeriodicCurve::constant(-1.0, 1.0).expect_err("no period");
+    // Files of torque have tests of their own.
     let others = [
+        TraceFault::TorqueHeading { column: String::new() },
+        TraceFault::Torques { got: 2 },
+        TraceFault::TorqueNotClosed { by: 1.0, share: 0.1 },
         TraceFault::Csv { message: String::new() },
         TraceFault::Columns { got: 2, cylinders: 4 },
         curve.into(),

@@ -1,6 +1,6 @@
 //! What the file says of a run in time.
 
-use super::text::{File, quantity};
+use super::text::{File, quantity, quoted};
 use lanchester_model::{
     Action, BlockKind, Event, Governor, ImposedAgainst, LoadLaw, MainSharing, ReactsOn, RodGuidance,
     RunLength, RunLoad, SimulationInput, SpeedKind, StartOfBlock, Starter, When,
@@ -118,12 +118,17 @@ impl File {
                 input.main_stiffness.iter().map(|&k| quantity(k, Dimension::Stiffness)).collect();
             self.entry("main_stiffness", &format!("[{}]", list.join(", ")));
         }
-        if !input.torque.is_empty() {
+        if !(input.torque.is_empty() && input.torque_files.is_empty()) {
             let order = |one: &lanchester_model::TorqueOrder| {
                 let [sin, cos] = [one.sin, one.cos].map(|torque| quantity(torque, Dimension::Torque));
                 format!("  {{ order = {:?}, sin = {sin}, cos = {cos} }},\n", one.order)
             };
-            let list: String = input.torque.iter().map(order).collect();
+            let named = |one: &lanchester_model::TorqueFile| {
+                let period = one.period.map(|p| format!(", period = {}", quantity(p, Dimension::Angle)));
+                format!("  {{ file = {}{} }},\n", quoted(&one.file), period.unwrap_or_default())
+            };
+            let files = input.torque_files.iter().map(named);
+            let list: String = input.torque.iter().map(order).chain(files).collect();
             self.entry("torque", &format!("[\n{list}]"));
         }
         for event in &input.events {

@@ -8,7 +8,7 @@ use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{
     BlockKind, DrivelineInertia, ImposedAgainst, MainSharing, RodGuidance, RunLength, SimulationInput,
-    SpeedKind, StartOfBlock, TorqueOrder,
+    SpeedKind, StartOfBlock, TorqueFile, TorqueOrder,
 };
 use lanchester_task::option;
 use lanchester_units::{Bound, Dimension, within};
@@ -106,11 +106,12 @@ impl<'a> Reader<'a> {
             Field::Absent => Some(Vec::new()),
             Field::Bad => None,
         };
-        let torque = self.torque_orders(section);
+        let torque = self.torques(section);
         let events = self.events(section, cylinders);
         if start_bad {
             return None;
         }
+        let (torque, torque_files) = torque?;
         Some(SimulationInput {
             speed: speed?,
             imposed_against: against?,
@@ -127,7 +128,8 @@ impl<'a> Reader<'a> {
             guidance: guidance?,
             mains: mains?,
             main_stiffness: main_stiffness?,
-            torque: torque?,
+            torque,
+            torque_files,
             events: events?,
             ..SimulationInput::default()
         })
@@ -201,11 +203,26 @@ impl<'a> Reader<'a> {
         );
     }
 
-    fn torque_orders(&mut self, section: &'a Section) -> Option<Vec<TorqueOrder>> {
+    fn torques(&mut self, section: &'a Section) -> Option<(Vec<TorqueOrder>, Vec<TorqueFile>)> {
         let tables = section.tables("torque").or(&[])?;
-        let mut orders = Vec::new();
+        let (mut orders, mut files) = (Vec::new(), Vec::new());
         let mut is_good = true;
         for table in tables {
+            if table.has("file") {
+                for key in ["order", "sin", "cos"].into_iter().filter(|key| table.has(key)) {
+                    let why = "`file` gives the torque over the whole period";
+                    self.without_effect(table, key, why, "give the order a table of its own");
+                }
+                let (file, period) = (table.text("file"), optional(table.number("period")));
+                match (self.required(table, "file", file), period) {
+                    (Some(file), Some(period)) => files.push(TorqueFile { file, period, curve: None }),
+                    _ => is_good = false,
+                }
+                continue;
+            }
+            if table.has("period") {
+                self.without_effect(table, "period", "an order has its own", "leave it out");
+            }
             let order = self.required(table, "order", table.number("order"));
             let (sin, cos) = (table.number("sin").or(0.0), table.number("cos").or(0.0));
             if !table.has("sin") && !table.has("cos") {
@@ -218,7 +235,7 @@ impl<'a> Reader<'a> {
                 _ => is_good = false,
             }
         }
-        is_good.then_some(orders)
+        is_good.then_some((orders, files))
     }
 
     fn driveline(&mut self) -> Option<Vec<DrivelineInertia>> {

@@ -275,7 +275,10 @@ impl Pair<'_> {
     /// Condition B: the speed over the cycle against the energy integral; or why it does not apply.
     fn free_speed(&self) -> Result<Result<Vec<CrossRow>, String>, CrossCheckError> {
         let input = self.request.simulation.as_deref();
-        let torque = input.map(|input| input.torque.clone()).unwrap_or_default();
+        let torque = match input {
+            Some(input) => input.torque_orders().map_err(LoadError::Unread)?,
+            None => Vec::new(),
+        };
         if self.gas.is_none() && torque.is_empty() {
             return Ok(Err("the file has no [gas] that could drive the engine".into()));
         }

@@ -14,6 +14,7 @@ mod main_loads_with_gas;
 mod mounts_with_gas;
 mod optima;
 mod pressure;
+mod rigid_run;
 mod scene;
 mod web_shapes;
 mod what_fits;

@@ -87,6 +87,9 @@ pub enum LoadError {
         /// What was asked for.
         got: f64,
     },
+    /// A file of torque that the engine file names has not been read.
+    #[error(transparent)]
+    Unread(lanchester_model::UnreadTorque),
     /// A crank radius or rod length beyond what is computed with.
     #[error(
         "crank radius and rod length of cylinder {cylinder} must lie between 1e-9 m and 1e6 m, got {got} m"

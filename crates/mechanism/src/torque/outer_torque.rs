@@ -34,7 +34,7 @@ impl OuterTorque {
     /// Those that `input` gives.
     ///
     /// # Errors
-    /// [`LoadError::Request`] where they repeat after more than 120 revolutions.
+    /// [`LoadError::Request`] where they repeat after more than 120 revolutions, [`LoadError::Unread`] where a file of torque has not been read.
     pub fn of(input: Option<&SimulationInput>) -> Result<OuterTorque, LoadError> {
         let Some(input) = input else { return Ok(OuterTorque::default()) };
         let load = match input.load.as_ref().map(|load| &load.law) {
@@ -43,10 +43,11 @@ impl OuterTorque {
             }
             _ => None,
         };
+        let orders = input.torque_orders().map_err(LoadError::Unread)?;
         let fits = |revolutions: &u32| {
             let whole = |value: f64| (value - value.round()).abs() < WHOLE * value.max(1.0);
             let turns = f64::from(*revolutions);
-            input.torque.iter().all(|one| whole(one.order * turns))
+            orders.iter().all(|one| whole(one.order * turns))
                 && load.as_ref().is_none_or(|(period, ..)| whole(TAU * turns / period))
         };
         let found = (1..=MAX_REVOLUTIONS).find(fits);
@@ -55,7 +56,7 @@ impl OuterTorque {
             needed: "at most 120",
             got: f64::INFINITY,
         };
-        Ok(OuterTorque { orders: input.torque.clone(), load, revolutions: found.ok_or(refused)? })
+        Ok(OuterTorque { load, revolutions: found.ok_or(refused)?, orders })
     }
 
     /// Mean of the torque [N m].

@@ -37,6 +37,8 @@ pub struct SimulationInput {
     pub main_stiffness: Vec<f64>,
     /// Torque on crankshaft 1 over its angle, from the ground.
     pub torque: Vec<TorqueOrder>,
+    /// The same from files, beside those.
+    pub torque_files: Vec<TorqueFile>,
     /// What takes the power.
     pub load: Option<RunLoad>,
     /// What starts the engine.
@@ -49,6 +51,49 @@ pub struct SimulationInput {
     pub piston_damping: Option<f64>,
     /// What happens on the way.
     pub events: Vec<Event>,
+}
+
+impl SimulationInput {
+    /// All orders of the torque on crankshaft 1: those of the list, then those of the files.
+    ///
+    /// # Errors
+    /// [`UnreadTorque`] where a file has not been read.
+    pub fn torque_orders(&self) -> Result<Vec<TorqueOrder>, UnreadTorque> {
+        let mut orders = self.torque.clone();
+        for named in &self.torque_files {
+            let curve = named.curve.as_ref().ok_or_else(|| UnreadTorque { file: named.file.clone() })?;
+            orders.extend(&curve.orders);
+        }
+        Ok(orders)
+    }
+}
+
+/// A torque over the crank angle that stands in a file of its own.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct TorqueFile {
+    /// Its name, from the folder of the engine file.
+    pub file: String,
+    /// Angle after which it repeats [rad]; `None`: as many whole revolutions as its angles span.
+    pub period: Option<f64>,
+    /// What was read from it.
+    pub curve: Option<TorqueCurve>,
+}
+
+/// A torque over the crank angle as a sum of orders.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct TorqueCurve {
+    /// Its orders.
+    pub orders: Vec<TorqueOrder>,
+    /// Largest difference between their sum and a sample, over the range of the samples.
+    pub departure: f64,
+}
+
+/// A file of torque that the engine file names has not been read.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("the torque of {file} has not been read\nhint: [simulation] names this file")]
+pub struct UnreadTorque {
+    /// Its name.
+    pub file: String,
 }
 
 /// What sets the speed.

@@ -5,7 +5,7 @@ use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use crate::simulated::orders::{joints_table, orders_table};
 use crate::simulated::result::{SimulationResult, occasion_words};
-use lanchester_multibody::{MainRule, PeriodicOutcome, Run, RunOutcome};
+use lanchester_multibody::{MainRule, Outcome, PeriodicOutcome, Run, RunOutcome};
 use std::f64::consts::TAU;
 
 fn outcome_words(outcome: &RunOutcome) -> String {
@@ -21,7 +21,14 @@ fn outcome_words(outcome: &RunOutcome) -> String {
         ),
         RunOutcome::Cancelled => "incomplete: cancelled, the samples so far are shown".into(),
         RunOutcome::TooManyEvaluations => "incomplete: as many evaluations as are allowed were used".into(),
-        RunOutcome::Failed { reason } => format!("incomplete: {reason:?}; the samples before it are good"),
+        RunOutcome::Failed { reason, theta, quantity } => {
+            let what = match (quantity, reason) {
+                (Some(quantity), _) => format!("the {quantity} becomes no finite number"),
+                (None, Outcome::StepTooSmall { .. }) => "no step is short enough for the tolerance".into(),
+                (None, _) => "the equations of motion have no solution".into(),
+            };
+            format!("incomplete: {what} behind {} deg; the samples up to there are good", degrees(*theta))
+        }
     }
 }
 

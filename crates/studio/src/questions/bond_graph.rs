@@ -168,7 +168,7 @@ pub(crate) fn questions(api: Api) -> Api {
 }
 
 fn of_engine(asker: &Asker, question: EngineGraphQuestion) -> Result<EngineGraphAnswer, Problem> {
-    let file = engine_file(&question.text)?;
+    let file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
     let traces = asker.studio.folder.traces(&file.engine)?;
     let request = BondGraphRequest {
         simulation: file.tasks.simulation.as_deref().cloned().unwrap_or_default(),

@@ -54,8 +54,13 @@ fn report_of<'a>(studio: &Studio, file: &'a EngineFile, text: &str) -> Result<En
     EngineReport::new(file, &request, &internal, traces, &warnings).map_err(Problem::refused)
 }
 
+/// With the torques of its files; a report without them says what it leaves out.
+fn torques_of(asker: &Asker, file: EngineFile) -> EngineFile {
+    asker.studio.folder.with_torques(file.clone()).unwrap_or(file)
+}
+
 fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Problem> {
-    let file = engine_file(&question.text)?;
+    let file = torques_of(asker, engine_file(&question.text)?);
     let figures = report_of(&asker.studio, &file, &question.text)?.figures();
     let svg = |figure: &lanchester::report::Figure| FigureSvg {
         id: figure.id.clone(),
@@ -67,7 +72,7 @@ fn figures(asker: &Asker, question: EngineText) -> Result<Vec<FigureSvg>, Proble
 }
 
 fn report(asker: &Asker, question: ReportQuestion) -> Result<Made, Problem> {
-    let file = engine_file(&question.text)?;
+    let file = torques_of(asker, engine_file(&question.text)?);
     let report = report_of(&asker.studio, &file, &question.text)?;
     let request = LoadRequest::default();
     let provenance =

@@ -187,7 +187,7 @@ fn internal(_: &Asker, question: AtSpeed) -> Result<Vec<InternalMoments>, Proble
 
 fn turning(asker: &Asker, question: AtSpeed) -> Result<TorqueReport, Problem> {
     let speed = question.speed()?;
-    let file = engine_file(&question.text)?;
+    let file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
     let engine = file.engine;
     let request = TorqueReportRequest {
         simulation: file.tasks.simulation,
@@ -237,7 +237,7 @@ fn compared(asker: &Asker, question: CompareQuestion) -> Result<Comparison, Prob
         )));
     }
     let entry = |named: &NamedEngine| {
-        let mut file = engine_file(&named.text)?;
+        let mut file = asker.studio.folder.with_torques(engine_file(&named.text)?)?;
         let traces = asker.studio.folder.traces(&file.engine)?;
         file.engine = file
             .engine

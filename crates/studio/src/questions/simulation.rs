@@ -134,7 +134,7 @@ fn simulated(asker: &Asker, question: SimulateQuestion) -> Result<SimulationAnsw
             "a run here lasts above 0 and up to {MOST_REVOLUTIONS} revolutions, got {turns}\nhint: `lanchester simulate` runs longer"
         ));
     }
-    let file = engine_file(&question.text)?;
+    let file = asker.studio.folder.with_torques(engine_file(&question.text)?)?;
     let count = file.engine.cylinders.len();
     if let Some(number) = question.misfire.iter().find(|number| !(1..=count).contains(*number)) {
         return refused(format!("cylinders are numbered from 1 to {count}, got {number}"));

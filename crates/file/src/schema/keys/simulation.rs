@@ -109,7 +109,7 @@ pub(super) static SIMULATION: Table = Table {
             "torque",
             Kind::Tables(&TORQUE_ORDER, MOST_POINTS),
             Optional,
-            "Torque on crankshaft 1 over its angle, from the ground, as a sum of orders; instead of the gas or beside it.",
+            "Torque on crankshaft 1 over its angle, from the ground, as a sum of orders, or from a file: [{ file = \"torque.csv\" }]; instead of the gas or beside it.",
             "[{ order = 0, cos = \"60 N m\" }, { order = 0.5, sin = \"150 N m\" }]",
         ),
         key(
@@ -155,11 +155,32 @@ static START: Table = Table {
 
 static TORQUE_ORDER: Table = Table {
     header: "[[simulation.torque]]",
-    doc: "One order of a torque over the crank angle: `sin sin(order theta) + cos cos(order theta)`.",
+    doc: "One order of a torque over the crank angle: `sin sin(order theta) + cos cos(order theta)`; or a whole curve from a file. Negative torque brakes.",
     keys: &[
-        key("order", Kind::Number(NotNegative), Required, "The order; 0 is the mean.", "0.5"),
+        key(
+            "order",
+            Kind::Number(NotNegative),
+            Optional,
+            "The order; 0 is the mean. Needed without `file`.",
+            "0.5",
+        ),
         quantity("sin", Torque, Any, "Factor of the sine; default 0.", "\"150 N m\""),
         quantity("cos", Torque, Any, "Factor of the cosine; default 0.", "\"60 N m\""),
+        key(
+            "file",
+            Kind::Text(200),
+            Optional,
+            "A CSV file beside the engine file with the angle of crankshaft 1 and the torque on it, each headed with its unit, such as `theta [deg]` and `torque [N m]`, over one period; \
+             between the samples the torque is the periodic cubic spline, of which the orders up to the 64th of the period act.",
+            "\"torque.csv\"",
+        ),
+        quantity(
+            "period",
+            Angle,
+            Positive,
+            "Angle after which the torque of a file repeats; default as many whole revolutions as its angles span.",
+            "\"720 deg\"",
+        ),
     ],
 };
 

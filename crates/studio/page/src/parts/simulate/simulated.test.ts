@@ -1,6 +1,17 @@
 import { describe, expect, it } from "vitest";
 import type { SimulationAnswer } from "../../api/types";
-import { blockAt, departure, fluctuation, ledger, overPeriod, sampleAt, thetaAt, turn } from "./simulated";
+import {
+  acting,
+  blockAt,
+  departure,
+  eventRules,
+  fluctuation,
+  ledger,
+  overPeriod,
+  sampleAt,
+  thetaAt,
+  turn,
+} from "./simulated";
 
 const run: SimulationAnswer = {
   words: [],
@@ -40,6 +51,22 @@ describe("a simulated run", () => {
     const [curve] = overPeriod(run, [{ name: "speed", values: run.speed }]);
     expect(curve?.x).toEqual([0, 10]);
     expect(curve?.y).toEqual([98, 102]);
+  });
+
+  it("shows what acts in its last period", () => {
+    const curve = (name: string, values: number[]) => ({ name, values });
+    const curves = [curve("gas", [0, 0, 1, 2]), curve("starter", [9, 9, 0, 0])];
+    expect(acting(run, curves).map((one) => one.name)).toEqual(["gas"]);
+    expect(acting(run, curves.slice(1))).toHaveLength(1);
+  });
+
+  it("names events that are close to one another on one line", () => {
+    const event = (what: string, time: number) => ({ what, time, theta: 0, speed: 0 });
+    const events = [event("fuel 100 %", 0.1), event("the starter lets go", 0.11), event("load 40 N m", 0.2)];
+    expect(eventRules({ ...run, events })).toEqual([
+      { x: 0.1, name: "fuel 100 %, the starter lets go" },
+      { x: 0.2, name: "load 40 N m" },
+    ]);
   });
 
   it("departs from the mean place of the last period", () => {

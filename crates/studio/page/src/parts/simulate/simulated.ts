@@ -1,7 +1,7 @@
 // What the page draws of a simulated run.
 
 import type { NamedCurve, SimulationAnswer } from "../../api/types";
-import type { Series } from "../plot/series";
+import type { Rule, Series } from "../plot/series";
 
 /** Every curve over time. */
 export function overTime(run: SimulationAnswer, curves: readonly NamedCurve[]): Series[] {
@@ -19,6 +19,24 @@ export function overPeriod(run: SimulationAnswer, curves: readonly NamedCurve[])
     y: one.values.slice(start),
     colour: index + 1,
   }));
+}
+
+/** Curves that are not 0 throughout the last period; all of them where all are. */
+export function acting(run: SimulationAnswer, curves: readonly NamedCurve[]): readonly NamedCurve[] {
+  const some = curves.filter((one) => one.values.slice(run.period_start).some((value) => value !== 0));
+  return some.length > 0 ? some : curves;
+}
+
+/** What happened as lines over time; what lies closer than the width of a name shares a line. */
+export function eventRules(run: SimulationAnswer): Rule[] {
+  const near = 0.1 * (run.time.at(-1) ?? 0);
+  const rules: { x: number; name: string }[] = [];
+  for (const { time, what } of run.events) {
+    const last = rules.at(-1);
+    if (last && time - last.x < near) last.name += `, ${what}`;
+    else rules.push({ x: time, name: what });
+  }
+  return rules;
 }
 
 /** One component of the path of the block's origin, about its mean in the last period [m]. */
