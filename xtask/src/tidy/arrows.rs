@@ -50,6 +50,7 @@ const ARROWS: [(&str, &[&str]); 26] = [
             "lanchester-model",
             "lanchester-task",
             "lanchester-mechanism",
+            "lanchester-bondgraph",
             "lanchester-multibody",
             "lanchester-geometry",
             "lanchester-balance",

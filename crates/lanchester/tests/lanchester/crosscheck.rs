@@ -166,3 +166,22 @@ fn xcheck_bond_graph() {
         assert_eq!(row.verdict, CrossVerdict::Agrees, "{row:?}");
     }
 }
+
+/// Condition A holds the gas as states against the cycle, and compliant joints against the reactions of rigid ones.
+#[test]
+fn xcheck_gas_and_joints_of_the_bond_graph() {
+    let engine = read(include_str!("../../../../examples/three-cylinder.toml")).engine().unwrap();
+    let request =
+        CrossCheckRequest { conditions: vec![Condition::LikeForLike], ..CrossCheckRequest::default() };
+    let check = crosscheck(&engine, &[], &request).unwrap();
+    let row = |name: &str| -> CrossRow {
+        let rows = &check.conditions[0].rows;
+        rows.iter().find(|row| row.quantity.contains(name)).unwrap_or_else(|| panic!("{name}")).clone()
+    };
+    let gas = row("gas as states");
+    assert!(gas.bond_graph.is_some() && gas.share() < 1e-6 && gas.verdict == CrossVerdict::Agrees, "{gas:?}");
+    for name in ["side thrust, bond", "piston pins, bond", "crankpins and knuckle pins, bond"] {
+        let joint = row(name);
+        assert!(joint.difference > 0.0 && joint.verdict == CrossVerdict::Agrees, "{joint:?}");
+    }
+}
