@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 const GAS_BAR: f64 = 1e-6;
 const GAS_STEPS: f64 = 1e-10;
 /// Cycles until what is left of the start is below the bar, and samples of the one that is compared.
-const CYCLES: u32 = 14;
+const CYCLES: f64 = 14.0;
 const GAS_SAMPLES: u32 = 240;
 
 /// Share by which forces of compliant joints may differ from those of rigid ones.
@@ -22,12 +22,14 @@ const JOINT_BAR: f64 = 1e-2;
 const JOINTS: [f64; 3] = [4e9, 2e9, 0.7];
 const JOINT_STEPS: f64 = 1e-7;
 const JOINT_SAMPLES: u32 = 180;
+/// Share of a cycle in which the dampers settle: springs start with their forces, but at rest.
+const SETTLES: f64 = 0.125;
 
 /// A run of a graph of the engine at imposed speed, block fixed, with samples over its last turns.
 fn imposed(
     pair: &Pair<'_>,
     request: EngineRequest,
-    [first, count]: [u32; 2],
+    (first, count): (f64, u32),
     turns: f64,
     tolerance: f64,
 ) -> Result<Option<GraphRun>, CrossCheckError> {
@@ -35,7 +37,7 @@ fn imposed(
     let description = engine_graph(pair.engine, &request)?;
     let found = Graph::new(&description).ok().and_then(|graph| equations(&graph).ok());
     let Some(found) = found else { return Ok(None) };
-    let (first, all) = (f64::from(first), f64::from(count));
+    let all = f64::from(count);
     let places: Vec<f64> = (1..=count).map(|k| cycle * (first + f64::from(k) / all)).collect();
     let asked = SimulationRequest { duration: (first + 1.0) * cycle, tolerance, ..found.request() };
     let run = found.simulate_at(&asked, &places);
@@ -49,7 +51,7 @@ pub(crate) fn gas_row(pair: &Pair<'_>) -> Result<Option<CrossRow>, CrossCheckErr
     request.drive = EngineDrive::Imposed;
     request.gas_states = Some(states);
     let turns = f64::from(pair.engine.strokes.revolutions());
-    let Some(run) = imposed(pair, request, [CYCLES, GAS_SAMPLES], turns, GAS_STEPS)? else { return Ok(None) };
+    let Some(run) = imposed(pair, request, (CYCLES, GAS_SAMPLES), turns, GAS_STEPS)? else { return Ok(None) };
     let (mut peak, mut ours_peak, mut off) = (0.0f64, 0.0f64, 0.0f64);
     for (index, theirs) in gas.iter().enumerate() {
         let of = |what: String| run.values(&what).unwrap_or_default();
@@ -86,7 +88,7 @@ pub(crate) fn joint_rows(pair: &Pair<'_>) -> Result<Vec<CrossRow>, CrossCheckErr
     request.pressures = pair.gas.map(gauge_pressures).unwrap_or_default();
     let turns = if pair.gas.is_some() { f64::from(pair.engine.strokes.revolutions()) } else { 1.0 };
     // Bodies without mass cannot move by themselves: such an engine has ideal joints alone.
-    let Ok(Some(run)) = imposed(pair, request, [0, JOINT_SAMPLES], turns, JOINT_STEPS) else {
+    let Ok(Some(run)) = imposed(pair, request, (SETTLES, JOINT_SAMPLES), turns, JOINT_STEPS) else {
         return Ok(Vec::new());
     };
     let shares = pair.train.main_shares(&[]);
