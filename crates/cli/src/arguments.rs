@@ -15,6 +15,7 @@ use crate::options::search::SearchArguments;
 use crate::options::search_limit::SearchLimitArguments;
 use crate::options::sensitivity::SensitivityArguments;
 use crate::options::simulation::{CrosscheckArguments, SimulateArguments};
+use crate::options::stress::StressArguments;
 use crate::options::studio::StudioArguments;
 use crate::options::torque::{BearingsArguments, TorqueArguments};
 use crate::options::workshop::WorkshopArguments;
@@ -113,6 +114,8 @@ pub enum Command {
                             Exit status 1: the run was not completed; what it came to is printed."
     )]
     Simulate(SimulateArguments),
+    /// The flexible crankshaft: stress of its fillets, natural modes, decks and pictures for other programs.
+    Stress(StressArguments),
     /// Hold the closed form against an independent multibody simulation of the same engine, component by component and order by order.
     #[command(
         after_help = "Examples:\n  lanchester crosscheck four.toml\n  lanchester crosscheck v6.toml --condition a --order 8\n  \

@@ -10,6 +10,8 @@ mod files;
 mod format;
 mod options;
 mod program;
+mod put_back;
+mod remedies;
 mod requests;
 mod run;
 mod simulation_watch;
@@ -30,6 +32,7 @@ fn without_progress(command: &Command) -> Option<&'static str> {
         Command::Bearings(_) => "bearings",
         Command::Mounts(_) => "mounts",
         Command::Simulate(_) => "simulate",
+        Command::Stress(_) => "stress",
         Command::Crosscheck(_) => "crosscheck",
         Command::Balance(arguments) if arguments.search.search => "balance --search",
         Command::Counterweight(_) => "counterweight",
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         Command::Bearings(arguments) => commands::bearings::run(&arguments, colour),
         Command::Mounts(arguments) => commands::mounts::run(&arguments, colour),
         Command::Simulate(arguments) => commands::simulate::run(&arguments, colour),
+        Command::Stress(arguments) => commands::stress::run(&arguments, colour),
         Command::Crosscheck(arguments) => commands::crosscheck::run(&arguments, colour),
         Command::Balance(arguments) => commands::balance::run(&arguments, colour),
         Command::Counterweight(arguments) => commands::counterweight::run(&arguments, colour),

@@ -14,6 +14,7 @@ pub(crate) mod search_limit;
 pub(crate) mod sensitivity;
 pub(crate) mod share;
 pub(crate) mod simulation;
+pub(crate) mod stress;
 pub(crate) mod studio;
 pub(crate) mod torque;
 pub(crate) mod workshop;

@@ -5,4 +5,5 @@ pub(crate) mod explore;
 pub(crate) mod loads;
 pub(crate) mod search;
 pub(crate) mod shape;
+pub(crate) mod stress;
 pub(crate) mod value_list;

@@ -16,21 +16,40 @@ pub struct Fixed {
     pub value: f64,
 }
 
-/// A spring between the mean displacement of nodes and the ground, along one direction.
+/// A spring between a weighted sum of displacements and the ground.
 ///
 /// ```text
-/// u_m = SUM w_i u_i . n        F = k u_m, shared among the nodes by w: adds no stiffness of its own        (book, eq. 43.6)
+/// u_m = SUM w_i . u_i        F = k u_m, shared among the nodes by w: adds no stiffness of its own          (book, eq. 43.6)
 /// ```
+/// Vectors `w_i` along one direction that add up to length one hold a mean displacement; tangential ones that add up to zero hold a mean
+/// rotation times a radius.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Spring {
     /// What it is called.
     pub name: String,
     /// Stiffness [N/m].
     pub stiffness: f64,
-    /// Direction, of length one.
-    pub direction: [f64; 3],
-    /// Nodes and their weights, which add up to one; to zero for a couple.
-    pub nodes: Vec<(u32, f64)>,
+    /// Nodes and their weights along x, y and z.
+    pub nodes: Vec<(u32, [f64; 3])>,
+}
+
+impl Spring {
+    /// A spring on the mean displacement along a direction of length one, of nodes with weights that add up to one.
+    pub fn on_mean(name: &str, stiffness: f64, direction: [f64; 3], nodes: &[(u32, f64)]) -> Spring {
+        let nodes = nodes.iter().map(|(node, weight)| (*node, direction.map(|n| weight * n))).collect();
+        Spring { name: name.to_owned(), stiffness, nodes }
+    }
+
+    /// Weighted sum of displacements [m].
+    pub fn displacement(&self, displacements: &[[f64; 3]]) -> f64 {
+        self.nodes
+            .iter()
+            .map(|(node, weight)| {
+                let u = displacements[*node as usize];
+                (0..3).map(|axis| weight[axis] * u[axis]).sum::<f64>()
+            })
+            .sum()
+    }
 }
 
 /// A force on a node [N].
@@ -88,11 +107,9 @@ impl StaticCase {
             let mut unknowns = Vec::new();
             let mut weights = Vec::new();
             for (node, weight) in &spring.nodes {
-                for axis in 0..3 {
-                    if spring.direction[axis] != 0.0 {
-                        unknowns.push(3 * node + axis as u32);
-                        weights.push(weight * spring.direction[axis]);
-                    }
+                for (axis, weight) in weight.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+                    unknowns.push(3 * node + axis as u32);
+                    weights.push(*weight);
                 }
             }
             let values =
@@ -155,13 +172,7 @@ impl StaticCase {
             add(std::array::from_fn(|k| modes[k][fixed.node as usize][fixed.axis as usize]));
         }
         for spring in &self.springs {
-            add(std::array::from_fn(|k| {
-                let along = |(node, weight): &(u32, f64)| -> f64 {
-                    let u = modes[k][*node as usize];
-                    weight * (0..3).map(|axis| u[axis] * spring.direction[axis]).sum::<f64>()
-                };
-                spring.nodes.iter().map(along).sum()
-            }));
+            add(std::array::from_fn(|k| spring.displacement(&modes[k])));
         }
         let (values, vectors) = crate::eigen::symmetric_eigen(&gram, 6);
         let largest = values[5];

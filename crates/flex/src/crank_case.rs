@@ -7,7 +7,8 @@
 use crate::FlexError;
 use crate::case::{Spring, StaticCase};
 use crate::crank_mesh::CrankMesh;
-use crate::mesh::{SurfaceFace, surface, surface_areas};
+use crate::mesh::{NodeSet, SurfaceFace, surface, surface_areas};
+use crate::sparse::SolveEstimate;
 use crate::statics::{NodeStress, SolveOptions, StaticSolution, StaticSystem, node_stresses};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashSet};
@@ -38,35 +39,47 @@ pub struct PinLoad {
     pub force: [f64; 2],
 }
 
-/// The largest stress of a fillet.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct FilletPeak {
-    /// "pin 1 at web 2".
-    pub name: String,
-    /// Largest von Mises stress [Pa]; none of a sharp corner, where it would grow with every refinement.
-    pub von_mises: Option<f64>,
+/// The largest stress of a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct PeakStress {
+    /// Largest von Mises stress [Pa].
+    pub von_mises: f64,
     /// Principal stress of the largest size there [Pa], tension positive.
     pub principal: f64,
     /// Jump of the stress between the elements there over the stress: a sign of the error.
     pub jump: f64,
-    /// Place on the surface [m].
+    /// Place [m].
     pub at: [f64; 3],
-    /// Angle about the bar's middle [rad].
+    /// Angle about the bar's middle, from the x axis of the crankshaft's frame [rad].
     pub angle: f64,
+}
+
+/// The largest stress of a fillet, or of the surface of a pin or journal between its fillets.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct SurfacePeak {
+    /// "pin 1 at web 2"; "PIN_1".
+    pub name: String,
+    /// Its stress; none of a sharp corner, where it would grow with every refinement.
+    pub stress: Option<PeakStress>,
 }
 
 /// A solved case of a crankshaft.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankCase {
     /// Displacement, energy, reactions.
+    #[serde(skip)]
     pub solution: StaticSolution,
     /// Stress at each node.
     #[serde(skip)]
     pub stresses: Vec<NodeStress>,
     /// Largest displacement [m].
     pub largest_displacement: f64,
+    /// Where it is [m].
+    pub displaced_at: [f64; 3],
     /// Peaks of all fillets, along z.
-    pub peaks: Vec<FilletPeak>,
+    pub peaks: Vec<SurfacePeak>,
+    /// Peaks of the surfaces of pins and journals, loaded ones too.
+    pub surfaces: Vec<SurfacePeak>,
 }
 
 /// Stiffness that counts as rigid beside a crankshaft [N/m].
@@ -76,7 +89,11 @@ const RIGID: f64 = 1e13;
 ///
 /// # Errors
 /// [`FlexError::Missing`] where the mesh lacks a set; [`FlexError::Number`] for a stiffness that is none.
-pub fn crank_support(crank: &CrankMesh, support: CrankSupport) -> Result<StaticCase, FlexError> {
+pub fn crank_support(
+    crank: &CrankMesh,
+    surfaces: &BearingSurfaces,
+    support: CrankSupport,
+) -> Result<StaticCase, FlexError> {
     let mesh = &crank.mesh;
     let case = StaticCase::default();
     let stiffness = match support {
@@ -91,20 +108,12 @@ pub fn crank_support(crank: &CrankMesh, support: CrankSupport) -> Result<StaticC
         CrankSupport::Springs { stiffness } => stiffness,
     };
     let mut case = StaticCase { name: "journals".to_owned(), ..case };
-    let (faces, _) = surface(mesh);
     for number in 1.. {
         let name = format!("MAIN_{number}");
-        let Ok(set) = mesh.set(&name) else { break };
-        let weights = weights(&set.nodes, &bearing_areas(crank, &set.nodes, &faces));
-        for (axis, letter) in ["x", "y"].into_iter().enumerate() {
-            let mut direction = [0.0; 3];
-            direction[axis] = 1.0;
-            case.springs.push(Spring {
-                name: format!("{name} {letter}"),
-                stiffness,
-                direction,
-                nodes: weights.clone(),
-            });
+        let Ok(areas) = surfaces.areas(&name) else { break };
+        let weights = weights(areas);
+        for (letter, direction) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
+            case.springs.push(Spring::on_mean(&format!("{name} {letter}"), stiffness, direction, &weights));
         }
     }
     if case.springs.is_empty() {
@@ -112,60 +121,89 @@ pub fn crank_support(crank: &CrankMesh, support: CrankSupport) -> Result<StaticC
             ("node set", "MAIN_1".to_owned(), "a crankshaft on journals has at least two of them");
         return Err(FlexError::Missing { what, name, hint });
     }
-    // At the flywheel: no motion along z or about it.
-    let end = mesh.set("FLYWHEEL")?;
-    let count = end.nodes.len() as f64;
-    let even: Vec<(u32, f64)> = end.nodes.iter().map(|node| (*node, 1.0 / count)).collect();
-    case.springs.push(Spring {
-        name: "FLYWHEEL z".to_owned(),
-        stiffness: RIGID,
-        direction: [0.0, 0.0, 1.0],
-        nodes: even,
-    });
-    let far = |axis: usize| {
-        end.nodes
-            .iter()
-            .copied()
-            .max_by(|a, b| mesh.nodes[*a as usize][axis].total_cmp(&mesh.nodes[*b as usize][axis]))
-    };
-    let (Some(right), Some(left)) = (
-        far(0),
-        end.nodes
-            .iter()
-            .copied()
-            .min_by(|a, b| mesh.nodes[*a as usize][0].total_cmp(&mesh.nodes[*b as usize][0])),
-    ) else {
-        return Ok(case);
-    };
-    // A couple: the difference of the tangential motions of two nodes across.
-    case.springs.push(Spring {
-        name: "FLYWHEEL turning".to_owned(),
-        stiffness: RIGID,
-        direction: [0.0, 1.0, 0.0],
-        nodes: vec![(right, 0.5), (left, -0.5)],
-    });
+    hold_flywheel(crank, &mut case, surfaces)?;
     Ok(case)
 }
 
-/// Areas that nodes of a bearing surface carry, as vectors along the outward normal [m^2].
-fn bearing_areas(crank: &CrankMesh, nodes: &[u32], faces: &[SurfaceFace]) -> BTreeMap<u32, [f64; 3]> {
-    let own: HashSet<u32> = nodes.iter().copied().collect();
-    let faces: Vec<SurfaceFace> =
-        faces.iter().filter(|face| face.nodes.iter().all(|node| own.contains(node))).cloned().collect();
-    surface_areas(&crank.mesh, &faces)
+/// Holds the flywheel's end face: no mean motion along z, no mean rotation about z.
+pub(crate) fn hold_flywheel(
+    crank: &CrankMesh,
+    case: &mut StaticCase,
+    surfaces: &BearingSurfaces,
+) -> Result<(), FlexError> {
+    let mesh = &crank.mesh;
+    let areas = surfaces.areas("FLYWHEEL")?;
+    let all: f64 = areas.values().map(|area| area[2]).sum();
+    let even: Vec<(u32, f64)> = areas
+        .iter()
+        .map(|(node, area)| (*node, area[2] / all))
+        .filter(|(_, weight)| *weight > 1e-9)
+        .collect();
+    case.springs.push(Spring::on_mean("FLYWHEEL z", RIGID, [0.0, 0.0, 1.0], &even));
+    let centre: [f64; 2] =
+        std::array::from_fn(|k| even.iter().map(|(node, w)| w * mesh.nodes[*node as usize][k]).sum());
+    let arm = |node: u32| {
+        let at = mesh.nodes[node as usize];
+        [at[0] - centre[0], at[1] - centre[1]]
+    };
+    let polar: f64 = even.iter().map(|(node, w)| w * arm(*node).iter().map(|x| x * x).sum::<f64>()).sum();
+    // Mean rotation, SUM w r x u / SUM w r^2, times the radius of gyration.
+    let turning = even.iter().map(|(node, w)| {
+        let [x, y] = arm(*node);
+        (*node, [-w * y / polar.sqrt(), w * x / polar.sqrt(), 0.0])
+    });
+    let turning = Spring { name: "FLYWHEEL turning".to_owned(), stiffness: RIGID, nodes: turning.collect() };
+    case.springs.push(turning);
+    Ok(())
 }
 
-fn weights(nodes: &[u32], areas: &BTreeMap<u32, [f64; 3]>) -> Vec<(u32, f64)> {
-    let size = |node: &u32| areas.get(node).map_or(0.0, |area| area[0].hypot(area[1]));
-    let all: f64 = nodes.iter().map(size).sum();
-    nodes.iter().filter(|node| size(node) > 0.0).map(|node| (*node, size(node) / all)).collect()
+/// Areas that the nodes of bearing surfaces and of the flywheel's face carry, as vectors along the outward normal [m^2]: computed once
+/// for all supports and loads of a mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BearingSurfaces(BTreeMap<String, BTreeMap<u32, [f64; 3]>>);
+
+impl BearingSurfaces {
+    /// Of all sets of a mesh.
+    pub fn new(crank: &CrankMesh) -> BearingSurfaces {
+        let (faces, _) = surface(&crank.mesh);
+        let of = |set: &NodeSet| {
+            let own: HashSet<u32> = set.nodes.iter().copied().collect();
+            let is_own = |face: &&SurfaceFace| face.nodes.iter().all(|node| own.contains(node));
+            let faces: Vec<SurfaceFace> = faces.iter().filter(is_own).cloned().collect();
+            (set.name.clone(), surface_areas(&crank.mesh, &faces))
+        };
+        BearingSurfaces(crank.mesh.sets.iter().map(of).collect())
+    }
+
+    /// Those of one set.
+    ///
+    /// # Errors
+    /// [`FlexError::Missing`] where the mesh has no such surface.
+    pub fn areas(&self, name: &str) -> Result<&BTreeMap<u32, [f64; 3]>, FlexError> {
+        self.0.get(name).filter(|areas| !areas.is_empty()).ok_or_else(|| FlexError::Missing {
+            what: "bearing surface",
+            name: name.to_owned(),
+            hint: "a node set of that name must hold all nodes of at least one face",
+        })
+    }
+}
+
+fn weights(areas: &BTreeMap<u32, [f64; 3]>) -> Vec<(u32, f64)> {
+    let size = |area: &[f64; 3]| area[0].hypot(area[1]);
+    let all: f64 = areas.values().map(size).sum();
+    let sized = areas.iter().map(|(node, area)| (*node, size(area) / all));
+    sized.filter(|(_, weight)| *weight > 1e-9).collect()
 }
 
 /// Adds a force on a pin as a pressure over 180 degrees of its surface (eq. 43.10).
 ///
 /// # Errors
 /// [`FlexError::Missing`] where there is no such pin; [`FlexError::Number`] for a force that is none.
-pub fn load_pin(crank: &CrankMesh, case: StaticCase, load: PinLoad) -> Result<StaticCase, FlexError> {
+pub fn load_pin(
+    surfaces: &BearingSurfaces,
+    case: StaticCase,
+    load: PinLoad,
+) -> Result<StaticCase, FlexError> {
     let size = load.force[0].hypot(load.force[1]);
     if !size.is_finite() {
         let quantity = format!("the force on pin {} [N]", load.pin);
@@ -176,17 +214,15 @@ pub fn load_pin(crank: &CrankMesh, case: StaticCase, load: PinLoad) -> Result<St
             hint: "give a number",
         });
     }
-    let set = crank.mesh.set(&format!("PIN_{}", load.pin))?;
+    let areas = surfaces.areas(&format!("PIN_{}", load.pin))?;
     if size == 0.0 {
         return Ok(case);
     }
     let along = load.force.map(|force| force / size);
-    let (faces, _) = surface(&crank.mesh);
-    let areas = bearing_areas(crank, &set.nodes, &faces);
     // The pressure acts where the surface faces against the force, and pushes inwards.
     let mut forces: Vec<(u32, [f64; 2])> = Vec::new();
     let mut sum = [0.0; 2];
-    for (node, [x, y, _]) in &areas {
+    for (node, [x, y, _]) in areas {
         let facing = -(x * along[0] + y * along[1]) / x.hypot(*y).max(f64::MIN_POSITIVE);
         if facing > 0.0 {
             let force = [-facing * x, -facing * y];
@@ -207,53 +243,108 @@ pub fn load_pin(crank: &CrankMesh, case: StaticCase, load: PinLoad) -> Result<St
     Ok(case)
 }
 
-/// Solves a crankshaft with one support under several sets of loads on its pins, each with the centrifugal field at a speed [rad/s].
+/// What loads a crankshaft.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct CrankLoad {
+    /// Forces on its pins.
+    pub pins: Vec<PinLoad>,
+    /// Speed about its axis [rad/s], whose centrifugal field loads the body.
+    pub speed: f64,
+}
+
+/// The static case of each load.
 ///
 /// # Errors
-/// As [`crank_support`], [`load_pin`] and [`StaticSystem::new`].
+/// As [`crank_support`] and [`load_pin`].
+pub fn crank_cases(
+    crank: &CrankMesh,
+    support: CrankSupport,
+    loads: &[CrankLoad],
+) -> Result<Vec<StaticCase>, FlexError> {
+    let surfaces = BearingSurfaces::new(crank);
+    let base = crank_support(crank, &surfaces, support)?;
+    let case = |load: &CrankLoad| {
+        let base = StaticCase { speed: load.speed, ..base.clone() };
+        load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin))
+    };
+    loads.iter().map(case).collect()
+}
+
+/// Solves a crankshaft with one support under several loads.
+///
+/// # Errors
+/// As [`crank_cases`] and [`StaticSystem::new`].
 pub fn solve_crank(
     crank: &CrankMesh,
     support: CrankSupport,
-    loads: &[Vec<PinLoad>],
-    speed: f64,
+    loads: &[CrankLoad],
     options: SolveOptions,
 ) -> Result<Vec<CrankCase>, FlexError> {
-    let base = StaticCase { speed, ..crank_support(crank, support)? };
-    let loaded =
-        |loads: &Vec<PinLoad>| loads.iter().try_fold(base.clone(), |case, load| load_pin(crank, case, *load));
-    let cases = loads.iter().map(loaded).collect::<Result<Vec<StaticCase>, FlexError>>()?;
-    let mut system = StaticSystem::new(&crank.mesh, &base, options)?;
+    solve_crank_watched(crank, support, loads, options, &|_| {})
+}
+
+/// The same; `watch` sees what the factor will cost before it is made.
+///
+/// # Errors
+/// As [`solve_crank`].
+pub fn solve_crank_watched(
+    crank: &CrankMesh,
+    support: CrankSupport,
+    loads: &[CrankLoad],
+    options: SolveOptions,
+    watch: &dyn Fn(&SolveEstimate),
+) -> Result<Vec<CrankCase>, FlexError> {
+    let cases = crank_cases(crank, support, loads)?;
+    // The system needs masses where any case turns.
+    let Some(base) = cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else {
+        return Ok(Vec::new());
+    };
+    let mut system = StaticSystem::new_watched(&crank.mesh, base, options, watch)?;
     let solutions = system.solve(&cases.iter().collect::<Vec<_>>())?;
     Ok(solutions.into_iter().map(|solution| evaluate(crank, solution)).collect())
 }
 
-fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
-    let stresses = node_stresses(&crank.mesh, &solution.displacements);
+/// Largest displacement and peaks of a solution.
+pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
+    let mesh = &crank.mesh;
+    let stresses = node_stresses(mesh, &solution.displacements);
     let length = |u: &[f64; 3]| (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]).sqrt();
-    let largest_displacement = solution.displacements.iter().map(length).fold(0.0, f64::max);
-    let value = |node: &u32| stresses[*node as usize].stress.von_mises();
-    let peak = |corner: &crate::crank_mesh::FilletPlace| {
-        let Some(node) = corner.nodes.iter().copied().max_by(|a, b| value(a).total_cmp(&value(b))) else {
-            let at = [corner.centre.x, corner.centre.y, 0.0];
-            return FilletPeak {
-                name: corner.name.clone(),
-                von_mises: None,
-                principal: 0.0,
-                jump: 0.0,
-                at,
-                angle: 0.0,
-            };
-        };
-        let (at, own) = (crank.mesh.nodes[node as usize], stresses[node as usize]);
-        FilletPeak {
-            name: corner.name.clone(),
-            von_mises: Some(value(&node)),
-            principal: own.stress.dominant(),
-            jump: own.jump / value(&node).max(f64::MIN_POSITIVE),
-            at,
-            angle: (at[1] - corner.centre.y).atan2(at[0] - corner.centre.x),
+    let mut largest = (0, 0.0);
+    for (node, u) in solution.displacements.iter().enumerate() {
+        if length(u) > largest.1 {
+            largest = (node, length(u));
         }
+    }
+    let peak = |nodes: &[u32], centre: [f64; 2]| {
+        let value = |node: &u32| stresses[*node as usize].stress.von_mises();
+        let node = nodes.iter().copied().max_by(|a, b| value(a).total_cmp(&value(b)))?;
+        let (at, own, von_mises) = (mesh.nodes[node as usize], stresses[node as usize], value(&node));
+        Some(PeakStress {
+            von_mises,
+            principal: own.stress.dominant(),
+            jump: own.jump / von_mises.max(f64::MIN_POSITIVE),
+            at,
+            angle: (at[1] - centre[1]).atan2(at[0] - centre[0]),
+        })
     };
-    let peaks = crank.corners.iter().map(peak).collect();
-    CrankCase { solution, largest_displacement, peaks, stresses }
+    let peaks = crank.corners.iter().map(|corner| SurfacePeak {
+        name: corner.name.clone(),
+        stress: peak(&corner.nodes, [corner.centre.x, corner.centre.y]),
+    });
+    let is_bearing = |name: &str| name.starts_with("PIN_") || name.starts_with("MAIN_");
+    let surfaces = mesh.sets.iter().filter(|set| is_bearing(&set.name)).map(|set| {
+        let mean = |k: usize| {
+            let sum: f64 = set.nodes.iter().map(|node| mesh.nodes[*node as usize][k]).sum();
+            sum / set.nodes.len().max(1) as f64
+        };
+        SurfacePeak { name: set.name.clone(), stress: peak(&set.nodes, [mean(0), mean(1)]) }
+    });
+    CrankCase {
+        largest_displacement: largest.1,
+        displaced_at: mesh.nodes[largest.0],
+        peaks: peaks.collect(),
+        surfaces: surfaces.collect(),
+        solution,
+        stresses,
+    }
 }

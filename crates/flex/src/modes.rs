@@ -9,7 +9,7 @@ use crate::FlexError;
 use crate::case::StaticCase;
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
-use crate::sparse::{Factor, FactorPlan, Precision, Quantity, Structure, SymmetricMatrix};
+use crate::sparse::{Factor, FactorPlan, Precision, Quantity, SolveEstimate, Structure, SymmetricMatrix};
 use crate::statics::SolveOptions;
 use serde::Serialize;
 
@@ -84,6 +84,20 @@ pub fn modes(
     count: usize,
     options: SolveOptions,
 ) -> Result<ModeSolution, FlexError> {
+    modes_watched(mesh, case, count, options, &|_| {})
+}
+
+/// The same; `watch` sees what the factor will cost before it is made.
+///
+/// # Errors
+/// As [`modes`].
+pub fn modes_watched(
+    mesh: &Mesh,
+    case: &StaticCase,
+    count: usize,
+    options: SolveOptions,
+    watch: &dyn Fn(&SolveEstimate),
+) -> Result<ModeSolution, FlexError> {
     mesh.check()?;
     if let Some(material) = mesh.materials.iter().find(|material| material.density <= 0.0) {
         let (quantity, needed) = ("density [kg/m^3]", "above zero");
@@ -116,6 +130,7 @@ pub fn modes(
     let shift = shift(mesh);
     let shifted = stiffness.plus(shift, &mass);
     let plan = FactorPlan::new(&shifted)?;
+    watch(&plan.estimate(Precision::Double));
     plan.check(Precision::Double, options.memory)?;
     let factor = Factor::<f64>::new(&shifted, &plan)?;
     drop(shifted);

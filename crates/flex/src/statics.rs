@@ -1,9 +1,9 @@
 //! Static solutions: displacement, energy, reactions, stress.
 
-use crate::case::{StaticCase, rigid_motions};
+use crate::case::{NodeForce, StaticCase, rigid_motions};
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
-use crate::sparse::{Precision, Quantity, SolveReport, Solver, Structure, SymmetricMatrix};
+use crate::sparse::{Precision, Quantity, SolveEstimate, SolveReport, Solver, Structure, SymmetricMatrix};
 use crate::{FlexError, element};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -73,6 +73,19 @@ impl<'a> StaticSystem<'a> {
         case: &StaticCase,
         options: SolveOptions,
     ) -> Result<StaticSystem<'a>, FlexError> {
+        StaticSystem::new_watched(mesh, case, options, &|_| {})
+    }
+
+    /// The same; `watch` sees what the factor will cost before it is made, and before a limit on memory is applied.
+    ///
+    /// # Errors
+    /// As [`StaticSystem::new`].
+    pub fn new_watched(
+        mesh: &'a Mesh,
+        case: &StaticCase,
+        options: SolveOptions,
+        watch: &dyn Fn(&SolveEstimate),
+    ) -> Result<StaticSystem<'a>, FlexError> {
         mesh.check()?;
         case.check(mesh)?;
         let terms = case.terms();
@@ -89,7 +102,7 @@ impl<'a> StaticSystem<'a> {
                 kept[structure.unknown(node, axis)] = false;
             }
         }
-        let solver = Solver::new(full.restricted(&kept), options.precision, options.memory)?;
+        let solver = Solver::new(full.restricted(&kept), options.precision, options.memory, watch)?;
         Ok(StaticSystem { mesh, structure, full, mass, support: case.clone(), kept, solver })
     }
 
@@ -113,7 +126,7 @@ impl<'a> StaticSystem<'a> {
             case.check(self.mesh)?;
             let (mut load, mut accelerations) = (self.load(case)?, None);
             if self.support.inertia_relief {
-                accelerations = Some(self.relieve(&mut load)?);
+                accelerations = Some(relieve(self.mesh, &self.structure, self.mass()?, &mut load)?);
             }
             let side: Vec<f64> = (0..size).filter(|k| self.kept[*k]).map(|k| load[k] - drag[k]).collect();
             sides.push(side);
@@ -145,21 +158,18 @@ impl<'a> StaticSystem<'a> {
         let held: Vec<f64> = (0..u.len()).map(rest).collect();
         let reactions = self.structure.scatter(&held);
         let displacements = self.structure.scatter(u);
-        let mean = |spring: &crate::case::Spring| -> f64 {
-            let along = |(node, weight): &(u32, f64)| {
-                let u = displacements[*node as usize];
-                weight * (0..3).map(|axis| u[axis] * spring.direction[axis]).sum::<f64>()
-            };
-            spring.nodes.iter().map(along).sum()
-        };
-        let spring_forces: Vec<f64> =
-            self.support.springs.iter().map(|spring| -spring.stiffness * mean(spring)).collect();
+        let spring_forces: Vec<f64> = self
+            .support
+            .springs
+            .iter()
+            .map(|spring| -spring.stiffness * spring.displacement(&displacements))
+            .collect();
         let mut reaction = sum(&reactions);
         for (spring, force) in self.support.springs.iter().zip(&spring_forces) {
-            // Weights that add up to zero are a couple.
-            let share: f64 = spring.nodes.iter().map(|(_, weight)| weight).sum();
-            for axis in 0..3 {
-                reaction[axis] += force * share * spring.direction[axis];
+            for (_, weight) in &spring.nodes {
+                for axis in 0..3 {
+                    reaction[axis] += force * weight[axis];
+                }
             }
         }
         let load = sum(&self.structure.scatter(load));
@@ -184,12 +194,7 @@ impl<'a> StaticSystem<'a> {
             }
         }
         if case.speed != 0.0 {
-            let places: Vec<[f64; 3]> = self.mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
-            let mut field = vec![0.0; load.len()];
-            self.mass()?.multiply(&self.structure.gather(&places), &mut field);
-            for (load, field) in load.iter_mut().zip(field) {
-                *load += case.speed * case.speed * field;
-            }
+            add_centrifugal(self.mesh, &self.structure, self.mass()?, case.speed, &mut load);
         }
         Ok(load)
     }
@@ -201,44 +206,92 @@ impl<'a> StaticSystem<'a> {
             hint: "the first case must turn or be relieved too",
         })
     }
+}
 
-    /// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
-    ///
-    /// ```text
-    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
-    /// ```
-    fn relieve(&self, load: &mut [f64]) -> Result<[f64; 6], FlexError> {
-        let (mass, size) = (self.mass()?, load.len());
-        let motions: Vec<Vec<f64>> =
-            rigid_motions(self.mesh).iter().map(|motion| self.structure.gather(motion)).collect();
-        let mut carried = vec![vec![0.0; size]; 6];
-        for (motion, carried) in motions.iter().zip(&mut carried) {
-            mass.multiply(motion, carried);
-        }
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let gram: Vec<f64> =
-            motions.iter().flat_map(|a| carried.iter().map(move |b| product(a, b))).collect();
-        let (values, vectors) = symmetric_eigen(&gram, 6);
-        if values[0] <= 1e-12 * values[5] {
-            return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
-        }
-        let force: Vec<f64> = motions.iter().map(|motion| product(motion, load)).collect();
-        let mut acceleration = [0.0; 6];
-        for (value, vector) in values.iter().zip(vectors.chunks(6)) {
-            let share = product(vector, &force) / value;
-            for k in 0..6 {
-                acceleration[k] += share * vector[k];
-            }
-        }
-        for (carried, a) in carried.iter().zip(acceleration) {
-            for (load, carried) in load.iter_mut().zip(carried) {
-                *load -= a * carried;
-            }
-        }
-        // The turns of the motions are in units of the reach of the mesh: the first node off the middle tells it.
-        let reach = reach(self.mesh);
-        Ok(std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / reach }))
+/// Adds the centrifugal field `W^2 M (x, y, 0)`.
+fn add_centrifugal(mesh: &Mesh, structure: &Structure, mass: &SymmetricMatrix, speed: f64, load: &mut [f64]) {
+    let places: Vec<[f64; 3]> = mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+    let mut field = vec![0.0; load.len()];
+    mass.multiply(&structure.gather(&places), &mut field);
+    for (load, field) in load.iter_mut().zip(field) {
+        *load += speed * speed * field;
     }
+}
+
+/// The same case with forces on nodes in the place of its centrifugal field and of inertia relief, for which six displacements hold the
+/// body without loading it: what a program without either can compute.
+///
+/// # Errors
+/// As [`StaticCase::check`]; [`FlexError::FreeMotion`] for a body without mass.
+pub fn as_node_forces(mesh: &Mesh, case: &StaticCase) -> Result<StaticCase, FlexError> {
+    case.check(mesh)?;
+    if case.speed == 0.0 && !case.inertia_relief {
+        return Ok(case.clone());
+    }
+    let structure = Structure::new(mesh, &[]);
+    let mass = structure.assemble(mesh, Quantity::Mass, &[]);
+    let mut given = vec![[0.0; 3]; mesh.nodes.len()];
+    for force in &case.forces {
+        for axis in 0..3 {
+            given[force.node as usize][axis] += force.force[axis];
+        }
+    }
+    let mut load = structure.gather(&given);
+    let mut plain = StaticCase { speed: 0.0, inertia_relief: false, ..case.clone() };
+    if case.speed != 0.0 {
+        add_centrifugal(mesh, &structure, &mass, case.speed, &mut load);
+    }
+    if case.inertia_relief {
+        relieve(mesh, &structure, &mass, &mut load)?;
+        for (node, axis) in anchors(mesh) {
+            plain = plain.hold(&[node], axis as u8, 0.0);
+        }
+    }
+    let forces = structure.scatter(&load).into_iter().enumerate();
+    let acting = forces.filter(|(_, force)| force.iter().any(|f| *f != 0.0));
+    plain.forces = acting.map(|(node, force)| NodeForce { node: node as u32, force }).collect();
+    Ok(plain)
+}
+
+/// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
+///
+/// ```text
+/// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
+/// ```
+fn relieve(
+    mesh: &Mesh,
+    structure: &Structure,
+    mass: &SymmetricMatrix,
+    load: &mut [f64],
+) -> Result<[f64; 6], FlexError> {
+    let size = load.len();
+    let motions: Vec<Vec<f64>> = rigid_motions(mesh).iter().map(|motion| structure.gather(motion)).collect();
+    let mut carried = vec![vec![0.0; size]; 6];
+    for (motion, carried) in motions.iter().zip(&mut carried) {
+        mass.multiply(motion, carried);
+    }
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let gram: Vec<f64> = motions.iter().flat_map(|a| carried.iter().map(move |b| product(a, b))).collect();
+    let (values, vectors) = symmetric_eigen(&gram, 6);
+    if values[0] <= 1e-12 * values[5] {
+        return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
+    }
+    let force: Vec<f64> = motions.iter().map(|motion| product(motion, load)).collect();
+    let mut acceleration = [0.0; 6];
+    for (value, vector) in values.iter().zip(vectors.chunks(6)) {
+        let share = product(vector, &force) / value;
+        for k in 0..6 {
+            acceleration[k] += share * vector[k];
+        }
+    }
+    for (carried, a) in carried.iter().zip(acceleration) {
+        for (load, carried) in load.iter_mut().zip(carried) {
+            *load -= a * carried;
+        }
+    }
+    // The turns of the motions are in units of the reach of the mesh: the first node off the middle tells it.
+    let reach = reach(mesh);
+    Ok(std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / reach }))
 }
 
 /// Solves one case.

@@ -36,6 +36,7 @@ mod running;
 mod sample_study;
 mod scene;
 mod simulation;
+mod stress;
 mod torque_report;
 
 pub use arrangements::arrangements;
@@ -50,7 +51,9 @@ pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
 pub use lanchester_file as file;
+pub use lanchester_flex as flex;
 pub use lanchester_geometry as geometry;
+pub use lanchester_literature as literature;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_multibody as multibody;
@@ -71,6 +74,7 @@ pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
+pub use stress::*;
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,

@@ -19,6 +19,7 @@ mod published;
 #[cfg(test)]
 mod sample;
 mod simulated;
+mod stress;
 mod study;
 mod torque;
 pub mod workshop;
@@ -36,5 +37,6 @@ pub use page::{Provenance, ReportHead, figures, report};
 pub use parts::*;
 pub use published::*;
 pub use simulated::*;
+pub use stress::*;
 pub use study::*;
 pub use torque::*;

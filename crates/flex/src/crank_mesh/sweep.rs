@@ -12,6 +12,7 @@ use lanchester_model::{CrankElement, CrankElementForm, Engine};
 use lanchester_shape::{Outline, Point};
 use serde::Serialize;
 use std::collections::HashMap;
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 /// Points closer than this are at one place [m].
 const TINY: f64 = 1e-7;
@@ -42,8 +43,24 @@ pub struct FilletPlace {
     pub radius: f64,
     /// Middle of the bar, in the frame of the crankshaft [m].
     pub centre: Point,
+    /// Radius of the bar [m].
+    pub bar: f64,
     /// Nodes on the surface of the fillet; none of a sharp corner.
     pub nodes: Vec<u32>,
+}
+
+impl FilletPlace {
+    /// Volume that the fillet adds to a sharp corner [m^3]: the corner's square less a quarter disc, turned about the axis of the bar
+    /// (Pappus).
+    pub fn volume(&self) -> f64 {
+        if self.nodes.is_empty() {
+            return 0.0;
+        }
+        let r = self.radius;
+        let area = r * r * (1.0 - FRAC_PI_4);
+        let moment = r.powi(3) / 2.0 - FRAC_PI_4 * r * r * (r - 4.0 * r / (3.0 * PI));
+        TAU * (area * self.bar + moment)
+    }
 }
 
 /// The mesh of a crankshaft. Sets: `MAIN_1` .. and `PIN_1` .. (the bearing surfaces between the fillets), `FREE_END`, `FLYWHEEL` (the end
@@ -627,7 +644,7 @@ fn finish(mesh: &mut Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<FilletPlac
                     }
                 }
             }
-            corners.push(FilletPlace { name, radius, centre: bar.centre, nodes });
+            corners.push(FilletPlace { name, radius, centre: bar.centre, bar: bar.radius, nodes });
         }
     }
     mesh.nodes = moved;

@@ -1,10 +1,11 @@
 //! A deck as a mesh with its cases.
 
+use super::springs::{Equation, springs};
 use crate::case::{Fixed, NodeForce, StaticCase};
 use crate::element::ElementKind;
 use crate::mesh::{Element, Mesh, NodeSet};
 use crate::{FlexError, Material};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a step computes.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,8 +47,13 @@ struct Reader {
     element_sets: BTreeMap<String, Vec<u32>>,
     is_section: Vec<bool>,
     case: StaticCase,
+    held: BTreeSet<(u32, u8)>,
     step: Option<(usize, Option<usize>, bool)>,
     steps: Vec<DeckStep>,
+    equations: Vec<(usize, Equation)>,
+    /// Line, set and node of each SPRING1 element, and the stiffness of each set.
+    spring_elements: Vec<(usize, String, u32)>,
+    stiffnesses: BTreeMap<String, f64>,
 }
 
 /// Reads a deck in N, mm, tonne, s, MPa.
@@ -125,6 +131,8 @@ impl Reader {
             "*ELASTIC" | "*DENSITY" => self.read_constants(card, data),
             "*SOLID SECTION" => self.read_section(card),
             "*BOUNDARY" => self.read_boundary(data),
+            "*EQUATION" => self.read_equation(card, data),
+            "*SPRING" => self.read_spring(card, data),
             "*CLOAD" => self.read_forces(card, data),
             "*STEP" => {
                 if self.step.is_some() {
@@ -154,7 +162,7 @@ impl Reader {
             name => Err(wrong(
                 card.line,
                 format!(
-                    "unknown card {name}; read are *NODE, *ELEMENT, *NSET, *ELSET, *MATERIAL, *ELASTIC, *DENSITY, *SOLID SECTION, *BOUNDARY, *CLOAD, *STEP, *STATIC, *FREQUENCY, *END STEP"
+                    "unknown card {name}; read are *NODE, *ELEMENT, *NSET, *ELSET, *MATERIAL, *ELASTIC, *DENSITY, *SOLID SECTION, *BOUNDARY, *EQUATION, *SPRING, *CLOAD, *STEP, *STATIC, *FREQUENCY, *END STEP"
                 ),
             )),
         }
@@ -183,8 +191,11 @@ impl Reader {
 
     fn read_elements(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
         let name = card.options.get("TYPE").ok_or_else(|| wrong(card.line, "*ELEMENT needs TYPE="))?;
+        if name == "SPRING1" {
+            return self.read_spring_elements(card, data);
+        }
         let kind = ElementKind::ALL.into_iter().find(|kind| kind.deck_name() == name).ok_or_else(|| {
-            wrong(card.line, format!("unknown element type {name}; read are C3D10, C3D15 and C3D20"))
+            wrong(card.line, format!("unknown element type {name}; read are C3D10, C3D15, C3D20 and SPRING1"))
         })?;
         let mut set = Vec::new();
         let mut fields: Vec<u32> = Vec::new();
@@ -342,9 +353,129 @@ impl Reader {
             for node in self.members(*line, &fields[0], true)? {
                 for axis in first..=last {
                     let axis = (axis - 1) as u8;
-                    self.case.fixed.retain(|fixed| (fixed.node, fixed.axis) != (node, axis));
-                    self.case.fixed.push(Fixed { node, axis, value });
+                    if self.held.insert((node, axis)) {
+                        self.case.fixed.push(Fixed { node, axis, value });
+                        continue;
+                    }
+                    // A later line goes before an earlier one.
+                    let own = |fixed: &&mut Fixed| (fixed.node, fixed.axis) == (node, axis);
+                    if let Some(fixed) = self.case.fixed.iter_mut().find(own) {
+                        fixed.value = value;
+                    }
                 }
+            }
+        }
+        Ok(())
+    }
+
+    fn read_equation(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
+        let mut fields =
+            data.iter().flat_map(|(line, fields)| fields.iter().map(move |field| (*line, field)));
+        while let Some((line, count)) = fields.next() {
+            let count = index(line, count, "the number of terms")?;
+            let mut equation = Equation::new();
+            for _ in 0..count {
+                let (Some((line, node)), Some((_, axis)), Some((_, factor))) =
+                    (fields.next(), fields.next(), fields.next())
+                else {
+                    return Err(wrong(card.line, format!("an equation of {count} terms ends too early")));
+                };
+                let axis = index(line, axis, "the degree of freedom")?;
+                if axis > 3 {
+                    return Err(wrong(line, format!("degrees of freedom are 1, 2 and 3, got {axis}")));
+                }
+                let factor = number(line, Some(factor), "a factor")?;
+                let node = index(line, node, "the number of a node")?;
+                let found = self.nodes.get(&node).copied();
+                let node = found.ok_or_else(|| wrong(line, format!("node {node} is not there")))?;
+                equation.push((node, (axis - 1) as u8, factor));
+            }
+            self.equations.push((card.line, equation));
+        }
+        Ok(())
+    }
+
+    fn read_spring_elements(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
+        let set =
+            card.options.get("ELSET").ok_or_else(|| wrong(card.line, "SPRING1 elements need ELSET="))?;
+        for (line, fields) in data {
+            index(*line, &fields[0], "the number of an element")?;
+            let node = index(*line, fields.get(1).map_or("", String::as_str), "the number of a node")?;
+            let found = self.nodes.get(&node).copied();
+            let node = found.ok_or_else(|| wrong(*line, format!("node {node} is not there")))?;
+            self.spring_elements.push((*line, set.clone(), node));
+        }
+        Ok(())
+    }
+
+    fn read_spring(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
+        let set = card.options.get("ELSET").ok_or_else(|| wrong(card.line, "*SPRING needs ELSET="))?;
+        let [(line, axis), (stiffness_line, stiffness)] = data else {
+            return Err(wrong(
+                card.line,
+                "*SPRING needs its degree of freedom and, in the next line, its stiffness",
+            ));
+        };
+        if axis.first().map(String::as_str) != Some("1") {
+            return Err(wrong(*line, "a spring is read along degree of freedom 1 of a reference node"));
+        }
+        let stiffness = 1e3 * number(*stiffness_line, stiffness.first(), "the stiffness")?;
+        self.stiffnesses.insert(set.clone(), stiffness);
+        Ok(())
+    }
+
+    /// Takes reference nodes out of the mesh, and gives every step its springs.
+    fn take_springs(&mut self) -> Result<(), FlexError> {
+        let mut used = vec![false; self.mesh.nodes.len()];
+        for node in self.mesh.elements.iter().flat_map(|element| &element.nodes) {
+            used[*node as usize] = true;
+        }
+        let mut references = Vec::new();
+        for (line, set, node) in &self.spring_elements {
+            if used[*node as usize] {
+                return Err(wrong(
+                    *line,
+                    "a SPRING1 element is read on a reference node that no other element uses",
+                ));
+            }
+            let stiffness = self.stiffnesses.get(set);
+            let stiffness = stiffness.ok_or_else(|| wrong(*line, format!("set {set} has no *SPRING")))?;
+            references.push((*node, *stiffness, set.clone()));
+        }
+        let springs = springs(&self.equations, &references)?;
+        if references.is_empty() {
+            return Ok(());
+        }
+        let mut number = vec![u32::MAX; used.len()];
+        let mut count = 0;
+        for (node, number) in number.iter_mut().enumerate() {
+            if references.iter().all(|(own, ..)| *own as usize != node) {
+                *number = count;
+                count += 1;
+            }
+        }
+        let kept = |node: &u32| number[*node as usize] != u32::MAX;
+        let mut place = 0..;
+        self.mesh.nodes.retain(|_| place.next().is_some_and(|node: u32| kept(&node)));
+        let mut place = 0..;
+        self.numbers.retain(|_| place.next().is_some_and(|node: u32| kept(&node)));
+        for node in self.mesh.elements.iter_mut().flat_map(|element| &mut element.nodes) {
+            *node = number[*node as usize];
+        }
+        for nodes in self.node_sets.values_mut() {
+            nodes.retain(kept);
+            nodes.iter_mut().for_each(|node| *node = number[*node as usize]);
+        }
+        self.node_sets.retain(|_, nodes| !nodes.is_empty());
+        for step in &mut self.steps {
+            let (DeckStep::Static(case) | DeckStep::Frequency(_, case)) = step;
+            case.fixed.retain(|fixed| kept(&fixed.node));
+            case.forces.retain(|force| kept(&force.node));
+            case.fixed.iter_mut().for_each(|fixed| fixed.node = number[fixed.node as usize]);
+            case.forces.iter_mut().for_each(|force| force.node = number[force.node as usize]);
+            case.springs.clone_from(&springs);
+            for (node, _) in case.springs.iter_mut().flat_map(|spring| &mut spring.nodes) {
+                *node = number[*node as usize];
             }
         }
         Ok(())
@@ -393,6 +524,7 @@ impl Reader {
                 hint: "a *SOLID SECTION names its set and its material",
             });
         }
+        self.take_springs()?;
         for (name, mut nodes) in std::mem::take(&mut self.node_sets) {
             nodes.sort_unstable();
             nodes.dedup();

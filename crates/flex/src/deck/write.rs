@@ -16,19 +16,19 @@ pub enum Analysis {
 }
 
 /// The deck of a case: nodes, elements, sets, materials, supports and loads; the results asked for are displacements and reactions of all
-/// nodes, stresses at the integration points and the energy.
+/// nodes, stresses at the integration points and the energy. A spring on a weighted sum of displacements is an equation between them and a
+/// reference node of its own, on which a spring element acts; the reference nodes follow those of the mesh.
 ///
 /// # Errors
-/// [`FlexError::Missing`] where the case has what the deck cannot say: springs between means of surfaces, inertia relief, a turning
-/// body. These are given as forces on nodes instead.
+/// [`FlexError::Missing`] where the case has what the deck cannot say, inertia relief or a turning body:
+/// [`crate::statics::as_node_forces`] gives these as forces on nodes.
 pub fn write_deck(mesh: &Mesh, case: &StaticCase, analysis: Analysis) -> Result<String, FlexError> {
     let lacks = [
-        (!case.springs.is_empty(), "springs", "give the displacements of nodes instead"),
-        (case.inertia_relief, "inertia relief", "hold the body instead"),
+        (case.inertia_relief, "inertia relief", "give it as forces on nodes"),
         (case.speed != 0.0, "centrifugal field", "give it as forces on nodes"),
     ];
     for (is_there, what, hint) in lacks {
-        if is_there {
+        if is_there && analysis == Analysis::Static {
             return Err(FlexError::Missing { what: "card of the deck for", name: what.to_owned(), hint });
         }
     }
@@ -92,6 +92,7 @@ pub fn write_deck(mesh: &Mesh, case: &StaticCase, analysis: Analysis) -> Result<
             format_args!("*SOLID SECTION, ELSET={}, MATERIAL=M{}", set_name(*kind, *material), material + 1),
         );
     }
+    super::springs::write_springs(text, mesh, case);
     let zero: Vec<_> = case.fixed.iter().filter(|fixed| fixed.value == 0.0).collect();
     if !zero.is_empty() {
         line(text, format_args!("*BOUNDARY"));

@@ -29,6 +29,30 @@ pub enum Precision {
     Double,
 }
 
+/// What a factor will cost, known before it is made.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct SolveEstimate {
+    /// Unknowns.
+    pub unknowns: usize,
+    /// Entries of the lower triangle of the matrix.
+    pub nonzeros: usize,
+    /// Entries of the factor.
+    pub factor_entries: usize,
+    /// Floating-point operations of the factor.
+    pub operations: f64,
+    /// Bytes of matrix and factor.
+    pub bytes: u64,
+    /// Precision of the factor.
+    pub precision: Precision,
+}
+
+impl SolveEstimate {
+    /// Time of the factor on a machine of 10 (double precision: 5) thousand million operations a second [s].
+    pub fn seconds(&self) -> f64 {
+        self.operations / if self.precision == Precision::Single { 1e10 } else { 5e9 }
+    }
+}
+
 /// What a factor will cost.
 #[derive(Debug, Clone)]
 pub struct FactorPlan {
@@ -88,6 +112,18 @@ impl FactorPlan {
         };
         // The factor, the values cast to its precision, and the matrix with its row numbers.
         (self.entries * number + self.nonzeros * (number + 12)) as u64
+    }
+
+    /// What it will cost in this precision.
+    pub fn estimate(&self, precision: Precision) -> SolveEstimate {
+        SolveEstimate {
+            unknowns: self.unknowns,
+            nonzeros: self.nonzeros,
+            factor_entries: self.entries,
+            operations: self.operations,
+            bytes: self.bytes(precision),
+            precision,
+        }
     }
 
     /// Refuses a factor above this many bytes.

@@ -1,6 +1,6 @@
 //! Solutions whose residual is always known: a factor in single precision with conjugate gradients in double, or a double one.
 
-use super::factor::{Factor, FactorPlan, Precision};
+use super::factor::{Factor, FactorPlan, Precision, SolveEstimate};
 use super::matrix::{SymmetricMatrix, dot, norm};
 use crate::FlexError;
 use serde::Serialize;
@@ -46,12 +46,19 @@ pub struct Solver {
 }
 
 impl Solver {
-    /// Factors a matrix within this many bytes. Where single precision breaks off, double precision is tried.
+    /// Factors a matrix within this many bytes; `watch` sees before what it will cost. Where single precision breaks off, double precision
+    /// is tried.
     ///
     /// # Errors
     /// [`FlexError::Memory`], [`FlexError::NotDefinite`].
-    pub fn new(matrix: SymmetricMatrix, precision: Precision, memory: u64) -> Result<Solver, FlexError> {
+    pub fn new(
+        matrix: SymmetricMatrix,
+        precision: Precision,
+        memory: u64,
+        watch: &dyn Fn(&SolveEstimate),
+    ) -> Result<Solver, FlexError> {
         let plan = FactorPlan::new(&matrix)?;
+        watch(&plan.estimate(precision));
         plan.check(precision, memory)?;
         let factor = match precision {
             Precision::Single => match Factor::new(&matrix, &plan) {

@@ -1,0 +1,153 @@
+//! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
+
+use crate::commands::{Opened, json, open};
+use crate::failure::{DONE, Failure};
+use crate::files::{print, tell, write_result};
+use crate::format::Format;
+use crate::options::stress::{
+    ExportArguments, LoadArguments, MeshArguments, ModesArguments, StaticArguments, StressArguments,
+    StressCommand,
+};
+use crate::requests::stress::{loads, mesh, solve_options, support};
+use crate::trace_files::trace_files;
+use lanchester::flex::crank_case::CrankSupport;
+use lanchester::report::{
+    CrankModes, StaticStress, modes_csv, modes_text, static_stress_csv, static_stress_text,
+};
+use lanchester::{
+    ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_modes, modes_deck, modes_vtu,
+    static_stress,
+};
+use std::path::Path;
+
+pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
+    match &arguments.command {
+        StressCommand::Static(arguments) => statics(arguments, colour),
+        StressCommand::Modes(arguments) => modes(arguments, colour),
+        StressCommand::Export(arguments) => export(arguments, colour),
+    }
+}
+
+/// Says on standard error what will be solved, before it is.
+pub(crate) fn say(stage: StressStage) {
+    match stage {
+        StressStage::Meshed(nodes, elements) => {
+            tell(format_args!("meshed: {nodes} nodes, {elements} elements"))
+        }
+        StressStage::Factoring(estimate) => tell(format_args!(
+            "factoring: {} unknowns, {} entries in the factor, {:.2} GiB, {:.1e} operations (some {:.0} s)",
+            estimate.unknowns,
+            estimate.factor_entries,
+            estimate.bytes as f64 / 1_073_741_824.0,
+            estimate.operations,
+            estimate.seconds().ceil(),
+        )),
+    }
+}
+
+fn solved(
+    opened: &Opened,
+    own: &MeshArguments,
+    load: &LoadArguments,
+    held: CrankSupport,
+) -> Result<StaticStress, Failure> {
+    let gas = !load.inertia_only;
+    let (load, speeds) = loads(load)?;
+    let request =
+        StaticRequest { mesh: mesh(own, 6)?, support: held, load, speeds, gas, solve: solve_options(own)? };
+    let traces = if request.gas { trace_files(&opened.file.engine, &own.file)? } else { Vec::new() };
+    static_stress(&opened.file.engine, &traces, &request, &say).map_err(Failure::refused)
+}
+
+fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
+    let held = support(&arguments.support, CrankSupport::Journals)?;
+    let opened = open(&arguments.mesh.file, colour)?;
+    let found = solved(&opened, &arguments.mesh, &arguments.load, held)?;
+    print(&match arguments.format {
+        Format::Text => static_stress_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => static_stress_csv(&found),
+    })?;
+    Ok(DONE)
+}
+
+fn found_modes(
+    opened: &Opened,
+    own: &MeshArguments,
+    held: CrankSupport,
+    count: u32,
+) -> Result<CrankModes, Failure> {
+    let request = ModesRequest {
+        mesh: mesh(own, 2)?,
+        support: held,
+        count: count as usize,
+        solve: solve_options(own)?,
+    };
+    crank_modes(&opened.file.engine, &request, &say).map_err(Failure::refused)
+}
+
+fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
+    let held = support(&arguments.support, CrankSupport::Free)?;
+    let opened = open(&arguments.mesh.file, colour)?;
+    let found = found_modes(&opened, &arguments.mesh, held, arguments.number)?;
+    print(&match arguments.format {
+        Format::Text => modes_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => modes_csv(&found),
+    })?;
+    Ok(DONE)
+}
+
+fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
+    let (own, path) = (&arguments.mesh, arguments.output.as_path());
+    let form = Form::of(path)?;
+    let opened = open(&own.file, colour)?;
+    let written = match arguments.modes {
+        Some(count) => {
+            let held = support(&arguments.support, CrankSupport::Free)?;
+            let found = found_modes(&opened, own, held, count)?;
+            match form {
+                Form::Deck => {
+                    modes_deck(&found, held, count as usize).map_err(Failure::refused)?.into_bytes()
+                }
+                Form::Vtu => modes_vtu(&found),
+            }
+        }
+        None => {
+            let held = support(&arguments.support, CrankSupport::Journals)?;
+            let found = solved(&opened, own, &arguments.load, held)?;
+            let case = found.worst().ok_or_else(|| Failure::own("a solution has a case"))?;
+            tell(format_args!("writing the case: {}", case.name));
+            match form {
+                Form::Deck => case_deck(&found, case, held).map_err(Failure::refused)?.into_bytes(),
+                Form::Vtu => case_vtu(&found, case),
+            }
+        }
+    };
+    write_result(path, &own.file, &written)?;
+    tell(format_args!("{} written", lanchester_files::shown(path)));
+    Ok(DONE)
+}
+
+/// Forms of an export, by the ending of its name.
+enum Form {
+    Deck,
+    Vtu,
+}
+
+impl Form {
+    fn of(path: &Path) -> Result<Form, Failure> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("inp") => Ok(Form::Deck),
+            Some("vtu") => Ok(Form::Vtu),
+            _ => Err(Failure::input(
+                format_args!(
+                    "--output needs a name that ends in .inp or .vtu, got {}",
+                    lanchester_files::shown(path)
+                ),
+                "for example --output case.vtu",
+            )),
+        }
+    }
+}

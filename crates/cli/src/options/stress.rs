@@ -1,0 +1,158 @@
+//! Options of `lanchester stress`.
+
+use crate::format::Format;
+use clap::{Args, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// `stress`
+#[derive(Debug, Args)]
+pub struct StressArguments {
+    /// What to compute.
+    #[command(subcommand)]
+    pub command: StressCommand,
+}
+
+/// The commands of the flexible crankshaft. One is made in the life of the program: its size does not matter.
+#[derive(Debug, Subcommand)]
+#[allow(clippy::large_enum_variant)]
+pub enum StressCommand {
+    /// Stress in every fillet, on pins and journals, under the loads of gas, inertia and rotation, or under forces of your own.
+    #[command(
+        after_help = "Examples:\n  lanchester stress static four.toml\n  lanchester stress static four.toml --angle '7 deg' --speed '4000 rpm'\n  \
+                            lanchester stress static four.toml --force '1: -65 kN, 10.7 kN' --support clamped-ends\n  \
+                            lanchester stress static four.toml --size '6 mm' --fillet-elements 8 --format csv > fillets.csv"
+    )]
+    Static(StaticArguments),
+    /// Natural frequencies of the crankshaft at rest, their kinds and residuals.
+    #[command(
+        after_help = "Examples:\n  lanchester stress modes four.toml\n  lanchester stress modes four.toml -n 20 --support journals\n  \
+                            lanchester stress modes four.toml --fillet-elements 2 --format csv > modes.csv"
+    )]
+    Modes(ModesArguments),
+    /// Write the mesh with a case, or with modes, for other programs: CalculiX deck, VTU for ParaView.
+    #[command(
+        after_help = "Examples:\n  lanchester stress export four.toml --force '1: -65 kN, 10.7 kN' --output case.inp\n  \
+                            lanchester stress export four.toml --angle '7 deg' --output case.vtu\n  \
+                            lanchester stress export four.toml --modes 10 --output modes.vtu"
+    )]
+    Export(ExportArguments),
+}
+
+/// Which crankshaft, and how fine its mesh is.
+#[derive(Debug, Clone, Args)]
+pub struct MeshArguments {
+    /// Engine file with [crank.body]; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Number of the crankshaft, from 1.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub crankshaft: usize,
+    /// Size of the elements away from fillets, with its unit.
+    #[arg(long, value_name = "LENGTH", default_value = "8 mm")]
+    pub size: String,
+    /// Elements across the 90 deg of a fillet, an even number; 2 are enough for frequencies, 6 or more for stress.
+    #[arg(long, value_name = "N")]
+    pub fillet_elements: Option<usize>,
+    /// Most memory that matrix and factor may take, such as `4 GiB`.
+    #[arg(long, value_name = "SIZE", default_value = "8 GiB")]
+    pub memory: String,
+    /// Factor in double precision from the start; by default in single precision with refinement to double (modes always in double).
+    #[arg(long)]
+    pub double: bool,
+}
+
+/// What holds the crankshaft.
+#[derive(Debug, Clone, Args)]
+pub struct SupportArguments {
+    /// What holds the crankshaft; default: `journals`, for modes `free`.
+    #[arg(long, value_enum)]
+    pub support: Option<SupportOption>,
+    /// With `--support springs`: stiffness per journal and direction, with its unit, such as `500 kN/mm`.
+    #[arg(long, value_name = "STIFFNESS", required_if_eq("support", "springs"))]
+    pub stiffness: Option<String>,
+}
+
+/// Supports.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum SupportOption {
+    /// Both end faces clamped.
+    ClampedEnds,
+    /// The mean of each journal's surface fixed across the axis; the flywheel's end fixed along and about the axis.
+    Journals,
+    /// The same with a spring at each journal.
+    Springs,
+    /// None: loads balanced by the crankshaft's own inertia.
+    Free,
+}
+
+/// The loads.
+#[derive(Debug, Clone, Args)]
+pub struct LoadArguments {
+    /// One crank angle, with its unit; default: angles of the largest radial, tangential and resultant force on each pin and firing top dead centres.
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true, conflicts_with = "force")]
+    pub angle: Option<String>,
+    /// Force on a pin instead, `PIN: RADIAL, TANGENTIAL` with units: radial positive away from the crank axis, tangential positive where it drives
+    /// the crankshaft. May be given several times; all act at once.
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    pub force: Vec<String>,
+    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file, with `--force` standstill.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Vec<String>,
+    /// Leave out the gas of the file.
+    #[arg(long)]
+    pub inertia_only: bool,
+}
+
+/// `stress static`
+#[derive(Debug, Args)]
+pub struct StaticArguments {
+    /// Which crankshaft, and how fine its mesh is.
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// What holds it.
+    #[command(flatten)]
+    pub support: SupportArguments,
+    /// What loads it.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Form of the output; CSV is every fillet under every case.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `stress modes`
+#[derive(Debug, Args)]
+pub struct ModesArguments {
+    /// Which crankshaft, and how fine its mesh is.
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// What holds it.
+    #[command(flatten)]
+    pub support: SupportArguments,
+    /// How many modes, beyond those of a rigid body.
+    #[arg(short = 'n', long = "number", value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=500))]
+    pub number: u32,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `stress export`
+#[derive(Debug, Args)]
+pub struct ExportArguments {
+    /// Which crankshaft, and how fine its mesh is.
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// What holds it.
+    #[command(flatten)]
+    pub support: SupportArguments,
+    /// What loads it; of several cases the one with the largest fillet stress is written.
+    #[command(flatten)]
+    pub load: LoadArguments,
+    /// Modes instead of a static case: how many.
+    #[arg(long, value_name = "N", conflicts_with_all = ["angle", "force"], value_parser = clap::value_parser!(u32).range(1..=500))]
+    pub modes: Option<u32>,
+    /// File to write: `.inp` (CalculiX; N, mm, tonne, s, MPa) or `.vtu` (ParaView; SI).
+    #[arg(long, short, value_name = "FILE")]
+    pub output: PathBuf,
+}

@@ -1,0 +1,101 @@
+//! Options of `stress` as requests.
+
+use crate::failure::Failure;
+use crate::options::stress::{LoadArguments, MeshArguments, SupportArguments, SupportOption};
+use lanchester::flex::crank_case::CrankSupport;
+use lanchester::flex::crank_mesh::CrankMeshOptions;
+use lanchester::flex::sparse::Precision;
+use lanchester::flex::statics::SolveOptions;
+use lanchester::task::option;
+use lanchester::units::{Bound, Dimension};
+use lanchester::{GivenForce, StressLoad, StressMesh};
+
+/// Which crankshaft, how fine.
+pub fn mesh(own: &MeshArguments, fillet_elements: usize) -> Result<StressMesh, Failure> {
+    let size = option::length(&own.size, "--size")?;
+    let crankshaft = own.crankshaft.checked_sub(1).ok_or_else(|| {
+        Failure::input("--crankshaft counts from 1, got 0", "leave it out for the first crankshaft")
+    })?;
+    let fillet_elements = own.fillet_elements.unwrap_or(fillet_elements);
+    let options = CrankMeshOptions { size, fillet_elements, ..CrankMeshOptions::default() };
+    Ok(StressMesh { crankshaft, options })
+}
+
+/// How to solve.
+pub fn solve_options(own: &MeshArguments) -> Result<SolveOptions, Failure> {
+    let precision = if own.double { Precision::Double } else { Precision::Single };
+    Ok(SolveOptions { precision, memory: memory(&own.memory)?, ..SolveOptions::default() })
+}
+
+/// `4 GiB`, `800 MB`.
+fn memory(text: &str) -> Result<u64, Failure> {
+    let units = [("GiB", 1u64 << 30), ("MiB", 1 << 20), ("GB", 1_000_000_000), ("MB", 1_000_000)];
+    let text = text.trim();
+    let found = units.iter().find_map(|(unit, bytes)| {
+        let number = text.strip_suffix(unit)?.trim().parse::<f64>().ok()?;
+        (number > 0.0 && number.is_finite()).then_some((number * *bytes as f64) as u64)
+    });
+    found.ok_or_else(|| {
+        Failure::input(
+            format_args!("--memory needs a size above 0 in GiB, MiB, GB or MB, got \"{text}\""),
+            "write it like --memory '4 GiB'",
+        )
+    })
+}
+
+/// What holds the crankshaft.
+pub fn support(own: &SupportArguments, default: CrankSupport) -> Result<CrankSupport, Failure> {
+    if own.stiffness.is_some() && own.support != Some(SupportOption::Springs) {
+        return Err(Failure::input(
+            "--stiffness is that of --support springs",
+            "add --support springs, or leave out --stiffness",
+        ));
+    }
+    Ok(match own.support {
+        None => default,
+        Some(SupportOption::ClampedEnds) => CrankSupport::ClampedEnds,
+        Some(SupportOption::Journals) => CrankSupport::Journals,
+        Some(SupportOption::Free) => CrankSupport::Free,
+        Some(SupportOption::Springs) => {
+            let text = own.stiffness.as_deref().unwrap_or_default();
+            let stiffness = option::of_dimension(text, Dimension::Stiffness, Bound::Positive, "--stiffness")?;
+            CrankSupport::Springs { stiffness }
+        }
+    })
+}
+
+/// Loads and speeds.
+pub fn loads(own: &LoadArguments) -> Result<(StressLoad, Vec<f64>), Failure> {
+    let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
+    let speeds = own.speed.iter().map(speed).collect::<Result<Vec<f64>, Failure>>()?;
+    let load = match (&own.angle, own.force.is_empty()) {
+        (Some(text), _) => StressLoad::Angle(option::angle(text, "--angle")?),
+        (None, true) => StressLoad::Extremes,
+        (None, false) => {
+            StressLoad::Given(own.force.iter().map(|text| force(text)).collect::<Result<_, Failure>>()?)
+        }
+    };
+    Ok((load, speeds))
+}
+
+/// `1: -65 kN, 10.7 kN`: pin, radial and tangential force; the second one may be left out.
+fn force(text: &str) -> Result<GivenForce, Failure> {
+    let refuse = || {
+        Failure::input(
+            format_args!("--force needs a pin and its forces, got \"{text}\""),
+            "write it like --force '1: -65 kN, 10.7 kN': number of the pin, radial and tangential force",
+        )
+    };
+    let (pin, forces) = text.split_once(':').ok_or_else(refuse)?;
+    let pin = pin.trim().parse::<usize>().map_err(|_| refuse())?;
+    let of = |text: &str| {
+        option::of_dimension(text.trim(), Dimension::Force, Bound::Any, "--force").map_err(Failure::from)
+    };
+    let mut parts = forces.split(',');
+    let radial = of(parts.next().unwrap_or_default())?;
+    let tangential = parts.next().map(of).transpose()?.unwrap_or(0.0);
+    if parts.next().is_some() {
+        return Err(refuse());
+    }
+    Ok(GivenForce { pin, radial, tangential })
+}

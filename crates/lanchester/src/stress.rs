@@ -1,0 +1,12 @@
+//! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form.
+
+pub(crate) mod export;
+pub(crate) mod loads;
+pub(crate) mod request;
+pub(crate) mod run;
+
+pub use export::{case_deck, case_vtu, modes_deck, modes_vtu};
+pub use request::{
+    GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
+};
+pub use run::{crank_modes, static_stress};

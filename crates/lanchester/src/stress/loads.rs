@@ -1,0 +1,177 @@
+//! Loads of a crankshaft from the closed form, named, in the frame that turns with it.
+
+use crate::pressure::cylinders::{GasReport, TraceFile, cylinder_gas};
+use crate::stress::request::{StaticRequest, StressError, StressLoad};
+use lanchester_flex::crank_case::{CrankLoad, PinLoad};
+use lanchester_mechanism::{BearingPart, BearingRequest, ThrowForce, throw_forces};
+use lanchester_model::Engine;
+use lanchester_report::PinForces;
+use std::f64::consts::{PI, TAU};
+
+/// Steps in which extremes over the cycle are sought [rad].
+const STEP: f64 = PI / 180.0;
+
+/// A named load.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct NamedLoad {
+    pub name: String,
+    pub theta: Option<f64>,
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    pub forces: Vec<PinForces>,
+    pub load: CrankLoad,
+}
+
+/// All loads of a request, and where the pressures come from.
+pub(crate) fn named_loads(
+    engine: &Engine,
+    traces: &[TraceFile],
+    request: &StaticRequest,
+) -> Result<(Vec<NamedLoad>, Option<String>), StressError> {
+    if let StressLoad::Given(forces) = &request.load {
+        let speeds = if request.speeds.is_empty() { vec![0.0] } else { request.speeds.clone() };
+        let loads = speeds.iter().map(|speed| given(engine, request.mesh.crankshaft, *speed, forces));
+        return Ok((loads.collect::<Result<_, _>>()?, None));
+    }
+    let mut speeds = request.speeds.clone();
+    if speeds.is_empty() {
+        speeds = vec![engine.speed.lowest, engine.speed.highest];
+        speeds.dedup();
+    }
+    let (mut loads, mut source) = (Vec::new(), None);
+    for speed in speeds {
+        let gas = match &engine.gas {
+            Some(_) if request.gas => Some(cylinder_gas(engine, traces, speed)?),
+            _ => None,
+        };
+        loads.extend(of_closed_form(engine, gas.as_ref(), speed, request)?);
+        source = gas.map(|gas| gas.source).or(source);
+    }
+    Ok((loads, source))
+}
+
+fn named(
+    engine: &Engine,
+    crankshaft: usize,
+    name: String,
+    theta: f64,
+    speed: f64,
+    forces: &[ThrowForce],
+) -> NamedLoad {
+    let ratio = engine.crankshafts[crankshaft].ratio.value();
+    NamedLoad {
+        name,
+        theta: Some(theta),
+        speed,
+        forces: forces
+            .iter()
+            .map(|own| PinForces { pin: own.throw + 1, radial: own.radial, tangential: own.tangential })
+            .collect(),
+        load: CrankLoad {
+            pins: forces
+                .iter()
+                .map(|own| PinLoad { pin: own.throw + 1, force: [own.force.re, own.force.im] })
+                .collect(),
+            speed: ratio * speed,
+        },
+    }
+}
+
+fn of_closed_form(
+    engine: &Engine,
+    gas: Option<&GasReport>,
+    speed: f64,
+    request: &StaticRequest,
+) -> Result<Vec<NamedLoad>, StressError> {
+    let crankshaft = request.mesh.crankshaft;
+    let part = if gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
+    let asked = BearingRequest { speed: Some(speed), part, ..BearingRequest::default() };
+    let cylinders = gas.map(|gas| gas.cylinders.as_slice());
+    let at = |theta: &[f64]| throw_forces(engine, cylinders, &asked, crankshaft, theta);
+    let rpm = speed * 30.0 / PI;
+    if let StressLoad::Angle(theta) = request.load {
+        let forces = at(&[theta])?.remove(0);
+        let name = format!("crank angle {:.1} deg, {rpm:.0} rpm", theta.to_degrees());
+        return Ok(vec![named(engine, crankshaft, name, theta, speed, &forces)]);
+    }
+    // One period, and the angles that begin a power stroke.
+    let period = TAU * f64::from(engine.strokes.revolutions());
+    let count = (period / STEP).round() as usize;
+    let grid: Vec<f64> = (0..count).map(|k| period * k as f64 / count as f64).collect();
+    let over = at(&grid)?;
+    let mut wanted: Vec<(f64, Vec<String>)> = Vec::new();
+    let mut add =
+        |theta: f64, name: String| match wanted.iter_mut().find(|(own, _)| (own - theta).abs() < 1e-9) {
+            Some((_, names)) => names.push(name),
+            None => wanted.push((theta, vec![name])),
+        };
+    let throws = over.first().map_or(0, Vec::len);
+    for k in 0..throws {
+        let pin = over[0][k].throw + 1;
+        let sizes: [(&str, &dyn Fn(&ThrowForce) -> f64); 3] = [
+            ("radial", &|own| own.radial.abs()),
+            ("tangential", &|own| own.tangential.abs()),
+            ("resultant", &|own| own.force.norm()),
+        ];
+        for (name, size) in sizes {
+            let best = (0..count).max_by(|a, b| size(&over[*a][k]).total_cmp(&size(&over[*b][k])));
+            if let Some(best) = best {
+                add(grid[best], format!("largest {name} force on pin {pin}"));
+            }
+        }
+    }
+    if let Some(gas) = gas {
+        for (index, theta) in gas.firing_angles.iter().enumerate() {
+            if engine.throws[engine.cylinders[index].throw].crankshaft == crankshaft {
+                add(theta.rem_euclid(period), format!("firing top dead centre of cylinder {}", index + 1));
+            }
+        }
+    }
+    let angles: Vec<f64> = wanted.iter().map(|(theta, _)| *theta).collect();
+    let forces = at(&angles)?;
+    let loads = wanted.into_iter().zip(forces).map(|((theta, names), forces)| {
+        let name = format!("{}, {rpm:.0} rpm", names.join(" and "));
+        named(engine, crankshaft, name, theta, speed, &forces)
+    });
+    Ok(loads.collect())
+}
+
+/// Forces that the user gives, along and across throws.
+fn given(
+    engine: &Engine,
+    crankshaft: usize,
+    speed: f64,
+    forces: &[PinForces],
+) -> Result<NamedLoad, StressError> {
+    let own = &engine.crankshafts[crankshaft];
+    let sense = f64::from(own.ratio.numerator().signum());
+    let pin = |force: &PinForces| {
+        let throw = force.pin.checked_sub(1).and_then(|index| engine.throws.get(index));
+        let throw = throw.filter(|throw| throw.crankshaft == crankshaft).ok_or_else(|| {
+            let pins: Vec<String> = (0..engine.throws.len())
+                .filter(|index| engine.throws[*index].crankshaft == crankshaft)
+                .map(|index| (index + 1).to_string())
+                .collect();
+            let there = format!("pins {} on crankshaft {}", pins.join(", "), crankshaft + 1);
+            StressError::Missing { what: "pin", number: force.pin, there }
+        })?;
+        let (sin, cos) = throw.angle.sin_cos();
+        let (along, across) = (force.radial, sense * force.tangential);
+        Ok(PinLoad { pin: force.pin, force: [along * cos - across * sin, along * sin + across * cos] })
+    };
+    let words = |force: &PinForces| {
+        format!(
+            "pin {}: {:.3} kN radial, {:.3} kN tangential",
+            force.pin,
+            1e-3 * force.radial,
+            1e-3 * force.tangential
+        )
+    };
+    let mut name = forces.iter().map(words).collect::<Vec<_>>().join("; ");
+    if speed != 0.0 {
+        name.push_str(&format!(", {:.0} rpm", speed * 30.0 / PI));
+    }
+    let pins = forces.iter().map(pin).collect::<Result<Vec<PinLoad>, StressError>>()?;
+    let load = CrankLoad { pins, speed: own.ratio.value() * speed };
+    Ok(NamedLoad { name, theta: None, speed, forces: forces.to_vec(), load })
+}

@@ -1,0 +1,156 @@
+//! Meshing and solving.
+
+use crate::pressure::cylinders::TraceFile;
+use crate::stress::loads::named_loads;
+use crate::stress::request::{
+    ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
+};
+use lanchester_flex::Material;
+use lanchester_flex::case::StaticCase;
+use lanchester_flex::crank_case::{
+    BearingSurfaces, CrankLoad, CrankSupport, crank_support, solve_crank_watched,
+};
+use lanchester_flex::crank_mesh::crank_mesh;
+use lanchester_flex::modes::{ModeKind, modes_watched};
+use lanchester_geometry::crankshaft::crankshaft;
+use lanchester_model::{CrankElement, CrankElementForm, Engine, Origin};
+use lanchester_report::{
+    CrankModes, CrankSheet, MODES_VERSION, STATIC_STRESS_VERSION, StaticStress, StressCase, StressMaterial,
+};
+use std::f64::consts::FRAC_PI_4;
+
+/// Static stress of a crankshaft; `watch` sees how far it is. `traces` holds the files that [`crate::trace_names`] names.
+///
+/// # Errors
+/// [`StressError`] where the file says too little, the shape is not covered, or the factor needs more memory than allowed.
+pub fn static_stress(
+    engine: &Engine,
+    traces: &[TraceFile],
+    request: &StaticRequest,
+    watch: &dyn Fn(StressStage),
+) -> Result<StaticStress, StressError> {
+    check_crankshaft(engine, request.mesh)?;
+    let (loads, gas) = named_loads(engine, traces, request)?;
+    let sheet = sheet(engine, request.mesh, watch)?;
+    if sheet.crank.corners.iter().all(|corner| corner.nodes.is_empty()) {
+        return Err(StressError::NoFillet { crankshaft: request.mesh.crankshaft + 1 });
+    }
+    let cases: Vec<CrankLoad> = loads.iter().map(|own| own.load.clone()).collect();
+    let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
+    let solved = solve_crank_watched(&sheet.crank, request.support, &cases, request.solve, &estimate)?;
+    let Some(solve) = solved.first().map(|case| case.solution.report) else {
+        return Err(StressError::Missing { what: "load case", number: 1, there: "none".to_owned() });
+    };
+    let cases = loads.into_iter().zip(solved).map(|(own, result)| StressCase {
+        name: own.name,
+        theta: own.theta,
+        speed: own.speed,
+        forces: own.forces,
+        energy: result.solution.energy,
+        load: result.solution.load,
+        reaction: result.solution.reaction,
+        loading: own.load,
+        result,
+    });
+    let mut notes = vec![
+        "Loads on a pin act as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; small displacements, linear elastic."
+            .to_owned(),
+    ];
+    notes.push(match request.load {
+        StressLoad::Given(_) => {
+            "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.".to_owned()
+        }
+        _ => "Forces of gas and of the inertia of pistons and rods from the closed form at constant speed, sought in steps of 1 deg; the \
+              crankshaft's own centrifugal field acts."
+            .to_owned(),
+    });
+    if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given(_)) {
+        notes.push(
+            "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole."
+                .to_owned(),
+        );
+    }
+    Ok(StaticStress {
+        version: STATIC_STRESS_VERSION,
+        sheet,
+        support: support_words(request.support),
+        gas,
+        solve,
+        cases: cases.collect(),
+        notes,
+    })
+}
+
+/// Natural modes of a crankshaft; `watch` sees how far it is.
+///
+/// # Errors
+/// As [`static_stress`].
+pub fn crank_modes(
+    engine: &Engine,
+    request: &ModesRequest,
+    watch: &dyn Fn(StressStage),
+) -> Result<CrankModes, StressError> {
+    check_crankshaft(engine, request.mesh)?;
+    let sheet = sheet(engine, request.mesh, watch)?;
+    let (case, rigid) = match request.support {
+        CrankSupport::Free => (StaticCase::default(), 6),
+        support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support)?, 0),
+    };
+    let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
+    let mut modes = modes_watched(&sheet.crank.mesh, &case, request.count + rigid, request.solve, &estimate)?;
+    // Rigid motions are told in a sentence, not in rows.
+    modes.modes.retain(|mode| mode.kind != ModeKind::Rigid);
+    let support = match request.support {
+        CrankSupport::Free => "none; its six rigid motions are left out".to_owned(),
+        support => support_words(support),
+    };
+    Ok(CrankModes { version: MODES_VERSION, sheet, support, modes })
+}
+
+fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), StressError> {
+    let count = engine.crankshafts.len();
+    if mesh.crankshaft < count {
+        return Ok(());
+    }
+    let there = if count == 1 { "one crankshaft".to_owned() } else { format!("{count} crankshafts") };
+    Err(StressError::Missing { what: "crankshaft", number: mesh.crankshaft + 1, there })
+}
+
+/// The mesh with what there is to say of it.
+pub(crate) fn sheet(
+    engine: &Engine,
+    mesh: StressMesh,
+    watch: &dyn Fn(StressStage),
+) -> Result<CrankSheet, StressError> {
+    let crank = crank_mesh(engine, mesh.crankshaft, mesh.options)?;
+    watch(StressStage::Meshed(crank.mesh.nodes.len(), crank.mesh.elements.len()));
+    let body = crankshaft(engine, mesh.crankshaft).map_err(lanchester_flex::FlexError::from)?;
+    let elastic = crank.mesh.materials.first().cloned().unwrap_or_else(Material::steel);
+    let given = engine.crank_material.as_ref();
+    let modulus = given.and_then(|own| own.youngs_modulus());
+    Ok(CrankSheet {
+        engine: engine.name.clone(),
+        crankshaft: mesh.crankshaft + 1,
+        fillet_mass: elastic.density * crank.corners.iter().map(|corner| corner.volume()).sum::<f64>(),
+        exact_mass: body.mass.mass - end_mass(engine, mesh.crankshaft),
+        material: StressMaterial {
+            elastic,
+            origin: modulus.map_or(Origin::Assumed, |modulus| modulus.origin),
+            yield_strength: given.and_then(|own| own.yield_strength()),
+        },
+        options: mesh.options,
+        crank,
+    })
+}
+
+/// Mass of nose and flange, which are not meshed [kg].
+fn end_mass(engine: &Engine, crankshaft: usize) -> f64 {
+    let of = |element: &CrankElement| match &element.form {
+        CrankElementForm::Nose { bar, .. } | CrankElementForm::Flange { bar, .. } => {
+            let area = FRAC_PI_4 * (bar.diameter.powi(2) - bar.bore.powi(2));
+            element.density * area * element.length()
+        }
+        _ => 0.0,
+    };
+    engine.crank_elements(crankshaft).unwrap_or_default().iter().map(of).sum()
+}

@@ -1,0 +1,91 @@
+//! What was meshed of a crankshaft: mesh, material, what is left out.
+
+use crate::kit::number;
+use lanchester_flex::Material;
+use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions};
+use lanchester_model::{Origin, Sourced};
+use serde::Serialize;
+
+/// A meshed crankshaft.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct CrankSheet {
+    /// Name of the engine.
+    pub engine: String,
+    /// Number of the crankshaft, from 1.
+    pub crankshaft: usize,
+    /// Its material.
+    pub material: StressMaterial,
+    /// How fine it is meshed.
+    pub options: CrankMeshOptions,
+    /// The mesh: its quality, its corners, what is not meshed; the nodes themselves are not serialised.
+    pub crank: CrankMesh,
+    /// Mass of the exact body without fillets, nose and flange [kg].
+    pub exact_mass: f64,
+    /// Volume that fillets add, by Pappus's rule, times the density [kg].
+    pub fillet_mass: f64,
+}
+
+/// Elastic constants with their origin, and the yield strength where the file gives one.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct StressMaterial {
+    /// Elastic constants and density.
+    pub elastic: Material,
+    /// Where Young's modulus comes from.
+    pub origin: Origin,
+    /// Yield strength [Pa].
+    pub yield_strength: Option<Sourced>,
+}
+
+impl CrankSheet {
+    /// Lines on mesh, material and what is left out.
+    pub(crate) fn words(&self) -> Vec<String> {
+        let quality = &self.crank.quality;
+        let [tetrahedra, wedges, hexahedra] = quality.elements;
+        let kinds = [(tetrahedra, "tetrahedra"), (wedges, "wedges"), (hexahedra, "hexahedra")];
+        let kinds: Vec<String> = kinds
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, kind)| format!("{} quadratic {kind}", number::whole(*count as u128)))
+            .collect();
+        let mut words = vec![format!(
+            "Mesh: {} nodes, {}; elements of {} mm, {} across the 90 deg of a fillet; smallest scaled Jacobian {:.2}, smallest angle {:.0} deg.",
+            number::whole(quality.nodes as u128),
+            kinds.join(", "),
+            number::trimmed(1e3 * self.options.size, 4),
+            self.options.fillet_elements,
+            quality.least_jacobian,
+            quality.least_angle.to_degrees(),
+        )];
+        let exact = self.exact_mass + self.fillet_mass;
+        words.push(format!(
+            "Mass of the mesh {} kg; of the exact body {} kg, of which fillets {} kg (difference {:.1e}).",
+            number::short(quality.mass, 6),
+            number::short(exact, 6),
+            number::short(self.fillet_mass, 3),
+            (quality.mass / exact - 1.0).abs(),
+        ));
+        let elastic = &self.material.elastic;
+        let mut material = format!(
+            "Material: Young's modulus {} GPa ({}), Poisson's ratio {}, density {} kg/m3",
+            number::trimmed(1e-9 * elastic.youngs_modulus, 4),
+            self.material.origin,
+            number::trimmed(elastic.poisson_ratio, 3),
+            number::trimmed(elastic.density, 5),
+        );
+        match self.material.yield_strength {
+            Some(strength) => material.push_str(&format!(
+                ", yield strength {} MPa ({}).",
+                number::trimmed(1e-6 * strength.value, 4),
+                strength.origin
+            )),
+            None => material.push_str(
+                "; no yield strength, so no safety (give yield_strength or a preset in [crank.material]).",
+            ),
+        }
+        words.push(material);
+        if !self.crank.left_out.is_empty() {
+            words.push(format!("Not meshed: {}.", self.crank.left_out.join(", ")));
+        }
+        words
+    }
+}

@@ -1,0 +1,329 @@
+//! Static stress of a crankshaft: its tables.
+
+use super::body::CrankSheet;
+use crate::kit::number;
+use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
+use crate::loads::text::push_wrapped;
+use lanchester_flex::crank_case::{CrankCase, CrankLoad, SurfacePeak};
+use lanchester_flex::sparse::SolveReport;
+use serde::Serialize;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const STATIC_STRESS_VERSION: u32 = 1;
+
+/// Static stress of a crankshaft under several loads.
+///
+/// Linear, elastic, small displacements; loads as pressure over 180 degrees of the pins; constant speed.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct StaticStress {
+    /// [`STATIC_STRESS_VERSION`].
+    pub version: u32,
+    /// What was meshed.
+    pub sheet: CrankSheet,
+    /// What holds it, in words.
+    pub support: String,
+    /// Where the pressures come from, in words; `None`: no gas acts.
+    pub gas: Option<String>,
+    /// How the equations were solved.
+    pub solve: SolveReport,
+    /// The load cases.
+    pub cases: Vec<StressCase>,
+    /// What was assumed and left out.
+    pub notes: Vec<String>,
+}
+
+/// Force on a pin.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct PinForces {
+    /// Number of the pin, from 1.
+    pub pin: usize,
+    /// Along the throw, positive away from the crank axis [N].
+    pub radial: f64,
+    /// Across it, positive where it drives the crankshaft [N].
+    pub tangential: f64,
+}
+
+/// One load case.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct StressCase {
+    /// Its name.
+    pub name: String,
+    /// Crank angle [rad]; `None`: forces were given.
+    pub theta: Option<f64>,
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Forces on the pins.
+    pub forces: Vec<PinForces>,
+    /// Elastic energy of crankshaft and supports [J].
+    pub energy: f64,
+    /// Sum of all loads, in the frame that turns with the crankshaft [N].
+    pub load: [f64; 3],
+    /// Sum of what the supports exert on it [N].
+    pub reaction: [f64; 3],
+    /// What loads the crankshaft, in the frame that turns with it.
+    pub loading: CrankLoad,
+    /// Displacements and peaks; the fields themselves are not serialised.
+    pub result: CrankCase,
+}
+
+impl StressCase {
+    /// The fillet with the largest von Mises stress.
+    pub fn worst(&self) -> Option<&SurfacePeak> {
+        let value = |peak: &SurfacePeak| peak.stress.map_or(f64::NEG_INFINITY, |stress| stress.von_mises);
+        let sharpless = self.result.peaks.iter().filter(|peak| peak.stress.is_some());
+        sharpless.max_by(|a, b| value(a).total_cmp(&value(b)))
+    }
+}
+
+impl StaticStress {
+    /// The case with the largest stress in a fillet.
+    pub fn worst(&self) -> Option<&StressCase> {
+        let value = |case: &StressCase| {
+            case.worst().and_then(|peak| peak.stress).map_or(0.0, |stress| stress.von_mises)
+        };
+        self.cases.iter().max_by(|a, b| value(a).total_cmp(&value(b)))
+    }
+
+    /// Yield strength over a stress.
+    pub fn safety(&self, von_mises: f64) -> Option<f64> {
+        self.sheet.material.yield_strength.map(|strength| strength.value / von_mises)
+    }
+
+    /// The sentence that matters most.
+    pub(crate) fn lead(&self) -> String {
+        let Some((case, peak, stress)) =
+            self.worst().and_then(|case| case.worst().and_then(|peak| Some((case, peak, peak.stress?))))
+        else {
+            return "No fillet has a stress.".to_owned();
+        };
+        let safety = self
+            .safety(stress.von_mises)
+            .map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)));
+        format!(
+            "Largest fillet stress {} MPa (von Mises) at {}, under {}{safety}.",
+            number::short(1e-6 * stress.von_mises, 4),
+            peak.name,
+            case.name,
+        )
+    }
+
+    /// The load cases.
+    pub(crate) fn cases_table(&self) -> Table {
+        let cases = &self.cases;
+        let force = |case: &StressCase| {
+            let of = |own: &PinForces| {
+                format!("{}: {:.2}, {:.2}", own.pin, 1e-3 * own.radial, 1e-3 * own.tangential)
+            };
+            case.forces.iter().map(of).collect::<Vec<_>>().join("; ")
+        };
+        let von_mises = |case: &StressCase| case.worst().and_then(|peak| peak.stress).map(|s| s.von_mises);
+        let mut columns = vec![
+            words("case", cases.iter().map(|case| case.name.clone())),
+            (
+                Column::numbers("angle", "deg"),
+                cases
+                    .iter()
+                    .map(|case| {
+                        case.theta.map_or(Cell::Empty, |theta| Cell::Number {
+                            value: theta.to_degrees(),
+                            decimals: 1,
+                        })
+                    })
+                    .collect(),
+            ),
+            numbers("speed", "rpm", cases.iter().map(|case| number::rpm(case.speed)), 5),
+            words("pin: radial, tangential in kN", cases.iter().map(force)),
+            numbers("displacement", "mm", cases.iter().map(|c| 1e3 * c.result.largest_displacement), 4),
+            numbers("energy", "J", cases.iter().map(|case| case.energy), 5),
+            numbers(
+                "fillet stress",
+                "MPa",
+                cases.iter().map(|case| von_mises(case).map_or(f64::NAN, |s| 1e-6 * s)),
+                4,
+            ),
+            words(
+                "at",
+                cases.iter().map(|case| case.worst().map_or(String::new(), |peak| peak.name.clone())),
+            ),
+        ];
+        if self.sheet.material.yield_strength.is_some() {
+            let safety = |case: &StressCase| von_mises(case).and_then(|s| self.safety(s)).unwrap_or(f64::NAN);
+            columns.push(numbers("safety", "1", cases.iter().map(safety), 3));
+        }
+        Table::of_columns(
+            "stress-cases",
+            "Load cases",
+            "Largest displacement of the crankshaft and largest von Mises stress of all fillets; safety: yield strength over it.",
+            columns,
+        )
+    }
+
+    /// Each fillet under the case that stresses it most.
+    pub(crate) fn fillets_table(&self) -> Table {
+        let count = self.cases.first().map_or(0, |case| case.result.peaks.len());
+        let most = |k: usize| {
+            let of = |case: &StressCase| case.result.peaks[k].stress.map_or(-1.0, |stress| stress.von_mises);
+            self.cases.iter().max_by(|a, b| of(a).total_cmp(&of(b)))
+        };
+        let rows = (0..count).map(|k| {
+            let corner = &self.sheet.crank.corners[k];
+            let name = Cell::text(corner.name.clone());
+            let radius = Cell::number(1e3 * corner.radius, 3);
+            let found = most(k).and_then(|case| Some((case, case.result.peaks[k].stress?)));
+            let Some((case, stress)) = found else {
+                let refused = Cell::text("sharp corner: the stress is unbounded");
+                return vec![name, radius, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, refused];
+            };
+            vec![
+                name,
+                radius,
+                Cell::Number { value: 1e-6 * stress.von_mises, decimals: 1 },
+                Cell::Number { value: 1e-6 * stress.principal, decimals: 1 },
+                Cell::Number { value: 100.0 * stress.jump, decimals: 1 },
+                Cell::Number { value: stress.angle.to_degrees(), decimals: 0 },
+                Cell::text(case.name.clone()),
+            ]
+        });
+        Table {
+            id: "stress-fillets",
+            title: "Fillets".into(),
+            note: "Largest stress of each fillet over all cases. Principal: the principal stress of the largest size there, tension \
+                   positive. Jump: how far the elements that meet there differ, a sign of the error. Angle about the middle of the pin \
+                   or journal, from throw 1."
+                .into(),
+            remark: String::new(),
+            columns: vec![
+                Column::words("fillet"),
+                Column::numbers("radius", "mm"),
+                Column::numbers("von Mises", "MPa"),
+                Column::numbers("principal", "MPa"),
+                Column::numbers("jump", "%"),
+                Column::numbers("angle", "deg"),
+                Column::words("case"),
+            ],
+            rows: rows.collect(),
+        }
+    }
+
+    /// Surfaces of pins and journals between their fillets.
+    pub(crate) fn surfaces_table(&self) -> Table {
+        let count = self.cases.first().map_or(0, |case| case.result.surfaces.len());
+        let most = |k: usize| {
+            let of =
+                |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
+            self.cases.iter().max_by(|a, b| of(a).total_cmp(&of(b)))
+        };
+        let found: Vec<(String, f64, String)> = (0..count)
+            .filter_map(|k| {
+                let case = most(k)?;
+                let peak = &case.result.surfaces[k];
+                let name = peak.name.replace("PIN_", "pin ").replace("MAIN_", "journal ");
+                Some((name, 1e-6 * peak.stress?.von_mises, case.name.clone()))
+            })
+            .collect();
+        Table::of_columns(
+            "stress-surfaces",
+            "Surfaces of pins and journals",
+            "Largest von Mises stress between the fillets, the pressure of the load included.",
+            vec![
+                words("surface", found.iter().map(|row| row.0.clone())),
+                numbers("von Mises", "MPa", found.iter().map(|row| row.1), 4),
+                words("case", found.iter().map(|row| row.2.clone())),
+            ],
+        )
+    }
+
+    pub(crate) fn solve_words(&self) -> String {
+        let solve = &self.solve;
+        let imbalance = self.cases.iter().map(|case| {
+            let size = case.load.iter().chain(&case.reaction).fold(0.0f64, |most, f| most.max(f.abs()));
+            let rest = (0..3).map(|k| (case.load[k] + case.reaction[k]).abs()).fold(0.0f64, f64::max);
+            if size > 0.0 && case.reaction.iter().any(|f| *f != 0.0) { rest / size } else { 0.0 }
+        });
+        format!(
+            "Solution: {} unknowns, factor of {} entries ({:.2} GiB), {} iterations, residual {:.1e}; loads and reactions balance to {:.1e}.",
+            number::whole(solve.unknowns as u128),
+            number::whole(solve.factor_entries as u128),
+            solve.bytes as f64 / 1_073_741_824.0,
+            solve.iterations,
+            solve.residual,
+            imbalance.fold(0.0, f64::max),
+        )
+    }
+
+    /// Words before the tables.
+    pub(crate) fn words(&self) -> Vec<String> {
+        let mut words = vec![format!("Support: {}.", self.support)];
+        words.push(match &self.gas {
+            Some(gas) => format!("Gas: {gas}."),
+            None => "Gas: none.".to_owned(),
+        });
+        words.extend(self.sheet.words());
+        words.push(self.solve_words());
+        words.extend(self.notes.iter().cloned());
+        words
+    }
+}
+
+/// Everything as plain text.
+pub fn static_stress_text(stress: &StaticStress) -> String {
+    let mut out =
+        format!("{}, static stress of crankshaft {}\n\n", stress.sheet.engine, stress.sheet.crankshaft);
+    push_wrapped(&mut out, "", &stress.lead());
+    out.push('\n');
+    for words in stress.words() {
+        push_wrapped(&mut out, "", &words);
+    }
+    for table in [stress.cases_table(), stress.fillets_table(), stress.surfaces_table()] {
+        out.push('\n');
+        out.push_str(&table.noted_text());
+    }
+    out
+}
+
+/// Every fillet and surface under every case as CSV, unrounded.
+pub fn static_stress_csv(stress: &StaticStress) -> String {
+    let mut out = String::new();
+    let head = [
+        "case",
+        "angle [deg]",
+        "speed [rpm]",
+        "place",
+        "radius [mm]",
+        "von Mises [MPa]",
+        "principal [MPa]",
+        "jump",
+        "x [mm]",
+        "y [mm]",
+        "z [mm]",
+        "displacement [mm]",
+        "energy [J]",
+    ];
+    push_csv_line(&mut out, head.map(str::to_owned));
+    for case in &stress.cases {
+        let corners = case.result.peaks.iter().zip(stress.sheet.crank.corners.iter().map(|c| Some(c.radius)));
+        let surfaces = case.result.surfaces.iter().map(|surface| (surface, None));
+        for (peak, radius) in corners.chain(surfaces) {
+            let of = |value: &dyn Fn(&lanchester_flex::crank_case::PeakStress) -> f64| {
+                peak.stress.as_ref().map_or(String::new(), |stress| csv_number(value(stress)))
+            };
+            let line = [
+                case.name.clone(),
+                case.theta.map_or(String::new(), |theta| csv_number(theta.to_degrees())),
+                csv_number(number::rpm(case.speed)),
+                peak.name.clone(),
+                radius.map_or(String::new(), |radius| csv_number(1e3 * radius)),
+                of(&|s| 1e-6 * s.von_mises),
+                of(&|s| 1e-6 * s.principal),
+                of(&|s| s.jump),
+                of(&|s| 1e3 * s.at[0]),
+                of(&|s| 1e3 * s.at[1]),
+                of(&|s| 1e3 * s.at[2]),
+                csv_number(1e3 * case.result.largest_displacement),
+                csv_number(case.energy),
+            ];
+            push_csv_line(&mut out, line);
+        }
+    }
+    out
+}
