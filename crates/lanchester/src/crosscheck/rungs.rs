@@ -269,7 +269,6 @@ impl Pair<'_> {
             let scale = closed.max(CANCELLED * whole);
             rows.push(CrossRow::held(name, "N", None, [closed, multibody, off, scale], bar));
         }
-        rows.extend(crate::crosscheck::graph_states::joint_rows(self)?);
         rows.extend(crate::crosscheck::graph_states::gas_row(self)?);
         Ok(rows)
     }

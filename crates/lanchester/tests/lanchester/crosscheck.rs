@@ -167,9 +167,9 @@ fn xcheck_bond_graph() {
     }
 }
 
-/// Condition A holds the gas as states against the cycle, and compliant joints against the reactions of rigid ones.
+/// Condition A holds the gas as states against the cycle.
 #[test]
-fn xcheck_gas_and_joints_of_the_bond_graph() {
+fn xcheck_gas_of_the_bond_graph() {
     let engine = read(include_str!("../../../../examples/three-cylinder.toml")).engine().unwrap();
     let request =
         CrossCheckRequest { conditions: vec![Condition::LikeForLike], ..CrossCheckRequest::default() };
@@ -180,8 +180,4 @@ fn xcheck_gas_and_joints_of_the_bond_graph() {
     };
     let gas = row("gas as states");
     assert!(gas.bond_graph.is_some() && gas.share() < 1e-6 && gas.verdict == CrossVerdict::Agrees, "{gas:?}");
-    for name in ["side thrust, bond", "piston pins, bond", "crankpins and knuckle pins, bond"] {
-        let joint = row(name);
-        assert!(joint.difference > 0.0 && joint.verdict == CrossVerdict::Agrees, "{joint:?}");
-    }
 }
