@@ -22,6 +22,7 @@ mod comparison;
 mod consequences;
 mod crosscheck;
 mod engine_report;
+mod graph_report;
 mod inertias;
 mod layouts;
 mod mounted;
@@ -45,6 +46,7 @@ pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, c
 pub use consequences::consequences;
 pub use crosscheck::*;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
+pub use graph_report::bond_graph_report;
 pub use inertias::{DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, shaped_crankshafts};
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;

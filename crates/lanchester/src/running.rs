@@ -1,5 +1,6 @@
 //! What a report tells of the running engine: torque with gas, bearings, the block on its mounts.
 
+use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::cylinders::TraceFile;
 use crate::simulation::{SimulateRequest, simulate};
@@ -9,7 +10,9 @@ use crate::torque_report::{
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
-use lanchester_report::{Section, SimulationResult, mounts_section, simulation_section};
+use lanchester_report::{
+    BondGraphResult, Section, SimulationResult, bond_graph_section, mounts_section, simulation_section,
+};
 
 /// Speeds and highest order of the section on mounts.
 const MOUNT_SPEEDS: usize = 31;
@@ -29,6 +32,8 @@ pub struct Running {
     pub mounts: Option<MountStudy>,
     /// The run in time that the file describes.
     pub simulation: Option<SimulationResult>,
+    /// The engine as a bond graph.
+    pub graph: Option<BondGraphResult>,
     /// What was left out and why, and what the results warn of.
     pub warnings: Vec<String>,
 }
@@ -68,7 +73,11 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         section(tasks.simulation.is_some(), "the simulated run is", &traces, &mut warnings, |traces| {
             simulate(file, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
         });
-    Running { torque, bearings, mounts, simulation, warnings }
+    let input = tasks.simulation.as_deref();
+    let graph = section(has_graph(engine, input), "the bond graph is", &traces, &mut warnings, |traces| {
+        bond_graph_report(engine, traces, input, speed)
+    });
+    Running { torque, bearings, mounts, simulation, graph, warnings }
 }
 
 /// What the section on torque is called where it is left out.
@@ -96,7 +105,8 @@ impl Running {
         let bearings = self.bearings.as_ref().and_then(|study| study.section(engine));
         let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
         let simulated = self.simulation.as_ref().map(simulation_section);
-        [torque, bearings, mounts, simulated].into_iter().flatten().collect()
+        let graph = self.graph.as_ref().map(bond_graph_section);
+        [torque, bearings, mounts, simulated, graph].into_iter().flatten().collect()
     }
 }
 

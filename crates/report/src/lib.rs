@@ -7,6 +7,7 @@
 mod bearings;
 mod engine;
 mod gas;
+mod graph;
 mod kit;
 mod layouts;
 mod loads;
@@ -26,6 +27,7 @@ pub mod workshop;
 pub use bearings::*;
 pub use engine::*;
 pub use gas::*;
+pub use graph::*;
 pub use kit::*;
 pub use layouts::*;
 pub use loads::*;

@@ -13,6 +13,12 @@ cases = {
     "mass-spring-damper": ("mass_spring_damper", 4.0, 40, ["mass_flow", "spring_effort"]),
     "dc-motor": ("dc_motor", 0.5, 50, ["coil_flow", "flywheel_flow"]),
     "slider-crank": ("slider_crank", 1.0, 50, ["crank_flow", "piston_flow", "piston_effort"]),
+    "three-cylinder": (
+        "Three_cylinder_engine_with_balancer_shaft",
+        0.06,
+        60,
+        ["theta", "crankshaft_flow", "crankshaft_effort", "piston1_x_effort", "rod2_y_effort", "rod_turn3_effort"],
+    ),
 }
 for name, (model, duration, samples, variables) in cases.items():
     compiled = rumoca.Session().load(str(here / f"{name}.mo"), model=model)

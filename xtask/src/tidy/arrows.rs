@@ -54,6 +54,7 @@ const ARROWS: [(&str, &[&str]); 27] = [
             "lanchester-model",
             "lanchester-task",
             "lanchester-mechanism",
+            "lanchester-bondgraph",
             "lanchester-multibody",
             "lanchester-flex",
             "lanchester-geometry",

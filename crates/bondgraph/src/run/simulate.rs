@@ -139,7 +139,9 @@ impl Equations {
     /// Simulates. Every way in which a run can end is said in the result.
     pub fn simulate(&self, request: &SimulationRequest) -> Simulation {
         let samples = request.samples;
-        let places: Vec<f64> = (1..=samples).map(|k| request.duration * k as f64 / samples as f64).collect();
+        // The last is the end itself: rounding must not put it behind.
+        let place = |k: usize| request.duration * if k == samples { 1.0 } else { k as f64 / samples as f64 };
+        let places: Vec<f64> = (1..=samples).map(place).collect();
         self.simulate_at(request, &places)
     }
 

@@ -1,12 +1,16 @@
 //! Our equations against those that a Modelica compiler makes of the exported text.
 
-use lanchester_bondgraph::{Graph, equations, modelica};
+use lanchester_bondgraph::{EngineRequest, Equations, Graph, engine_graph, equations, modelica};
+use lanchester_file::read;
 use serde_json::Value;
 
 fn compare(graph: &str, model: &str, curves: &str) {
     let graph = Graph::read(graph).expect("a shipped graph");
-    let found = equations(&graph).expect("no conflict");
-    assert_eq!(modelica(&found), model, "the exported text is the one that was run");
+    compare_equations(&equations(&graph).expect("no conflict"), model, curves);
+}
+
+fn compare_equations(found: &Equations, model: &str, curves: &str) {
+    assert_eq!(modelica(found), model, "the exported text is the one that was run");
     let curves: Value = serde_json::from_str(curves).expect("stored curves");
     let numbers = |value: &Value| -> Vec<f64> {
         value.as_array().expect("a list").iter().map(|v| v.as_f64().expect("a number")).collect()
@@ -50,3 +54,22 @@ macro_rules! external {
 external!(ext_rumoca_mass_spring_damper, "mass-spring-damper");
 external!(ext_rumoca_dc_motor, "dc-motor");
 external!(ext_rumoca_slider_crank, "slider-crank");
+
+/// An engine: `lanchester bondgraph export examples/three-cylinder.toml --block fixed --inertia-only --load none`.
+#[test]
+fn ext_rumoca_three_cylinder() {
+    let engine =
+        read(include_str!("../../../../examples/three-cylinder.toml")).engine().expect("it has no mistakes");
+    let request = EngineRequest {
+        crankshaft_inertia: vec![3.009],
+        gravity: 9.80665,
+        ..EngineRequest::free(engine.speed.highest, 2.0)
+    };
+    let description = engine_graph(&engine, &request).expect("it has what it needs");
+    let graph = Graph::new(&description).expect("units fit");
+    compare_equations(
+        &equations(&graph).expect("no conflict"),
+        include_str!("../../../../validation/external/rumoca/three-cylinder.mo"),
+        include_str!("../../../../validation/external/rumoca/three-cylinder.json"),
+    );
+}

@@ -269,6 +269,7 @@ impl Pair<'_> {
             let scale = closed.max(CANCELLED * whole);
             rows.push(CrossRow::held(name, "N", None, [closed, multibody, off, scale], bar));
         }
+        rows.extend(crate::crosscheck::graph_states::gas_row(self)?);
         Ok(rows)
     }
 

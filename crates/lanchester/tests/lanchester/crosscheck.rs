@@ -166,3 +166,18 @@ fn xcheck_bond_graph() {
         assert_eq!(row.verdict, CrossVerdict::Agrees, "{row:?}");
     }
 }
+
+/// Condition A holds the gas as states against the cycle.
+#[test]
+fn xcheck_gas_of_the_bond_graph() {
+    let engine = read(include_str!("../../../../examples/three-cylinder.toml")).engine().unwrap();
+    let request =
+        CrossCheckRequest { conditions: vec![Condition::LikeForLike], ..CrossCheckRequest::default() };
+    let check = crosscheck(&engine, &[], &request).unwrap();
+    let row = |name: &str| -> CrossRow {
+        let rows = &check.conditions[0].rows;
+        rows.iter().find(|row| row.quantity.contains(name)).unwrap_or_else(|| panic!("{name}")).clone()
+    };
+    let gas = row("gas as states");
+    assert!(gas.bond_graph.is_some() && gas.share() < 1e-6 && gas.verdict == CrossVerdict::Agrees, "{gas:?}");
+}

@@ -10,6 +10,7 @@ mod clearance;
 mod corpus;
 mod crosscheck;
 mod gallery;
+mod graph_report;
 mod main_loads_with_gas;
 mod mounts_with_gas;
 mod optima;
