@@ -14,6 +14,7 @@ mod damaged_runs;
 mod engine;
 mod exit_status;
 mod explore;
+mod flexible;
 mod methods;
 mod mounts;
 mod program;
