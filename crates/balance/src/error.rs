@@ -110,7 +110,7 @@ pub enum BalanceError {
 
 impl BalanceError {
     /// The first of the faults of parts that are no engine.
-    pub(crate) fn engine(faults: Vec<Fault>) -> BalanceError {
+    pub fn engine(faults: Vec<Fault>) -> BalanceError {
         BalanceError::Engine(Fault::first_of(faults))
     }
 }

@@ -5,7 +5,7 @@ use lanchester_model::{BalanceShaft, Counterweight, Engine, EngineParts, ShaftWe
 use lanchester_task::{BalanceTask, Criterion, Seat};
 
 /// The engine without the counterweights and shafts that have the names of free weights and shafts.
-pub(crate) fn bare(engine: &Engine, task: &BalanceTask) -> Engine {
+pub fn bare(engine: &Engine, task: &BalanceTask) -> Engine {
     let change = |parts: &mut EngineParts| {
         parts.counterweights.retain(|old| !replaces(task, &old.name));
         parts.shafts.retain(|old| task.shafts.iter().all(|shaft| shaft.name != old.name));

@@ -6,7 +6,6 @@
 
 mod answer;
 mod arrangement;
-mod arrangement_task;
 mod as_it_stands;
 mod balance_rate;
 mod bending;
@@ -16,33 +15,24 @@ mod check;
 mod consequences;
 mod convex;
 mod cost;
-mod crank_sweep;
 mod criterion;
 mod error;
 mod fitted;
-mod gas_over_speed;
-mod gas_range;
 mod infeasible;
 mod limits;
-mod mount_range;
 mod mounts;
 mod operator;
 mod optimum;
+mod over_speed;
 mod problem;
-pub mod published;
 mod robust;
 mod rounding;
 mod settings;
-mod speed_places;
-mod speed_range;
 mod stages;
-mod swept;
-mod twin_arrangement;
 mod wave;
 
 pub use answer::*;
 pub use arrangement::*;
-pub use arrangement_task::{arrangement_task, crank_task, swept_task};
 pub use as_it_stands::as_it_stands;
 pub use balance_rate::{BalanceRate, balance_rates};
 pub use cancellation::*;
@@ -50,18 +40,12 @@ pub use consequences::{
     Affected, AffectedPart, BendingAlong, CONSEQUENCES_VERSION, Change, Consequence, Consequences,
     consequences,
 };
-pub use crank_sweep::{CrankLoad, CrankSweep, SweepOptions, SweptCrank, sweep};
 pub use error::BalanceError;
-pub use fitted::fitted;
-pub use gas_over_speed::GasOverSpeed;
+pub use fitted::{bare, fitted};
 pub use optimum::{optimise, optimise_watched, optimise_with};
+pub use over_speed::*;
 pub use robust::{
     ROBUST_VERSION, RobustAnswer, RobustLimit, RobustMeasure, RobustRequest, RobustStage, optimise_robust,
     optimise_robust_while,
 };
 pub use settings::{BalanceSettings, Next, SearchState, StopCause};
-pub use swept::{SWEPT_VERSION, Swept, swept};
-pub use twin_arrangement::{
-    ArrangementOptions, CrankRule, GivenAmounts, TwinArrangement, arranged, crank_load, swept_crank,
-    with_even_crank,
-};

@@ -15,7 +15,7 @@
 use crate::convex::dense::{Matrix, RowFactors, dot};
 use crate::error::BalanceError;
 use crate::operator::Operator;
-use crate::speed_places::MountPlace;
+use crate::over_speed::places::MountPlace;
 use crate::wave::Wave;
 use lanchester_mechanism::MountSystem;
 use lanchester_model::{Engine, Mount};

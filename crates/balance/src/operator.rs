@@ -11,9 +11,9 @@
 use crate::convex::curve::Grid;
 use crate::convex::dense::Matrix;
 use crate::error::BalanceError;
+use crate::over_speed::places::SpeedPlaces;
+use crate::over_speed::range::criteria;
 use crate::rounding::clear_rounding;
-use crate::speed_places::SpeedPlaces;
-use crate::speed_range::criteria;
 use crate::wave::Wave;
 use lanchester_mechanism::{
     Beam, BeamModel, Kinematics, LoadError, LoadRequest, MainOrders, Mechanism, OrderLoads, main_orders,

@@ -22,6 +22,9 @@ pub struct Curve {
     units: [Unit; 2],
 }
 
+/// Pieces beside a guess that are looked at first.
+const NEAR: usize = 4;
+
 impl Curve {
     /// A curve of cubics: `start, [c_0, c_1, c_2, c_3]` of each piece, whose value is `SUM c_k (x - start)^k`, and the end of the last.
     ///
@@ -125,7 +128,7 @@ impl Curve {
             let [a, b, c, d] = self.pieces[edge];
             return if derivative == 0 { a + h * (b + h * (c + h * d)) } else { 0.0 };
         }
-        let piece = self.places[..count].partition_point(|place| *place <= inside).saturating_sub(1);
+        let piece = self.piece(inside);
         let h = x - self.places[piece];
         let [a, b, c, d] = self.pieces[piece];
         match derivative {
@@ -135,6 +138,19 @@ impl Curve {
             3 => 6.0 * d,
             _ => 0.0,
         }
+    }
+
+    /// The piece that holds a place between both ends: pieces are often of nearly one length.
+    fn piece(&self, x: f64) -> usize {
+        let count = self.pieces.len();
+        let guess = ((x - self.places[0]) / self.period() * count as f64) as usize;
+        let low = guess.saturating_sub(NEAR).min(count - 1);
+        let high = (guess + NEAR).min(count);
+        let near = low + self.places[low..high].partition_point(|place| *place <= x);
+        if near > low && (near < high || high == count) {
+            return near - 1;
+        }
+        self.places[..count].partition_point(|place| *place <= x).saturating_sub(1)
     }
 
     /// The window between two neighbouring kinks that begins at or before `x`.

@@ -22,25 +22,33 @@
 //! Rosenberg, *System Dynamics*, 5th edition, chapter 9.
 
 mod body;
+mod compliant;
 mod cylinder;
 mod gas;
 mod gas_file;
 mod gas_walls;
+mod joint_start;
+mod joints;
 mod numbers;
 mod request;
 mod rotor;
 mod torques;
 mod words;
 
+pub use joints::{CompliantJoints, EngineJoints};
 pub use request::{
     EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
     EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw,
 };
 
 use crate::description::Description;
+use crate::equations::equations;
+use crate::graph::Graph;
 use body::Frame;
+use joint_start::JointStart;
 use lanchester_model::Engine;
 use numbers::Numbers;
+use std::collections::HashMap;
 use words::{number, quantity};
 
 /// The graph of an engine.
@@ -54,11 +62,18 @@ pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Descript
         request,
         numbers,
         frame: Frame::new(request.block),
+        start: JointStart::default(),
         graph: Description::new(&engine.name),
     };
     builder.check_mounts()?;
+    if let EngineJoints::Compliant(joints) = &request.joints {
+        builder.check_joints(joints)?;
+        let ideal = EngineRequest { joints: EngineJoints::Ideal, ..request.clone() };
+        builder.start = builder.joint_start(joints, &efforts_at_start(&engine_graph(engine, &ideal)?));
+    }
     builder.parameters();
     builder.block();
+    builder.bearings();
     builder.rotors();
     builder.surroundings();
     builder.cylinders();
@@ -68,12 +83,20 @@ pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Descript
     Ok(builder.graph)
 }
 
+/// Efforts of the bonds of a graph at its start, by their names; none where it has no equations.
+fn efforts_at_start(description: &Description) -> HashMap<String, f64> {
+    let found = Graph::new(description).ok().and_then(|graph| equations(&graph).ok());
+    found.map(|found| found.efforts_at_start()).unwrap_or_default()
+}
+
 /// The graph as far as it is built.
 pub(crate) struct Builder<'a> {
     engine: &'a Engine,
     request: &'a EngineRequest,
     numbers: Numbers,
     frame: Frame,
+    /// Where free bodies start.
+    start: JointStart,
     graph: Description,
 }
 
@@ -238,7 +261,7 @@ impl Builder<'_> {
             }
             [1, 2, 3].map(|port| format!("block_turn.{port}.momentum"))
         };
-        let rotors: String = self.rotor_names().iter().map(|name| format!(" + {name}.momentum")).collect();
+        let rotors: String = self.turning_names().iter().map(|name| format!(" + {name}.momentum")).collect();
         for (name, value) in [
             ("h_x", momenta[0].clone()),
             ("h_y", momenta[1].clone()),

@@ -7,6 +7,7 @@ mod derivative;
 mod parse;
 mod print;
 
+pub(crate) use derivative::By;
 pub(crate) use parse::{Parsed, Scope, parse};
 pub(crate) use print::{Printed, Style, number};
 

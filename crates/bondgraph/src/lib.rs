@@ -42,15 +42,18 @@ pub use curve::Curve;
 pub use description::{Description, Entry, Happening, Text, Use};
 pub use domain::Domain;
 pub use engine::{
-    EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest, EngineStart,
-    EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient, WallLaw, engine_graph,
+    CompliantJoints, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
+    EngineRequest, EngineStart, EngineStarter, GasStates, GasValve, GasWalls, LoadTorque, WallCoefficient,
+    WallLaw, engine_graph,
 };
 pub use equations::{Equations, equations};
 pub use file::{is_graph_file, used_graphs};
 pub use graph::{Asked, Graph, Kind};
 pub use linear::{Linear, NotLinear, Pole, Transfer};
 pub use mistake::diagnostic_codes;
-pub use output::draw::{DrawnBond, DrawnElement, Placed, drawing, moving_drawing, placed};
+pub use output::draw::{
+    DrawnBond, DrawnElement, DrawnName, DrawnTile, Placed, drawing, moving_drawing, placed,
+};
 pub use output::export::{graphml, modelica};
 pub use output::mathml::mathml;
 pub use output::shown::{Equation, Notation, ShownEquations, ShownState, ShownUnknown};

@@ -1,6 +1,8 @@
 //! How a command ends other than well, and the exit status that tells it.
 
+use crate::remedies::remedy;
 use lanchester::task::option::BadQuantity;
+use std::any::Any;
 use std::fmt;
 use std::process::ExitCode;
 
@@ -46,9 +48,11 @@ impl Failure {
         Failure { status: WRONG_INPUT, message: format!("error: {message}\nhint: {hint}") }
     }
 
-    /// What is asked for cannot be done: `error` says why, with its own hint where there is one.
-    pub fn refused(error: impl fmt::Display) -> Failure {
-        Failure { status: WRONG_INPUT, message: format!("error: {error}") }
+    /// What is asked for cannot be done: `error` says why, with its own hint where there is one, and [`remedy`] which option or
+    /// command mends it.
+    pub fn refused<E: fmt::Display + Any>(error: E) -> Failure {
+        let mends = remedy(&error).map(|mends| format!("\nhint: {mends}")).unwrap_or_default();
+        Failure { status: WRONG_INPUT, message: format!("error: {error}{mends}") }
     }
 
     /// The input is wrong and its diagnostics have been printed.

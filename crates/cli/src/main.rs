@@ -10,6 +10,8 @@ mod files;
 mod format;
 mod options;
 mod program;
+mod put_back;
+mod remedies;
 mod requests;
 mod run;
 mod simulation_watch;

@@ -4,42 +4,17 @@ mod closing;
 mod column;
 mod fault;
 mod firing;
+mod options;
 mod table;
 
 pub use fault::{TraceError, TraceFault, trace_codes};
 pub use firing::check_firing;
+pub use options::{TraceOptions, TracePlace};
 
 use closing::{Closed, closed};
 use column::check_pressures;
 use lanchester_mechanism::PeriodicCurve;
 use serde::Serialize;
-
-/// What is told about a file of pressures beside its text.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TraceOptions<'a> {
-    /// Its name, for messages.
-    pub name: &'a str,
-    /// Length of the working cycle [rad]: 2 pi or 4 pi.
-    pub cycle: f64,
-    /// Whether its pressures count from that of the surroundings.
-    pub gauge: bool,
-    /// Pressure of the surroundings [Pa].
-    pub ambient_pressure: f64,
-    /// Angle of the file at firing top dead centre [rad].
-    pub top_dead_centre: f64,
-    /// What was measured.
-    pub place: TracePlace,
-}
-
-/// Where pressures were measured: it decides what is plausible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum TracePlace {
-    /// In a cylinder.
-    Cylinder,
-    /// Under the piston.
-    Crankcase,
-}
 
 /// A file of pressures as curves.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]

@@ -3,12 +3,8 @@
 mod arrangement;
 mod balance;
 mod bearing_design;
-mod chamber;
 mod clearance;
 mod crank;
-mod crank_body;
-mod crank_details;
-mod crank_material;
 mod cylinder;
 mod design;
 mod firing;
@@ -16,18 +12,12 @@ mod gas;
 mod gear;
 mod geometry;
 mod layers;
-mod linkage;
-mod mains;
 mod mount;
 mod names;
 mod part;
 mod places;
-mod rod;
-mod run_event;
-mod run_parts;
 mod running;
 mod shaft;
-mod shaft_part;
 mod simulation;
 mod sizes;
 mod tolerances;
@@ -161,7 +151,7 @@ impl<'a> Reader<'a> {
         }
         let mut throws: Option<Vec<_>> = throws.map(|throws| throws.into_iter().map(|t| t.throw).collect());
         if let Some(throws) = &mut throws {
-            crank_body::weigh(throws, &body_draft);
+            crank::body::weigh(throws, &body_draft);
         }
         let counterweights = match (&throws, &cylinders, weights, origin) {
             (Some(throws), Some(cylinders), Some(weights), Some(origin)) => {

@@ -147,8 +147,7 @@ pub(crate) fn hold_flywheel(
         let at = mesh.nodes[node as usize];
         [at[0] - centre[0], at[1] - centre[1]]
     };
-    let polar: f64 =
-        even.iter().map(|(node, w)| w * arm(*node).iter().map(|x| x * x).sum::<f64>()).sum();
+    let polar: f64 = even.iter().map(|(node, w)| w * arm(*node).iter().map(|x| x * x).sum::<f64>()).sum();
     // Mean rotation, SUM w r x u / SUM w r^2, times the radius of gyration.
     let turning = even.iter().map(|(node, w)| {
         let [x, y] = arm(*node);

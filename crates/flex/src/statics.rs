@@ -158,8 +158,12 @@ impl<'a> StaticSystem<'a> {
         let held: Vec<f64> = (0..u.len()).map(rest).collect();
         let reactions = self.structure.scatter(&held);
         let displacements = self.structure.scatter(u);
-        let spring_forces: Vec<f64> =
-            self.support.springs.iter().map(|spring| -spring.stiffness * spring.displacement(&displacements)).collect();
+        let spring_forces: Vec<f64> = self
+            .support
+            .springs
+            .iter()
+            .map(|spring| -spring.stiffness * spring.displacement(&displacements))
+            .collect();
         let mut reaction = sum(&reactions);
         for (spring, force) in self.support.springs.iter().zip(&spring_forces) {
             for (_, weight) in &spring.nodes {
@@ -205,13 +209,7 @@ impl<'a> StaticSystem<'a> {
 }
 
 /// Adds the centrifugal field `W^2 M (x, y, 0)`.
-fn add_centrifugal(
-    mesh: &Mesh,
-    structure: &Structure,
-    mass: &SymmetricMatrix,
-    speed: f64,
-    load: &mut [f64],
-) {
+fn add_centrifugal(mesh: &Mesh, structure: &Structure, mass: &SymmetricMatrix, speed: f64, load: &mut [f64]) {
     let places: Vec<[f64; 3]> = mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
     let mut field = vec![0.0; load.len()];
     mass.multiply(&structure.gather(&places), &mut field);
@@ -255,48 +253,46 @@ pub fn as_node_forces(mesh: &Mesh, case: &StaticCase) -> Result<StaticCase, Flex
     Ok(plain)
 }
 
-    /// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
-    ///
-    /// ```text
-    /// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
-    /// ```
-    fn relieve(
+/// Takes from a load the inertia of the rigid accelerations that it causes: what is left is in balance.
+///
+/// ```text
+/// (R^T M R) a = R^T f        f - M R a        R: the six rigid motions                   (book, eq. 43.7)
+/// ```
+fn relieve(
     mesh: &Mesh,
     structure: &Structure,
     mass: &SymmetricMatrix,
     load: &mut [f64],
 ) -> Result<[f64; 6], FlexError> {
-        let size = load.len();
-        let motions: Vec<Vec<f64>> =
-            rigid_motions(mesh).iter().map(|motion| structure.gather(motion)).collect();
-        let mut carried = vec![vec![0.0; size]; 6];
-        for (motion, carried) in motions.iter().zip(&mut carried) {
-            mass.multiply(motion, carried);
-        }
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let gram: Vec<f64> =
-            motions.iter().flat_map(|a| carried.iter().map(move |b| product(a, b))).collect();
-        let (values, vectors) = symmetric_eigen(&gram, 6);
-        if values[0] <= 1e-12 * values[5] {
-            return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
-        }
-        let force: Vec<f64> = motions.iter().map(|motion| product(motion, load)).collect();
-        let mut acceleration = [0.0; 6];
-        for (value, vector) in values.iter().zip(vectors.chunks(6)) {
-            let share = product(vector, &force) / value;
-            for k in 0..6 {
-                acceleration[k] += share * vector[k];
-            }
-        }
-        for (carried, a) in carried.iter().zip(acceleration) {
-            for (load, carried) in load.iter_mut().zip(carried) {
-                *load -= a * carried;
-            }
-        }
-        // The turns of the motions are in units of the reach of the mesh: the first node off the middle tells it.
-        let reach = reach(mesh);
-        Ok(std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / reach }))
+    let size = load.len();
+    let motions: Vec<Vec<f64>> = rigid_motions(mesh).iter().map(|motion| structure.gather(motion)).collect();
+    let mut carried = vec![vec![0.0; size]; 6];
+    for (motion, carried) in motions.iter().zip(&mut carried) {
+        mass.multiply(motion, carried);
     }
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let gram: Vec<f64> = motions.iter().flat_map(|a| carried.iter().map(move |b| product(a, b))).collect();
+    let (values, vectors) = symmetric_eigen(&gram, 6);
+    if values[0] <= 1e-12 * values[5] {
+        return Err(FlexError::FreeMotion { motion: "a body without mass has no inertia".to_owned() });
+    }
+    let force: Vec<f64> = motions.iter().map(|motion| product(motion, load)).collect();
+    let mut acceleration = [0.0; 6];
+    for (value, vector) in values.iter().zip(vectors.chunks(6)) {
+        let share = product(vector, &force) / value;
+        for k in 0..6 {
+            acceleration[k] += share * vector[k];
+        }
+    }
+    for (carried, a) in carried.iter().zip(acceleration) {
+        for (load, carried) in load.iter_mut().zip(carried) {
+            *load -= a * carried;
+        }
+    }
+    // The turns of the motions are in units of the reach of the mesh: the first node off the middle tells it.
+    let reach = reach(mesh);
+    Ok(std::array::from_fn(|k| if k < 3 { acceleration[k] } else { acceleration[k] / reach }))
+}
 
 /// Solves one case.
 ///

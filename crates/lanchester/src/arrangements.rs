@@ -1,8 +1,9 @@
 //! The nine arrangements of the twin-cylinder thesis for an engine, each with its loads, sweep and true optimum.
 
-use lanchester_balance::{
-    ArrangementOptions, BalanceError, SweepOptions, TwinArrangement, arranged, arrangement_task, crank_load,
-    crank_task, optimise_with, swept_crank,
+use lanchester_balance::{BalanceError, optimise_with};
+use lanchester_literature::{
+    ArrangementOptions, SweepOptions, TwinArrangement, arranged, arrangement_task, crank_load, crank_task,
+    swept_crank,
 };
 use lanchester_mechanism::{LoadRequest, PeakMode, loads};
 use lanchester_model::{Engine, Fault, SpeedRange};

@@ -1,10 +1,11 @@
 //! The bond graph of an engine file, with its gas, friction, block and load.
 
 use crate::crosscheck::rungs::rotor_inertia;
+use crate::inertias::shaped_crankshafts;
 use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use lanchester_bondgraph::{
-    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineLink, EngineLoad, EngineRequest,
-    EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
+    Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
+    EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,
 };
 use lanchester_mechanism::{CylinderGas, GasTrain, Lever, PeriodicCurve, TorqueError, TorqueRequest, torque};
 use lanchester_model::{
@@ -21,6 +22,8 @@ pub struct BondGraphRequest {
     pub speed: Option<f64>,
     /// How the block moves; `None`: in space on mounts where the file gives them in a form that has a course in time, else not at all.
     pub block: Option<EngineBlock>,
+    /// Joints of the crank train; masses of crankshafts that are not given come from their shape.
+    pub joints: EngineJoints,
     /// Whether the speed is imposed; `None`: where nothing gives the crankshaft an inertia.
     pub imposed: Option<bool>,
     /// Whether weight acts; `true`: as the file says.
@@ -44,6 +47,7 @@ impl Default for BondGraphRequest {
         BondGraphRequest {
             speed: None,
             block: None,
+            joints: EngineJoints::Ideal,
             imposed: None,
             gravity: true,
             gas: true,
@@ -215,11 +219,36 @@ pub fn engine_bond_graph(
         reacts_on_block: starter.reacts_on == ReactsOn::Block,
     });
     found.torque = input.torque.iter().map(|order| [order.order, order.sin, order.cos]).collect();
+    found.joints = joints(engine, &request.joints, &mut notes);
     let unused = left_out(engine, input, &found, request);
     if !unused.is_empty() {
         notes.push(format!("Left out of the graph: {}.", unused.join(", ")));
     }
     Ok(EngineBondGraph { description: engine_graph(engine, &found)?, notes })
+}
+
+/// Joints with the masses of the crankshafts, and what was assumed of them.
+fn joints(engine: &Engine, asked: &EngineJoints, notes: &mut Vec<String>) -> EngineJoints {
+    let EngineJoints::Compliant(asked) = asked else { return EngineJoints::Ideal };
+    let mut joints = asked.clone();
+    if joints.crankshafts.is_empty() {
+        let shaped = shaped_crankshafts(engine);
+        joints.crankshafts =
+            shaped.iter().map(|shape| shape.map(|shape| [shape.mass, shape.centre[2]])).collect();
+    }
+    if joints.crankshafts.iter().all(Option::is_none) {
+        notes.push(
+            "The main bearings are rigid: no mass of the crankshaft is known ([crank.body] gives it)."
+                .to_owned(),
+        );
+    }
+    if joints.skirt_length.is_none() {
+        notes.push(
+            "Pistons: cylinders of the bore, 0.8 of it long, with a contact at each end, centre at the pin."
+                .to_owned(),
+        );
+    }
+    EngineJoints::Compliant(joints)
 }
 
 /// The torque law of a load.

@@ -6,10 +6,10 @@ use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use crate::pressure::over_speed::SpeedGas;
 use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
 use lanchester_balance::{
-    Affected, ArrangementOptions, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome,
-    TwinArrangement, arranged, as_it_stands, fitted,
+    Affected, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome, as_it_stands, fitted,
 };
 use lanchester_file::EngineFile;
+use lanchester_literature::{ArrangementOptions, TwinArrangement, arranged};
 use lanchester_mechanism::{
     CylinderGas, GasTrain, Lever, LoadError, LoadRequest, MountError, MountSystem, OrderLoads, OuterTorque,
     SpeedResponse, Torque, TorqueError, TorqueRequest, firing_chart, flywheel_need, inertia_excitations,
@@ -152,7 +152,9 @@ pub enum CompareError {
         error: Box<WebBoundError>,
     },
     /// The optimum that was asked for is none.
-    #[error("{engine}: its balance has no optimum: {reason}\nhint: `lanchester balance` tells more")]
+    #[error(
+        "{engine}: its balance has no optimum: {reason}\nhint: balance this engine by itself: the answer says by how much each limit is missed"
+    )]
     NoOptimum {
         /// Name of the engine.
         engine: String,

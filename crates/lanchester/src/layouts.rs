@@ -6,5 +6,5 @@ pub(crate) mod space;
 pub(crate) mod study;
 
 pub use search::{LayoutSearchError, adopted_layout, given_engine, layout_name};
-pub use space::{LayoutChoices, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
+pub use space::{LayoutChoices, LayoutSize, LayoutSpace, LayoutSpaceError, layout_space, own_pattern};
 pub use study::{LayoutRows, LayoutStudy};

@@ -51,6 +51,7 @@ pub use lanchester_cycle as cycle;
 pub use lanchester_file as file;
 pub use lanchester_flex as flex;
 pub use lanchester_geometry as geometry;
+pub use lanchester_literature as literature;
 pub use lanchester_mechanism as mechanism;
 pub use lanchester_model as model;
 pub use lanchester_multibody as multibody;

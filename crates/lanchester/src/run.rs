@@ -17,7 +17,7 @@ pub trait Study: Sync {
     type Kept: Send + Serialize + DeserializeOwned;
 
     /// Why a block fails.
-    type Error: Error + Send;
+    type Error: Error + Send + 'static;
 
     /// Number of blocks.
     fn blocks(&self) -> u64;

@@ -1,6 +1,6 @@
 //! Numbers, orders, speeds and layouts as a mechanical engineer would write them.
 
-use crate::result::Quantity;
+use crate::inertia::result::Quantity;
 use lanchester_model::Engine;
 use std::f64::consts::{PI, TAU};
 

@@ -1,15 +1,17 @@
 //! What every engine has to keep: finite numbers of the right sign, places that exist, linkages that turn, names of their own.
 
-use crate::block::Block;
-use crate::engine::{BalanceShaft, Counterweight, Crankshaft, Cylinder, EngineParts, RodJoint, Throw};
+use crate::engine_parts::{BalanceShaft, Counterweight, Crankshaft, Cylinder, EngineParts, RodJoint, Throw};
 use crate::fault::{Fault, Part, unique};
 use crate::gear::Gear;
 use crate::linkage::{CLEARANCE, MARGIN, largest_reach};
-use crate::mount::Mount;
 use crate::ratio::Ratio;
+use crate::running::block::Block;
+use crate::running::mount::Mount;
 
-/// Adds all faults of the parts.
-pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
+/// All faults of the parts.
+pub(crate) fn faults(parts: &EngineParts) -> Vec<Fault> {
+    let mut found = Vec::new();
+    let faults = &mut found;
     let EngineParts { crankshafts, throws, cylinders, counterweights, shafts, mounts, .. } = parts;
     let range = parts.speed;
     let part = &mut Part { faults, name: &|| "speed".into() };
@@ -40,7 +42,7 @@ pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
         of_block(block, &mut Part { faults, name: &|| "block".into() });
     }
     of_sizes(parts, faults);
-    crate::crank_check::check(parts, faults);
+    crate::crank::check::check(parts, faults);
     unique("crankshafts", crankshafts.iter().map(|crankshaft| crankshaft.name.as_str()), faults);
     unique("counterweights", counterweights.iter().map(|weight| weight.name.as_str()), faults);
     for (index, gear) in parts.gears.iter().enumerate() {
@@ -49,6 +51,7 @@ pub(crate) fn check(parts: &EngineParts, faults: &mut Vec<Fault>) {
     unique("shafts", shafts.iter().map(|shaft| shaft.name.as_str()), faults);
     unique("gears", parts.gears.iter().map(|gear| gear.name.as_str()), faults);
     unique("mounts", mounts.iter().map(|mount| mount.name.as_str()), faults);
+    found
 }
 
 fn of_crankshaft(crankshaft: &Crankshaft, index: usize, part: &mut Part<'_>) {

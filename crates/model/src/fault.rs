@@ -1,6 +1,5 @@
 //! Why parts are no engine.
 
-use crate::engine::EngineParts;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fmt;
@@ -105,11 +104,4 @@ pub(crate) fn unique<'a>(kind: &'static str, names: impl Iterator<Item = &'a str
             known.insert(name, index);
         }
     }
-}
-
-/// All faults of the parts.
-pub(crate) fn faults(parts: &EngineParts) -> Vec<Fault> {
-    let mut faults = Vec::new();
-    crate::engine_check::check(parts, &mut faults);
-    faults
 }

@@ -1,6 +1,5 @@
 //! Gears, pulleys and other wheels that turn with the crank at a fixed ratio: the file's `[[gear]]`.
 
-use crate::engine::{BalanceShaft, EngineParts};
 use crate::origin::Sourced;
 use crate::ratio::Ratio;
 use serde::Serialize;
@@ -57,20 +56,5 @@ impl Gear {
     pub fn inertia(&self) -> Option<Sourced> {
         let shaped = self.disc.map(|disc| Sourced::from_shape(disc.inertia()));
         self.inertia.map(Sourced::given).or(shaped)
-    }
-}
-
-impl EngineParts {
-    /// All that is geared to the crank: balance shafts, then gears as shafts without weights.
-    pub fn geared_shafts(&self) -> Vec<BalanceShaft> {
-        let of = |gear: &Gear| BalanceShaft {
-            name: gear.name.clone(),
-            ratio: gear.ratio,
-            x: gear.x,
-            y: gear.y,
-            weights: Vec::new(),
-            inertia: gear.inertia().map(|inertia| inertia.value),
-        };
-        self.shafts.iter().cloned().chain(self.gears.iter().map(of)).collect()
     }
 }

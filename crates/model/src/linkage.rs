@@ -1,6 +1,6 @@
 //! Whether a crank can turn.
 
-use crate::engine::{Cylinder, RodJoint, Throw};
+use crate::engine_parts::{Cylinder, RodJoint, Throw};
 use std::f64::consts::TAU;
 
 /// Crank angles at which an articulated rod is checked.
@@ -41,7 +41,7 @@ pub fn largest_reach(throw: &Throw, master: &Cylinder, slave: &Cylinder) -> Opti
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{Rod, RodMassRule};
+    use crate::engine_parts::{Rod, RodMassRule};
 
     fn cylinder(angle: f64, length: f64, offset: f64, joint: RodJoint) -> Cylinder {
         let mass_rule = RodMassRule::Thirds;

@@ -1,8 +1,8 @@
 //! What a counterweight that is a part weighs on the crankshaft: its unbalance, plane and direction.
 
 use crate::angle;
-use crate::crank_body::{CounterweightForm, CounterweightPart, CrankBody};
-use crate::engine::{EngineParts, Throw};
+use crate::crank::body::{CounterweightForm, CounterweightPart, CrankBody};
+use crate::engine_parts::{EngineParts, Throw};
 use lanchester_shape::{GeometryError, Outline, Point};
 use std::f64::consts::PI;
 

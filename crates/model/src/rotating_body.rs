@@ -7,9 +7,9 @@
 //! Torque and speed ripple take `J_E`, roll and gyroscopic couples of the block `J_M`. What is not known is no number here: the body
 //! names the key of the file that would give it, and the sums say what they lack.
 
-use crate::crank_body::CounterweightForm;
-use crate::crank_elements::CrankElementForm;
-use crate::engine::EngineParts;
+use crate::crank::body::CounterweightForm;
+use crate::crank::elements::CrankElementForm;
+use crate::engine_parts::EngineParts;
 use crate::origin::{Origin, Sourced};
 use serde::Serialize;
 

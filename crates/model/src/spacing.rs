@@ -1,6 +1,7 @@
 //! The engine at another cylinder spacing.
 
-use crate::engine::{Engine, EngineParts};
+use crate::engine::Engine;
+use crate::engine_parts::EngineParts;
 use crate::fault::Fault;
 
 impl EngineParts {

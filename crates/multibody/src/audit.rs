@@ -88,7 +88,7 @@ impl Auditor {
     }
 
     pub fn close(mut self, runner: &mut Runner<'_>) -> (Audit, EnergyLedger) {
-        let works: [f64; WORKS] = runner.works();
+        let works: [f64; WORKS] = runner.powered.layout.all_works(&runner.state);
         let (theta, state) = (runner.state[0], runner.state.clone());
         self.last = runner.powered.energy(theta, &state);
         let throughput = self.largest_energy + self.largest_work;

@@ -20,8 +20,8 @@ use crate::block_body::in_plane;
 use crate::motion::Motion;
 use crate::place::{Place, dot};
 use crate::plane_sums::PlaneSums;
-use crate::train::{Rotor, Train};
-use nalgebra::{Matrix3, Vector3};
+use crate::train::Train;
+use nalgebra::Vector3;
 use num_complex::Complex64;
 
 /// Seven equations of motion of block and crank.
@@ -31,22 +31,6 @@ pub struct Equations {
     pub mass: [[f64; 7]; 7],
     /// Bias: inertia loads at `nu' = 0`.
     pub bias: [f64; 7],
-}
-
-/// Directions of a rotor's first moment and product at an angle, with their derivatives by theta.
-pub(crate) struct TurnedRotor {
-    pub first: [Vector3<f64>; 3],
-    pub product: [Vector3<f64>; 3],
-}
-
-impl TurnedRotor {
-    pub fn new(rotor: &Rotor, theta: f64) -> TurnedRotor {
-        let turn = Complex64::cis(rotor.ratio * theta);
-        let rates =
-            [Complex64::ONE, Complex64::I * rotor.ratio, Complex64::new(-rotor.ratio * rotor.ratio, 0.0)];
-        let turned = |moment: Complex64| rates.map(|rate| in_plane(moment * turn * rate, 0.0));
-        TurnedRotor { first: turned(rotor.first_moment), product: turned(rotor.product) }
-    }
 }
 
 /// The crank alone: inertia and half its derivative by theta.
@@ -90,102 +74,32 @@ impl Train {
 
     /// The seven equations at `motion`, with the block's own body where it has one.
     pub fn equations(&self, motion: &Motion, places: &[Place]) -> Equations {
-        let mut sum = Sum::default();
-        let (omega, w) = (motion.spin, motion.speed);
-        let turning = omega.cross(&motion.velocity);
-        if let Some(block) = &self.block {
-            sum.mass = block.mass;
-            sum.first = block.first_moment;
-            sum.inertia = block.inertia;
-            sum.force = block.mass * turning + omega.cross(&omega.cross(&block.first_moment));
-            sum.moment = block.first_moment.cross(&turning) + omega.cross(&(block.inertia * omega));
-        }
-        let moving = PlaneSums::new(self, places);
-        let (force, moment, torque) = moving.bias(omega, w, turning);
-        let [drift, swing] = moving.columns();
-        sum.mass += moving.mass;
-        sum.first += moving.first_moment();
-        sum.inertia += moving.inertia();
-        (sum.drift, sum.swing, sum.crank) = (drift, swing, moving.crank());
-        sum.force += force;
-        sum.moment += moment;
-        sum.torque += torque;
+        let (omega, w) = (&motion.spin, motion.speed);
+        let mut sums = PlaneSums::new(self, places);
+        let turn = Complex64::cis(motion.theta);
         for rotor in &self.rotors {
-            sum.add_rotor(rotor, &TurnedRotor::new(rotor, motion.theta), omega, w, turning);
+            sums.add_rotor(rotor, motion.theta, turn);
         }
-        sum.equations()
-    }
-}
-
-/// Sums over bodies.
-#[derive(Default)]
-struct Sum {
-    mass: f64,
-    first: Vector3<f64>,
-    inertia: Matrix3<f64>,
-    /// Column of `w`: linear, angular, and itself.
-    drift: Vector3<f64>,
-    swing: Vector3<f64>,
-    crank: f64,
-    force: Vector3<f64>,
-    moment: Vector3<f64>,
-    torque: f64,
-}
-
-impl Sum {
-    fn add_rotor(
-        &mut self,
-        rotor: &Rotor,
-        turned: &TurnedRotor,
-        omega: Vector3<f64>,
-        w: f64,
-        turning: Vector3<f64>,
-    ) {
-        let z = Vector3::z();
-        let axis = in_plane(rotor.axis, 0.0);
-        let ([s, s1, s2], [p, p1, p2]) = (turned.first, turned.product);
-        self.first += s;
-        let both = 2.0 * axis.dot(&s);
-        self.inertia += Matrix3::identity() * both - axis * s.transpose() - s * axis.transpose();
-        self.inertia -= z * p.transpose() + p * z.transpose();
-        self.inertia[(2, 2)] += rotor.inertia;
-        self.drift += s1;
-        self.swing += axis.cross(&s1) + z.cross(&p1) + rotor.ratio * rotor.inertia * z;
-        self.crank += rotor.ratio * rotor.ratio * rotor.inertia;
-        let bias = |x: Vector3<f64>, x1: Vector3<f64>, x2: Vector3<f64>| {
-            omega.cross(&(omega.cross(&x) + 2.0 * w * x1)) + w * w * x2
-        };
-        let (first, product) = (bias(s, s1, s2), bias(p, p1, p2));
-        let at_axis = turning + omega.cross(&omega.cross(&axis));
-        let along = omega.cross(&omega.cross(&z));
-        self.force += first;
-        self.moment += axis.cross(&first) + z.cross(&product) + s.cross(&at_axis) + p.cross(&along);
-        self.moment += rotor.inertia * (omega.z + rotor.ratio * w) * omega.cross(&z);
-        self.torque += s1.dot(&at_axis) + p1.dot(&along);
-    }
-
-    fn equations(&self) -> Equations {
-        let mut mass = [[0.0; 7]; 7];
-        let mut bias = [0.0; 7];
-        let [x, y, z] = [self.first.x, self.first.y, self.first.z];
+        let (mut mass, mut first, mut inertia) = (sums.mass, sums.first_moment(), sums.inertia());
+        if let Some(block) = &self.block {
+            mass += block.mass;
+            first += block.first_moment;
+            inertia += block.inertia;
+        }
+        let turning = omega.cross(&motion.velocity);
+        let (force, moment, torque) = sums.bias((mass, &first, &inertia), omega, w, &turning);
+        let [drift, swing] = sums.columns();
+        let [x, y, z] = [first.x, first.y, first.z];
         // m a = m v' - (m c) x Omega' and its transpose.
-        let cross = [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]];
-        for i in 0..3 {
-            mass[i][i] = self.mass;
-            for j in 0..3 {
-                mass[i][3 + j] = cross[i][j];
-                mass[3 + j][i] = cross[i][j];
-                mass[3 + i][3 + j] = self.inertia[(i, j)];
-            }
-            mass[i][6] = self.drift[i];
-            mass[6][i] = self.drift[i];
-            mass[3 + i][6] = self.swing[i];
-            mass[6][3 + i] = self.swing[i];
-            bias[i] = self.force[i];
-            bias[3 + i] = self.moment[i];
-        }
-        mass[6][6] = self.crank;
-        bias[6] = self.torque;
-        Equations { mass, bias }
+        let mass = [
+            [mass, 0.0, 0.0, 0.0, z, -y, drift.x],
+            [0.0, mass, 0.0, -z, 0.0, x, drift.y],
+            [0.0, 0.0, mass, y, -x, 0.0, drift.z],
+            [0.0, -z, y, inertia[(0, 0)], inertia[(0, 1)], inertia[(0, 2)], swing.x],
+            [z, 0.0, -x, inertia[(1, 0)], inertia[(1, 1)], inertia[(1, 2)], swing.y],
+            [-y, x, 0.0, inertia[(2, 0)], inertia[(2, 1)], inertia[(2, 2)], swing.z],
+            [drift.x, drift.y, drift.z, swing.x, swing.y, swing.z, sums.crank()],
+        ];
+        Equations { mass, bias: [force.x, force.y, force.z, moment.x, moment.y, moment.z, torque] }
     }
 }

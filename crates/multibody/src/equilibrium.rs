@@ -38,8 +38,7 @@ pub(crate) fn place(runner: &mut Runner<'_>) {
     runner.state[at + 3..at + 7].copy_from_slice(&orientation);
     let mut motion = crate::motion::Motion::fixed(runner.state[0], 0.0);
     (motion.position, motion.orientation) = (position, orientation);
-    let places: Vec<Vector3<f64>> =
-        runner.powered.mounts(&motion).map(|[_, displacement, _]| displacement).collect();
+    let places: Vec<Vector3<f64>> = runner.powered.mounts(&motion).map(|now| now.displacement).collect();
     let mut at = runner.powered.layout.relaxing();
     for (mount, displacement) in runner.powered.train.mounts.iter().zip(places) {
         let count = mount.branches();
@@ -69,9 +68,9 @@ fn unbalanced(runner: &mut Runner<'_>, turned: &Vector6<f64>) -> Vector6<f64> {
     let gravity = powered.gravity();
     let mut force = equations.mass[0][0] * gravity;
     let mut moment = (rotation * first).cross(&gravity);
-    for (mount, [on_block, ..]) in powered.train.mounts.iter().zip(powered.mounts(&motion)) {
-        force += on_block;
-        moment += (rotation * mount.at).cross(&on_block);
+    for mount in powered.mounts(&motion) {
+        force += mount.force;
+        moment += mount.arm.cross(&mount.force);
     }
     // The driveline takes the load's torque off the block: the block feels its reaction about the crank axis.
     if powered.simulation.load.reacts_on == crate::simulation::ReactsOn::Ground {

@@ -13,7 +13,7 @@
 
 use crate::dynamics::Equations;
 use crate::place::Place;
-use crate::symmetric::{self, MOST, Matrix};
+use crate::symmetric;
 use crate::train::Train;
 use nalgebra::Vector3;
 
@@ -91,15 +91,9 @@ impl Train {
 impl Equations {
     /// Rates of the seven speeds under `forces`; `None` where the mass matrix is not positive definite.
     pub fn accelerations(&self, forces: &[f64; 7]) -> Option<[f64; 7]> {
-        let mut matrix: Matrix = [[0.0; MOST]; MOST];
-        let mut rhs = [0.0; MOST];
-        for i in 0..7 {
-            matrix[i][..7].copy_from_slice(&self.mass[i]);
-            rhs[i] = forces[i] - self.bias[i];
-        }
-        symmetric::solve(&mut matrix, &mut rhs, 7)?;
-        let mut rates = [0.0; 7];
-        rates.copy_from_slice(&rhs[..7]);
+        let mut matrix = self.mass;
+        let mut rates = std::array::from_fn(|i| forces[i] - self.bias[i]);
+        symmetric::solve(&mut matrix, &mut rates, 7)?;
         Some(rates)
     }
 

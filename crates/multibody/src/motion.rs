@@ -1,6 +1,6 @@
 //! The state of the block and the crank, and what follows from it: pose, speeds, kinetic energy, momenta.
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, Vector3};
 
 /// Pose and speeds of block and crank at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +35,22 @@ impl Motion {
     /// From block axes to the axes of the frame.
     pub fn rotation(&self) -> Matrix3<f64> {
         let [w, x, y, z] = self.orientation;
-        UnitQuaternion::from_quaternion(Quaternion::new(w, x, y, z)).to_rotation_matrix().into_inner()
+        // Of the quaternion over its size.
+        let twice = 2.0 / (w * w + x * x + y * y + z * z);
+        let [xw, yw, zw] = [x, y, z].map(|part| twice * part * w);
+        let (xx, xy, xz) = (twice * x * x, twice * x * y, twice * x * z);
+        let (yy, yz, zz) = (twice * y * y, twice * y * z, twice * z * z);
+        Matrix3::new(
+            1.0 - yy - zz,
+            xy - zw,
+            xz + yw,
+            xy + zw,
+            1.0 - xx - zz,
+            yz - xw,
+            xz - yw,
+            yz + xw,
+            1.0 - xx - yy,
+        )
     }
 
     /// Rate of the quaternion for its spin: `q' = q (0, Omega) / 2`.

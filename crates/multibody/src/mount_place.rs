@@ -54,11 +54,6 @@ impl MountPlace {
         })
     }
 
-    /// Force on the block [N] for a displacement [m] and its rate [m/s], axes of the frame.
-    pub fn force(&self, displacement: Vector3<f64>, rate: Vector3<f64>) -> Vector3<f64> {
-        self.preload - self.stiffness * displacement - self.damping * rate
-    }
-
     /// Whether a run in time knows its stiffness.
     pub fn has_form_in_time(&self) -> bool {
         !self.frequency_dependent || self.chains.is_some()

@@ -105,7 +105,7 @@ impl Train {
     pub fn loop_residual(&self, places: &[Place]) -> f64 {
         let off = places.iter().zip(&self.cylinders).map(|(place, cylinder)| {
             let pin = place.travel[0] * cylinder.axis + cylinder.net_offset * Complex64::I * cylinder.axis;
-            ((pin - place.lower_pin[0]).norm() - cylinder.rod.length).abs()
+            ((pin - place.lower_pin[0]).norm_sqr().sqrt() - cylinder.rod.length).abs()
         });
         off.fold(0.0, f64::max)
     }

@@ -1,4 +1,4 @@
-//! Sums over pistons and rods, which move in planes across the crank axis: what the equations of motion need of them, each taken once.
+//! Sums over pistons, rods and rotors, which move in planes across the crank axis: what the equations of motion need of them, each taken once.
 //!
 //! ```text
 //! points at c = (x, y, z) with rates c', c'' by theta (z' = 0):
@@ -11,10 +11,14 @@
 //! tensor          J E - D u u^T                                    (its part Omega x (I Omega) is in that of all)
 //! moment besides  sigma' w ( J Omega x z - D ( n (u.Omega) + u (n.Omega) ) ) + sigma'' w^2 J z
 //! torque          sigma' ( Omega x (tensor Omega) )_z + sigma' sigma'' w^2 J
+//!
+//! rotors about an axis A at the ratio r, by first moment S, product P and polar inertia J alone (mass and transverse inertia are the block's):
+//! what is linear in the places of their masses is that of points at A + e(theta), of which the squares of e, and of A, are left out;
+//! J is a rod's that is the same in all directions of the plane and turns at r: sigma' = r, and its share across the axis is taken back
 //! ```
 
 use crate::place::{Place, cross, dot};
-use crate::train::Train;
+use crate::train::{Rotor, Train};
 use nalgebra::{Matrix3, Vector3};
 use num_complex::Complex64;
 
@@ -61,17 +65,47 @@ impl PlaneSums {
             sums.add_point(rod.mass, [shaft + at, rate, bend], cylinder.z);
             let square = (rod.inertia - rod.axial_inertia) / (rod.length * rod.length);
             let d = place.rod[0];
-            let [xx, yy, xy] = [d.re * d.re, d.im * d.im, d.re * d.im].map(|part| square * part);
+            let [xx, yy, xy] = [square * d.re * d.re, square * d.im * d.im, square * d.re * d.im];
             let [one, two] = place.swing;
             let swung = rod.inertia * one;
-            let terms = [rod.inertia, xx, yy, xy];
-            sums.rod.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
-            let terms = [swung, rod.inertia * two, swung * one, swung * two];
-            sums.swing.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+            sums.rod[0] += rod.inertia;
+            sums.rod[1] += xx;
+            sums.rod[2] += yy;
+            sums.rod[3] += xy;
+            sums.swing[0] += swung;
+            sums.swing[1] += rod.inertia * two;
+            sums.swing[2] += swung * one;
+            sums.swing[3] += swung * two;
             sums.tilt[0] += one * xy;
             sums.tilt[1] += one * (xx - yy);
         }
         sums
+    }
+
+    /// Adds a rotor whose crankshaft 1 stands at `theta`; `turn`: `e^{i theta}`, for rotors at its speed.
+    pub fn add_rotor(&mut self, rotor: &Rotor, theta: f64, turn: Complex64) {
+        let ratio = rotor.ratio;
+        let turn = if ratio == 1.0 { turn } else { Complex64::cis(ratio * theta) };
+        let [s, p] = [rotor.first_moment * turn, rotor.product * turn];
+        let rates = [Complex64::ONE, Complex64::new(0.0, ratio), Complex64::new(-ratio * ratio, 0.0)];
+        for (k, rate) in rates.into_iter().enumerate() {
+            self.first[k] += s * rate;
+            self.product[k] += p * rate;
+        }
+        let (a, s1) = (rotor.axis, s * rates[1]);
+        self.second[0] += 2.0 * a.re * s.re;
+        self.second[1] += 2.0 * a.im * s.im;
+        self.second[2] += a.re * s.im + a.im * s.re;
+        self.rates[0] += a.re * s1.re;
+        self.rates[1] += a.re * s1.im;
+        self.rates[2] += a.im * s1.re;
+        self.rates[3] += a.im * s1.im;
+        self.sweep += cross(a, s * rates[2]);
+        for own in &mut self.rod[..3] {
+            *own += rotor.inertia;
+        }
+        self.swing[0] += ratio * rotor.inertia;
+        self.swing[2] += ratio * ratio * rotor.inertia;
     }
 
     fn add_point(&mut self, mass: f64, [c, c1, c2]: [Complex64; 3], z: f64) {
@@ -137,19 +171,18 @@ impl PlaneSums {
         self.bend + self.swing[3]
     }
 
-    /// Bias: force, moment about the origin, torque on the crank. `turning = Omega x v`.
+    /// Bias: force, moment about the origin, torque on the crank. `turning = Omega x v`; `mass`, `first` and `inertia` are of everything that
+    /// moves, the block included.
     pub fn bias(
         &self,
-        omega: Vector3<f64>,
+        (mass, first, inertia): (f64, &Vector3<f64>, &Matrix3<f64>),
+        omega: &Vector3<f64>,
         w: f64,
-        turning: Vector3<f64>,
+        turning: &Vector3<f64>,
     ) -> (Vector3<f64>, Vector3<f64>, f64) {
-        let first = self.first_moment();
         let [drift, _] = self.columns();
         let bent = Vector3::new(self.first[2].re, self.first[2].im, 0.0);
-        let force =
-            self.mass * turning + omega.cross(&(omega.cross(&first) + 2.0 * w * drift)) + w * w * bent;
-        let inertia = self.inertia();
+        let force = mass * turning + omega.cross(&(omega.cross(first) + 2.0 * w * drift)) + w * w * bent;
         let [xx, xy, yx, yy] = self.rates;
         let product = self.product[1];
         // G^T Omega: its rows are those of the rates.
@@ -167,13 +200,13 @@ impl PlaneSums {
             stretch * omega.x + 2.0 * tilt * omega.y,
             0.0,
         );
-        let moment = first.cross(&turning)
+        let moment = first.cross(turning)
             + omega.cross(&(inertia * omega))
             + 2.0 * w * (trace * omega - turned)
             + w * w * swept
             + w * (self.swing[0] * Vector3::new(omega.y, -omega.x, 0.0) - rocked);
         let across = omega.x * omega.x - omega.y * omega.y;
-        let torque = drift.dot(&turning) + omega.dot(&turned) - omega.norm_squared() * trace
+        let torque = drift.dot(turning) + omega.dot(&turned) - omega.norm_squared() * trace
             + w * w * self.crank_bias()
             - (tilt * across - stretch * omega.x * omega.y);
         (force, moment, torque)

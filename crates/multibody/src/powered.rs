@@ -2,7 +2,9 @@
 //!
 //! Unknown accelerations are those of block, crank and driveline; works of everything that gives or takes energy are integrated beside the states.
 
-use crate::dynamics::Equations;
+mod works;
+
+use crate::dynamics::{CrankInertia, Equations};
 use crate::gas_pressure::GasPressure;
 use crate::loads::Loads;
 use crate::maxwell::MOST_BRANCHES;
@@ -14,19 +16,7 @@ use crate::simulation::{
 use crate::symmetric::{self, MOST, Matrix};
 use crate::train::Train;
 use nalgebra::Vector3;
-
-/// Number of works that are integrated.
-pub(crate) const WORKS: usize = 8;
-
-/// Names of the works: what puts energy in counts positive.
-pub(crate) const GAS: usize = 0;
-pub(crate) const LOAD: usize = 1;
-pub(crate) const STARTER: usize = 2;
-pub(crate) const FRICTION: usize = 3;
-pub(crate) const PISTON_FRICTION: usize = 4;
-pub(crate) const OUTSIDE: usize = 5;
-pub(crate) const MOUNT_DAMPING: usize = 6;
-pub(crate) const DRIVELINE_DAMPING: usize = 7;
+pub(crate) use works::*;
 
 /// Places of the parts of a state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,6 +26,8 @@ pub(crate) struct Layout {
     pub governed: bool,
     /// Branches of all mounts.
     pub branches: usize,
+    /// Works that can be other than 0: these alone are integrated.
+    pub counted: [bool; WORKS],
 }
 
 impl Layout {
@@ -60,7 +52,18 @@ impl Layout {
     }
 
     pub fn dimension(self) -> usize {
-        self.works() + WORKS
+        self.works() + self.counted.iter().filter(|counted| **counted).count()
+    }
+
+    /// The works of a state, by their names.
+    pub fn all_works(self, state: &[f64]) -> [f64; WORKS] {
+        let mut own = state[self.works()..].iter();
+        self.counted.map(|counted| if counted { own.next().copied().unwrap_or(0.0) } else { 0.0 })
+    }
+
+    /// Row of the crank among the accelerations.
+    pub fn crank(self) -> usize {
+        if self.moving { 6 } else { 0 }
     }
 
     /// Number of accelerations.
@@ -87,6 +90,19 @@ pub(crate) struct Conditions {
     pub window: [f64; 2],
     /// Times between which the profile of an imposed speed has no knot.
     pub times: [f64; 2],
+}
+
+/// A mount at one instant, axes of the frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct MountNow {
+    /// On the block [N].
+    pub force: Vector3<f64>,
+    /// From the block's origin to its point on the block [m].
+    pub arm: Vector3<f64>,
+    /// Of that point [m].
+    pub displacement: Vector3<f64>,
+    /// Power that its dampers take [W].
+    pub lost: f64,
 }
 
 /// Torques and accelerations at one instant.
@@ -118,6 +134,26 @@ pub(crate) struct Powered<'a> {
     pub holding: f64,
 }
 
+/// What block and crank have without a driveline.
+enum Own {
+    /// Their equations, and the forces on the seven speeds.
+    Block(Equations, [f64; 7]),
+    /// Inertia and torque of the crank in a block at rest.
+    Crank { inertia: f64, torque: f64 },
+}
+
+/// What drives crank and driveline besides.
+struct Driven {
+    /// Acceleration of the crank where it is given, and whether it is absolute.
+    given: Option<(f64, bool)>,
+    /// Whether that drive stands on the ground.
+    from_ground: bool,
+    /// Torque of the load.
+    load: f64,
+    /// Whether the load stands on the ground.
+    load_ground: bool,
+}
+
 /// Angle from a kink of the pressure within which the pressure is that inside [rad].
 const BESIDE: f64 = 1e-12;
 
@@ -145,15 +181,19 @@ impl<'a> Powered<'a> {
         self.layout.moving && self.simulation.block == BlockMotion::Mounts
     }
 
-    /// Force of every mount on the block [N] without its branches, axes of the frame, with displacement and rate of its point.
-    pub fn mounts(&self, motion: &Motion) -> impl Iterator<Item = [Vector3<f64>; 3]> + '_ {
+    /// What every mount does without its branches.
+    pub fn mounts(&self, motion: &Motion) -> impl Iterator<Item = MountNow> + '_ {
         let rotation = motion.rotation();
-        let (position, velocity, spin) = (motion.position, motion.velocity, motion.spin);
+        let position = motion.position;
+        let (velocity, spin) = (rotation * motion.velocity, rotation * motion.spin);
         let mounts = if self.on_mounts() { &self.train.mounts[..] } else { &[] };
         mounts.iter().map(move |mount| {
-            let displacement = position + rotation * mount.at - mount.at;
-            let rate = rotation * (velocity + spin.cross(&mount.at));
-            [mount.force(displacement, rate), displacement, rate]
+            let arm = rotation * mount.at;
+            let displacement = position + (arm - mount.at);
+            let rate = velocity + spin.cross(&arm);
+            let damping = mount.damping * rate;
+            let force = mount.preload - mount.stiffness * displacement - damping;
+            MountNow { force, arm, displacement, lost: damping.dot(&rate) }
         })
     }
 
@@ -166,9 +206,9 @@ impl<'a> Powered<'a> {
     ) -> Vec<(Vector3<f64>, f64, f64)> {
         let mut at = self.layout.relaxing();
         let mut own = [0.0; 3 * MOST_BRANCHES];
-        let each = self.train.mounts.iter().zip(self.mounts(motion)).map(|(mount, [_, displacement, _])| {
+        let each = self.train.mounts.iter().zip(self.mounts(motion)).map(|(mount, now)| {
             let count = mount.branches();
-            let done = mount.relax(displacement, &state[at..at + count], &mut own);
+            let done = mount.relax(now.displacement, &state[at..at + count], &mut own);
             (0..count).for_each(|k| rates(at + k, own[k]));
             at += count;
             done
@@ -178,7 +218,7 @@ impl<'a> Powered<'a> {
 
     /// Force of the block on every mount [N], axes of the frame.
     pub fn mount_forces(&self, motion: &Motion, state: &[f64]) -> Vec<[f64; 3]> {
-        let mut forces: Vec<Vector3<f64>> = self.mounts(motion).map(|[force, ..]| -force).collect();
+        let mut forces: Vec<Vector3<f64>> = self.mounts(motion).map(|now| -now.force).collect();
         if self.layout.branches > 0 {
             let branches = self.branches(motion, state, |_, _| ());
             forces.iter_mut().zip(branches).for_each(|(force, (on_block, ..))| *force -= on_block);
@@ -279,27 +319,21 @@ impl<'a> Powered<'a> {
             *(if load_ground { &mut outer } else { &mut inner }) += load;
         }
 
-        let size = layout.freedoms();
-        let crank = if layout.moving { 6 } else { 0 };
-        let mut matrix: Matrix = [[0.0; MOST]; MOST];
-        let mut rhs = [0.0; MOST];
         let mut damped = 0.0;
-        if layout.moving {
+        let own = if layout.moving {
             let rotation = motion.rotation();
             let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
             if self.on_mounts() {
-                for (mount, [on_block, _, rate]) in self.train.mounts.iter().zip(self.mounts(&motion)) {
-                    let own = rotation.transpose() * on_block;
-                    force += own;
-                    moment += mount.at.cross(&own);
-                    damped -= rate.dot(&(mount.damping * rate));
+                for mount in self.mounts(&motion) {
+                    force += mount.force;
+                    moment += mount.arm.cross(&mount.force);
+                    damped -= mount.lost;
                 }
                 if layout.branches > 0 {
                     let branches = self.branches(&motion, state, |at, rate| rates[at] = rate);
                     for (mount, (on_block, _, lost)) in self.train.mounts.iter().zip(branches) {
-                        let own = rotation.transpose() * on_block;
-                        force += own;
-                        moment += mount.at.cross(&own);
+                        force += on_block;
+                        moment += (rotation * mount.at).cross(&on_block);
                         damped -= lost;
                     }
                 }
@@ -307,28 +341,21 @@ impl<'a> Powered<'a> {
             let equations = self.train.equations(&motion, &places);
             let loads = Loads {
                 gas: &self.forces,
-                gravity: rotation.transpose() * self.gravity(),
+                gravity: rotation.tr_mul(&self.gravity()),
                 piston_damping: simulation.piston_damping,
-                force,
-                moment,
+                force: rotation.tr_mul(&force),
+                moment: rotation.tr_mul(&moment),
                 outer_torque: outer,
                 inner_torque: inner,
             };
             let forces = self.train.generalised_forces(&equations, &places, speed, &loads);
-            for i in 0..7 {
-                matrix[i][..7].copy_from_slice(&equations.mass[i]);
-                rhs[i] = forces[i] - equations.bias[i];
-            }
             self.equations = Some(equations);
+            Own::Block(equations, forces)
         } else {
-            let inertia = self.train.crank_inertia(&places);
-            matrix[0][0] = inertia.inertia;
-            rhs[0] = gas + rubbing + outer + inner - inertia.bias * speed * speed
-                + if simulation.gravity == 0.0 { 0.0 } else { self.weight_torque(theta, &places) };
-        }
-        let driveline = self.add_driveline(&mut matrix, &mut rhs, state, &motion, load, load_ground);
-        let [spring_torque, driveline_damped] = driveline;
-
+            let CrankInertia { inertia, bias } = self.train.crank_inertia(&places);
+            let weight = if simulation.gravity == 0.0 { 0.0 } else { self.weight_torque(theta, &places) };
+            Own::Crank { inertia, torque: gas + rubbing + outer + inner - bias * speed * speed + weight }
+        };
         let imposed = self.imposed(t);
         let mut outside = over_angle;
         let given = match (imposed, self.conditions.held) {
@@ -336,17 +363,14 @@ impl<'a> Powered<'a> {
             (None, true) => Some((0.0, false)),
             (None, false) => None,
         };
-        let mut drive = 0.0;
-        let solved = match given {
-            None => symmetric::solve(&mut matrix, &mut rhs, size),
-            Some((rate, absolute)) => {
-                let from_ground = imposed.is_some();
-                let torque =
-                    symmetric::solve_given(&mut matrix, &mut rhs, size, crank, rate, from_ground, absolute);
-                drive = torque.unwrap_or(0.0);
-                torque.map(|_| ())
-            }
+        let driven = Driven { given, from_ground: imposed.is_some(), load, load_ground };
+        let mut rhs = [0.0; MOST];
+        let solved = match (layout.links, layout.moving) {
+            (0, false) => self.solve::<1>(&own, state, &motion, &driven, &mut rhs),
+            (0, true) => self.solve::<7>(&own, state, &motion, &driven, &mut rhs),
+            _ => self.solve::<MOST>(&own, state, &motion, &driven, &mut rhs),
         };
+        let (drive, [spring_torque, driveline_damped]) = solved.unwrap_or_default();
         if solved.is_none() {
             rates.fill(f64::NAN);
             self.places = places;
@@ -359,6 +383,7 @@ impl<'a> Powered<'a> {
 
         // The dashpots of the mounts have theirs already.
         rates[..layout.relaxing()].fill(0.0);
+        let crank = layout.crank();
         rates[0] = speed;
         rates[1] = rhs[crank];
         for link in 0..layout.links {
@@ -385,8 +410,8 @@ impl<'a> Powered<'a> {
             let waits = (wanted > 1.0 && error > 0.0) || (wanted < 0.0 && error < 0.0);
             rates[at + 1] = if waits { 0.0 } else { governor.gain * governor.integral * error };
         }
-        let works = &mut rates[layout.works()..];
         let absolute = speed + spin_z;
+        let mut works = [0.0; WORKS];
         works[GAS] = gas * speed;
         works[LOAD] = load * end_speed;
         works[STARTER] = starter * if starter_ground { absolute } else { speed };
@@ -395,9 +420,56 @@ impl<'a> Powered<'a> {
         works[OUTSIDE] = outside * absolute;
         works[MOUNT_DAMPING] = damped;
         works[DRIVELINE_DAMPING] = driveline_damped;
+        let counted =
+            works.into_iter().zip(layout.counted).filter_map(|(work, counted)| counted.then_some(work));
+        rates[layout.works()..].iter_mut().zip(counted).for_each(|(rate, work)| *rate = work);
         self.torques =
             Torques { gas, load, starter, friction, outside, driveline: spring_torque, rates: seven };
         self.places = places;
+    }
+
+    /// Accelerations of block, crank and driveline into `rates`; torque of the drive, torque of the first spring of the driveline on the crank and power of its
+    /// dampers. `N`: the freedoms, or at least as many.
+    fn solve<const N: usize>(
+        &self,
+        own: &Own,
+        state: &[f64],
+        motion: &Motion,
+        driven: &Driven,
+        rates: &mut [f64; MOST],
+    ) -> Option<(f64, [f64; 2])> {
+        let layout = self.layout;
+        let size = if N == MOST { layout.freedoms() } else { N };
+        let mut matrix: Matrix<N> = [[0.0; N]; N];
+        let mut rhs = [0.0; N];
+        match own {
+            Own::Block(equations, forces) => {
+                for i in 0..7 {
+                    matrix[i][..7].copy_from_slice(&equations.mass[i]);
+                    rhs[i] = forces[i] - equations.bias[i];
+                }
+            }
+            Own::Crank { inertia, torque } => (matrix[0][0], rhs[0]) = (*inertia, *torque),
+        }
+        let driveline = if layout.links > 0 {
+            self.add_driveline(&mut matrix, &mut rhs, state, motion, driven)
+        } else {
+            [0.0; 2]
+        };
+        let drive = match driven.given {
+            None => symmetric::solve(&mut matrix, &mut rhs, size).map(|()| 0.0),
+            Some((rate, absolute)) => symmetric::solve_given(
+                &mut matrix,
+                &mut rhs,
+                size,
+                layout.crank(),
+                rate,
+                driven.from_ground,
+                absolute,
+            ),
+        }?;
+        rates[..N].copy_from_slice(&rhs);
+        Some((drive, driveline))
     }
 
     /// Torque of the weight on crankshaft 1 with the block fixed [N m].
@@ -417,17 +489,16 @@ impl<'a> Powered<'a> {
     }
 
     /// Adds the driveline; returns the torque of its first spring on the crank and the power of its dampers.
-    fn add_driveline(
+    fn add_driveline<const N: usize>(
         &self,
-        matrix: &mut Matrix,
-        rhs: &mut [f64; MOST],
+        matrix: &mut Matrix<N>,
+        rhs: &mut [f64; N],
         state: &[f64],
         motion: &Motion,
-        load: f64,
-        load_ground: bool,
+        driven: &Driven,
     ) -> [f64; 2] {
         let layout = self.layout;
-        let crank = if layout.moving { 6 } else { 0 };
+        let crank = layout.crank();
         let (mut before, mut before_row) = ([motion.theta, motion.speed], crank);
         let mut result = [0.0; 2];
         for (index, link) in self.simulation.driveline.iter().enumerate() {
@@ -454,9 +525,9 @@ impl<'a> Powered<'a> {
                 }
             }
             if index + 1 == layout.links {
-                rhs[row] += load;
-                if layout.moving && load_ground {
-                    rhs[5] += load;
+                rhs[row] += driven.load;
+                if layout.moving && driven.load_ground {
+                    rhs[5] += driven.load;
                 }
             }
             (before, before_row) = (own, row);
@@ -496,8 +567,8 @@ impl<'a> Powered<'a> {
         };
         let mut sprung = 0.0;
         if self.on_mounts() {
-            for (mount, [_, displacement, _]) in self.train.mounts.iter().zip(self.mounts(&motion)) {
-                sprung += mount.energy(displacement);
+            for (mount, now) in self.train.mounts.iter().zip(self.mounts(&motion)) {
+                sprung += mount.energy(now.displacement);
             }
             if layout.branches > 0 {
                 sprung +=

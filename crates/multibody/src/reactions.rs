@@ -10,7 +10,7 @@
 //! where [`Guidance::Piston`] says so. A rotor is as in [`crate::Rotor`]: its weight and its mass are with the block, so that the loads of main bearings
 //! lack them.
 
-use crate::block_body::{bodies, in_plane};
+use crate::block_body::in_plane;
 use crate::motion::Motion;
 use crate::place::Place;
 use crate::rotor_shares::{RotorShares, ShaftLoad};
@@ -110,34 +110,54 @@ pub struct Instant<'a> {
 
 /// The motion of a point that moves in the block.
 struct Carrier {
-    velocity: Vector3<f64>,
+    /// Acceleration of the block's origin.
+    linear: Vector3<f64>,
+    angular: Vector3<f64>,
     spin: Vector3<f64>,
     speed: f64,
-    rates: [f64; 7],
+    rate: f64,
 }
 
 impl Carrier {
-    fn linear(&self) -> Vector3<f64> {
-        Vector3::new(self.rates[0], self.rates[1], self.rates[2]) + self.spin.cross(&self.velocity)
-    }
-
-    fn angular(&self) -> Vector3<f64> {
-        Vector3::new(self.rates[3], self.rates[4], self.rates[5])
+    fn new(motion: &Motion, rates: &[f64; 7]) -> Carrier {
+        let [x, y, z, about_x, about_y, about_z, rate] = *rates;
+        Carrier {
+            linear: Vector3::new(x, y, z) + motion.spin.cross(&motion.velocity),
+            angular: Vector3::new(about_x, about_y, about_z),
+            spin: motion.spin,
+            speed: motion.speed,
+            rate,
+        }
     }
 
     /// What the acceleration of a point has in proportion to its place.
-    fn turned(&self, c: [Vector3<f64>; 3]) -> Vector3<f64> {
-        let [at, rate, bend] = c;
+    #[inline]
+    fn turned(&self, [at, rate, bend]: [Vector3<f64>; 3]) -> Vector3<f64> {
         let w = self.speed;
-        self.angular().cross(&at)
+        self.angular.cross(&at)
             + self.spin.cross(&(self.spin.cross(&at) + 2.0 * w * rate))
             + w * w * bend
-            + self.rates[6] * rate
+            + self.rate * rate
     }
 
+    #[inline]
     fn point(&self, c: [Vector3<f64>; 3]) -> Vector3<f64> {
-        self.linear() + self.turned(c)
+        self.linear + self.turned(c)
     }
+
+    /// Acceleration of a point that stands still in the block.
+    #[inline]
+    fn still(&self, at: Vector3<f64>) -> Vector3<f64> {
+        self.linear + self.angular.cross(&at) + self.spin.cross(&self.spin.cross(&at))
+    }
+}
+
+/// Room for the loads of one instant, kept from instant to instant.
+#[derive(Default)]
+pub(crate) struct Scratch {
+    handed: Vec<Option<Handed>>,
+    loads: Vec<ShaftLoad>,
+    sums: Vec<[f64; 2]>,
 }
 
 /// What a rod hands on.
@@ -151,20 +171,25 @@ struct Handed {
 impl Train {
     /// Loads of all joints at one instant; `shares` as [`Train::main_shares`] gives them.
     pub fn reactions(&self, instant: &Instant<'_>, shares: &[RotorShares]) -> Reactions {
-        let motion = instant.motion;
-        let carrier = Carrier {
-            velocity: motion.velocity,
-            spin: motion.spin,
-            speed: motion.speed,
-            rates: instant.rates,
-        };
+        self.reactions_with(instant, shares, &mut Scratch::default())
+    }
+
+    /// The same with room from before.
+    pub(crate) fn reactions_with(
+        &self,
+        instant: &Instant<'_>,
+        shares: &[RotorShares],
+        scratch: &mut Scratch,
+    ) -> Reactions {
+        let carrier = Carrier::new(instant.motion, &instant.rates);
         let mut cylinders = vec![CylinderReactions::default(); self.cylinders.len()];
-        let mut handed: Vec<Option<Handed>> = vec![None; self.cylinders.len()];
+        scratch.handed.clear();
+        scratch.handed.resize(self.cylinders.len(), None);
         // Articulated rods first: their masters carry them.
         for &index in self.order.iter().rev() {
-            let (own, on_pin) = self.rod(instant, &carrier, index, &handed);
+            let (own, on_pin) = self.rod(instant, &carrier, index, &scratch.handed);
             cylinders[index] = own;
-            handed[index] = Some(on_pin);
+            scratch.handed[index] = Some(on_pin);
         }
         let mut on_block = [Vector3::zeros(); 2];
         for (index, own) in cylinders.iter().enumerate() {
@@ -184,7 +209,7 @@ impl Train {
         let mut rotors: Vec<RotorReactions> = Vec::with_capacity(self.rotors.len());
         let mut reflected = 0.0;
         for index in (0..self.rotors.len()).rev() {
-            let (mut own, torque) = self.rotor(instant, &carrier, index, &handed, shares.get(index));
+            let (mut own, torque) = self.rotor(instant, &carrier, index, shares.get(index), scratch);
             let axis = in_plane(self.rotors[index].axis, 0.0);
             let force = Vector3::from(own.bearings.force);
             on_block[0] += force;
@@ -214,7 +239,7 @@ impl Train {
         handed: &[Option<Handed>],
     ) -> (CylinderReactions, Handed) {
         let (cylinder, place) = (&self.cylinders[index], &instant.places[index]);
-        let [piston, rod] = bodies(self, index, place);
+        let shaft = self.rotors[cylinder.rotor].axis;
         let u = in_plane(cylinder.axis, 0.0);
         let v = in_plane(cylinder.axis * Complex64::I, 0.0);
         let z = Vector3::z();
@@ -222,17 +247,28 @@ impl Train {
         let w = carrier.speed;
         // Without the pin and the wall the piston would need this more.
         let drive = (instant.gas[index] + instant.piston_damping * s1 * w) * u;
-        let piston_needs = piston.0 * (carrier.point([piston.1, s1 * u, s2 * u]) - instant.gravity) + drive;
+        let at = in_plane(shaft + cylinder.axis * Complex64::new(s, cylinder.offset), cylinder.z);
+        let piston_rate = carrier.point([at, s1 * u, s2 * u]) - instant.gravity;
+        let piston_needs = cylinder.piston_mass * piston_rate + drive;
         let centre = place.on_rod(cylinder.rod.centre);
-        let [rate, bend] = [1, 2].map(|k| in_plane(centre[k], 0.0));
-        let mut rod_needs = rod.0 * (carrier.point([rod.1, rate, bend]) - instant.gravity);
+        let [rate, bend] = [in_plane(centre[1], 0.0), in_plane(centre[2], 0.0)];
+        let at = in_plane(shaft + centre[0], cylinder.z);
+        let mut rod_needs = cylinder.rod.mass * (carrier.point([at, rate, bend]) - instant.gravity);
         let [sigma1, sigma2] = place.swing;
-        let spin = carrier.spin + sigma1 * w * z;
-        let alpha = carrier.angular()
-            + (sigma1 * instant.rates[6] + sigma2 * w * w) * z
-            + sigma1 * w * carrier.spin.cross(&z);
-        let from_pin = in_plane(centre[0] - place.lower_pin[0], 0.0);
-        let mut moment = from_pin.cross(&rod_needs) + rod.2 * alpha + spin.cross(&(rod.2 * spin));
+        let spin = Vector3::new(carrier.spin.x, carrier.spin.y, carrier.spin.z + sigma1 * w);
+        // sigma' w Omega x z besides the block's and the rod's own.
+        let alpha = Vector3::new(
+            carrier.angular.x + sigma1 * w * carrier.spin.y,
+            carrier.angular.y - sigma1 * w * carrier.spin.x,
+            carrier.angular.z + sigma1 * carrier.rate + sigma2 * w * w,
+        );
+        let d = in_plane(place.rod[0], 0.0);
+        let slender =
+            (cylinder.rod.inertia - cylinder.rod.axial_inertia) / (cylinder.rod.length * cylinder.rod.length);
+        // J x less what the rod lacks along itself.
+        let tensor = |x: &Vector3<f64>| cylinder.rod.inertia * x - slender * d.dot(x) * d;
+        let from_pin = cylinder.rod.centre * d;
+        let mut moment = from_pin.cross(&rod_needs) + tensor(&alpha) + spin.cross(&tensor(&spin));
         for (other, on_pin) in handed.iter().enumerate() {
             let LowerPin::Knuckle { master, place: knuckle } = self.cylinders[other].lower_pin else {
                 continue;
@@ -244,7 +280,6 @@ impl Train {
             moment -= at.cross(&on_pin.force) + on_pin.couple;
         }
         // What the rod needs about its lower pin is C - d x X: along z it is the pin force across the cylinder.
-        let d = in_plane(place.rod[0], 0.0);
         let along = piston_needs.dot(&u);
         let across = (-moment.z - along * d.cross(&u).z) / d.dot(&u);
         let mut pin = along * u + across * v;
@@ -279,7 +314,7 @@ impl Train {
             piston_pin: Wrench::of(pin, pin_couple),
             lower_pin: Wrench::of(on_pin.force, on_pin.couple),
             rod_frame: [bearing.re, bearing.im],
-            travel: [s, s1 * w, s1 * instant.rates[6] + s2 * w * w],
+            travel: [s, s1 * w, s1 * carrier.rate + s2 * w * w],
             throw_frame,
         };
         // The wall takes the friction of the piston too.
@@ -294,25 +329,23 @@ impl Train {
         instant: &Instant<'_>,
         carrier: &Carrier,
         index: usize,
-        handed: &[Option<Handed>],
         shares: Option<&RotorShares>,
+        scratch: &mut Scratch,
     ) -> (RotorReactions, f64) {
         let rotor = &self.rotors[index];
         let (z, w) = (Vector3::z(), carrier.speed);
         let turn = Complex64::cis(rotor.ratio * instant.motion.theta);
-        let bays = rotor.bays();
-        let mut loads: Vec<ShaftLoad> =
-            Vec::with_capacity(rotor.unbalances.len() + self.cylinders.len() + 1 + bays.len());
+        let Scratch { handed, loads, sums } = scratch;
+        loads.clear();
         for unbalance in &rotor.unbalances {
             let moment = unbalance.moment * turn;
-            let c = [moment, moment * Complex64::I * rotor.ratio, -rotor.ratio * rotor.ratio * moment];
+            let c = [moment, moment * Complex64::new(0.0, rotor.ratio), -rotor.ratio * rotor.ratio * moment];
             let c = c.map(|across| in_plane(across, 0.0));
-            let on_axis = in_plane(rotor.axis, unbalance.z);
-            let at_axis = carrier.point([on_axis, Vector3::zeros(), Vector3::zeros()]);
+            let at_axis = carrier.still(in_plane(rotor.axis, unbalance.z));
             let couple = c[0].cross(&(instant.gravity - at_axis));
             loads.push(ShaftLoad { z: unbalance.z, force: -carrier.turned(c), couple });
         }
-        for (cylinder, on_pin) in self.cylinders.iter().zip(handed) {
+        for (cylinder, on_pin) in self.cylinders.iter().zip(handed.iter()) {
             let on_crankpin = cylinder.rotor == index && cylinder.lower_pin == LowerPin::Crankpin;
             if let Some(on_pin) = on_pin.filter(|_| on_crankpin) {
                 let pin = in_plane(cylinder.crankpin * turn, 0.0);
@@ -321,20 +354,21 @@ impl Train {
             }
         }
         let spin = carrier.spin.z + rotor.ratio * w;
-        let gyroscopic = -spin * carrier.spin.cross(&z);
+        let gyroscopic = -spin * Vector3::new(carrier.spin.y, -carrier.spin.x, 0.0);
         let end = rotor.mains.last().copied().unwrap_or(0.0);
-        loads.push(ShaftLoad { z: end, force: Vector3::zeros(), couple: rotor.flywheel * gyroscopic });
-        let each = (rotor.inertia - rotor.flywheel) / bays.len() as f64;
-        for middle in bays {
-            loads.push(ShaftLoad { z: middle, force: Vector3::zeros(), couple: each * gyroscopic });
+        let zero = Vector3::zeros();
+        loads.push(ShaftLoad { z: end, force: zero, couple: rotor.flywheel * gyroscopic });
+        let each = (rotor.inertia - rotor.flywheel) / rotor.bays().count() as f64;
+        loads.extend(rotor.bays().map(|z| ShaftLoad { z, force: zero, couple: each * gyroscopic }));
+        let needs = rotor.inertia * (carrier.angular.z + rotor.ratio * carrier.rate);
+        let (mut force, mut moment) = (zero, zero);
+        for load in loads.iter() {
+            force += load.force;
+            moment += load.couple + load.z * z.cross(&load.force);
         }
-        let needs = rotor.inertia * (carrier.angular().z + rotor.ratio * instant.rates[6]);
-        let torque = needs - loads.iter().map(|load| load.couple.z).sum::<f64>();
-        let force: Vector3<f64> = loads.iter().map(|load| load.force).sum();
-        let mut moment: Vector3<f64> =
-            loads.iter().map(|load| load.couple + load.z * z.cross(&load.force)).sum();
+        let torque = needs - moment.z;
         moment.z = 0.0;
-        let mains = shares.map_or_else(Default::default, |shares| shares.carried(&loads));
+        let mains = shares.map_or_else(Default::default, |shares| shares.carried(loads, sums));
         (RotorReactions { bearings: Wrench::of(force, moment), gear_torque: 0.0, mains }, torque)
     }
 }

@@ -3,7 +3,6 @@
 use crate::main_rules::{MainRule, MainShares};
 use crate::train::{LowerPin, Train};
 use nalgebra::Vector3;
-use num_complex::Complex64;
 
 /// A load on a shaft: force and couple at a plane.
 pub(crate) struct ShaftLoad {
@@ -21,25 +20,28 @@ pub struct RotorShares {
     mains: usize,
     /// Planes of the loads in the order of [`Train::load_planes`].
     planes: usize,
-    /// By rule, main and plane: share of a force, and its slope [1/m].
-    rules: [Vec<[f64; 2]>; 3],
+    /// By plane, rule and main: share of a force, and its slope [1/m].
+    table: Vec<[f64; 2]>,
 }
 
 impl RotorShares {
-    /// Journals on the mains under `loads`, by rule and main; empty without two mains.
-    pub(crate) fn carried(&self, loads: &[ShaftLoad]) -> [Vec<[f64; 2]>; 3] {
-        debug_assert!(self.mains == 0 || loads.len() == self.planes, "a load in every plane");
-        let of = |shares: &[[f64; 2]]| {
-            let mut sum = Complex64::ZERO;
-            for ([share, slope], load) in shares.iter().zip(loads) {
+    /// Journals on the mains under `loads`, by rule and main; empty without two mains. `sums`: room from before.
+    pub(crate) fn carried(&self, loads: &[ShaftLoad], sums: &mut Vec<[f64; 2]>) -> [Vec<[f64; 2]>; 3] {
+        if self.mains == 0 {
+            return Default::default();
+        }
+        debug_assert!(loads.len() == self.planes, "a load in every plane");
+        sums.clear();
+        sums.resize(3 * self.mains, [0.0; 2]);
+        for (load, row) in loads.iter().zip(self.table.chunks_exact(3 * self.mains)) {
+            let (force, couple) = (load.force, load.couple);
+            for (sum, [share, slope]) in sums.iter_mut().zip(row) {
                 // A couple is a pair of forces: -i C times the slope.
-                sum.re += share * load.force.x + slope * load.couple.y;
-                sum.im += share * load.force.y - slope * load.couple.x;
+                sum[0] += share * force.x + slope * couple.y;
+                sum[1] += share * force.y - slope * couple.x;
             }
-            [sum.re, sum.im]
-        };
-        let rule = |table: &Vec<[f64; 2]>| table.chunks_exact(self.planes.max(1)).map(of).collect();
-        [rule(&self.rules[0]), rule(&self.rules[1]), rule(&self.rules[2])]
+        }
+        [0, 1, 2].map(|rule| sums[rule * self.mains..(rule + 1) * self.mains].to_vec())
     }
 }
 
@@ -61,13 +63,20 @@ impl Train {
             let mains = &self.rotors[index].mains;
             let planes = self.load_planes(index);
             let stiffness = stiffness.get(index).map_or(&[][..], Vec::as_slice);
-            let rules = MainRule::ALL.map(|rule| {
-                let Some(shares) = MainShares::new(mains, rule, stiffness) else { return Vec::new() };
-                let rows = (0..mains.len()).flat_map(|main| planes.iter().map(move |z| (main, *z)));
-                rows.map(|(main, z)| shares.share(main, z)).collect()
-            });
-            let mains = if rules[0].is_empty() { 0 } else { mains.len() };
-            RotorShares { mains, planes: planes.len(), rules }
+            let rules: Vec<MainShares> = MainRule::ALL
+                .into_iter()
+                .filter_map(|rule| MainShares::new(mains, rule, stiffness))
+                .collect();
+            if rules.len() < MainRule::ALL.len() {
+                return RotorShares::default();
+            }
+            let mut table = Vec::with_capacity(planes.len() * rules.len() * mains.len());
+            for z in &planes {
+                for shares in &rules {
+                    table.extend((0..mains.len()).map(|main| shares.share(main, *z)));
+                }
+            }
+            RotorShares { mains: mains.len(), planes: planes.len(), table }
         };
         (0..self.rotors.len()).map(of).collect()
     }

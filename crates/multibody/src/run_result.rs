@@ -108,6 +108,29 @@ pub struct Samples {
     pub reactions: Vec<Reactions>,
 }
 
+impl Samples {
+    /// Makes room for so many more of those that every run has, and of the reactions where they were asked for before.
+    pub(crate) fn reserve(&mut self, more: usize) {
+        for series in [
+            &mut self.time,
+            &mut self.theta,
+            &mut self.speed,
+            &mut self.acceleration,
+            &mut self.gas_torque,
+            &mut self.load_torque,
+            &mut self.starter_torque,
+            &mut self.friction_torque,
+            &mut self.outside_torque,
+            &mut self.driveline_torque,
+        ] {
+            series.reserve(more);
+        }
+        if !self.reactions.is_empty() {
+            self.reactions.reserve(more);
+        }
+    }
+}
+
 /// Something that happened.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Happened {

@@ -4,12 +4,12 @@
 pub(crate) const MOST: usize = 15;
 
 /// A square matrix of which the leading part counts.
-pub(crate) type Matrix = [[f64; MOST]; MOST];
+pub(crate) type Matrix<const N: usize> = [[f64; N]; N];
 
 /// Solves `matrix x = rhs` of `size` unknowns in place by Cholesky; `None` where the matrix is not positive definite.
-pub(crate) fn solve(matrix: &mut Matrix, rhs: &mut [f64; MOST], size: usize) -> Option<()> {
+pub(crate) fn solve<const N: usize>(matrix: &mut Matrix<N>, rhs: &mut [f64; N], size: usize) -> Option<()> {
     // Rows of L take the place of the lower half; divisions by its diagonal once each.
-    let mut by_diagonal = [0.0; MOST];
+    let mut by_diagonal = [0.0; N];
     for j in 0..size {
         let (above, rest) = matrix.split_at_mut(j);
         let own = &mut rest[0];
@@ -46,9 +46,9 @@ pub(crate) fn solve(matrix: &mut Matrix, rhs: &mut [f64; MOST], size: usize) -> 
 
 /// Solves `matrix x = rhs + T b` for `x` and the torque `T` of a drive where the rate of the crank, row and column `crank`, is given: relative to the block
 /// (or, `absolute`, with the block's roll, row 5). The drive acts on the crank, and where it stands on the ground on the roll too. `rhs` becomes `x`.
-pub(crate) fn solve_given(
-    matrix: &mut Matrix,
-    rhs: &mut [f64; MOST],
+pub(crate) fn solve_given<const N: usize>(
+    matrix: &mut Matrix<N>,
+    rhs: &mut [f64; N],
     size: usize,
     crank: usize,
     rate: f64,
@@ -66,7 +66,7 @@ pub(crate) fn solve_given(
         rhs[5] -= needed;
     }
     // The crank's row gives way to the rate.
-    matrix[crank] = [0.0; MOST];
+    matrix[crank] = [0.0; N];
     matrix[crank][crank] = 1.0;
     if moving && absolute {
         matrix[crank][5] = 1.0;
@@ -77,7 +77,7 @@ pub(crate) fn solve_given(
 }
 
 /// Gauss with row pivots, in place.
-fn eliminate(matrix: &mut Matrix, rhs: &mut [f64; MOST], size: usize) -> Option<()> {
+fn eliminate<const N: usize>(matrix: &mut Matrix<N>, rhs: &mut [f64; N], size: usize) -> Option<()> {
     for j in 0..size {
         let pivot = (j..size).max_by(|a, b| matrix[*a][j].abs().total_cmp(&matrix[*b][j].abs()))?;
         matrix.swap(j, pivot);

@@ -105,9 +105,9 @@ impl Rotor {
     }
 
     /// Planes in which the polar inertia of the shaft without its flywheel acts on a block that turns [m]: the middles of its bays, or the origin.
-    pub(crate) fn bays(&self) -> Vec<f64> {
-        let middles: Vec<f64> = self.mains.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
-        if middles.is_empty() { vec![0.0] } else { middles }
+    pub(crate) fn bays(&self) -> impl Iterator<Item = f64> + '_ {
+        let origin = (self.mains.len() < 2).then_some(0.0);
+        self.mains.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).chain(origin)
     }
 
     fn add(&mut self, z: f64, moment: Complex64) {

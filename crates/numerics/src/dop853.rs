@@ -5,6 +5,7 @@
 use crate::control::{course, first_step, infinite, together};
 use crate::dop853_table::{A, C, D, ERROR_5, ORDER_3};
 use crate::event::Sides;
+use crate::stages::{LANES, Stages};
 use crate::step::Interpolant;
 use crate::{Outcome, Settings, Statistics, Step, System};
 use std::ops::ControlFlow;
@@ -20,7 +21,7 @@ pub struct Dop853 {
     step: Option<f64>,
     sides: Sides,
     statistics: Statistics,
-    stages: Vec<f64>,
+    stages: Stages,
     coefficients: Vec<f64>,
     trial: Vec<f64>,
     next: Vec<f64>,
@@ -44,7 +45,7 @@ impl Dop853 {
             settings,
             sides: Sides::default(),
             statistics: Statistics::default(),
-            stages: Vec::new(),
+            stages: Stages::default(),
             coefficients: Vec::new(),
             trial: Vec::new(),
             next: Vec::new(),
@@ -79,7 +80,7 @@ impl Dop853 {
     ) -> Outcome {
         let n = system.dimension();
         assert_eq!(y.len(), n, "a state of the system's dimension");
-        self.stages.resize(16 * n, 0.0);
+        self.stages.resize(16, n);
         self.coefficients.resize(7 * n, 0.0);
         self.trial.resize(n, 0.0);
         self.next.resize(n, 0.0);
@@ -103,23 +104,22 @@ impl Dop853 {
         stop: f64,
         observe: &mut impl FnMut(&Step) -> ControlFlow<()>,
     ) -> Option<Outcome> {
-        let n = y.len();
         if together(*t, stop) {
             *t = stop;
             return None;
         }
         let sense = (stop - *t).signum();
         system.enter(*t, stop);
-        system.derivative(*t, y, &mut self.stages[..n]);
+        system.derivative(*t, y, self.stages.row_mut(0));
         self.statistics.evaluations += 1;
-        if let Some(outcome) = infinite(&self.stages[..n]) {
+        if let Some(outcome) = infinite(self.stages.row(0)) {
             return Some(outcome);
         }
         let mut wanted = match self.step {
             Some(step) => step.abs(),
             None => {
                 self.statistics.evaluations += 1;
-                first_step(system, &self.settings, (*t, stop), y, &self.stages[..n], 8.0).abs()
+                first_step(system, &self.settings, (*t, stop), y, self.stages.row(0), 8.0).abs()
             }
         };
         let mut rejected = false;
@@ -144,7 +144,8 @@ impl Dop853 {
                     continue;
                 }
                 Attempt::Error(error) => {
-                    let factor = (0.9 * error.max(1e-30).powf(-0.125)).clamp(1.0 / 3.0, 6.0);
+                    let Settings { safety, largest_growth, .. } = self.settings;
+                    let factor = (safety * error.max(1e-30).powf(-0.125)).clamp(1.0 / 3.0, largest_growth);
                     if error > 1.0 {
                         self.statistics.rejected += 1;
                         rejected = true;
@@ -173,23 +174,23 @@ impl Dop853 {
         let n = y.len();
         for stage in 1..13 {
             let state = if stage == 12 { &mut self.next } else { &mut self.trial };
-            advance(state, y, h, A[stage], &self.stages);
-            let (done, rest) = self.stages.split_at_mut(stage * n);
-            debug_assert!(done.len() == stage * n);
-            system.derivative(t + C[stage] * h, state, &mut rest[..n]);
+            self.stages.advance(state, y, h, A[stage]);
+            let slope = self.stages.row_mut(stage);
+            system.derivative(t + C[stage] * h, state, slope);
             self.statistics.evaluations += 1;
-            if let Some(outcome) = infinite(&rest[..n]) {
+            if let Some(outcome) = infinite(slope) {
                 return Attempt::NotFinite(outcome);
             }
         }
         let (mut fifth, mut third) = (0.0, 0.0);
-        for i in 0..n {
-            let scale = self.settings.scale(i, y[i].abs().max(self.next[i].abs()));
-            let of_5: f64 = ERROR_5.iter().map(|&(j, e)| e * self.stages[j * n + i]).sum();
-            let of_8: f64 = A[12].iter().map(|&(j, b)| b * self.stages[j * n + i]).sum();
-            let of_3 = of_8 - ORDER_3.iter().map(|&(j, b)| b * self.stages[j * n + i]).sum::<f64>();
-            fifth += (of_5 / scale).powi(2);
-            third += (of_3 / scale).powi(2);
+        for (lane, (start, end)) in y.chunks(LANES).zip(self.next.chunks(LANES)).enumerate() {
+            let of_5 = self.stages.sum(ERROR_5, lane);
+            let (of_8, below) = (self.stages.sum(A[12], lane), self.stages.sum(&ORDER_3, lane));
+            for (k, (from, to)) in start.iter().zip(end).enumerate() {
+                let by_scale = 1.0 / self.settings.scale(LANES * lane + k, from.abs().max(to.abs()));
+                fifth += (of_5[k] * by_scale).powi(2);
+                third += ((of_8[k] - below[k]) * by_scale).powi(2);
+            }
         }
         let sum = fifth + 0.01 * third;
         if sum <= 0.0 {
@@ -210,7 +211,9 @@ impl Dop853 {
         let n = y.len();
         self.statistics.steps += 1;
         let stiff = self.measure_stiffness(h, n);
-        let watched = system.events() > 0 && !self.is_quiet(system, *t, to, y, h);
+        let watched = system.events() > 0
+            && !self.is_quiet(system, *t, to, y, h)
+            && !(self.settings.glance && self.is_far(system, (*t, y), to, h));
         let dense =
             watched || self.settings.dense && self.settings.samples.is_none_or(|grid| grid.within(*t, to));
         if dense && let Some(outcome) = self.interpolate(system, *t, y, h) {
@@ -228,7 +231,7 @@ impl Dop853 {
         let flow = observe(&step);
         *t = step.to;
         y.copy_from_slice(if crossing.is_some() { &self.trial } else { &self.next });
-        self.stages.copy_within(12 * n..13 * n, 0);
+        self.stages.copy(12, 0);
         if let Some(crossing) = crossing {
             return Some(Outcome::Event { index: crossing.index, rising: crossing.rising });
         }
@@ -240,10 +243,9 @@ impl Dop853 {
 
     /// Whether no event can lie within the step, by the largest slope of every component at its stages with a margin of two.
     fn is_quiet(&mut self, system: &impl System, from: f64, to: f64, y: &[f64], h: f64) -> bool {
-        let n = y.len();
         self.trial.fill(0.0);
         for stage in 0..13 {
-            for (most, slope) in self.trial.iter_mut().zip(&self.stages[stage * n..(stage + 1) * n]) {
+            for (most, slope) in self.trial.iter_mut().zip(self.stages.row(stage)) {
                 *most = most.max(slope.abs());
             }
         }
@@ -251,26 +253,34 @@ impl Dop853 {
         self.sides.are_known(system.events()) && system.is_quiet(from, to, y, &self.trial)
     }
 
+    /// Whether every event function keeps well away from zero on the cubic between the ends of the step.
+    fn is_far(&mut self, system: &mut impl System, (t, y): (f64, &[f64]), to: f64, h: f64) -> bool {
+        let slopes = [self.stages.row(0), self.stages.row(12)];
+        self.sides.are_far(system, [(t, y), (to, &self.next)], slopes, h)
+    }
+
     /// Three more stages and the seven coefficients of the interpolant.
     fn interpolate(&mut self, system: &mut impl System, t: f64, y: &[f64], h: f64) -> Option<Outcome> {
         let n = y.len();
         for stage in 13..16 {
-            advance(&mut self.trial, y, h, A[stage], &self.stages);
-            system.derivative(t + C[stage] * h, &self.trial, &mut self.stages[stage * n..(stage + 1) * n]);
+            self.stages.advance(&mut self.trial, y, h, A[stage]);
+            let slope = self.stages.row_mut(stage);
+            system.derivative(t + C[stage] * h, &self.trial, slope);
             self.statistics.evaluations += 1;
-            if let Some(outcome) = infinite(&self.stages[stage * n..(stage + 1) * n]) {
+            if let Some(outcome) = infinite(slope) {
                 return Some(outcome);
             }
         }
-        let (k, f) = (&self.stages, &mut self.coefficients);
+        let f = &mut self.coefficients;
+        let (first, last) = (self.stages.row(0), self.stages.row(12));
         for i in 0..n {
             let rise = self.next[i] - y[i];
             f[i] = rise;
-            f[n + i] = h * k[i] - rise;
-            f[2 * n + i] = 2.0 * rise - h * (k[12 * n + i] + k[i]);
-            for (row, weights) in D.iter().enumerate() {
-                f[(3 + row) * n + i] = h * weights.iter().map(|&(j, d)| d * k[j * n + i]).sum::<f64>();
-            }
+            f[n + i] = h * first[i] - rise;
+            f[2 * n + i] = 2.0 * rise - h * (last[i] + first[i]);
+        }
+        for (row, weights) in D.iter().enumerate() {
+            self.stages.combine(&mut f[(3 + row) * n..(4 + row) * n], h, weights);
         }
         None
     }
@@ -284,7 +294,7 @@ impl Dop853 {
         let (mut slopes, mut states) = (0.0, 0.0);
         for i in 0..n {
             let scale = self.settings.scale(i, self.next[i].abs());
-            slopes += ((self.stages[12 * n + i] - self.stages[11 * n + i]) / scale).powi(2);
+            slopes += ((self.stages.row(12)[i] - self.stages.row(11)[i]) / scale).powi(2);
             states += ((self.next[i] - self.trial[i]) / scale).powi(2);
         }
         let ratio = if states > 0.0 { h.abs() * (slopes / states).sqrt() } else { 0.0 };
@@ -298,19 +308,5 @@ impl Dop853 {
             }
         }
         (self.stiff >= 15).then_some(Outcome::Stiff { step_times_rate: ratio })
-    }
-}
-
-/// `y + h SUM a_j k_j`.
-fn advance(state: &mut [f64], y: &[f64], h: f64, row: &[(usize, f64)], stages: &[f64]) {
-    let n = y.len();
-    state.fill(0.0);
-    for &(j, a) in row {
-        for (value, k) in state.iter_mut().zip(&stages[j * n..(j + 1) * n]) {
-            *value += a * k;
-        }
-    }
-    for (value, y) in state.iter_mut().zip(y) {
-        *value = y + h * *value;
     }
 }

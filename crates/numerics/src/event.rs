@@ -6,6 +6,9 @@ use crate::{Settings, Step, System};
 /// Places within a step at which the signs are looked at: a function that changes its sign twice between two of them is missed.
 const LOOKS: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
 
+/// Share of what an event function varies within a step by which it must keep away from zero to be far from it.
+const FAR: f64 = 0.2;
+
 /// Signs of the event functions, kept over restarts; zero where still unknown.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Sides {
@@ -28,6 +31,49 @@ impl Sides {
     /// Whether the sign of every event function is known.
     pub(crate) fn are_known(&self, count: usize) -> bool {
         self.signs.len() == count && !self.signs.contains(&0.0)
+    }
+
+    /// Whether every event function keeps its sign at both ends of a step and three places of the cubic between them, at a distance from
+    /// zero of a share of what it varies.
+    pub(crate) fn are_far(
+        &self,
+        system: &mut impl System,
+        [(from, start), (to, end)]: [(f64, &[f64]); 2],
+        [first, last]: [&[f64]; 2],
+        h: f64,
+    ) -> bool {
+        let count = system.events();
+        if !self.are_known(count) {
+            return false;
+        }
+        let mut least = vec![f64::INFINITY; count];
+        let mut most = vec![f64::NEG_INFINITY; count];
+        let (mut values, mut state) = (vec![0.0; count], start.to_vec());
+        for x in std::iter::once(0.0).chain(LOOKS) {
+            if x == 1.0 {
+                state.copy_from_slice(end);
+            } else {
+                let y = 1.0 - x;
+                let weights =
+                    [y * y * (1.0 + 2.0 * x), x * x * (3.0 - 2.0 * x), h * x * y * y, -h * x * x * y];
+                for (i, value) in state.iter_mut().enumerate() {
+                    *value = weights[0] * start[i]
+                        + weights[1] * end[i]
+                        + weights[2] * first[i]
+                        + weights[3] * last[i];
+                }
+            }
+            system.event_functions(from + x * (to - from), &state, &mut values);
+            for (index, value) in values.iter().enumerate() {
+                let value = value * self.signs[index];
+                if value.is_nan() {
+                    return false;
+                }
+                least[index] = least[index].min(value);
+                most[index] = most[index].max(value);
+            }
+        }
+        least.iter().zip(&most).all(|(least, most)| *least > FAR * (most - least) && *least > 0.0)
     }
 
     /// The first event within the step; its sign is turned over. Without one, unknown signs are learned.

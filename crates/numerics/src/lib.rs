@@ -31,6 +31,7 @@ mod radau;
 mod radau_table;
 mod root;
 mod settings;
+mod stages;
 mod step;
 mod system;
 

@@ -11,6 +11,10 @@ pub struct Settings {
     pub first_step: Option<f64>,
     /// Longest step.
     pub longest_step: f64,
+    /// Share of the step whose error would be the tolerance that [`crate::Dop853`] takes next; a smaller one saves rejected steps.
+    pub safety: f64,
+    /// Largest step of [`crate::Dop853`] over the one before; a small one saves rejected steps where the estimate of the error passes through zero.
+    pub largest_growth: f64,
     /// Places where a step must end: kinks of the system, in any order. Those outside the run are passed over.
     pub stops: Vec<f64>,
     /// Largest number of evaluations of `f`, over all runs of one integrator.
@@ -21,6 +25,9 @@ pub struct Settings {
     pub stiffness_test: bool,
     /// Whether steps carry an interpolant; needed for samples between steps and for events.
     pub dense: bool,
+    /// Whether [`crate::Dop853`] looks for events on the cubic between the ends of a step first, and makes its interpolant only where an
+    /// event function comes near to zero there.
+    pub glance: bool,
     /// Where samples will be taken; [`crate::Dop853`] makes no interpolant for steps without any. `None`: anywhere.
     pub samples: Option<SampleGrid>,
 }
@@ -50,11 +57,14 @@ impl Settings {
             absolute: vec![tolerance; dimension],
             first_step: None,
             longest_step: f64::INFINITY,
+            safety: 0.9,
+            largest_growth: 6.0,
             stops: Vec::new(),
             most_evaluations: 10_000_000,
             event_tolerance: 1e-12,
             stiffness_test: false,
             dense: true,
+            glance: false,
             samples: None,
         }
     }

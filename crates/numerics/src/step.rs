@@ -32,9 +32,24 @@ pub(crate) enum Interpolant<'a> {
 impl Step<'_> {
     /// State at `t` within the step.
     pub fn at(&self, t: f64, state: &mut [f64]) {
-        for (i, value) in state.iter_mut().enumerate() {
-            *value = self.component(i, t);
+        let Interpolant::Nested(rows) = self.interpolant else {
+            state.iter_mut().enumerate().for_each(|(i, value)| *value = self.component(i, t));
+            return;
+        };
+        if t == self.to {
+            state.copy_from_slice(self.end);
+            return;
         }
+        let n = self.start.len();
+        let x = (t - self.from) / self.length;
+        state.fill(0.0);
+        for row in (0..7).rev() {
+            let factor = if row % 2 == 0 { x } else { 1.0 - x };
+            for (value, own) in state.iter_mut().zip(&rows[row * n..(row + 1) * n]) {
+                *value = (*value + own) * factor;
+            }
+        }
+        state.iter_mut().zip(self.start).for_each(|(value, start)| *value += start);
     }
 
     /// Component `i` at `t` within the step.

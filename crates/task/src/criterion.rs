@@ -2,10 +2,10 @@
 
 use crate::balance_task::{Criterion, Load};
 use crate::main_load;
-use crate::option::BadQuantity;
 use lanchester_model::Engine;
 use lanchester_model::Mount;
 use lanchester_results::{Axis, Counted, LARGEST_ORDER, Output, Place, Quantity, Size, order_text};
+use lanchester_units::BadQuantity;
 use lanchester_units::nearest;
 use lanchester_units::{Dimension, Refusal, one_of};
 
@@ -110,7 +110,7 @@ pub fn cost_has_no_value(name: &str) -> Refusal {
         code: "E0103",
         message: format!("`{name}` has no unit that could stand in a limit or a weighted sum"),
         label: "no quantity".into(),
-        hint: "write budget = 40 in [balance], or --budget 40, for the largest cost; or minimise the cost as a stage of its own".into(),
+        hint: "give the largest cost as the budget, such as budget = 40 in [balance]; or minimise the cost as a stage of its own".into(),
     }
 }
 

@@ -74,6 +74,14 @@ pub fn torque(text: &str, option: &str) -> Result<f64, BadQuantity> {
     of_dimension(text, Dimension::Torque, Bound::NotNegative, option)
 }
 
+/// A stiffness with its unit, such as "200 N/um" [N/m]; `option` names what asks for it in the message.
+///
+/// # Errors
+/// [`BadQuantity`] if the text is no number with a unit of stiffness, or outside the accepted range, more than 0.
+pub fn stiffness(text: &str, option: &str) -> Result<f64, BadQuantity> {
+    of_dimension(text, Dimension::Stiffness, Bound::Positive, option)
+}
+
 /// A time with its unit, such as "30 s" or "5 min" [s]; `option` names what asks for it in the message.
 ///
 /// # Errors

@@ -3,32 +3,25 @@
 //! A power of ten is applied to the decimal text before it becomes a binary number, so `"144 mm"` and `"0.144 m"`
 //! are the same number, and writing back in millimetres or grams loses nothing.
 
+mod decimal;
 mod number;
 mod range;
+mod refusal;
 mod rewrite;
 mod suggestion;
 mod unit;
+mod word_list;
 
 pub use range::{Bound, LARGEST, SMALLEST, within};
+pub use refusal::Refusal;
 pub use rewrite::rewritten;
 pub use unit::{ALIASES, Dimension};
+pub use word_list::one_of;
 
-use number::{decimal, misspelled, scaled, split};
+use decimal::decimal;
+use number::{misspelled, scaled, split};
 use suggestion::unknown_unit;
 use unit::{UNITS, Unit, find_unit};
-
-/// Why a text is no quantity of the dimension that is due.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Refusal {
-    /// Code of the diagnostic that says so.
-    pub code: &'static str,
-    /// What was needed and what was got.
-    pub message: String,
-    /// A few words for the place of the text.
-    pub label: String,
-    /// What to do.
-    pub hint: String,
-}
 
 /// The quantity in SI, or why it is none.
 ///
@@ -215,16 +208,6 @@ fn message_unit(dimension: Dimension) -> Option<&'static Unit> {
         _ => dimension.units().next().map_or("", |unit| unit.name),
     };
     UNITS.iter().find(|unit| unit.name == name)
-}
-
-/// `a, b or c`.
-pub fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    let names: Vec<&str> = names.collect();
-    match names.as_slice() {
-        [] => String::new(),
-        [one] => (*one).to_string(),
-        [rest @ .., last] => format!("{} or {last}", rest.join(", ")),
-    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 use crate::method::MethodFit;
 use crate::shape::ShapeFit;
 use crate::source::NewValue;
-use lanchester::balance::{ArrangementOptions, GivenAmounts, SweepOptions, TwinArrangement, arranged};
+use lanchester::literature::{ArrangementOptions, GivenAmounts, SweepOptions, TwinArrangement, arranged};
 use lanchester::mechanism::{LoadRequest, PeakMode};
 use lanchester::model::Engine;
 

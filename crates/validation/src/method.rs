@@ -14,7 +14,7 @@
 //! | `weight of shaft NAME` | unbalance of the first weight of the shaft of this name; 0 if there is none |
 
 use crate::source::NewValue;
-use lanchester::balance::published::{
+use lanchester::literature::{
     Alpha, AngleRule, BalancerPhase, FourCylinderRule, MatrixMethod, ShaftPair, ThreeCylinderRule,
 };
 use lanchester::model::Engine;

@@ -1,9 +1,9 @@
 //! What `workshop bobweight` answers: the bobweights, the share that is right, and how far they are from the optimum.
 
 use crate::bobweight::{Bobweight, bobweights};
-use crate::common_factor::{FactorEffect, common_factor, pin_pair_effect};
 use crate::error::WorkshopError;
-use crate::plane::end_planes;
+use crate::factor::common_factor::{FactorEffect, common_factor, pin_pair_effect};
+use crate::rotor::plane::end_planes;
 use lanchester_balance::{BalanceError, Outcome, optimise};
 use lanchester_mechanism::{LoadError, LoadRequest, total_loads};
 use lanchester_model::{Counterweight, Engine};
@@ -165,7 +165,7 @@ pub fn weighed(engine: &Engine, sheet: &BobweightSheet) -> Result<Engine, Worksh
                 pin.throw.unwrap_or_default(),
                 engine.throws.len()
             ),
-            "count throws from 1, as `lanchester show` does",
+            "count throws from 1, in the order of the engine file",
         );
     }
     Engine::new(engine).map_err(|faults| WorkshopError::Impossible {
@@ -275,7 +275,7 @@ fn compare(
     if matches!(answer.outcome, Outcome::Infeasible { .. }) {
         return Err(WorkshopError::Impossible {
             what: "the optimum was not found".into(),
-            hint: "check the engine file with `lanchester balance`",
+            hint: "balance the engine by itself first: its answer says why",
         });
     }
     let counterweights = answer

@@ -17,7 +17,7 @@
 //! axis sideways by `e` changes it by `e` times the first moment of the mass along z, which is 0 there.
 
 use crate::error::WorkshopError;
-use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
+use crate::rotor::plane::{Plane, PlaneUnbalance, in_two_planes};
 use lanchester_model::{Engine, Rotation};
 use num_complex::Complex64;
 use serde::Serialize;

@@ -6,7 +6,7 @@
 
 use crate::crank_unbalance::crank_parts;
 use crate::error::WorkshopError;
-use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
+use crate::rotor::plane::{Plane, PlaneUnbalance, in_two_planes};
 use lanchester_model::{Engine, EngineParts};
 use num_complex::Complex64;
 use serde::Serialize;

@@ -1,8 +1,8 @@
 //! External to internal balance: slugs in two counterweights for the weights that come off flywheel and damper.
 
 use crate::error::WorkshopError;
-use crate::plane::{Plane, PlaneUnbalance, in_two_planes};
-use crate::slug::{Slug, SlugPlan, slug_plan};
+use crate::removal::slug::{Slug, SlugPlan, slug_plan};
+use crate::rotor::plane::{Plane, PlaneUnbalance, in_two_planes};
 use lanchester_task::workshop::Sheet;
 use num_complex::Complex64;
 use serde::Serialize;

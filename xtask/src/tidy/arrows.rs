@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 26] = [
+const ARROWS: [(&str, &[&str]); 27] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -34,6 +34,10 @@ const ARROWS: [(&str, &[&str]); 26] = [
         &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-numerics"],
     ),
     (
+        "lanchester-literature",
+        &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],
+    ),
+    (
         "lanchester-workshop",
         &["lanchester-model", "lanchester-task", "lanchester-mechanism", "lanchester-balance"],
     ),
@@ -54,6 +58,7 @@ const ARROWS: [(&str, &[&str]); 26] = [
             "lanchester-flex",
             "lanchester-geometry",
             "lanchester-balance",
+            "lanchester-literature",
             "lanchester-workshop",
             "lanchester-study",
         ],
@@ -71,6 +76,7 @@ const ARROWS: [(&str, &[&str]); 26] = [
             "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",
+            "lanchester-literature",
             "lanchester-bondgraph",
             "lanchester-workshop",
             "lanchester-report",

@@ -18,25 +18,26 @@ pub fn check(files: &[String]) -> Result<Vec<String>> {
             crates.entry(package).or_default().push((inside.to_owned(), text));
         }
     }
-    let found: Vec<_> = crates.iter().map(|(package, files)| (*package, circles(files))).collect();
+    let found: Vec<_> = crates.iter().map(|(package, files)| (*package, imports(files))).collect();
     Ok(judged(&found, &CIRCLES))
 }
 
-fn judged(found: &[(&str, Vec<Vec<String>>)], known: &[(&str, usize)]) -> Vec<String> {
+fn judged(found: &[(&str, Imports)], known: &[(&str, usize)]) -> Vec<String> {
     let mut breaches = Vec::new();
-    for (package, circles) in found {
+    for (package, imports) in found {
         let most = known.iter().find(|(name, _)| name == package).map_or(0, |(_, count)| *count);
+        let circles = circles(imports);
         let count: usize = circles.iter().map(Vec::len).sum();
         if count > most {
-            let list: Vec<_> = circles.iter().map(|circle| circle.join(", ")).collect();
+            let list: Vec<_> = circles.iter().map(|circle| told(imports, circle)).collect();
             breaches.push(format!(
                 "{package}/src: {count} files import one another in circles, more than {most}: {}",
-                list.join("; ")
+                list.join("\n")
             ));
         }
     }
     for (package, _) in known {
-        if found.iter().all(|(name, circles)| name != package || circles.is_empty()) {
+        if found.iter().all(|(name, imports)| name != package || circles(imports).is_empty()) {
             breaches.push(format!(
                 "{package}/src: no files import one another in a circle; take its line out of xtask/src/tidy/known.rs"
             ));
@@ -64,8 +65,10 @@ struct Source {
 /// A crate's files by the path of their module.
 type Modules = BTreeMap<Vec<String>, Source>;
 
-/// Groups of files that import one another in circles.
-fn circles(files: &[(String, String)]) -> Vec<Vec<String>> {
+/// Which file of a crate imports which others.
+type Imports = BTreeMap<String, BTreeSet<String>>;
+
+fn imports(files: &[(String, String)]) -> Imports {
     let mut modules = Modules::new();
     for (file, text) in files {
         let root = file == "lib.rs" || file == "main.rs";
@@ -87,18 +90,18 @@ fn circles(files: &[(String, String)]) -> Vec<Vec<String>> {
         })
         .collect();
     let in_tests = |module: &[String]| tests.iter().any(|test| module.starts_with(test));
-    let mut imports: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    let mut imports = Imports::new();
     for (module, source) in modules.iter().filter(|(module, _)| !in_tests(module)) {
-        let to = imports.entry(&source.file).or_default();
+        let to = imports.entry(source.file.clone()).or_default();
         for path in &source.paths {
             if let Some(Found::Item(file)) = resolved(&modules, module, path, 0)
                 && file != source.file
             {
-                to.insert(file);
+                to.insert(file.to_owned());
             }
         }
     }
-    connected(&imports)
+    imports
 }
 
 /// Where a path leads.
@@ -373,23 +376,24 @@ fn used(source: &mut Source, tokens: &[String], from: usize, above: &mut Vec<Str
     at
 }
 
-/// Groups of more than one from where each leads to each other.
-fn connected(imports: &BTreeMap<&str, BTreeSet<&str>>) -> Vec<Vec<String>> {
+/// Groups of files that import one another in circles: from each a way leads to each other.
+fn circles(imports: &Imports) -> Vec<Vec<&str>> {
     let reach = |from: &str| -> BTreeSet<&str> {
         let mut seen = BTreeSet::new();
-        let mut next: Vec<&str> = imports.get(from).into_iter().flatten().copied().collect();
+        let mut next: Vec<&str> = imports.get(from).into_iter().flatten().map(String::as_str).collect();
         while let Some(file) = next.pop() {
             if seen.insert(file) {
-                next.extend(imports.get(file).into_iter().flatten());
+                next.extend(imports.get(file).into_iter().flatten().map(String::as_str));
             }
         }
         seen
     };
-    let reached: BTreeMap<&str, BTreeSet<&str>> = imports.keys().map(|file| (*file, reach(file))).collect();
-    let mut groups: Vec<Vec<String>> = Vec::new();
+    let reached: BTreeMap<&str, BTreeSet<&str>> =
+        imports.keys().map(|file| (file.as_str(), reach(file))).collect();
+    let mut groups: Vec<Vec<&str>> = Vec::new();
     for (file, others) in reached.iter().filter(|(file, others)| others.contains(*file)) {
         let mates = others.iter().filter(|other| reached.get(*other).is_some_and(|back| back.contains(file)));
-        let group: Vec<String> = mates.map(|other| (*other).to_owned()).collect();
+        let group: Vec<&str> = mates.copied().collect();
         if !groups.contains(&group) {
             groups.push(group);
         }
@@ -397,14 +401,30 @@ fn connected(imports: &BTreeMap<&str, BTreeSet<&str>>) -> Vec<Vec<String>> {
     groups
 }
 
+/// A circle, file by file, each with those of the circle that it imports.
+fn told(imports: &Imports, circle: &[&str]) -> String {
+    let of = |file: &&str| {
+        let own = imports.get(*file).into_iter().flatten();
+        let own: Vec<&str> = own.map(String::as_str).filter(|to| circle.contains(to)).collect();
+        format!("\n  {file} -> {}", own.join(", "))
+    };
+    circle.iter().map(of).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn of(files: &[(&str, &str)]) -> Vec<Vec<String>> {
+    fn imports_of(files: &[(&str, &str)]) -> Imports {
         let files: Vec<_> =
             files.iter().map(|(file, text)| ((*file).to_owned(), (*text).to_owned())).collect();
-        circles(&files)
+        imports(&files)
+    }
+
+    fn of(files: &[(&str, &str)]) -> Vec<Vec<String>> {
+        let imports = imports_of(files);
+        let own = |circle: Vec<&str>| circle.into_iter().map(str::to_owned).collect();
+        circles(&imports).into_iter().map(own).collect()
     }
 
     #[test]
@@ -463,10 +483,20 @@ mod tests {
 
     #[test]
     fn an_exception_holds_to_its_number_and_goes_when_it_is_not_needed() {
-        let circle = || vec![vec!["a.rs".to_owned(), "b.rs".to_owned()]];
-        assert_eq!(judged(&[("crates/x", circle())], &[]).len(), 1);
+        let circle = || {
+            imports_of(&[
+                ("lib.rs", "mod a; mod b;"),
+                ("a.rs", "use crate::b::B;\npub struct A;"),
+                ("b.rs", "use crate::a::A;\npub struct B;"),
+            ])
+        };
+        let breaches = judged(&[("crates/x", circle())], &[]);
+        assert!(
+            breaches.len() == 1 && breaches[0].contains("\n  a.rs -> b.rs\n  b.rs -> a.rs"),
+            "{breaches:?}"
+        );
         assert!(judged(&[("crates/x", circle())], &[("crates/x", 2)]).is_empty());
-        let breaches = judged(&[("crates/x", Vec::new())], &[("crates/x", 2)]);
+        let breaches = judged(&[("crates/x", Imports::new())], &[("crates/x", 2)]);
         assert!(breaches.len() == 1 && breaches[0].contains("take its line out"), "{breaches:?}");
     }
 }

@@ -1,38 +1,25 @@
 //! What the rules still forgive. Every number here must shrink; a line that is needed no more is a breach itself.
 
 /// Folders with more source files side by side than fit at one glance, and how many they may hold.
-pub const FOLDERS: [(&str, usize); 12] = [
-    ("crates/balance/src", 33),
-    ("crates/cli/src/commands", 30),
-    ("crates/cli/tests/commands", 28),
-    ("crates/file/src/read", 32),
-    ("crates/mechanism/src", 49),
-    ("crates/model/src", 29),
+pub const FOLDERS: [(&str, usize); 5] = [
     ("crates/multibody/src", 28),
     ("crates/studio/page/src/parts/balance", 35),
     ("crates/studio/page/src/parts/counterweight", 27),
     ("crates/studio/page/src/parts/engine", 35),
     ("crates/studio/page/src/parts/results", 35),
-    ("crates/workshop/src", 28),
 ];
 
 /// Crates whose files import one another in circles, and how many files may stand in such circles.
-pub const CIRCLES: [(&str, usize); 17] = [
+pub const CIRCLES: [(&str, usize); 11] = [
     ("crates/balance", 22),
     ("crates/bondgraph", 6),
     ("crates/cli", 17),
-    ("crates/cycle", 3),
     ("crates/file", 40),
     ("crates/flex", 2),
-    ("crates/geometry", 2),
     ("crates/lanchester", 14),
-    ("crates/mechanism", 13),
-    ("crates/model", 9),
     ("crates/multibody", 6),
     ("crates/report", 7),
     ("crates/studio", 14),
     ("crates/study", 25),
-    ("crates/task", 2),
-    ("crates/units", 4),
     ("crates/validation", 12),
 ];

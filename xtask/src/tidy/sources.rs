@@ -30,6 +30,9 @@ const IMPURE: [&str; 12] = [
     "io::stdout",
 ];
 
+/// Its page is what its command prints.
+const OWN_COMMAND: &str = "crates/validation/";
+
 /// This file names what it forbids.
 const EXEMPT: &str = "xtask/src/tidy/sources.rs";
 const REMINDERS: [&str; 3] = ["TODO", "FIXME", "XXX"];
@@ -82,6 +85,11 @@ fn check_text(file: &str, text: &str) -> Vec<String> {
             for word in IMPURE.iter().filter(|word| holds(code, word)) {
                 breaches.push(format!("{place}: `{word}` below the front ends"));
             }
+            if let Some(name) = command_line_name(code).filter(|_| !file.starts_with(OWN_COMMAND)) {
+                breaches.push(format!(
+                    "{place}: `{name}` is for the command line to name, which words the remedy"
+                ));
+            }
         }
         if file.starts_with(SHOWN) && code.contains(RAW_NAME) {
             breaches.push(format!("{place}: `{RAW_NAME}` shows a name as it is; `shown` cleans it"));
@@ -103,6 +111,23 @@ fn check_text(file: &str, text: &str) -> Vec<String> {
     breaches
 }
 
+/// A command or an option of the command line that a text names.
+fn command_line_name(code: &str) -> Option<&str> {
+    if let Some((_, after)) = code.split_once("`lanchester ") {
+        return Some(after.split('`').next().unwrap_or(after));
+    }
+    code.match_indices("--").find_map(|(start, _)| {
+        let is_name = |c: char| c.is_ascii_lowercase() || c == '-';
+        let name = &code[start + 2..];
+        let length = name.find(|c| !is_name(c)).unwrap_or(name.len());
+        let begins = code[..start].ends_with(['"', '`', '\'', ' ', '(']) && !code[..start].ends_with("var(");
+        // `--width:` is a style's.
+        let is_style = name[length..].starts_with(':');
+        (begins && !is_style && name.starts_with(|c: char| c.is_ascii_lowercase()))
+            .then_some(&code[start..start + 2 + length])
+    })
+}
+
 /// `word` in `text`, not as the tail of a longer word (`print!(` is not in `eprint!(`).
 fn holds(text: &str, word: &str) -> bool {
     text.match_indices(word).any(|(start, _)| {
@@ -117,6 +142,16 @@ fn is_test(file: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn commands_and_options_are_named_by_the_command_line_alone() {
+        let text = "const HINT: &str = \"give --angle, or `lanchester show` it\";\nlet style = \"--size:3px; width: var(--size)\"";
+        let breaches = check_text("crates/model/src/a.rs", text);
+        assert!(breaches.len() == 1 && breaches[0].contains("`show`"), "{breaches:?}");
+        let breaches = check_text("crates/model/src/a.rs", "const HINT: &str = \"give --angle\";");
+        assert!(breaches.len() == 1 && breaches[0].contains("`--angle`"), "{breaches:?}");
+        assert!(check_text("crates/cli/src/a.rs", text).is_empty());
+    }
 
     #[test]
     fn printing_is_a_breach_below_the_front_ends_alone() {

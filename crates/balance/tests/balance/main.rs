@@ -6,6 +6,4 @@ mod branch;
 mod cancellation;
 mod consequences;
 mod optimum;
-mod published;
-mod published_methods;
 mod which_arrangement;

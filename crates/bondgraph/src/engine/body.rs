@@ -32,7 +32,7 @@ impl Frame {
     }
 
     /// Component `row` in ground axes of a vector in block axes.
-    fn turned(&self, row: usize, vector: [&str; 3]) -> String {
+    pub(crate) fn turned(&self, row: usize, vector: [&str; 3]) -> String {
         let product = |factor: &str, text: &str| match text {
             "0" => "0".to_owned(),
             "1" => factor.to_owned(),
@@ -87,8 +87,14 @@ impl Frame {
 impl Builder<'_> {
     /// A transformer from the flows of block and crank; gives the number of its first port out.
     pub(crate) fn follower(&mut self, name: &str, rows: &[Vec<String>]) -> usize {
+        self.follower_of(name, rows, &[])
+    }
+
+    /// The same with more columns, of the flows of other junctions.
+    pub(crate) fn follower_of(&mut self, name: &str, rows: &[Vec<String>], others: &[String]) -> usize {
         self.element(name, "MTF", &[("matrix", &matrix(rows))]);
-        let junctions = self.frame.junctions.clone();
+        let junctions: Vec<String> =
+            self.frame.junctions.iter().map(|own| (*own).to_owned()).chain(others.iter().cloned()).collect();
         for (port, junction) in junctions.iter().enumerate() {
             self.bond(junction, &format!("{name}.{}", port + 1));
         }

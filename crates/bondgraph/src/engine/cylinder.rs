@@ -2,6 +2,7 @@
 
 use super::Builder;
 use super::body::Arm;
+use super::joints::EngineJoints;
 use super::request::EngineBlock;
 use super::words::{combination, direction, number, quantity};
 use lanchester_model::RodJoint;
@@ -13,8 +14,13 @@ impl Builder<'_> {
             |index: &usize| !matches!(engine.cylinders[*index].rod.joint, RodJoint::Articulated { .. });
         let (masters, others): (Vec<usize>, Vec<usize>) = (0..engine.cylinders.len()).partition(plain);
         for index in masters.into_iter().chain(others) {
-            self.loop_of(index);
-            self.bodies(index);
+            if let EngineJoints::Compliant(joints) = &self.request.joints {
+                self.free_bodies(index, joints);
+            } else {
+                self.loop_of(index);
+                self.bodies(index);
+                self.slide(index);
+            }
             self.stroke(index);
         }
     }
@@ -51,18 +57,7 @@ impl Builder<'_> {
                     self.signal(&name(out), &value);
                 }
             }
-            _ => {
-                let throw = &engine.throws[cylinder.throw];
-                let shaft = &engine.crankshafts[throw.crankshaft];
-                let ratio = shaft.ratio.value();
-                let angle = combination(&[(ratio, "theta"), (1.0, &angle_text(shaft.phase + throw.angle))]);
-                self.signal(&name("phi"), &angle);
-                let r = self.own("r", index);
-                self.signal(&name("px"), &format!("{r}*cos(phi{k})"));
-                self.signal(&name("py"), &format!("{r}*sin(phi{k})"));
-                self.signal(&name("px_rate"), &combination(&[(-ratio, &name("py"))]));
-                self.signal(&name("py_rate"), &combination(&[(ratio, &name("px"))]));
-            }
+            _ => self.crankpin_of(index),
         }
         let [cos, sin] = direction(cylinder.angle);
         let (px, py) = (name("px"), name("py"));
@@ -81,6 +76,23 @@ impl Builder<'_> {
         for ((factor, pin), out) in rates.into_iter().zip(["dx_rate", "dy_rate"]) {
             self.signal(&name(out), &combination(&[(factor, &name("s_rate")), (-1.0, &name(pin))]));
         }
+    }
+
+    /// Signals of a crankpin, from the crankshaft's axis, with their rates by the crank angle.
+    pub(crate) fn crankpin_of(&mut self, index: usize) {
+        let engine = self.engine;
+        let k = index + 1;
+        let name = |what: &str| format!("{what}{k}");
+        let throw = &engine.throws[engine.cylinders[index].throw];
+        let shaft = &engine.crankshafts[throw.crankshaft];
+        let ratio = shaft.ratio.value();
+        let angle = combination(&[(ratio, "theta"), (1.0, &angle_text(shaft.phase + throw.angle))]);
+        self.signal(&name("phi"), &angle);
+        let r = self.own("r", index);
+        self.signal(&name("px"), &format!("{r}*cos(phi{k})"));
+        self.signal(&name("py"), &format!("{r}*sin(phi{k})"));
+        self.signal(&name("px_rate"), &combination(&[(-ratio, &name("py"))]));
+        self.signal(&name("py_rate"), &combination(&[(ratio, &name("px"))]));
     }
 
     /// Piston and rod as followers.
@@ -162,20 +174,32 @@ impl Builder<'_> {
         self.bond(&format!("{name}_motion.{first}"), &name);
     }
 
+    /// Whether something acts along the cylinder.
+    fn has_stroke(&self) -> bool {
+        let request = self.request;
+        request.gas_states.is_some() || !request.pressures.is_empty() || request.piston_damping != 0.0
+    }
+
+    /// The piston's motion along its cylinder by that of the crank.
+    fn slide(&mut self, index: usize) {
+        if !self.has_stroke() {
+            return;
+        }
+        let k = index + 1;
+        let (slide, stroke) = (format!("slide{k}"), format!("stroke{k}"));
+        self.element(&slide, "MTF", &[("ratio", &format!("s_rate{k}"))]);
+        self.element(&stroke, "1", &[("domain", "translation")]);
+        self.bond("crank", &format!("{slide}.1"));
+        self.bond(&format!("{slide}.2"), &stroke);
+    }
+
     /// What acts between piston and block along the cylinder: gas and viscous friction.
     fn stroke(&mut self, index: usize) {
         let k = index + 1;
         let states = self.request.gas_states.clone();
         let gas = self.request.pressures.get(index).filter(|_| states.is_none()).cloned();
         let damping = self.request.piston_damping;
-        if gas.is_none() && states.is_none() && damping == 0.0 {
-            return;
-        }
-        let (slide, stroke) = (format!("slide{k}"), format!("stroke{k}"));
-        self.element(&slide, "MTF", &[("ratio", &format!("s_rate{k}"))]);
-        self.element(&stroke, "1", &[("domain", "translation")]);
-        self.bond("crank", &format!("{slide}.1"));
-        self.bond(&format!("{slide}.2"), &stroke);
+        let stroke = format!("stroke{k}");
         if gas.is_some() || states.is_some() {
             let cylinder = &self.engine.cylinders[index];
             let shaft = &self.engine.crankshafts[self.engine.throws[cylinder.throw].crankshaft];

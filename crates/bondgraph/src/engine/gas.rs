@@ -63,7 +63,7 @@ impl Builder<'_> {
         let [top, bottom] = dead_centres(self.engine, index);
         let bore = self.numbers.cylinders[index].area;
         let clearance = (top - bottom) / (gas.compression_ratio - 1.0);
-        let volume = bore * (clearance + top - travel(self.engine, index, self.request.start_angle));
+        let volume = bore * (clearance + top - self.start_travel(index));
         let name = |what: &str| format!("{what}{k}");
         let keys = [
             ("gas_constant", "gas_constant".to_owned()),

@@ -44,10 +44,10 @@ pub(crate) struct Numbers {
 
 /// Place of piston and rod at one crank angle, from the axis of the crankshaft: `[x, y]` [m].
 #[derive(Debug, Clone, Copy)]
-struct Linkage {
-    lower_pin: [f64; 2],
-    piston_pin: [f64; 2],
-    travel: f64,
+pub(crate) struct Linkage {
+    pub(crate) lower_pin: [f64; 2],
+    pub(crate) piston_pin: [f64; 2],
+    pub(crate) travel: f64,
 }
 
 impl Numbers {
@@ -201,7 +201,7 @@ impl Moments {
 }
 
 /// Piston and rod of a cylinder at a crank angle, closed by the cosine rule.
-fn linkage(engine: &Engine, index: usize, theta: f64) -> Linkage {
+pub(crate) fn linkage(engine: &Engine, index: usize, theta: f64) -> Linkage {
     let cylinder = &engine.cylinders[index];
     let lower_pin = match cylinder.rod.joint {
         RodJoint::Crankpin | RodJoint::Fork | RodJoint::Blade => {
@@ -293,7 +293,7 @@ fn slope(engine: &Engine, pistons: &[usize], theta: f64) -> f64 {
 }
 
 /// Rates by the crank angle of the lower pin and of the travel: the rod's velocity has no part along the rod.
-fn rate(engine: &Engine, index: usize, theta: f64) -> ([f64; 2], f64) {
+pub(crate) fn rate(engine: &Engine, index: usize, theta: f64) -> ([f64; 2], f64) {
     let cylinder = &engine.cylinders[index];
     let linkage = linkage(engine, index, theta);
     let pin = match cylinder.rod.joint {

@@ -1,5 +1,6 @@
 //! What the graph of an engine is to hold. All in SI units and radians.
 
+use super::joints::EngineJoints;
 use crate::curve::Curve;
 use serde::Serialize;
 
@@ -16,6 +17,8 @@ pub struct EngineRequest {
     pub block: EngineBlock,
     /// Whether its mounts act.
     pub mounts: bool,
+    /// Joints of the crank train.
+    pub joints: EngineJoints,
     /// Pose and motion of the block at the start.
     pub start: EngineStart,
     /// Acceleration of gravity [m/s^2]; 0: off.
@@ -64,6 +67,7 @@ impl EngineRequest {
             start_angle: 0.0,
             block: EngineBlock::Fixed,
             mounts: false,
+            joints: EngineJoints::Ideal,
             start: EngineStart::default(),
             gravity: 0.0,
             crankshaft_inertia: Vec::new(),
@@ -340,6 +344,13 @@ pub enum EngineGraphError {
         /// Pressures.
         got: usize,
     },
+    /// Compliant joints need bodies that can move by themselves, and numbers that make sense.
+    Joints {
+        /// Number of the cylinder, from 1; `None`: the joints' own numbers.
+        cylinder: Option<usize>,
+        /// What they need.
+        needed: &'static str,
+    },
     /// A cylinder with pressure has no bore or no firing.
     Chamber {
         /// Its number, from 1.
@@ -368,6 +379,15 @@ impl std::fmt::Display for EngineGraphError {
             EngineGraphError::Gas { needed } => write!(formatter, "gas as states needs {needed}"),
             EngineGraphError::Pressures { needed, got } => {
                 write!(formatter, "every cylinder needs its pressure: {needed} cylinders, {got} pressures")
+            }
+            EngineGraphError::Joints { cylinder: Some(cylinder), needed } => {
+                write!(
+                    formatter,
+                    "compliant joints need {needed} in cylinder {cylinder}; ideal joints do without"
+                )
+            }
+            EngineGraphError::Joints { cylinder: None, needed } => {
+                write!(formatter, "compliant joints need {needed}")
             }
             EngineGraphError::Chamber { cylinder } => {
                 write!(formatter, "cylinder {cylinder} needs a bore and a firing angle for its gas")

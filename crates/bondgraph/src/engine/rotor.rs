@@ -3,6 +3,7 @@
 use super::Builder;
 use super::body::Arm;
 use super::cylinder::angle_text;
+use super::joints::EngineJoints;
 use super::numbers::{apply, cross, rotation};
 use super::request::{EngineBlock, EngineGraphError};
 use super::words::{combination, number, quantity};
@@ -27,6 +28,15 @@ impl Builder<'_> {
             })
             .chain((1..=self.request.driveline.len()).map(|link| format!("driveline{link}")))
             .collect()
+    }
+
+    /// The same, and whatever else turns about z by itself: pistons that tilt.
+    pub(crate) fn turning_names(&self) -> Vec<String> {
+        let pistons = match self.request.joints {
+            EngineJoints::Compliant(_) => self.engine.cylinders.len(),
+            EngineJoints::Ideal => 0,
+        };
+        self.rotor_names().into_iter().chain((1..=pistons).map(|k| format!("piston_turn{k}"))).collect()
     }
 
     pub(crate) fn rotors(&mut self) {
@@ -91,7 +101,8 @@ impl Builder<'_> {
                 }
             };
             for (part, unbalance) in two_planes(&unbalances).into_iter().enumerate() {
-                self.unbalance(&format!("{name}_unbalance{}", part + 1), *ratio, axis, unbalance);
+                let bearing = (rotor < crankshafts).then(|| self.bearing(rotor)).flatten();
+                self.unbalance(&format!("{name}_unbalance{}", part + 1), *ratio, axis, unbalance, bearing);
             }
         }
     }
@@ -114,9 +125,19 @@ impl Builder<'_> {
     }
 
     /// An unbalance: a field that couples the velocity of its point of the axis with that of its mass about it.
-    fn unbalance(&mut self, name: &str, ratio: f64, axis: [f64; 2], (z, vector): Unbalance) {
+    ///
+    /// `bearing`: junctions of the motion of its axis in compliant main bearings.
+    fn unbalance(
+        &mut self,
+        name: &str,
+        ratio: f64,
+        axis: [f64; 2],
+        (z, vector): Unbalance,
+        bearing: Option<[String; 2]>,
+    ) {
         let weighs = self.request.gravity != 0.0;
-        if vector == Complex64::ZERO || !(self.moves() || weighs) {
+        let swings = self.moves() || bearing.is_some();
+        if vector == Complex64::ZERO || !(swings || weighs) {
             return;
         }
         let mass = quantity(vector.norm() / LEVER, "kg");
@@ -132,7 +153,7 @@ impl Builder<'_> {
             ],
         };
         let mut rows = Vec::new();
-        if self.moves() {
+        if swings {
             let place = |k: usize, value: f64| match self.seen_from_centre(k, value) {
                 0.0 => "0".to_owned(),
                 value => quantity(value, "m"),
@@ -144,9 +165,20 @@ impl Builder<'_> {
             rows = self.frame.rows(&point, true);
         }
         rows.extend(self.frame.rows(&own, false));
+        let mut others = Vec::new();
+        if let Some(bearing) = &bearing {
+            let count = self.frame.axes.len();
+            for (index, row) in rows.iter_mut().enumerate() {
+                for direction in [["1", "0", "0"], ["0", "1", "0"]] {
+                    let of_axis = index < count;
+                    row.push(if of_axis { self.frame.turned(index, direction) } else { "0".into() });
+                }
+            }
+            others = bearing.to_vec();
+        }
         let motion = format!("{name}_motion");
         let axes = self.frame.axes.clone();
-        if !self.moves() {
+        if !swings {
             // Without a moving axis the weight alone is left of it; one that does not act has no port.
             rows = rows
                 .into_iter()
@@ -158,8 +190,8 @@ impl Builder<'_> {
                 return;
             }
         }
-        let first = self.follower(&motion, &rows);
-        if !self.moves() {
+        let first = self.follower_of(&motion, &rows, &others);
+        if !swings {
             let parts: Vec<usize> = (0..2).filter(|k| self.numbers.gravity[*k] != 0.0).collect();
             for (port, k) in parts.into_iter().enumerate() {
                 self.out(&format!("{motion}.{}", first + port), "", name, axes[k], k, &mass);

@@ -3,31 +3,51 @@
 use super::{Function, Id, Node, Pool, Var};
 use std::collections::HashMap;
 
+/// By what a derivative is taken.
+#[derive(Clone, Copy)]
+pub(crate) enum By<'a> {
+    /// A variable.
+    Variable(Var),
+    /// Whatever changes, with the rates of variables; those that are not named stand still.
+    Rates(&'a HashMap<Var, Id>),
+}
+
 impl Pool {
     /// Derivative by a variable; `known` keeps derivatives by the same variable. Those of `sign` and of the choice itself are zero:
     /// steps are events, not slopes.
     pub(crate) fn derivative(&mut self, id: Id, by: Var, known: &mut HashMap<Id, Id>) -> Id {
+        self.slope(id, By::Variable(by), known)
+    }
+
+    /// The same by a variable or along rates: each subexpression is differentiated once, however many variables change.
+    pub(crate) fn slope(&mut self, id: Id, by: By<'_>, known: &mut HashMap<Id, Id>) -> Id {
         if let Some(found) = known.get(&id) {
             return *found;
         }
         let slope = match self.node(id) {
             Node::Constant(_) => self.constant(0.0),
-            Node::Var(var) => self.constant(f64::from(u8::from(var == by))),
+            Node::Var(var) => match by {
+                By::Variable(by) => self.constant(f64::from(u8::from(var == by))),
+                By::Rates(rates) => match rates.get(&var) {
+                    Some(rate) => *rate,
+                    None => self.constant(0.0),
+                },
+            },
             Node::Negative(a) => {
-                let a = self.derivative(a, by, known);
+                let a = self.slope(a, by, known);
                 self.negative(a)
             }
             Node::Sum(a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 self.sum(da, db)
             }
             Node::Product(a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 let (first, second) = (self.product(da, b), self.product(a, db));
                 self.sum(first, second)
             }
             Node::Quotient(a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 let first = self.quotient(da, b);
                 let (above, below) = (self.product(a, db), self.square(b));
                 let second = self.quotient(above, below);
@@ -35,11 +55,11 @@ impl Pool {
             }
             Node::Power(a, b) => self.derivative_of_power(id, (a, b), by, known),
             Node::Call(function, a) => {
-                let da = self.derivative(a, by, known);
+                let da = self.slope(a, by, known);
                 if self.is_zero(da) { da } else { self.derivative_of_call(function, id, a, da) }
             }
             Node::Atan2(a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 let (first, second) = (self.product(b, da), self.product(a, db));
                 let above = self.difference(first, second);
                 let (aa, bb) = (self.square(a), self.square(b));
@@ -47,17 +67,17 @@ impl Pool {
                 self.quotient(above, below)
             }
             Node::Min(a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 let g = self.difference(b, a);
                 self.choice(g, da, db)
             }
             Node::Max(a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 let g = self.difference(a, b);
                 self.choice(g, da, db)
             }
             Node::Table(curve, order, a) => {
-                let da = self.derivative(a, by, known);
+                let da = self.slope(a, by, known);
                 if self.is_zero(da) {
                     da
                 } else {
@@ -66,7 +86,7 @@ impl Pool {
                 }
             }
             Node::If(g, a, b) => {
-                let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+                let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
                 self.choice(g, da, db)
             }
         };
@@ -74,8 +94,14 @@ impl Pool {
         slope
     }
 
-    fn derivative_of_power(&mut self, id: Id, (a, b): (Id, Id), by: Var, known: &mut HashMap<Id, Id>) -> Id {
-        let (da, db) = (self.derivative(a, by, known), self.derivative(b, by, known));
+    fn derivative_of_power(
+        &mut self,
+        id: Id,
+        (a, b): (Id, Id),
+        by: By<'_>,
+        known: &mut HashMap<Id, Id>,
+    ) -> Id {
+        let (da, db) = (self.slope(a, by, known), self.slope(b, by, known));
         let minus_one = self.constant(-1.0);
         let lower = self.sum(b, minus_one);
         let power = self.power(a, lower);

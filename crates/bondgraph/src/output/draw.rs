@@ -33,6 +33,28 @@ pub struct Placed {
     pub elements: Vec<DrawnElement>,
     /// Its bonds.
     pub bonds: Vec<DrawnBond>,
+    /// Tiles of an engine's graph; none of any other.
+    pub tiles: Vec<DrawnTile>,
+}
+
+/// A tile of an engine's graph: block and crank, a cylinder, a rotor, a mount.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnTile {
+    /// What is in it.
+    pub title: String,
+    /// Its upper left corner.
+    pub corner: [f64; 2],
+    /// Its size.
+    pub size: [f64; 2],
+}
+
+/// The name of what a bond to another tile leads to, at its far end.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnName {
+    /// Where it ends.
+    pub at: [f64; 2],
+    /// The name.
+    pub name: String,
 }
 
 /// An element in its place.
@@ -63,6 +85,8 @@ pub struct DrawnBond {
     pub follows: bool,
     /// Whether its causality is free, within an algebraic loop.
     pub free: bool,
+    /// Where it leads, if that is in another tile.
+    pub leads_to: Option<DrawnName>,
 }
 
 /// Places of a graph with its causality.
@@ -85,6 +109,9 @@ pub fn placed(graph: &Graph, causality: &Causality) -> Placed {
             })
             .collect(),
         bonds: (0..graph.bonds.len()).map(|bond| drawn_bond(graph, causality, &layout, bond)).collect(),
+        tiles: (layout.tiles.iter())
+            .map(|tile| DrawnTile { title: tile.title.clone(), corner: tile.corner, size: tile.size })
+            .collect(),
     }
 }
 
@@ -375,6 +402,7 @@ fn drawn_bond(graph: &Graph, causality: &Causality, layout: &Tiled, bond: usize)
         stroke: [[stroke[0] - sx, stroke[1] - sy], [stroke[0] + sx, stroke[1] + sy]],
         follows: causality.following_bonds.contains(&bond),
         free: causality.free_bonds.contains(&bond),
+        leads_to: stub.map(|(_, [x, y], name)| DrawnName { at: [x - 2.0, y + 3.0], name: name.clone() }),
     }
 }
 

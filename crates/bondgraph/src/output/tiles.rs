@@ -55,8 +55,14 @@ impl Group {
             (text[end..].is_empty() || text[end..].starts_with('_')).then(|| text[..end].parse().ok())?
         };
         let numbered = |stem: &str| name.strip_prefix(stem).and_then(digits);
-        const OF_CYLINDERS: [&str; 15] = [
+        const OF_CYLINDERS: [&str; 21] = [
             "piston",
+            "piston_turn",
+            "crankpin",
+            "pin",
+            "contact",
+            "lateral",
+            "tilt",
             "rod_turn",
             "rod",
             "slide",

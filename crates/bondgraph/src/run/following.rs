@@ -14,7 +14,7 @@
 //! As many unknowns as states, not as followers: an engine has a hundred of these and seven of those.
 
 use crate::equations::{Equations, What};
-use crate::expression::{Id, Node, Pool, Var};
+use crate::expression::{By, Id, Node, Pool, Var};
 use crate::run::held::{Held, Switches};
 use crate::run::tape::Tape;
 use lanchester_numerics::Lu;
@@ -33,15 +33,22 @@ pub(crate) struct Following {
     followers: usize,
     /// States whose rates hang on followers.
     acted: Vec<usize>,
-    /// Place in `acted` and follower of each entry of G.
-    influence: Vec<(usize, usize)>,
-    /// Follower and place in `acted` of each entry of Phi.
-    slopes: Vec<(usize, usize)>,
-    /// Entries of the matrix to which products of an entry of G and one of Phi go, with the places of both.
-    products: Vec<[u32; 3]>,
+    /// Columns of G.
+    influence: Entries,
+    /// Rows of Phi.
+    slopes: Entries,
     values: Vec<f64>,
     matrix: Vec<f64>,
     right: Vec<f64>,
+}
+
+/// Entries of a sparse matrix, follower by follower.
+#[derive(Debug, Clone, Default)]
+struct Entries {
+    /// Where those of each follower end.
+    ends: Vec<usize>,
+    /// Place in `acted` of each.
+    places: Vec<usize>,
 }
 
 impl Following {
@@ -65,55 +72,53 @@ impl Following {
         let acted: Vec<usize> = (0..rates.len()).filter(|state| !split[*state].1.is_empty()).collect();
         let mut outputs: Vec<Id> = split.iter().map(|parts| parts.0).collect();
         let mut by_state: Vec<HashMap<Id, Id>> = vec![HashMap::new(); rates.len()];
-        let mut by_time = HashMap::new();
-        let (mut known, mut slopes, mut slope_ids) = (Vec::new(), Vec::new(), Vec::new());
+        // What changes by itself: time, and states whose rates are known.
+        let mut running: HashMap<Var, Id> = HashMap::from([(Var::Time, pool.constant(1.0))]);
+        for (state, parts) in split.iter().enumerate() {
+            if parts.1.is_empty() {
+                running.insert(Var::State(state as u32), parts.0);
+            }
+        }
+        let mut along = HashMap::new();
+        // Entries by followers: place in `acted` and expression.
+        let (mut known, mut slopes) = (Vec::new(), vec![Vec::new(); held.len()]);
         for (follower, held) in held.iter().enumerate() {
-            let mut sum = pool.derivative(*held, Var::Time, &mut by_time);
             for var in pool.variables(&[*held]) {
                 match var {
                     Var::State(state) => {
-                        let state = state as usize;
-                        let slope = pool.derivative(*held, var, &mut by_state[state]);
-                        match acted.iter().position(|other| *other == state) {
-                            Some(place) if !pool.is_zero(slope) => {
-                                slopes.push((follower, place));
-                                slope_ids.push(slope);
-                            }
-                            Some(_) => {}
-                            None => {
-                                let term = pool.product(slope, split[state].0);
-                                sum = pool.sum(sum, term);
-                            }
+                        let Some(place) = acted.iter().position(|other| *other == state as usize) else {
+                            continue;
+                        };
+                        let slope = pool.derivative(*held, var, &mut by_state[state as usize]);
+                        if !pool.is_zero(slope) {
+                            slopes[follower].push((place, slope));
                         }
                     }
                     Var::Unknown(_) => return None,
                     _ => {}
                 }
             }
-            known.push(sum);
+            slopes[follower].sort_unstable_by_key(|(place, _)| *place);
+            known.push(pool.slope(*held, By::Rates(&running), &mut along));
         }
-        let (mut influence, mut influence_ids) = (Vec::new(), Vec::new());
+        let mut influence = vec![Vec::new(); held.len()];
         for (place, state) in acted.iter().enumerate() {
             for (unknown, factor) in &split[*state].1 {
-                influence.push((place, left.iter().position(|other| other == unknown)?));
-                influence_ids.push(*factor);
+                influence[left.iter().position(|other| other == unknown)?].push((place, *factor));
             }
         }
-        outputs.extend(known.into_iter().chain(influence_ids).chain(slope_ids));
+        outputs.extend(known);
+        let mut list = |entries: Vec<Vec<(usize, Id)>>| -> Entries {
+            let mut found = Entries { ends: Vec::new(), places: Vec::new() };
+            for own in entries {
+                outputs.extend(own.iter().map(|(_, id)| *id));
+                found.places.extend(own.into_iter().map(|(place, _)| place));
+                found.ends.push(found.places.len());
+            }
+            found
+        };
+        let (influence, slopes) = (list(influence), list(slopes));
         let tape = Tape::new(pool, &outputs, input, switches);
-        let mut columns: Vec<Vec<(usize, usize)>> = vec![Vec::new(); left.len()];
-        for (entry, (row, follower)) in influence.iter().enumerate() {
-            columns[*follower].push((*row, entry));
-        }
-        let size = acted.len();
-        let products = (slopes.iter().enumerate())
-            .flat_map(|(slope, (follower, column))| {
-                let entry = move |(row, entry): &(usize, usize)| {
-                    [row * size + column, *entry, slope].map(|place| place as u32)
-                };
-                columns[*follower].iter().map(entry)
-            })
-            .collect();
         Some(Following {
             tape,
             states: rates.len(),
@@ -121,7 +126,6 @@ impl Following {
             acted,
             influence,
             slopes,
-            products,
             values: vec![0.0; outputs.len()],
             matrix: Vec::new(),
             right: Vec::new(),
@@ -146,29 +150,39 @@ impl Following {
         let size = self.acted.len();
         let (base, rest) = self.values.split_at(self.states);
         let (known, rest) = rest.split_at(self.followers);
-        let (influence, slopes) = rest.split_at(self.influence.len());
+        let (influence, slopes) = rest.split_at(self.influence.places.len());
         rates[..self.states].copy_from_slice(base);
         unknowns.copy_from_slice(known);
         self.right.clear();
         self.right.extend(self.acted.iter().map(|state| base[*state]));
         self.matrix.clear();
         self.matrix.resize(size * size, 0.0);
-        for ((row, follower), value) in self.influence.iter().zip(influence) {
-            self.right[*row] += value * known[*follower];
-        }
         for row in 0..size {
             self.matrix[row * size + row] = 1.0;
         }
-        for [place, entry, slope] in &self.products {
-            self.matrix[*place as usize] -= influence[*entry as usize] * slopes[*slope as usize];
+        let (mut first, mut start) = (0, 0);
+        for (follower, (last, end)) in self.influence.ends.iter().zip(&self.slopes.ends).enumerate() {
+            let by = slopes[start..*end].iter().zip(&self.slopes.places[start..*end]);
+            for (g, row) in influence[first..*last].iter().zip(&self.influence.places[first..*last]) {
+                self.right[*row] += g * known[follower];
+                let own = &mut self.matrix[row * size..(row + 1) * size];
+                for (slope, column) in by.clone() {
+                    own[*column] -= g * slope;
+                }
+            }
+            (first, start) = (*last, *end);
         }
         let Ok(factors) = Lu::new(size, std::mem::take(&mut self.matrix)) else { return false };
         factors.solve(&mut self.right);
         for (state, rate) in self.acted.iter().zip(&self.right) {
             rates[*state] = *rate;
         }
-        for ((follower, column), slope) in self.slopes.iter().zip(slopes) {
-            unknowns[*follower] += slope * self.right[*column];
+        let mut start = 0;
+        for (unknown, end) in unknowns.iter_mut().zip(&self.slopes.ends) {
+            for (slope, column) in slopes[start..*end].iter().zip(&self.slopes.places[start..*end]) {
+                *unknown += slope * self.right[*column];
+            }
+            start = *end;
         }
         true
     }

@@ -4,8 +4,9 @@ use crate::equations::Equations;
 use crate::graph::Kind;
 use crate::run::audit::{Audit, audit};
 use crate::run::compiled::Compiled;
-use lanchester_numerics::{Dop853, Outcome, Radau5, Settings, Statistics, Step};
+use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step};
 use serde::Serialize;
+use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 /// More events than these at places that cannot be told apart mean that a condition switches to and fro.
@@ -13,6 +14,9 @@ const CHATTER: u32 = 200;
 
 /// Tolerances below this are met at samples by steps that end there: the interpolant would be less accurate than the steps.
 const FINE: f64 = 1e-9;
+
+/// Tolerances below this reach a kink by steps of their own: the interpolant would be less accurate.
+const STEP_AGAIN: f64 = 3e-8;
 
 /// Evaluations of the pass that measures sizes.
 const ROUGH: u64 = 6000;
@@ -186,6 +190,15 @@ impl Equations {
         }
     }
 
+    /// Effort of every bond at the start, by its name.
+    pub(crate) fn efforts_at_start(&self) -> HashMap<String, f64> {
+        let mut compiled = Compiled::new(self, false);
+        let y: Vec<f64> = self.states.iter().map(|state| state.start).collect();
+        compiled.settle(0.0, &y);
+        let variables = compiled.variables(0.0, &y, self.graph.signals.len());
+        (0..self.graph.bonds.len()).map(|bond| (self.graph.bond_name(bond), variables[bond])).collect()
+    }
+
     fn series(&self, pass: &Pass) -> Vec<Series> {
         let bonds = self.graph.bonds.len();
         let mut series = Vec::new();
@@ -259,6 +272,8 @@ impl Equations {
         settings.absolute = absolute.to_vec();
         settings.most_evaluations = request.most_evaluations;
         settings.stiffness_test = request.method.is_none();
+        settings.glance = true;
+        settings.samples = grid(places, request.duration);
         if request.tolerance < FINE {
             settings.stops = places.to_vec();
         }
@@ -310,7 +325,7 @@ impl Equations {
             }
             match outcome {
                 Outcome::Event { index, rising } => {
-                    if is_explicit && !compiled.held.is_condition(index) {
+                    if is_explicit && request.tolerance < STEP_AGAIN && !compiled.held.is_condition(index) {
                         step_again(compiled, request, absolute, &stepped, t, &mut y);
                     }
                     if compiled.held.is_condition(index) {
@@ -381,6 +396,16 @@ impl Equations {
             other => format!("{other:?} at {t} s"),
         }
     }
+}
+
+/// The grid of places that are equally spaced from 0 on.
+fn grid(places: &[f64], duration: f64) -> Option<SampleGrid> {
+    let spacing = *places.first()?;
+    let uniform = places
+        .iter()
+        .enumerate()
+        .all(|(k, place)| (place - spacing * (k + 1) as f64).abs() <= 1e-9 * duration);
+    (uniform && spacing > 0.0).then_some(SampleGrid { origin: 0.0, spacing })
 }
 
 /// The state at a kink of a curve by steps of their own from the start of the step that met it: the interpolant is less accurate. The

@@ -3,7 +3,7 @@
 
 use crate::expression::{Function, Id, Node, Pool, Var};
 use crate::run::held::{Held, Switches};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// One operation on places of the tape.
 #[derive(Debug, Clone, Copy)]
@@ -12,7 +12,12 @@ enum Operation {
     Input(u32),
     Negative(u32),
     Sum(u32, u32),
+    Difference(u32, u32),
     Product(u32, u32),
+    /// The product of the first two, added to the third.
+    SumOfProduct(u32, u32, u32),
+    /// The product of the first two, taken from the third.
+    LessProduct(u32, u32, u32),
     Quotient(u32, u32),
     Square(u32),
     Power(u32, u32),
@@ -43,7 +48,10 @@ struct Stretch {
 enum Kind {
     Negative,
     Sum,
+    Difference,
     Product,
+    SumOfProduct,
+    LessProduct,
     Quotient,
     Square,
     Power,
@@ -89,21 +97,21 @@ impl Tape {
         input: &impl Fn(Var) -> u32,
         switches: &mut Switches,
     ) -> Tape {
+        let (order, uses) = reachable(pool, outputs);
+        let joined = joined(pool, &order, &uses);
         let mut tape = Found::default();
         let mut places: HashMap<Id, u32> = HashMap::new();
-        for output in outputs {
-            let mut stack = vec![(*output, false)];
-            while let Some((id, ready)) = stack.pop() {
-                if places.contains_key(&id) {
-                    continue;
-                }
-                if !ready {
-                    stack.push((id, true));
-                    stack.extend(pool.operands(id).map(|operand| (operand, false)));
-                    continue;
-                }
-                let at = |id: Id| places[&id];
-                let operation = match pool.node(id) {
+        for id in order {
+            let join = joined.get(&id).copied();
+            if matches!(join, Some(Join::Within)) {
+                continue;
+            }
+            let at = |id: Id| places[&id];
+            let operation = match (join, pool.node(id)) {
+                (Some(Join::Difference(a, b)), _) => Operation::Difference(at(a), at(b)),
+                (Some(Join::SumOfProduct(a, b, c)), _) => Operation::SumOfProduct(at(a), at(b), at(c)),
+                (Some(Join::LessProduct(a, b, c)), _) => Operation::LessProduct(at(a), at(b), at(c)),
+                (_, node) => match node {
                     Node::Constant(bits) => Operation::Constant(f64::from_bits(bits)),
                     Node::Var(var) => Operation::Input(input(var)),
                     Node::Negative(a) => Operation::Negative(at(a)),
@@ -125,10 +133,10 @@ impl Tape {
                     Node::Table(curve, derivative, a) => {
                         Operation::Curve { slot: switches.slot(curve, a), at: at(a), derivative }
                     }
-                };
-                let place = tape.push(operation);
-                places.insert(id, place);
-            }
+                },
+            };
+            let place = tape.push(operation);
+            places.insert(id, place);
         }
         let outputs: Vec<u32> = outputs.iter().map(|id| places[id]).collect();
         Tape::arrange(&tape.operations, &outputs)
@@ -238,7 +246,14 @@ impl Tape {
             match *kind {
                 Kind::Negative => values.for_each(|(value, [a, ..])| *value = -of(*a)),
                 Kind::Sum => values.for_each(|(value, [a, b, _])| *value = of(*a) + of(*b)),
+                Kind::Difference => values.for_each(|(value, [a, b, _])| *value = of(*a) - of(*b)),
                 Kind::Product => values.for_each(|(value, [a, b, _])| *value = of(*a) * of(*b)),
+                Kind::SumOfProduct => {
+                    values.for_each(|(value, [a, b, c])| *value = of(*c) + of(*a) * of(*b));
+                }
+                Kind::LessProduct => {
+                    values.for_each(|(value, [a, b, c])| *value = of(*c) - of(*a) * of(*b));
+                }
                 Kind::Quotient => values.for_each(|(value, [a, b, _])| *value = of(*a) / of(*b)),
                 Kind::Square => values.for_each(|(value, [a, ..])| *value = of(*a) * of(*a)),
                 Kind::Power => values.for_each(|(value, [a, b, _])| *value = of(*a).powf(of(*b))),
@@ -271,21 +286,93 @@ impl Tape {
 
 impl Operation {
     /// Its kind, its operands and how many these are.
-    fn parts(self) -> (Kind, [u32; 2], usize) {
+    fn parts(self) -> (Kind, [u32; 3], usize) {
         match self {
             // Leaves are put down before anything else: their kind is never asked for.
-            Operation::Constant(_) | Operation::Input(_) => (Kind::Negative, [0; 2], 0),
-            Operation::Negative(a) => (Kind::Negative, [a, 0], 1),
-            Operation::Sum(a, b) => (Kind::Sum, [a, b], 2),
-            Operation::Product(a, b) => (Kind::Product, [a, b], 2),
-            Operation::Quotient(a, b) => (Kind::Quotient, [a, b], 2),
-            Operation::Square(a) => (Kind::Square, [a, 0], 1),
-            Operation::Power(a, b) => (Kind::Power, [a, b], 2),
-            Operation::Call(function, a) => (Kind::Call(function), [a, 0], 1),
-            Operation::Atan2(a, b) => (Kind::Atan2, [a, b], 2),
-            Operation::Choice(_, a, b) => (Kind::Choice, [a, b], 2),
-            Operation::Sign(_) => (Kind::Sign, [0; 2], 0),
-            Operation::Curve { at, derivative, .. } => (Kind::Curve(derivative), [at, 0], 1),
+            Operation::Constant(_) | Operation::Input(_) => (Kind::Negative, [0; 3], 0),
+            Operation::Negative(a) => (Kind::Negative, [a, 0, 0], 1),
+            Operation::Sum(a, b) => (Kind::Sum, [a, b, 0], 2),
+            Operation::Difference(a, b) => (Kind::Difference, [a, b, 0], 2),
+            Operation::Product(a, b) => (Kind::Product, [a, b, 0], 2),
+            Operation::SumOfProduct(a, b, c) => (Kind::SumOfProduct, [a, b, c], 3),
+            Operation::LessProduct(a, b, c) => (Kind::LessProduct, [a, b, c], 3),
+            Operation::Quotient(a, b) => (Kind::Quotient, [a, b, 0], 2),
+            Operation::Square(a) => (Kind::Square, [a, 0, 0], 1),
+            Operation::Power(a, b) => (Kind::Power, [a, b, 0], 2),
+            Operation::Call(function, a) => (Kind::Call(function), [a, 0, 0], 1),
+            Operation::Atan2(a, b) => (Kind::Atan2, [a, b, 0], 2),
+            Operation::Choice(_, a, b) => (Kind::Choice, [a, b, 0], 2),
+            Operation::Sign(_) => (Kind::Sign, [0; 3], 0),
+            Operation::Curve { at, derivative, .. } => (Kind::Curve(derivative), [at, 0, 0], 1),
         }
     }
+}
+
+/// How a sum is put together with what it alone needs.
+#[derive(Debug, Clone, Copy)]
+enum Join {
+    /// A part of another operation.
+    Within,
+    Difference(Id, Id),
+    SumOfProduct(Id, Id, Id),
+    LessProduct(Id, Id, Id),
+}
+
+/// All expressions that some need, operands first, and how often each is needed.
+fn reachable(pool: &Pool, outputs: &[Id]) -> (Vec<Id>, HashMap<Id, u32>) {
+    let mut order = Vec::new();
+    let mut uses: HashMap<Id, u32> = HashMap::new();
+    let mut done: HashSet<Id> = HashSet::new();
+    for output in outputs {
+        *uses.entry(*output).or_default() += 1;
+        let mut stack = vec![(*output, false)];
+        while let Some((id, ready)) = stack.pop() {
+            if ready {
+                if done.insert(id) {
+                    order.push(id);
+                    pool.operands(id).for_each(|operand| *uses.entry(operand).or_default() += 1);
+                }
+            } else if !done.contains(&id) {
+                stack.push((id, true));
+                stack.extend(pool.operands(id).map(|operand| (operand, false)));
+            }
+        }
+    }
+    (order, uses)
+}
+
+/// Sums that take a product or a negative of no other use into themselves.
+fn joined(pool: &Pool, order: &[Id], uses: &HashMap<Id, u32>) -> HashMap<Id, Join> {
+    let once = |id: Id| uses.get(&id) == Some(&1);
+    let product = |id: Id| match pool.node(id) {
+        Node::Product(x, y) if once(id) => Some((x, y)),
+        _ => None,
+    };
+    let negative = |id: Id| match pool.node(id) {
+        Node::Negative(x) if once(id) => Some(x),
+        _ => None,
+    };
+    let mut found = HashMap::new();
+    for id in order {
+        let Node::Sum(a, b) = pool.node(*id) else { continue };
+        if a == b {
+            continue;
+        }
+        let join = [(a, b), (b, a)].into_iter().find_map(|(rest, part)| {
+            if let Some((x, y)) = product(part) {
+                return Some((Join::SumOfProduct(x, y, rest), part, None));
+            }
+            let inner = negative(part)?;
+            Some(match product(inner) {
+                Some((x, y)) => (Join::LessProduct(x, y, rest), part, Some(inner)),
+                None => (Join::Difference(rest, inner), part, None),
+            })
+        });
+        if let Some((join, part, inner)) = join {
+            found.insert(*id, join);
+            found.insert(part, Join::Within);
+            inner.map(|inner| found.insert(inner, Join::Within));
+        }
+    }
+    found
 }

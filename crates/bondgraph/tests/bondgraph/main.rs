@@ -9,5 +9,6 @@ mod event;
 mod external;
 mod gas;
 mod graph_file;
+mod joints;
 mod output;
 mod shipped;

@@ -1,8 +1,14 @@
 //! `lanchester balance`: the best weights and shafts, their proof and their price, written back if asked for.
 
+pub(in crate::commands) mod found;
+pub(in crate::commands) mod published;
+pub(in crate::commands) mod robust;
+pub(in crate::commands) mod search;
+pub(in crate::commands) mod sweep;
+
 use crate::arguments::{BalanceArguments, BalanceMethod, BalanceTable};
-use crate::commands::found::{consequences, csv, loads_of, put_into_file, tell_what_does_not_fit};
-use crate::commands::{json, open, published, robust, search, sweep};
+use crate::commands::balance::found::{consequences, csv, loads_of, put_into_file, tell_what_does_not_fit};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, tell, write_result};
 use crate::format::Format;

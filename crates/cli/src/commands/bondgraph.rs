@@ -5,15 +5,15 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{Source, print, read_bytes, read_source, tell};
 use crate::format::Format;
 use crate::options::bondgraph::{
-    BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, MethodOption, NotationOption,
-    PreferOption,
+    BondgraphArguments, EngineBlockOption, EngineOptions, ExportOption, JointsOption, MethodOption,
+    NotationOption, PreferOption,
 };
 use crate::trace_files::trace_files;
 use lanchester::bondgraph::{
-    Description, EngineBlock, Equations, Graph, LoadTorque, Method, Notation, Preference, SimulationRequest,
-    audit_text, causality, causality_text, drawing, equations, equations_latex, equations_text, graph_file,
-    graphml, is_graph_file, linear_text, modelica, moving_drawing, simulation_csv, simulation_text,
-    used_graphs,
+    CompliantJoints, Description, EngineBlock, EngineJoints, Equations, Graph, LoadTorque, Method, Notation,
+    Preference, SimulationRequest, audit_text, causality, causality_text, drawing, equations,
+    equations_latex, equations_text, graph_file, graphml, is_graph_file, linear_text, modelica,
+    moving_drawing, simulation_csv, simulation_text, used_graphs,
 };
 use lanchester::file::{Diagnostic, read, render};
 use lanchester::task::option;
@@ -57,7 +57,7 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
         if arguments.engine != EngineOptions::default() {
             return Err(Failure::input(
                 "a graph file says itself how it starts, what drives it and what moves",
-                "leave out --speed, --block, --imposed, --load, --load-on-block, --gas-states, --inertia-only and --no-gravity",
+                "leave out --speed, --block, --joints and what belongs to it, --imposed, --load, --load-on-block, --gas-states, --inertia-only and --no-gravity",
             ));
         }
         (None, Graph::read_with(&source.text, &parts(Path::new(file), &source.text)?).map_err(refuse)?)
@@ -128,6 +128,7 @@ fn of_engine(
             EngineBlockOption::Plane => EngineBlock::Plane,
             EngineBlockOption::Space => EngineBlock::Space,
         }),
+        joints: joints(options)?,
         imposed: options.imposed.then_some(true),
         gravity: !options.no_gravity,
         gas: !options.inertia_only,
@@ -147,6 +148,39 @@ fn of_engine(
         tell(format_args!("note: {note}"));
     }
     Ok(found.description)
+}
+
+/// Joints of the crank train.
+fn joints(options: &EngineOptions) -> Result<EngineJoints, Failure> {
+    let is_compliant = options.joints == Some(JointsOption::Compliant);
+    if !is_compliant {
+        let given = [
+            ("--joint-stiffness", options.joint_stiffness.is_some()),
+            ("--skirt-stiffness", options.skirt_stiffness.is_some()),
+            ("--joint-damping", options.joint_damping.is_some()),
+        ];
+        return match given.into_iter().find(|(_, is_given)| *is_given) {
+            Some((name, _)) => {
+                Err(Failure::input(format!("`{name}` needs compliant joints"), "add --joints compliant"))
+            }
+            None => Ok(EngineJoints::Ideal),
+        };
+    }
+    let mut joints = CompliantJoints::default();
+    if let Some(text) = &options.joint_stiffness {
+        joints.stiffness = option::stiffness(text, "--joint-stiffness")?;
+    }
+    if let Some(text) = &options.skirt_stiffness {
+        joints.skirt_stiffness = option::stiffness(text, "--skirt-stiffness")?;
+    }
+    if let Some(ratio) = options.joint_damping {
+        if !(0.0..=10.0).contains(&ratio) {
+            let message = format!("--joint-damping is outside 0 to 10, got {ratio}");
+            return Err(Failure::input(message, "for example --joint-damping 0.2"));
+        }
+        joints.damping_ratio = ratio;
+    }
+    Ok(EngineJoints::Compliant(joints))
 }
 
 fn diagnosed(mistakes: &[Diagnostic], source: &Source, colour: bool) -> Failure {

@@ -7,7 +7,7 @@ use crate::format::Format;
 use crate::options::compare::{CompareArguments, EqualOption, HeldOption};
 use crate::options::share::share;
 use crate::trace_files::trace_files;
-use lanchester::balance::TwinArrangement;
+use lanchester::literature::TwinArrangement;
 use lanchester::report::{comparison_figure, comparison_table, comparison_text};
 use lanchester::study::compare::{Equal, Held};
 use lanchester::task::option;

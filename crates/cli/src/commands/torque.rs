@@ -78,7 +78,7 @@ fn request(arguments: &TorqueArguments) -> Result<TorqueReportRequest, Failure> 
 }
 
 fn one_table(report: &TorqueReport, table: TorqueTable) -> Result<Table, Failure> {
-    let none = |message: &str| Err(Failure::refused(message));
+    let none = |message: &str| Err(Failure::refused(message.to_owned()));
     match table {
         TorqueTable::Cycle | TorqueTable::CycleAngle if !report.torque.with_gas => none(
             "the engine file says nothing of the gas: there is no cycle\nhint: add [gas] with [gas.cycle]",

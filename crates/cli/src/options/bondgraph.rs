@@ -51,6 +51,18 @@ pub struct EngineOptions {
     /// Of an engine file: how the block moves; default: in space on its mounts where the file gives them with viscous damping.
     #[arg(long, value_enum)]
     pub block: Option<EngineBlockOption>,
+    /// Of an engine file: joints of the crank train; default: ideal.
+    #[arg(long, value_enum)]
+    pub joints: Option<JointsOption>,
+    /// Of an engine file: stiffness of each pin, and of the main bearings together, of compliant joints; default: "200000 N/mm".
+    #[arg(long, value_name = "STIFFNESS")]
+    pub joint_stiffness: Option<String>,
+    /// Of an engine file: stiffness of each of the two contacts of a skirt of compliant joints; default: "50000 N/mm".
+    #[arg(long, value_name = "STIFFNESS")]
+    pub skirt_stiffness: Option<String>,
+    /// Of an engine file: damping ratio of compliant joints, 0 to 10; default: 0.2.
+    #[arg(long, value_name = "RATIO")]
+    pub joint_damping: Option<f64>,
     /// Of an engine file: keep the speed by a source of flow.
     #[arg(long)]
     pub imposed: bool,
@@ -81,6 +93,15 @@ pub enum EngineBlockOption {
     Plane,
     /// In space.
     Space,
+}
+
+/// Joints of a crank train.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum JointsOption {
+    /// Rods and pistons follow the crank.
+    Ideal,
+    /// Springs and dampers at each joint; crankshaft, rods and pistons move freely in their planes.
+    Compliant,
 }
 
 /// How equations are written.

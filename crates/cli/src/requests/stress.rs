@@ -58,8 +58,7 @@ pub fn support(own: &SupportArguments, default: CrankSupport) -> Result<CrankSup
         Some(SupportOption::Free) => CrankSupport::Free,
         Some(SupportOption::Springs) => {
             let text = own.stiffness.as_deref().unwrap_or_default();
-            let stiffness =
-                option::of_dimension(text, Dimension::Stiffness, Bound::Positive, "--stiffness")?;
+            let stiffness = option::of_dimension(text, Dimension::Stiffness, Bound::Positive, "--stiffness")?;
             CrankSupport::Springs { stiffness }
         }
     })

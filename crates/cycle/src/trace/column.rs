@@ -1,8 +1,8 @@
 //! Whether angles make a cycle and pressures can be those of an engine.
 
 use super::fault::TraceFault;
+use super::options::{TraceOptions, TracePlace};
 use super::table::Table;
-use super::{TraceOptions, TracePlace};
 
 /// Fewest samples of a cycle.
 const FEWEST: usize = 36;

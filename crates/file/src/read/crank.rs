@@ -1,5 +1,10 @@
 //! Crankshafts and throws.
 
+pub(in crate::read) mod body;
+pub(in crate::read) mod details;
+pub(in crate::read) mod mains;
+pub(in crate::read) mod material;
+
 use super::Reader;
 use super::layers::Layers;
 use crate::document::{Field, Section, Span};

@@ -1,6 +1,10 @@
 //! Cylinders with their pistons and rods, in the general form and from a layout.
 
-use super::rod::DraftRod;
+pub(in crate::read) mod chamber;
+pub(in crate::read) mod linkage;
+pub(in crate::read) mod rod;
+
+use super::cylinder::rod::DraftRod;
 use super::{Drafts, Reader};
 use crate::document::{Field, Section, Span};
 use crate::layout::{Arrangement, CylinderPlace};
@@ -336,7 +340,7 @@ impl<'a> Reader<'a> {
                         section,
                         key,
                         "[layout] says where the cylinder stands",
-                        "leave it out, or use the general form: `lanchester show` prints it",
+                        "leave it out, or write the engine in the general form, to which this one expands",
                     );
                 }
             }
@@ -352,7 +356,7 @@ impl<'a> Reader<'a> {
                             rod,
                             key,
                             "[layout] says what the rods sit on",
-                            "leave it out, or use the general form: `lanchester show` prints it",
+                            "leave it out, or write the engine in the general form, to which this one expands",
                         );
                     }
                 }

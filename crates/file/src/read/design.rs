@@ -1,7 +1,7 @@
 //! `[counterweight_design]`: shapes among which counterweights are to be found.
 
 use super::Reader;
-use super::crank_body::MaybeBody;
+use super::crank::body::MaybeBody;
 use crate::document::{Field, Section};
 use lanchester_task::{DesignLimits, Objective, Range, ShapeTask, Shoulder};
 

@@ -1,7 +1,7 @@
 //! `[counterweight.shape]`: a counterweight as a part.
 
 use super::Reader;
-use super::crank_body::MaybeBody;
+use super::crank::body::MaybeBody;
 use crate::document::{Field, Section, Span};
 use lanchester_diagnostic::Mistake;
 use lanchester_model::{CounterweightForm, CrankBody};

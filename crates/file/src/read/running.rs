@@ -1,7 +1,7 @@
 //! `[friction]`, `[flywheel]` and `[bearings]`.
 
-use super::crank_body::MaybeBody;
-use super::crank_details::BodyDraft;
+use super::crank::body::MaybeBody;
+use super::crank::details::BodyDraft;
 use super::{Drafts, Reader};
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;

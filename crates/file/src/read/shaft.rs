@@ -1,5 +1,7 @@
 //! Balance shafts.
 
+pub(in crate::read) mod part;
+
 use super::Reader;
 use crate::document::Section;
 use lanchester_diagnostic::Mistake;

@@ -1,5 +1,8 @@
 //! `[simulation]` and all that a run in time takes from the file.
 
+pub(in crate::read) mod event;
+pub(in crate::read) mod parts;
+
 use super::Reader;
 use crate::document::{Field, Section};
 use lanchester_diagnostic::Mistake;

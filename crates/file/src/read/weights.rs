@@ -1,7 +1,7 @@
 //! Counterweights: one by one, and the short form.
 
 use super::Reader;
-use super::crank_details::BodyDraft;
+use super::crank::details::BodyDraft;
 use super::cylinder::DraftCylinder;
 use super::part::DraftPart;
 use crate::document::{Field, Section, Span};

@@ -173,7 +173,7 @@ fn costs_and_a_budget() {
         option::limit("cost = 40", &engine, "--limit")
             .expect_err("it has no unit")
             .hint
-            .contains("--budget 40")
+            .contains("budget = 40")
     );
 }
 

@@ -369,7 +369,8 @@ impl Reader {
     }
 
     fn read_equation(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
-        let mut fields = data.iter().flat_map(|(line, fields)| fields.iter().map(move |field| (*line, field)));
+        let mut fields =
+            data.iter().flat_map(|(line, fields)| fields.iter().map(move |field| (*line, field)));
         while let Some((line, count)) = fields.next() {
             let count = index(line, count, "the number of terms")?;
             let mut equation = Equation::new();
@@ -395,7 +396,8 @@ impl Reader {
     }
 
     fn read_spring_elements(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
-        let set = card.options.get("ELSET").ok_or_else(|| wrong(card.line, "SPRING1 elements need ELSET="))?;
+        let set =
+            card.options.get("ELSET").ok_or_else(|| wrong(card.line, "SPRING1 elements need ELSET="))?;
         for (line, fields) in data {
             index(*line, &fields[0], "the number of an element")?;
             let node = index(*line, fields.get(1).map_or("", String::as_str), "the number of a node")?;
@@ -409,7 +411,10 @@ impl Reader {
     fn read_spring(&mut self, card: &Card, data: &[(usize, Vec<String>)]) -> Result<(), FlexError> {
         let set = card.options.get("ELSET").ok_or_else(|| wrong(card.line, "*SPRING needs ELSET="))?;
         let [(line, axis), (stiffness_line, stiffness)] = data else {
-            return Err(wrong(card.line, "*SPRING needs its degree of freedom and, in the next line, its stiffness"));
+            return Err(wrong(
+                card.line,
+                "*SPRING needs its degree of freedom and, in the next line, its stiffness",
+            ));
         };
         if axis.first().map(String::as_str) != Some("1") {
             return Err(wrong(*line, "a spring is read along degree of freedom 1 of a reference node"));
@@ -428,7 +433,10 @@ impl Reader {
         let mut references = Vec::new();
         for (line, set, node) in &self.spring_elements {
             if used[*node as usize] {
-                return Err(wrong(*line, "a SPRING1 element is read on a reference node that no other element uses"));
+                return Err(wrong(
+                    *line,
+                    "a SPRING1 element is read on a reference node that no other element uses",
+                ));
             }
             let stiffness = self.stiffnesses.get(set);
             let stiffness = stiffness.ok_or_else(|| wrong(*line, format!("set {set} has no *SPRING")))?;

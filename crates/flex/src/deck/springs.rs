@@ -50,7 +50,8 @@ pub(super) fn write_springs(text: &mut String, mesh: &Mesh, case: &StaticCase) {
 
 /// Terms of the sum: node, axis, weight.
 fn terms(spring: &Spring) -> Vec<(u32, usize, f64)> {
-    let largest = spring.nodes.iter().flat_map(|(_, weight)| *weight).fold(0.0f64, |most, w| most.max(w.abs()));
+    let largest =
+        spring.nodes.iter().flat_map(|(_, weight)| *weight).fold(0.0f64, |most, w| most.max(w.abs()));
     let each = spring.nodes.iter().flat_map(|(node, weight)| (0..3).map(|axis| (*node, axis, weight[axis])));
     each.filter(|(_, _, weight)| weight.abs() > ROUNDING * largest).collect()
 }

@@ -3,6 +3,7 @@
 //! Rounding is not directed outwards: it is some 1e-15 of the scaled formulas, and the proof leaves
 //! [`super::refute::ROUNDING`] for it.
 
+use super::arc;
 use super::jet::Base;
 use super::number::Number;
 use std::f64::consts::FRAC_PI_2;
@@ -87,5 +88,22 @@ impl Number for Interval {
     fn square(self) -> Interval {
         let [least, most] = self.sizes();
         Interval { low: least * least, high: most * most }
+    }
+}
+
+impl Base for Interval {
+    fn cos(self) -> Interval {
+        Interval { low: self.high.cos(), high: self.low.cos() }
+    }
+    // Every derivative grows.
+    fn segment_by(self, order: usize) -> [Interval; 3] {
+        let (low, high) = (arc::segment(self.low, order), arc::segment(self.high, order));
+        std::array::from_fn(|k| Interval { low: low[k], high: high[k] })
+    }
+    fn negative_part(self) -> Interval {
+        Interval { low: self.low.min(0.0), high: self.high.min(0.0) }
+    }
+    fn below_zero(self) -> Interval {
+        Interval { low: self.high.below_zero(), high: self.low.below_zero() }
     }
 }

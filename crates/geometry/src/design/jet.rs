@@ -1,7 +1,6 @@
 //! A value with its first derivatives, exact by the rules of differentiation.
 
 use super::arc;
-use super::interval::Interval;
 use super::number::Number;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -36,23 +35,6 @@ impl Base for f64 {
     }
     fn below_zero(self) -> f64 {
         f64::from(u8::from(self < 0.0))
-    }
-}
-
-impl Base for Interval {
-    fn cos(self) -> Interval {
-        Interval { low: self.high.cos(), high: self.low.cos() }
-    }
-    // Every derivative grows.
-    fn segment_by(self, order: usize) -> [Interval; 3] {
-        let (low, high) = (arc::segment(self.low, order), arc::segment(self.high, order));
-        std::array::from_fn(|k| Interval { low: low[k], high: high[k] })
-    }
-    fn negative_part(self) -> Interval {
-        Interval { low: self.low.min(0.0), high: self.high.min(0.0) }
-    }
-    fn below_zero(self) -> Interval {
-        Interval { low: self.high.below_zero(), high: self.low.below_zero() }
     }
 }
 

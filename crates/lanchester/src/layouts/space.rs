@@ -5,6 +5,7 @@ use lanchester_model::{Engine, Strokes, greatest_common_divisor};
 use lanchester_study::explore::{
     Banks, Constraint, CounterweightPattern, ExploreError, Parts, ShaftSet, Space, even_angles,
 };
+use std::fmt;
 
 /// Fewest angles of a throw that are looked at unless others are given.
 const ANGLES: u32 = 12;
@@ -60,10 +61,7 @@ pub struct LayoutSpace {
 #[non_exhaustive]
 pub enum LayoutSpaceError {
     /// The engine has more than two banks, or unequal ones.
-    #[error(
-        "a search knows layouts of one bank or two, and of {engine} {reason}\nhint: say which are meant with \
-         --in-line or --bank-angle"
-    )]
+    #[error("a search knows layouts of one bank or two, and of {engine} {reason}")]
     Banks {
         /// Name of the engine.
         engine: String,
@@ -71,26 +69,46 @@ pub enum LayoutSpaceError {
         reason: String,
     },
     /// A size that the file does not give.
-    #[error("{what} is not known from {engine}\nhint: give {option}")]
+    #[error("{size} is not known from {engine}")]
     Missing {
         /// Which size.
-        what: &'static str,
+        size: LayoutSize,
         /// Name of the engine.
         engine: String,
-        /// What tells it.
-        option: &'static str,
     },
-    /// Options that have no meaning together.
-    #[error("{what}\nhint: {hint}")]
-    Together {
-        /// What was asked for.
-        what: String,
-        /// What to do.
-        hint: &'static str,
-    },
+    /// One bank is asked for, and with it what only two banks have.
+    #[error("an in-line engine has no bank angle, split pins or stagger")]
+    InLineWithBanks,
+    /// Split pins or a stagger of an engine with one bank.
+    #[error("split pins and stagger need two banks, and the engine has one")]
+    OneBank,
     /// The search is refused.
     #[error(transparent)]
     Explore(#[from] ExploreError),
+}
+
+/// A size without which a search cannot begin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LayoutSize {
+    /// Distance of neighbouring cylinders along the crank.
+    Spacing,
+    /// Distance of the outer web planes of a group.
+    WebDistance,
+    /// Thickness of a web.
+    WebThickness,
+    /// Diameter of a crankpin.
+    PinDiameter,
+}
+
+impl fmt::Display for LayoutSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            LayoutSize::Spacing => "the distance of neighbouring cylinders",
+            LayoutSize::WebDistance => "the distance of the webs",
+            LayoutSize::WebThickness => "the thickness of the webs",
+            LayoutSize::PinDiameter => "the diameter of the crankpins",
+        })
+    }
 }
 
 /// The space of layouts made of the parts of `engine`.
@@ -125,7 +143,7 @@ pub fn layout_space(
         Banks::Two { .. } => 2,
     };
     let own = own.ok();
-    let missing = |what, option| LayoutSpaceError::Missing { what, engine: engine.name.clone(), option };
+    let missing = |size| LayoutSpaceError::Missing { size, engine: engine.name.clone() };
     let groups = (cylinders / counted).max(1);
     let own_spacing = own.as_ref().map(|own| own.spacing).filter(|spacing| *spacing > 0.0);
     let spacings = match (&choices.spacings, own_spacing) {
@@ -135,7 +153,7 @@ pub fn layout_space(
         (None, None) if groups == 1 => {
             vec![own.as_ref().and_then(|own| own.web_distance).map_or(0.1, |d| 2.0 * d)]
         }
-        (None, None) => return Err(missing("the distance of neighbouring cylinders", "--spacing")),
+        (None, None) => return Err(missing(LayoutSize::Spacing)),
     };
     let parts = parts(engine, choices, own.as_ref(), &spacings, constraints, &mut notes)?;
     let strokes = engine.strokes;
@@ -195,10 +213,7 @@ fn banks(
         choices.bank_angles.is_some() || choices.split_angles.is_some() || choices.staggers.is_some();
     if choices.in_line {
         if of_two {
-            return Err(LayoutSpaceError::Together {
-                what: "an in-line engine has no bank angle, split pins or stagger".to_owned(),
-                hint: "leave --in-line out, or --bank-angle, --split-angle and --stagger",
-            });
+            return Err(LayoutSpaceError::InLineWithBanks);
         }
         return Ok(Banks::InLine);
     }
@@ -208,12 +223,7 @@ fn banks(
     let bank_angles = match (&choices.bank_angles, pair) {
         (Some(angles), _) => angles.clone(),
         (None, Some(pair)) => vec![pair.bank_angle],
-        (None, None) if of_two => {
-            return Err(LayoutSpaceError::Together {
-                what: "split pins and stagger need two banks, and the engine has one".to_owned(),
-                hint: "add --bank-angle, such as --bank-angle '90 deg'",
-            });
-        }
+        (None, None) if of_two => return Err(LayoutSpaceError::OneBank),
         (None, None) => return Ok(Banks::InLine),
     };
     let or = |given: &Option<Vec<f64>>, own: Option<f64>| given.clone().unwrap_or(vec![own.unwrap_or(0.0)]);
@@ -232,14 +242,14 @@ fn parts(
     constraints: &[Constraint],
     notes: &mut Vec<String>,
 ) -> Result<Parts, LayoutSpaceError> {
-    let missing = |what, option| LayoutSpaceError::Missing { what, engine: engine.name.clone(), option };
+    let missing = |size| LayoutSpaceError::Missing { size, engine: engine.name.clone() };
     let needs_webs = constraints.iter().any(|c| matches!(c, Constraint::BearingRoom { .. }));
     let needs_pins = constraints.iter().any(|c| matches!(c, Constraint::PinOverlap { .. }));
     let narrowest = spacings.iter().copied().fold(f64::INFINITY, f64::min);
     let body = engine.crank_body.as_ref();
     let web_distance = match choices.web_distance.or(own.and_then(|own| own.web_distance)) {
         Some(distance) => distance,
-        None if needs_webs => return Err(missing("the distance of the webs", "--web-distance")),
+        None if needs_webs => return Err(missing(LayoutSize::WebDistance)),
         None => {
             notes.push("webs stand half a spacing apart: the file does not say where they are".to_owned());
             0.5 * narrowest
@@ -247,12 +257,12 @@ fn parts(
     };
     let web_thickness = match choices.web_thickness.or(body.map(|body| body.web_thickness)) {
         Some(thickness) => thickness,
-        None if needs_webs => return Err(missing("the thickness of the webs", "--web-thickness")),
+        None if needs_webs => return Err(missing(LayoutSize::WebThickness)),
         None => 0.0,
     };
     let pin_diameter = match choices.pin_diameter.or(body.map(|body| body.pin_diameter)) {
         Some(diameter) => diameter,
-        None if needs_pins => return Err(missing("the diameter of the crankpins", "--pin-diameter")),
+        None if needs_pins => return Err(missing(LayoutSize::PinDiameter)),
         // Nothing else asks for it.
         None => narrowest,
     };

@@ -112,8 +112,8 @@ pub enum CounterweightError {
     /// No weight on any web.
     #[error(
         "no counterweight stands on a web\nhint: {}", match .has_weights {
-            true => "name one with --weight, or give the weights a web: `web = 1` in [[counterweight]], `at = \"webs\"` in [counterweights]",
-            false => "`lanchester balance FILE --counterweights webs --write` finds them"
+            true => "name one, or give the weights a web: `web = 1` in [[counterweight]], `at = \"webs\"` in [counterweights]",
+            false => "find the best ones on the webs first"
         }
     )]
     NoneOnAWeb {
@@ -187,7 +187,7 @@ pub enum CounterweightError {
     },
     /// A balance shaft none of whose weights is a part.
     #[error(
-        "no weight of the shaft \"{name}\" has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes where the file has a section [shaft_weight_design]"
+        "no weight of the shaft \"{name}\" has a shape yet\nhint: design them first, in a file with a section [shaft_weight_design]"
     )]
     BareShaft {
         /// Name of the shaft.
@@ -195,7 +195,7 @@ pub enum CounterweightError {
     },
     /// No weight that is a part.
     #[error(
-        "no counterweight and no weight of a balance shaft has a shape yet\nhint: `lanchester counterweight design FILE --write` finds shapes, `counterweight import` takes them from a drawing"
+        "no counterweight and no weight of a balance shaft has a shape yet\nhint: design shapes first, or take them from a drawing"
     )]
     NoPart,
     /// Numbers of the task that have no meaning.

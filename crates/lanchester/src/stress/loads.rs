@@ -77,7 +77,14 @@ pub(crate) fn named_loads(
     Ok((loads, source))
 }
 
-fn named(engine: &Engine, crankshaft: usize, name: String, theta: f64, speed: f64, forces: &[ThrowForce]) -> NamedLoad {
+fn named(
+    engine: &Engine,
+    crankshaft: usize,
+    name: String,
+    theta: f64,
+    speed: f64,
+    forces: &[ThrowForce],
+) -> NamedLoad {
     let ratio = engine.crankshafts[crankshaft].ratio.value();
     NamedLoad {
         name,

@@ -7,7 +7,9 @@ use crate::stress::request::{
 };
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
-use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, crank_support, solve_crank_watched};
+use lanchester_flex::crank_case::{
+    BearingSurfaces, CrankLoad, CrankSupport, crank_support, solve_crank_watched,
+};
 use lanchester_flex::crank_mesh::crank_mesh;
 use lanchester_flex::modes::{ModeKind, modes_watched};
 use lanchester_geometry::crankshaft::crankshaft;
@@ -64,7 +66,8 @@ pub fn static_stress(
     });
     if request.support == CrankSupport::Free && !matches!(request.load, StressLoad::Given(_)) {
         notes.push(
-            "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole.".to_owned(),
+            "Without supports the bearings carry nothing: the loads accelerate the crankshaft as a whole."
+                .to_owned(),
         );
     }
     Ok(StaticStress {
@@ -94,8 +97,7 @@ pub fn crank_modes(
         support => (crank_support(&sheet.crank, &BearingSurfaces::new(&sheet.crank), support)?, 0),
     };
     let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
-    let mut modes =
-        modes_watched(&sheet.crank.mesh, &case, request.count + rigid, request.solve, &estimate)?;
+    let mut modes = modes_watched(&sheet.crank.mesh, &case, request.count + rigid, request.solve, &estimate)?;
     // Rigid motions are told in a sentence, not in rows.
     modes.modes.retain(|mode| mode.kind != ModeKind::Rigid);
     let support = match request.support {

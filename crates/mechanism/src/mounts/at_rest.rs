@@ -6,7 +6,8 @@
 //! `p_j` is the preload, with which the mount pushes the block in the position of the file.
 
 use crate::mounts::result::{MountAtRest, MountStatics};
-use crate::mounts::system::{MountSystem, Spring};
+use crate::mounts::spring::Spring;
+use crate::mounts::system::MountSystem;
 use nalgebra::{Vector3, Vector6};
 
 /// Standard acceleration of gravity [m/s^2].

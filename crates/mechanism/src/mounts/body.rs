@@ -2,7 +2,7 @@
 
 use crate::mounts::error::MountError;
 use crate::mounts::result::MountedBody;
-use crate::rod_place::RodLinkage;
+use crate::train::rod_place::RodLinkage;
 use lanchester_model::{Block, Engine, InertiaFault, MovingParts};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;

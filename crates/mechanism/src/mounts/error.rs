@@ -1,6 +1,6 @@
 //! Why mounts cannot be computed.
 
-use crate::request::LoadError;
+use crate::inertia::request::LoadError;
 
 /// Why mounts cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,9 +1,9 @@
 //! What shakes the block: loads by order at each speed.
 
+use crate::inertia::request::LoadRequest;
+use crate::inertia::result::OrderLoads;
 use crate::mounts::error::MountError;
-use crate::request::LoadRequest;
-use crate::result::OrderLoads;
-use crate::train::Mechanism;
+use crate::train::mechanism::Mechanism;
 use lanchester_model::Engine;
 use nalgebra::{Vector3, Vector6};
 use num_complex::Complex64;

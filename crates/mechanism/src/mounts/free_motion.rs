@@ -1,7 +1,7 @@
 //! Motions that the mounts do not hold, in words.
 
+use crate::mounts::spring::Spring;
 use crate::mounts::symmetric::symmetric_eigen;
-use crate::mounts::system::Spring;
 use lanchester_model::Mount;
 use nalgebra::{DMatrix, Matrix6, Vector3};
 

@@ -5,11 +5,12 @@
 //! damped     ( p^2 M + p C + K (1 + i eta) ) s = 0    as a first-order system of 12 in (y, y'/w0)
 //! ```
 
-use crate::extremes::root;
+use crate::curves::extremes::root;
 use crate::mounts::error::MountError;
 use crate::mounts::result::{DampedMode, MountMode, MountModes};
+use crate::mounts::spring::Spring;
 use crate::mounts::symmetric::symmetric_eigen;
-use crate::mounts::system::{MountSystem, Spring};
+use crate::mounts::system::MountSystem;
 use nalgebra::{Matrix6, SMatrix, Schur, Vector6};
 use num_complex::Complex64;
 

@@ -6,11 +6,11 @@
 //! At t, -t, pi - t and pi + t the sums are those of even and odd harmonics, of cosines and sines, with other signs: a
 //! quarter of the cycle gives all of it. Newton's method on the slope of `f.f` takes each hill that can matter to its top.
 
-use crate::extremes::root;
+use crate::curves::extreme::Extreme;
+use crate::curves::extremes::root;
+use crate::inertia::request::MAX_REVOLUTIONS;
 use crate::mounts::error::MountError;
 use crate::mounts::result::OrderResponse;
-use crate::request::MAX_REVOLUTIONS;
-use crate::result::Extreme;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

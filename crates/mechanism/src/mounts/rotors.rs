@@ -8,24 +8,9 @@
 //! In roll, a drive that keeps the speed relative to the block constant turns every rotor on as the block rolls. It takes the torque for it from the ground,
 //! `SUM rho J phi_z''` by virtual work at crankshaft 1, and the block is spared as much: `(I_zz - J_rel) phi_z'' = M_z`.
 
-use crate::mounts::system::{Complex6x6, MountSystem};
-use lanchester_model::{Engine, RotatingBody};
+use crate::mounts::spring::Complex6x6;
+use crate::mounts::system::MountSystem;
 use num_complex::Complex64;
-
-/// Angular momentum of all that turns, relative to the block, over the speed of crankshaft 1: `SUM rho J` [kg m^2], of every rotor whose polar inertia is known.
-///
-/// `crankshafts`: inertia of all crankshafts as seen at crankshaft 1, in equal parts to each; by default that of the file.
-pub fn rotor_inertia_about_z(engine: &Engine, crankshafts: Option<f64>) -> f64 {
-    let wheel = engine.flywheel.as_ref();
-    let flywheel = wheel.and_then(|wheel| wheel.inertia).unwrap_or(0.0);
-    let seen = crankshafts.or(wheel.and_then(|wheel| wheel.crankshaft_inertia)).unwrap_or(0.0);
-    let ratios = || engine.crankshafts.iter().map(|shaft| shaft.ratio.value());
-    let squares: f64 = ratios().map(|ratio| ratio * ratio).sum();
-    let crankshafts = if squares > 0.0 { seen * ratios().sum::<f64>() / squares } else { 0.0 };
-    let bodies = engine.rotating_bodies(&[]);
-    let geared = bodies.iter().filter(|body| body.is_geared()).filter_map(RotatingBody::momentum);
-    flywheel + crankshafts + geared.sum::<f64>()
-}
 
 impl MountSystem {
     /// The same with this angular momentum of the rotors over the speed [kg m^2] in place of that of the file; 0 leaves it out.

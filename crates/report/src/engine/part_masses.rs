@@ -53,7 +53,7 @@ pub fn part_masses_table(weights: &[PartMass<'_>]) -> Table {
         columns,
     );
     if is_missing {
-        table.remark = "Where there is no mass, no shape of the ranges has the unbalance: `lanchester counterweight design` tells the nearest limits.".to_owned();
+        table.remark = "Where there is no mass, no shape of the ranges has the unbalance: the design of the counterweight tells the nearest limits.".to_owned();
     }
     table
 }

@@ -5,7 +5,7 @@ use crate::kit::figure::{Figure, Panel};
 use crate::kit::number::{self, Scale};
 use crate::kit::plot::{Legend, WIDTH};
 use crate::kit::svg::{Anchor, Path, Svg};
-use lanchester_balance::{CrankLoad, CrankSweep, SweptCrank};
+use lanchester_literature::{CrankLoad, CrankSweep, SweptCrank};
 
 const HEIGHT: f64 = 300.0;
 const LEFT: f64 = 60.0;
@@ -166,8 +166,8 @@ fn draw(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_balance::{SweepOptions, sweep};
     use lanchester_file::{read, template};
+    use lanchester_literature::{SweepOptions, sweep};
     use lanchester_mechanism::Kinematics;
 
     #[test]

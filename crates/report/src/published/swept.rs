@@ -6,7 +6,8 @@ use crate::loads::text::push_wrapped;
 use crate::optimum::consequence_tables::consequences_table;
 use crate::optimum::consequence_text::consequence_words;
 use crate::published::crank_curve::{load_name, load_unit};
-use lanchester_balance::{Consequences, CrankSweep, Swept, SweptCrank};
+use lanchester_balance::Consequences;
+use lanchester_literature::{CrankSweep, Swept, SweptCrank};
 use std::fmt::Write;
 
 /// What the sweep found, what its crank really does, and what the true optimum does, as aligned plain text; `consequences` of the crank
@@ -121,8 +122,9 @@ pub fn sweep_steps_table(sweep: &CrankSweep) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lanchester_balance::{SweepOptions, consequences, swept, with_even_crank};
+    use lanchester_balance::consequences;
     use lanchester_file::{read, template};
+    use lanchester_literature::{SweepOptions, swept, with_even_crank};
     use lanchester_mechanism::Kinematics;
     use lanchester_model::Engine;
 

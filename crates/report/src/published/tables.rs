@@ -3,7 +3,7 @@
 use crate::kit::number;
 use crate::kit::table::{Cell, Column, Table, column_cells};
 use lanchester_balance::Effect;
-use lanchester_balance::published::{
+use lanchester_literature::{
     BalancerPhase, Basis, Equilibrium, MatrixBalance, MethodAnswer, MethodFound, MethodWeight as Weight,
     OrderLeft, PrintedV, ShaftOrder, ThreeCylinderBalance,
 };

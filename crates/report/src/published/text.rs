@@ -9,7 +9,7 @@ use crate::published::tables::{
     equilibrium_table, method_effects_table, method_numbers_table, method_orders_table, method_weights_table,
 };
 use lanchester_balance::Consequences;
-use lanchester_balance::published::{MethodAnswer, MethodFound};
+use lanchester_literature::{MethodAnswer, MethodFound};
 use lanchester_model::Engine;
 use lanchester_task::{Criterion, criterion_name, criterion_unit};
 use std::fmt::Write;

@@ -79,7 +79,8 @@ impl CrankModes {
 
 /// Everything as plain text.
 pub fn modes_text(found: &CrankModes) -> String {
-    let mut out = format!("{}, natural modes of crankshaft {}\n\n", found.sheet.engine, found.sheet.crankshaft);
+    let mut out =
+        format!("{}, natural modes of crankshaft {}\n\n", found.sheet.engine, found.sheet.crankshaft);
     for words in found.words() {
         push_wrapped(&mut out, "", &words);
     }

@@ -78,8 +78,9 @@ impl StressCase {
 impl StaticStress {
     /// The case with the largest stress in a fillet.
     pub fn worst(&self) -> Option<&StressCase> {
-        let value =
-            |case: &StressCase| case.worst().and_then(|peak| peak.stress).map_or(0.0, |stress| stress.von_mises);
+        let value = |case: &StressCase| {
+            case.worst().and_then(|peak| peak.stress).map_or(0.0, |stress| stress.von_mises)
+        };
         self.cases.iter().max_by(|a, b| value(a).total_cmp(&value(b)))
     }
 
@@ -240,8 +241,7 @@ impl StaticStress {
         let solve = &self.solve;
         let imbalance = self.cases.iter().map(|case| {
             let size = case.load.iter().chain(&case.reaction).fold(0.0f64, |most, f| most.max(f.abs()));
-            let rest =
-                (0..3).map(|k| (case.load[k] + case.reaction[k]).abs()).fold(0.0f64, f64::max);
+            let rest = (0..3).map(|k| (case.load[k] + case.reaction[k]).abs()).fold(0.0f64, f64::max);
             if size > 0.0 && case.reaction.iter().any(|f| *f != 0.0) { rest / size } else { 0.0 }
         });
         format!(
@@ -289,8 +289,19 @@ pub fn static_stress_text(stress: &StaticStress) -> String {
 pub fn static_stress_csv(stress: &StaticStress) -> String {
     let mut out = String::new();
     let head = [
-        "case", "angle [deg]", "speed [rpm]", "place", "radius [mm]", "von Mises [MPa]", "principal [MPa]", "jump",
-        "x [mm]", "y [mm]", "z [mm]", "displacement [mm]", "energy [J]",
+        "case",
+        "angle [deg]",
+        "speed [rpm]",
+        "place",
+        "radius [mm]",
+        "von Mises [MPa]",
+        "principal [MPa]",
+        "jump",
+        "x [mm]",
+        "y [mm]",
+        "z [mm]",
+        "displacement [mm]",
+        "energy [J]",
     ];
     push_csv_line(&mut out, head.map(str::to_owned));
     for case in &stress.cases {

@@ -200,7 +200,7 @@ fn answer(text: &str) -> Result<GraphAnswer, Problem> {
         Ok(linear) => (linear.poles, None),
         Err(reason) => (Vec::new(), Some(reason.in_words().join(": "))),
     };
-    let Placed { size, elements, bonds } = placed(&graph, &found.causality);
+    let Placed { size, elements, bonds, .. } = placed(&graph, &found.causality);
     Ok(GraphAnswer {
         name: run.graph.clone(),
         size,

@@ -209,7 +209,7 @@ impl Ordinary {
         let idle_energy = idle_energy.unwrap_or(0.0);
         let bearings = of_bearings.into_iter().map(|part| {
             let is_mean = outputs.iter().any(|output| output.size == Size::Mean);
-            let samples = if is_mean { 92_160 } else { 720 };
+            let samples = if is_mean { 9216 } else { 720 };
             let request = BearingRequest { speed, part, counterweights: true, samples };
             bearing_loads(engine, Some(gas), &request).unwrap()
         });

@@ -1,6 +1,7 @@
 //! A quantity written anew in the unit that a text has.
 
-use super::number::{decimal, split};
+use super::decimal::decimal;
+use super::number::split;
 use super::unit::find_unit;
 use super::{Dimension, parse};
 

@@ -1,7 +1,8 @@
 //! What to write in place of a unit that is not known. A suggestion never changes what the number says: it is the same unit
 //! in its right spelling, or the number in another unit. Where neither is sure, the units are listed.
 
-use super::number::{decimal, scaled};
+use super::decimal::decimal;
+use super::number::scaled;
 use super::unit::{Unit, canonical};
 use super::{Dimension, Refusal};
 

@@ -1,7 +1,7 @@
 //! Dimensions and the units that they are written in.
 
-use super::number::decimal;
-use super::one_of;
+use super::decimal::decimal;
+use super::word_list::one_of;
 use std::f64::consts::PI;
 
 /// What a quantity measures.

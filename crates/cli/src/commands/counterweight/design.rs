@@ -1,13 +1,13 @@
 //! `lanchester counterweight design`: the best shape for every counterweight and every weight of a balance shaft.
 
 use super::{designed_counterweights, designed_shaft_weights, draw};
-use crate::commands::found::consequences;
-use crate::commands::put_back::PutBack;
+use crate::commands::balance::found::consequences;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;
 use crate::format::Format;
 use crate::options::counterweight::{DesignArguments, DesignMethod};
+use crate::put_back::PutBack;
 use crate::requests::shape::shape_request;
 use lanchester::balance::Consequences;
 use lanchester::file::EngineFile;

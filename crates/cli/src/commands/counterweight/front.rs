@@ -1,12 +1,12 @@
 //! `lanchester counterweight front`: the trade between two objectives, and the adoption of one of its designs.
 
 use super::{draw, list, room_words};
-use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};
 use crate::format::Format;
 use crate::options::counterweight::FrontArguments;
+use crate::put_back::PutBack;
 use crate::requests::shape::shape_request;
 use lanchester::geometry::Front;
 use lanchester::report::{front_designs_table, front_plot, objective_name};

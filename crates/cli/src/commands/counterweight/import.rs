@@ -1,11 +1,11 @@
 //! `lanchester counterweight import`: the outline of a counterweight from a drawing.
 
-use crate::commands::put_back::PutBack;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::{print, read_bytes};
 use crate::format::Format;
 use crate::options::counterweight::{Encloses, ImportArguments};
+use crate::put_back::PutBack;
 use lanchester::geometry::drawing::{Drawing, DrawingOptions, read_dxf, read_svg};
 use lanchester::geometry::{MassProperties, Part, counterweight_properties};
 use lanchester::model::{CounterweightForm, Engine};

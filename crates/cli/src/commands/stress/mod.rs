@@ -37,7 +37,9 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
 /// Says on standard error what will be solved, before it is.
 pub(crate) fn say(stage: StressStage) {
     match stage {
-        StressStage::Meshed(nodes, elements) => tell(format_args!("meshed: {nodes} nodes, {elements} elements")),
+        StressStage::Meshed(nodes, elements) => {
+            tell(format_args!("meshed: {nodes} nodes, {elements} elements"))
+        }
         StressStage::Factoring(estimate) => tell(format_args!(
             "factoring: {} unknowns, {} entries in the factor, {:.2} GiB, {:.1e} operations (some {:.0} s)",
             estimate.unknowns,
@@ -81,8 +83,12 @@ fn found_modes(
     held: CrankSupport,
     count: u32,
 ) -> Result<CrankModes, Failure> {
-    let request =
-        ModesRequest { mesh: mesh(own, 2)?, support: held, count: count as usize, solve: solve_options(own)? };
+    let request = ModesRequest {
+        mesh: mesh(own, 2)?,
+        support: held,
+        count: count as usize,
+        solve: solve_options(own)?,
+    };
     crank_modes(&opened.file.engine, &request, &say).map_err(Failure::refused)
 }
 
@@ -198,7 +204,10 @@ impl Form {
             Some("inp") => Ok(Form::Deck),
             Some("vtu") => Ok(Form::Vtu),
             _ => Err(Failure::input(
-                format_args!("--output needs a name that ends in .inp or .vtu, got {}", lanchester_files::shown(path)),
+                format_args!(
+                    "--output needs a name that ends in .inp or .vtu, got {}",
+                    lanchester_files::shown(path)
+                ),
                 "for example --output case.vtu",
             )),
         }

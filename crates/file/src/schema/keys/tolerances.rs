@@ -40,7 +40,7 @@ macro_rules! quantities {
 
 pub(super) static TOLERANCES: Table = Table {
     header: "[tolerances]",
-    doc: "What the parts of a production may be off, for `lanchester scatter`: every part by itself. What is one for all parts of an engine (a batch, a setting \
+    doc: "What the parts of a production may be off, for the scatter of a production: every part by itself. What is one for all parts of an engine (a batch, a setting \
           of a machine) stands in `[tolerances.common]` by the same keys.",
     keys: quantities!(key(
         "common",

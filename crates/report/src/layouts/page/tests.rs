@@ -1,8 +1,9 @@
 use super::*;
-use lanchester_balance::{
-    ArrangementOptions, arranged, arrangement_task, crank_load, crank_task, optimise, swept_crank,
-};
+use lanchester_balance::optimise;
 use lanchester_file::{read, template};
+use lanchester_literature::{
+    ArrangementOptions, arranged, arrangement_task, crank_load, crank_task, swept_crank,
+};
 use lanchester_mechanism::{LoadRequest, loads};
 use lanchester_task::BalanceTask;
 

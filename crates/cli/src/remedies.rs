@@ -1,0 +1,42 @@
+//! Which option or command mends an error: what only the command line can say. The errors themselves name neither.
+
+use lanchester::{CounterweightError, LayoutSize, LayoutSpaceError};
+use std::any::Any;
+
+/// What to write on the command line so that `error` goes, where an option or a command does it.
+pub fn remedy(error: &dyn Any) -> Option<String> {
+    let space = error.downcast_ref().and_then(of_space);
+    let counterweight = || error.downcast_ref().and_then(of_counterweight);
+    space.or_else(counterweight).map(str::to_owned)
+}
+
+fn of_space(error: &LayoutSpaceError) -> Option<&'static str> {
+    Some(match error {
+        LayoutSpaceError::Banks { .. } => "say which are meant with --in-line or --bank-angle",
+        LayoutSpaceError::Missing { size, .. } => match size {
+            LayoutSize::Spacing => "give --spacing",
+            LayoutSize::WebDistance => "give --web-distance",
+            LayoutSize::WebThickness => "give --web-thickness",
+            LayoutSize::PinDiameter => "give --pin-diameter",
+        },
+        LayoutSpaceError::InLineWithBanks => {
+            "leave --in-line out, or --bank-angle, --split-angle and --stagger"
+        }
+        LayoutSpaceError::OneBank => "add --bank-angle, such as --bank-angle '90 deg'",
+        _ => return None,
+    })
+}
+
+fn of_counterweight(error: &CounterweightError) -> Option<&'static str> {
+    Some(match error {
+        CounterweightError::NoneOnAWeb { has_weights: true } => "name one with --weight",
+        CounterweightError::NoneOnAWeb { has_weights: false } => {
+            "`lanchester balance FILE --counterweights webs --write` finds them"
+        }
+        CounterweightError::BareShaft { .. } => "`lanchester counterweight design FILE --write` finds shapes",
+        CounterweightError::NoPart => {
+            "`lanchester counterweight design FILE --write` finds shapes, `counterweight import` takes them from a drawing"
+        }
+        _ => return None,
+    })
+}

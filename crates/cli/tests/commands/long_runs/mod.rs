@@ -1,0 +1,5 @@
+//! Long runs: the same table whatever happens on the way.
+
+mod damaged;
+mod runs;
+mod scatter;

@@ -1,0 +1,10 @@
+//! Optima, methods and arrangements.
+
+mod balance;
+mod consequences;
+mod methods;
+mod search;
+mod search_limits;
+mod shaft_weights;
+mod speeds;
+mod sweep;

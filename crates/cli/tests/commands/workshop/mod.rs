@@ -1,0 +1,4 @@
+//! Balancing from measurements.
+
+mod bad_runs;
+mod crank;
