@@ -114,6 +114,14 @@ pub enum FlexError {
         /// What is wrong, and what fixes it.
         message: String,
     },
+    /// A file that is not what it should be.
+    #[error("the {what} cannot be read: {message}\nhint: write it anew")]
+    File {
+        /// What kind of file.
+        what: &'static str,
+        /// What is wrong.
+        message: String,
+    },
     /// A crankshaft that is no body.
     #[error(transparent)]
     Crankshaft(#[from] lanchester_geometry::crankshaft::CrankshaftError),

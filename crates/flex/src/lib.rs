@@ -13,6 +13,7 @@ mod error;
 mod material;
 pub mod mesh;
 pub mod modes;
+pub mod reduction;
 pub mod sparse;
 pub mod statics;
 pub mod vtu;

@@ -170,9 +170,10 @@ fn shift(mesh: &Mesh) -> f64 {
     0.01 * waves.fold(0.0, f64::max) / (length * length)
 }
 
-struct Pairs {
-    found: Vec<(f64, Vec<f64>, f64)>,
-    basis: usize,
+/// Modes found.
+pub(crate) struct Pairs {
+    pub found: Vec<(f64, Vec<f64>, f64)>,
+    pub basis: usize,
 }
 
 /// Vectors of the basis `q`, and `M q`.
@@ -215,7 +216,8 @@ impl Basis<'_> {
     }
 }
 
-fn lanczos(
+/// The lowest modes by the factor of `K + s M`: value, vector of modal mass 1, residual.
+pub(crate) fn lanczos(
     factor: &Factor<f64>,
     stiffness: &SymmetricMatrix,
     mass: &SymmetricMatrix,

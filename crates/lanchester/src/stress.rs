@@ -1,11 +1,15 @@
 //! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form.
 
+pub(crate) mod deck;
 pub(crate) mod export;
 pub(crate) mod loads;
+pub(crate) mod reduce;
 pub(crate) mod request;
 pub(crate) mod run;
 
+pub use deck::solve_deck;
 pub use export::{case_deck, case_vtu, modes_deck, modes_vtu};
+pub use reduce::reduced_crank;
 pub use request::{
     GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
 };

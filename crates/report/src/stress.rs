@@ -1,11 +1,15 @@
 //! The flexible crankshaft: static stress, natural modes.
 
 pub(crate) mod body;
+pub(crate) mod deck;
 pub(crate) mod modes;
+pub(crate) mod reduced;
 pub(crate) mod statics;
 
 pub use body::{CrankSheet, StressMaterial};
+pub use deck::{DECK_VERSION, SolvedDeck, SolvedStep, StaticStep, deck_csv, deck_text};
 pub use modes::{CrankModes, MODES_VERSION, modes_csv, modes_text};
+pub use reduced::{REDUCED_VERSION, ReducedCrank, reduced_csv, reduced_text};
 pub use statics::{
     PinForces, STATIC_STRESS_VERSION, StaticStress, StressCase, static_stress_csv, static_stress_text,
 };

@@ -36,6 +36,17 @@ pub enum StressCommand {
                             lanchester stress export four.toml --modes 10 --output modes.vtu"
     )]
     Export(ExportArguments),
+    /// Reduce the crankshaft to its bearing surfaces and a few modes: matrices for programs of multibody dynamics, with checks.
+    #[command(
+        after_help = "Examples:\n  lanchester stress reduce four.toml\n  lanchester stress reduce four.toml --modes 30 --output four.npz"
+    )]
+    Reduce(ReduceArguments),
+    /// Solve a CalculiX deck: C3D10, C3D15, C3D20, sets, materials, displacements, forces, static steps and natural modes.
+    #[command(
+        after_help = "Examples:\n  lanchester stress solve case.inp\n  lanchester stress solve case.inp --output case.vtu --format json\n\n\
+                            Units of a deck: N, mm, tonne, s, MPa. A card that is not read is an error with its line."
+    )]
+    Solve(SolveArguments),
 }
 
 /// Which crankshaft, and how fine its mesh is.
@@ -155,4 +166,44 @@ pub struct ExportArguments {
     /// File to write: `.inp` (CalculiX; N, mm, tonne, s, MPa) or `.vtu` (ParaView; SI).
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
+}
+
+/// `stress reduce`
+#[derive(Debug, Args)]
+pub struct ReduceArguments {
+    /// Which crankshaft, and how fine its mesh is.
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// Modes kept with all bearing surfaces fixed.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(0..=500))]
+    pub modes: u32,
+    /// File to write: `.npz`, which NumPy reads.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `stress solve`
+#[derive(Debug, Args)]
+pub struct SolveArguments {
+    /// Deck to solve.
+    #[arg(value_name = "DECK")]
+    pub file: PathBuf,
+    /// Most memory that matrix and factor may take, such as `4 GiB`.
+    #[arg(long, value_name = "SIZE", default_value = "8 GiB")]
+    pub memory: String,
+    /// Factor in double precision from the start.
+    #[arg(long)]
+    pub double: bool,
+    /// Integrate the mass with the rule of the stiffness, as CalculiX does.
+    #[arg(long)]
+    pub calculix_mass: bool,
+    /// Write displacements, stresses and modes into this file: `.vtu` (ParaView; SI).
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
 }

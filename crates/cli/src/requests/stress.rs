@@ -28,7 +28,7 @@ pub fn solve_options(own: &MeshArguments) -> Result<SolveOptions, Failure> {
 }
 
 /// `4 GiB`, `800 MB`.
-fn memory(text: &str) -> Result<u64, Failure> {
+pub fn memory(text: &str) -> Result<u64, Failure> {
     let units = [("GiB", 1u64 << 30), ("MiB", 1 << 20), ("GB", 1_000_000_000), ("MB", 1_000_000)];
     let text = text.trim();
     let found = units.iter().find_map(|(unit, bytes)| {

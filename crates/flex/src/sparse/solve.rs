@@ -7,6 +7,8 @@ use serde::Serialize;
 
 /// Residual over right-hand side that is asked for.
 const WANTED: f64 = 1e-11;
+/// Residual above which a factor in double precision is made: stiff supports leave rounding of up to that size in either precision.
+const ENOUGH: f64 = 1e-9;
 /// Iterations after which a factor in double precision is made.
 const ITERATIONS: usize = 15;
 /// Right-hand sides that go through a factor together.
@@ -110,7 +112,7 @@ impl Solver {
         let (mut iterations, mut residual) = (0, 0.0f64);
         for block in sides.chunks(TOGETHER) {
             let (mut solved, mut steps, mut worst) = self.refine(block);
-            if worst > WANTED && matches!(self.factor, Made::Single(_)) {
+            if (worst.is_nan() || worst > ENOUGH) && matches!(self.factor, Made::Single(_)) {
                 self.factor = Made::Double(Factor::new(&self.matrix, &self.plan)?);
                 (solved, steps, worst) = self.refine(block);
             }

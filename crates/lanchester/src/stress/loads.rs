@@ -22,6 +22,33 @@ pub(crate) struct NamedLoad {
     pub load: CrankLoad,
 }
 
+/// An angle at which something is largest, or a cylinder fires.
+struct Wanted {
+    theta: f64,
+    extremes: Vec<(usize, Vec<&'static str>)>,
+    fires: Vec<usize>,
+}
+
+impl Wanted {
+    /// The entry of an angle, new where there is none.
+    fn at(all: &mut Vec<Wanted>, theta: f64) -> &mut Wanted {
+        let place = all.iter().position(|own| (own.theta - theta).abs() < 1e-9).unwrap_or_else(|| {
+            all.push(Wanted { theta, extremes: Vec::new(), fires: Vec::new() });
+            all.len() - 1
+        });
+        &mut all[place]
+    }
+
+    /// "largest radial and resultant force on pin 1, firing top dead centre of cylinder 1".
+    fn words(&self) -> String {
+        let extreme = |(pin, names): &(usize, Vec<&str>)| {
+            format!("largest {} force on pin {pin}", names.join(" and "))
+        };
+        let fires = self.fires.iter().map(|cylinder| format!("firing top dead centre of cylinder {cylinder}"));
+        self.extremes.iter().map(extreme).chain(fires).collect::<Vec<_>>().join(", ")
+    }
+}
+
 /// All loads of a request, and where the pressures come from.
 pub(crate) fn named_loads(
     engine: &Engine,
@@ -99,16 +126,12 @@ fn of_closed_form(
     let count = (period / STEP).round() as usize;
     let grid: Vec<f64> = (0..count).map(|k| period * k as f64 / count as f64).collect();
     let over = at(&grid)?;
-    let mut wanted: Vec<(f64, Vec<String>)> = Vec::new();
-    let mut add =
-        |theta: f64, name: String| match wanted.iter_mut().find(|(own, _)| (own - theta).abs() < 1e-9) {
-            Some((_, names)) => names.push(name),
-            None => wanted.push((theta, vec![name])),
-        };
+    // Angle, extremes there by pin, cylinders that fire there.
+    let mut wanted: Vec<Wanted> = Vec::new();
     let throws = over.first().map_or(0, Vec::len);
     for k in 0..throws {
         let pin = over[0][k].throw + 1;
-        let sizes: [(&str, &dyn Fn(&ThrowForce) -> f64); 3] = [
+        let sizes: [(&'static str, &dyn Fn(&ThrowForce) -> f64); 3] = [
             ("radial", &|own| own.radial.abs()),
             ("tangential", &|own| own.tangential.abs()),
             ("resultant", &|own| own.force.norm()),
@@ -116,22 +139,26 @@ fn of_closed_form(
         for (name, size) in sizes {
             let best = (0..count).max_by(|a, b| size(&over[*a][k]).total_cmp(&size(&over[*b][k])));
             if let Some(best) = best {
-                add(grid[best], format!("largest {name} force on pin {pin}"));
+                let extremes = &mut Wanted::at(&mut wanted, grid[best]).extremes;
+                match extremes.iter_mut().find(|(own, _)| *own == pin) {
+                    Some((_, names)) => names.push(name),
+                    None => extremes.push((pin, vec![name])),
+                }
             }
         }
     }
     if let Some(gas) = gas {
         for (index, theta) in gas.firing_angles.iter().enumerate() {
             if engine.throws[engine.cylinders[index].throw].crankshaft == crankshaft {
-                add(theta.rem_euclid(period), format!("firing top dead centre of cylinder {}", index + 1));
+                Wanted::at(&mut wanted, theta.rem_euclid(period)).fires.push(index + 1);
             }
         }
     }
-    let angles: Vec<f64> = wanted.iter().map(|(theta, _)| *theta).collect();
+    let angles: Vec<f64> = wanted.iter().map(|own| own.theta).collect();
     let forces = at(&angles)?;
-    let loads = wanted.into_iter().zip(forces).map(|((theta, names), forces)| {
-        let name = format!("{}, {rpm:.0} rpm", names.join(" and "));
-        named(engine, crankshaft, name, theta, speed, &forces)
+    let loads = wanted.into_iter().zip(forces).map(|(own, forces)| {
+        let name = format!("{}, {rpm:.0} rpm", own.words());
+        named(engine, crankshaft, name, own.theta, speed, &forces)
     });
     Ok(loads.collect())
 }

@@ -107,7 +107,8 @@ pub fn crank_modes(
     Ok(CrankModes { version: MODES_VERSION, sheet, support, modes })
 }
 
-fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), StressError> {
+/// Refuses a crankshaft that is not there.
+pub(crate) fn check_crankshaft(engine: &Engine, mesh: StressMesh) -> Result<(), StressError> {
     let count = engine.crankshafts.len();
     if mesh.crankshaft < count {
         return Ok(());

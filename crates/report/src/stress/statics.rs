@@ -96,29 +96,33 @@ impl StaticStress {
         else {
             return "No fillet has a stress.".to_owned();
         };
-        let safety = self
-            .safety(stress.von_mises)
-            .map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)));
+        let safety = self.safety(stress.von_mises).map_or(String::new(), |safety| {
+            format!(", {} times below yield", number::short(safety, 3))
+        });
+        let force = |own: &PinForces| {
+            let [radial, tangential] = [own.radial, own.tangential].map(|f| number::short(1e-3 * f, 4));
+            format!("pin {} {radial} and {tangential} kN", own.pin)
+        };
+        let forces: Vec<String> = case.forces.iter().map(force).collect();
         format!(
-            "Largest fillet stress {} MPa (von Mises) at {}, under {}{safety}.",
+            "Largest fillet stress {} MPa (von Mises) at {}{safety}: {} (radial and tangential: {}).",
             number::short(1e-6 * stress.von_mises, 4),
             peak.name,
             case.name,
+            forces.join(", "),
         )
     }
 
     /// The load cases.
     pub(crate) fn cases_table(&self) -> Table {
         let cases = &self.cases;
-        let force = |case: &StressCase| {
-            let of = |own: &PinForces| {
-                format!("{}: {:.2}, {:.2}", own.pin, 1e-3 * own.radial, 1e-3 * own.tangential)
-            };
-            case.forces.iter().map(of).collect::<Vec<_>>().join("; ")
-        };
         let von_mises = |case: &StressCase| case.worst().and_then(|peak| peak.stress).map(|s| s.von_mises);
         let mut columns = vec![
-            words("case", cases.iter().map(|case| case.name.clone())),
+            (
+                Column::numbers("case", ""),
+                (1..=cases.len()).map(|k| Cell::Number { value: k as f64, decimals: 0 }).collect(),
+            ),
+            words("loads", cases.iter().map(|case| case.name.clone())),
             (
                 Column::numbers("angle", "deg"),
                 cases
@@ -131,8 +135,6 @@ impl StaticStress {
                     })
                     .collect(),
             ),
-            numbers("speed", "rpm", cases.iter().map(|case| number::rpm(case.speed)), 5),
-            words("pin: radial, tangential in kN", cases.iter().map(force)),
             numbers("displacement", "mm", cases.iter().map(|c| 1e3 * c.result.largest_displacement), 4),
             numbers("energy", "J", cases.iter().map(|case| case.energy), 5),
             numbers(
@@ -163,16 +165,16 @@ impl StaticStress {
         let count = self.cases.first().map_or(0, |case| case.result.peaks.len());
         let most = |k: usize| {
             let of = |case: &StressCase| case.result.peaks[k].stress.map_or(-1.0, |stress| stress.von_mises);
-            self.cases.iter().max_by(|a, b| of(a).total_cmp(&of(b)))
+            self.cases.iter().enumerate().max_by(|a, b| of(a.1).total_cmp(&of(b.1)))
         };
         let rows = (0..count).map(|k| {
             let corner = &self.sheet.crank.corners[k];
             let name = Cell::text(corner.name.clone());
             let radius = Cell::number(1e3 * corner.radius, 3);
-            let found = most(k).and_then(|case| Some((case, case.result.peaks[k].stress?)));
-            let Some((case, stress)) = found else {
-                let refused = Cell::text("sharp corner: the stress is unbounded");
-                return vec![name, radius, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, refused];
+            let found = most(k).and_then(|(index, case)| Some((index, case.result.peaks[k].stress?)));
+            let Some((index, stress)) = found else {
+                let name = Cell::text(format!("{} (sharp: stress unbounded)", corner.name));
+                return vec![name, radius, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty];
             };
             vec![
                 name,
@@ -181,7 +183,7 @@ impl StaticStress {
                 Cell::Number { value: 1e-6 * stress.principal, decimals: 1 },
                 Cell::Number { value: 100.0 * stress.jump, decimals: 1 },
                 Cell::Number { value: stress.angle.to_degrees(), decimals: 0 },
-                Cell::text(case.name.clone()),
+                Cell::Number { value: (index + 1) as f64, decimals: 0 },
             ]
         });
         Table {
@@ -199,7 +201,7 @@ impl StaticStress {
                 Column::numbers("principal", "MPa"),
                 Column::numbers("jump", "%"),
                 Column::numbers("angle", "deg"),
-                Column::words("case"),
+                Column::numbers("case", ""),
             ],
             rows: rows.collect(),
         }
@@ -209,16 +211,15 @@ impl StaticStress {
     pub(crate) fn surfaces_table(&self) -> Table {
         let count = self.cases.first().map_or(0, |case| case.result.surfaces.len());
         let most = |k: usize| {
-            let of =
-                |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
-            self.cases.iter().max_by(|a, b| of(a).total_cmp(&of(b)))
+            let of = |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
+            self.cases.iter().enumerate().max_by(|a, b| of(a.1).total_cmp(&of(b.1)))
         };
-        let found: Vec<(String, f64, String)> = (0..count)
+        let found: Vec<(String, f64, usize)> = (0..count)
             .filter_map(|k| {
-                let case = most(k)?;
+                let (index, case) = most(k)?;
                 let peak = &case.result.surfaces[k];
                 let name = peak.name.replace("PIN_", "pin ").replace("MAIN_", "journal ");
-                Some((name, 1e-6 * peak.stress?.von_mises, case.name.clone()))
+                Some((name, 1e-6 * peak.stress?.von_mises, index + 1))
             })
             .collect();
         Table::of_columns(
@@ -228,7 +229,10 @@ impl StaticStress {
             vec![
                 words("surface", found.iter().map(|row| row.0.clone())),
                 numbers("von Mises", "MPa", found.iter().map(|row| row.1), 4),
-                words("case", found.iter().map(|row| row.2.clone())),
+                (
+                    Column::numbers("case", ""),
+                    found.iter().map(|row| Cell::Number { value: row.2 as f64, decimals: 0 }).collect(),
+                ),
             ],
         )
     }

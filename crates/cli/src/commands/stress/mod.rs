@@ -2,21 +2,25 @@
 
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure};
-use crate::files::{print, tell, write_result};
+use crate::files::{print, read_bytes, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
-    ExportArguments, LoadArguments, MeshArguments, ModesArguments, StaticArguments, StressArguments,
-    StressCommand,
+    ExportArguments, LoadArguments, MeshArguments, ModesArguments, ReduceArguments, SolveArguments,
+    StaticArguments, StressArguments, StressCommand,
 };
-use crate::requests::stress::{loads, mesh, solve_options, support};
+use crate::requests::stress::{loads, memory, mesh, solve_options, support};
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_case::CrankSupport;
+use lanchester::flex::reduction::ReductionOptions;
+use lanchester::flex::sparse::Precision;
+use lanchester::flex::statics::SolveOptions;
 use lanchester::report::{
-    CrankModes, StaticStress, modes_csv, modes_text, static_stress_csv, static_stress_text,
+    CrankModes, StaticStress, deck_csv, deck_text, modes_csv, modes_text, reduced_csv, reduced_text, static_stress_csv,
+    static_stress_text,
 };
 use lanchester::{
     ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_modes, modes_deck, modes_vtu,
-    static_stress,
+    reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -25,6 +29,8 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
         StressCommand::Static(arguments) => statics(arguments, colour),
         StressCommand::Modes(arguments) => modes(arguments, colour),
         StressCommand::Export(arguments) => export(arguments, colour),
+        StressCommand::Reduce(arguments) => reduce(arguments, colour),
+        StressCommand::Solve(arguments) => solve(arguments),
     }
 }
 
@@ -127,6 +133,62 @@ fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     write_result(path, &own.file, &written)?;
     tell(format_args!("{} written", lanchester_files::shown(path)));
     Ok(DONE)
+}
+
+fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
+    let own = &arguments.mesh;
+    if let Some(path) = arguments.output.as_deref() {
+        ends_in(path, "npz")?;
+    }
+    let options = ReductionOptions { modes: arguments.modes as usize, memory: memory(&own.memory)? };
+    let opened = open(&own.file, colour)?;
+    let found =
+        reduced_crank(&opened.file.engine, mesh(own, 2)?, options, &say).map_err(Failure::refused)?;
+    if let Some(path) = &arguments.output {
+        write_result(path, &own.file, &found.model.to_npz())?;
+        tell(format_args!("{} written", lanchester_files::shown(path)));
+    }
+    print(&match arguments.format {
+        Format::Text => reduced_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => reduced_csv(&found),
+    })?;
+    Ok(DONE)
+}
+
+fn solve(arguments: &SolveArguments) -> Result<u8, Failure> {
+    if let Some(path) = arguments.output.as_deref() {
+        ends_in(path, "vtu")?;
+    }
+    let precision = if arguments.double { Precision::Double } else { Precision::Single };
+    let memory = memory(&arguments.memory)?;
+    let options = SolveOptions { precision, memory, coarse_mass: arguments.calculix_mass };
+    let bytes = read_bytes(&arguments.file, "give the path of a CalculiX deck")?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        Failure::input("a deck is text in ASCII or UTF-8", "is this the right file?")
+    })?;
+    let (found, pictures) = solve_deck(&text, options, &say).map_err(Failure::refused)?;
+    if let Some(path) = &arguments.output {
+        write_result(path, &arguments.file, &pictures)?;
+        tell(format_args!("{} written", lanchester_files::shown(path)));
+    }
+    print(&match arguments.format {
+        Format::Text => deck_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => deck_csv(&found),
+    })?;
+    Ok(DONE)
+}
+
+fn ends_in(path: &Path, ending: &str) -> Result<(), Failure> {
+    let own = path.extension().map(|own| own.to_string_lossy().to_lowercase());
+    if own.as_deref() == Some(ending) {
+        return Ok(());
+    }
+    Err(Failure::input(
+        format_args!("--output needs a name that ends in .{ending}, got {}", lanchester_files::shown(path)),
+        format_args!("for example --output crank.{ending}"),
+    ))
 }
 
 /// Forms of an export, by the ending of its name.

@@ -1,0 +1,164 @@
+//! `stress`: static cases, modes, exports, reduced models, decks, refusals.
+
+use crate::program::{folder, message, number, output, output_json};
+use std::fs;
+use std::path::PathBuf;
+
+/// One throw with fillets, coarse enough for a test.
+const ENGINE: &str = r#"
+name = "single"
+speed = ["1000 rpm", "4000 rpm"]
+[layout]
+type = "in-line"
+cylinders = 1
+spacing = "90 mm"
+[crank]
+stroke = "95.5 mm"
+web_distance = "48 mm"
+[crank.body]
+density = "7850 kg/m3"
+journal_diameter = "55 mm"
+pin_diameter = "48 mm"
+web_thickness = "20 mm"
+web_radius = "40 mm"
+pin_end_radius = "36 mm"
+end_journals = ["25 mm", "25 mm"]
+pin_fillet = "4 mm"
+journal_fillet = "4 mm"
+[crank.material]
+preset = "42CrMo4 quenched and tempered"
+[piston]
+mass = "0.5 kg"
+[rod]
+length = "150 mm"
+mass = "0.6 kg"
+"#;
+
+const COARSE: [&str; 4] = ["--size", "20 mm", "--fillet-elements", "2"];
+
+fn engine(test: &str, change: impl Fn(&str) -> String) -> PathBuf {
+    let folder = folder(test);
+    fs::write(folder.join("engine.toml"), change(ENGINE)).unwrap();
+    folder
+}
+
+fn words<'a>(rest: &[&'a str]) -> Vec<&'a str> {
+    [&["stress", rest[0], "engine.toml"], &rest[1..], &COARSE].concat()
+}
+
+#[test]
+fn fillets_of_the_built_in_cases_are_tabulated() {
+    let folder = engine("stress-static", str::to_owned);
+    let text = output(&folder, 0, &words(&["static"]));
+    for words in [
+        "static stress of crankshaft 1",
+        "Largest fillet stress",
+        "yield strength 650 MPa (typical value)",
+        "journal 1 at web 1",
+        "largest radial",
+        "4000 rpm",
+        "loads and reactions balance to",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let csv = output(&folder, 0, &words(&["static", "--angle", "0 deg", "--speed", "4000 rpm", "--format", "csv"]));
+    // Four fillets, a pin, two journals.
+    assert_eq!(csv.lines().count(), 1 + 7, "{csv}");
+}
+
+#[test]
+fn forces_are_in_balance_and_stress_is_proportional_to_them() {
+    let folder = engine("stress-force", str::to_owned);
+    let of = |force: &str| {
+        output_json(
+            &folder,
+            0,
+            &words(&["static", "--support", "clamped-ends", "--force", force, "--format", "json"]),
+        )
+    };
+    let [one, two] = [of("1: -20 kN, 5 kN"), of("1: -40 kN, 10 kN")];
+    let at = |json: &serde_json::Value, key: &str| number(json, &format!("/cases/0/{key}"));
+    // Throw 1 points along x, and the crankshaft turns from x to y.
+    for (key, wanted) in [("load/0", -20e3), ("load/1", 5e3), ("reaction/0", 20e3), ("reaction/1", -5e3)] {
+        assert!((at(&one, key) - wanted).abs() < 1e-4, "{key}: {}", at(&one, key));
+    }
+    for (key, factor) in [("energy", 4.0), ("result/largest_displacement", 2.0), ("result/peaks/1/stress/von_mises", 2.0)] {
+        let ratio = at(&two, key) / at(&one, key);
+        assert!((ratio / factor - 1.0).abs() < 1e-9, "{key}: {ratio}");
+    }
+}
+
+#[test]
+fn an_exported_deck_gives_the_same_numbers_when_it_is_solved() {
+    let folder = engine("stress-deck", str::to_owned);
+    let rest = ["--force", "1: -20 kN, 5 kN", "--speed", "4000 rpm"];
+    let json = output_json(&folder, 0, &words(&[&["static"], &rest[..], &["--format", "json"]].concat()));
+    output(&folder, 0, &words(&[&["export"], &rest[..], &["--output", "case.inp"]].concat()));
+    output(&folder, 0, &words(&[&["export"], &rest[..], &["--output", "case.vtu"]].concat()));
+    assert!(fs::read(folder.join("case.vtu")).unwrap().starts_with(b"<?xml"));
+    let solved =
+        output_json(&folder, 0, &["stress", "solve", "case.inp", "--output", "again.vtu", "--format", "json"]);
+    let [ours, theirs] = [number(&json, "/cases/0/energy"), number(&solved, "/steps/0/energy")];
+    assert!((ours / theirs - 1.0).abs() < 1e-9, "{ours} {theirs}");
+    let moved = [
+        number(&json, "/cases/0/result/largest_displacement"),
+        number(&solved, "/steps/0/largest_displacement/0"),
+    ];
+    assert!((moved[0] / moved[1] - 1.0).abs() < 1e-9, "{moved:?}");
+    assert!(fs::read(folder.join("again.vtu")).unwrap().starts_with(b"<?xml"));
+    let deck = fs::read_to_string(folder.join("case.inp")).unwrap().replace("*STATIC", "*DYNAMIC");
+    fs::write(folder.join("bad.inp"), deck).unwrap();
+    let words = message(&folder, 2, &["stress", "solve", "bad.inp"]);
+    assert!(words.contains("unknown card *DYNAMIC") && words.contains("line "), "{words}");
+}
+
+#[test]
+fn modes_and_a_reduced_model_agree_where_both_are_right() {
+    let folder = engine("stress-modes", str::to_owned);
+    let modes = output_json(&folder, 0, &words(&["modes", "-n", "4", "--format", "json"]));
+    let reduced = output_json(&folder, 0, &words(&["reduce", "--output", "crank.npz", "--format", "json"]));
+    assert!(fs::read(folder.join("crank.npz")).unwrap().starts_with(b"PK"));
+    assert!(number(&reduced, "/mass_error").abs() < 1e-9 && number(&reduced, "/residual") < 1e-9);
+    for k in 0..4 {
+        let full = number(&modes, &format!("/modes/modes/{k}/frequency"));
+        let own = number(&reduced, &format!("/frequencies/{k}/0"));
+        // Rigid bearing surfaces stiffen: never below the full model.
+        assert!(own > 0.999_99 * full && own < 1.5 * full, "mode {k}: {own} {full}");
+    }
+    let text = output(&folder, 0, &words(&["modes", "-n", "2"]));
+    assert!(text.contains("Natural modes") && text.contains("six rigid motions"), "{text}");
+}
+
+#[test]
+fn what_cannot_be_computed_is_refused() {
+    let folder = engine("stress-refused", str::to_owned);
+    for (rest, wanted) in [
+        (&["static", "--force", "2: 1 kN"][..], "pin 2 is needed"),
+        (&["static", "--force", "1 kN"], "--force needs a pin"),
+        (&["static", "--force", "1: 1 mm"], "--force"),
+        (&["static", "--crankshaft", "2"], "crankshaft 2 is needed"),
+        (&["static", "--memory", "1 MB"], "allow more memory"),
+        (&["static", "--memory", "much"], "--memory needs a size"),
+        (&["static", "--stiffness", "1 kN/mm"], "--support springs"),
+        (&["modes", "--fillet-elements", "3"], "an even number"),
+        (&["export", "--output", "case.stp"], ".inp or .vtu"),
+        (&["reduce", "--output", "case.zip"], ".npz"),
+    ] {
+        let mut all = vec!["stress", rest[0], "engine.toml", "--size", "20 mm"];
+        all.extend(&rest[1..]);
+        let words = message(&folder, 2, &all);
+        assert!(words.contains(wanted) && words.contains("hint:"), "{rest:?}: {words}");
+    }
+    // A sharp corner's stress is refused, and a crankshaft of sharp corners altogether.
+    let sharp = engine("stress-sharp", |text| text.replace("pin_fillet = \"4 mm\"\n", ""));
+    let text = output(&sharp, 0, &words(&["static", "--force", "1: -20 kN"]));
+    assert!(text.contains("pin 1 at web 1 (sharp: stress unbounded)"), "{text}");
+    let sharp = engine("stress-sharper", |text| {
+        text.replace("pin_fillet = \"4 mm\"\njournal_fillet = \"4 mm\"\n", "")
+    });
+    let refused = message(&sharp, 2, &words(&["static", "--force", "1: -20 kN"]));
+    assert!(refused.contains("sharp corner") && refused.contains("pin_fillet"), "{refused}");
+    let bare = engine("stress-bare", |text| text.replace("[crank.material]\npreset", "#preset"));
+    let text = output(&bare, 0, &words(&["static", "--force", "1: -20 kN"]));
+    assert!(text.contains("no yield strength, so no safety"), "{text}");
+}

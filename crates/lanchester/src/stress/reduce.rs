@@ -1,0 +1,47 @@
+//! The reduced model of a crankshaft.
+
+use crate::stress::request::{StressError, StressMesh, StressStage};
+use crate::stress::run::{check_crankshaft, sheet};
+use lanchester_flex::reduction::{ReducedModel, ReductionOptions, interfaces, reduce_watched};
+use lanchester_model::Engine;
+use lanchester_report::{REDUCED_VERSION, ReducedCrank};
+
+/// Reduces a crankshaft to its journals, pins and the flywheel's end face; `watch` sees how far it is.
+///
+/// # Errors
+/// As [`crate::static_stress`].
+pub fn reduced_crank(
+    engine: &Engine,
+    mesh: StressMesh,
+    options: ReductionOptions,
+    watch: &dyn Fn(StressStage),
+) -> Result<ReducedCrank, StressError> {
+    check_crankshaft(engine, mesh)?;
+    let sheet = sheet(engine, mesh, watch)?;
+    let named = |prefix: &str| -> Vec<String> {
+        let sets = sheet.crank.mesh.sets.iter().map(|set| set.name.clone());
+        sets.filter(|name| name.starts_with(prefix)).collect()
+    };
+    let sets = [named("MAIN_"), named("PIN_"), named("FLYWHEEL")].concat();
+    let own = interfaces(&sheet.crank.mesh, &sets)?;
+    let estimate = |estimate: &_| watch(StressStage::Factoring(*estimate));
+    let reduction = reduce_watched(&sheet.crank.mesh, &own, options, &estimate)?;
+    let model = reduction.model;
+    let size = model.size();
+    // All reference points along x.
+    let along = |k: usize| if k < 6 * own.len() && k.is_multiple_of(6) { 1.0 } else { 0.0 };
+    let mass: f64 = (0..size * size).map(|k| along(k / size) * model.mass[k] * along(k % size)).sum();
+    let fewer = model.truncated(model.frequencies.len() - model.frequencies.len() / 3);
+    let free = |model: &ReducedModel| -> Vec<f64> {
+        model.modes().iter().skip(6).map(|mode| mode.frequency).collect()
+    };
+    let frequencies = free(&model).into_iter().zip(free(&fewer)).map(|(all, fewer)| [all, fewer]).collect();
+    Ok(ReducedCrank {
+        version: REDUCED_VERSION,
+        residual: reduction.residual,
+        mass_error: mass / sheet.crank.quality.mass - 1.0,
+        frequencies,
+        model,
+        sheet,
+    })
+}
