@@ -106,7 +106,8 @@ impl Dense {
             b[*k] += force;
         }
         for k in 0..size {
-            let best = (k..size).max_by(|p, q| a[p * size + k].abs().total_cmp(&a[q * size + k].abs())).unwrap();
+            let best =
+                (k..size).max_by(|p, q| a[p * size + k].abs().total_cmp(&a[q * size + k].abs())).unwrap();
             for column in 0..size {
                 a.swap(k * size + column, best * size + column);
             }
@@ -130,8 +131,7 @@ impl Dense {
 }
 
 /// Springs on displacements of both mains and on the rotation of the second: what holds the bar.
-const SPRINGS: [(usize, f64); 6] =
-    [(0, 2e8), (1, 2e8), (12, 3e8), (13, 3e8), (14, 1e8), (17, 4e5)];
+const SPRINGS: [(usize, f64); 6] = [(0, 2e8), (1, 2e8), (12, 3e8), (13, 3e8), (14, 1e8), (17, 4e5)];
 
 #[test]
 fn static_response_is_that_of_the_full_model() {
@@ -147,7 +147,12 @@ fn static_response_is_that_of_the_full_model() {
             [held.solve(&SPRINGS, &[(coordinate, force)]), full.solve(&SPRINGS, &[(coordinate, force)])];
         let largest = theirs[..18].iter().fold(0.0f64, |most, q| most.max(q.abs()));
         for k in 0..18 {
-            assert!((ours[k] - theirs[k]).abs() < 1e-8 * largest, "{coordinate} {k}: {} {}", ours[k], theirs[k]);
+            assert!(
+                (ours[k] - theirs[k]).abs() < 1e-8 * largest,
+                "{coordinate} {k}: {} {}",
+                ours[k],
+                theirs[k]
+            );
         }
         // Every free node, too.
         let moved = reduction.displacements(&ours);
@@ -179,7 +184,11 @@ fn frequencies_are_those_of_the_full_model_free_and_on_springs() {
         for (mode, wanted) in found.iter().zip(&wanted).filter(|(_, wanted)| **wanted < highest) {
             // By Rayleigh's bound a reduced model is never softer.
             let off = mode.frequency - wanted;
-            assert!(off > -1e-6 * highest && off < 1e-3 * wanted + 1e-6 * highest, "{} {wanted}", mode.frequency);
+            assert!(
+                off > -1e-6 * highest && off < 1e-3 * wanted + 1e-6 * highest,
+                "{} {wanted}",
+                mode.frequency
+            );
             compared += 1;
         }
         assert!(compared >= 12, "{compared} of {size}");
@@ -187,9 +196,8 @@ fn frequencies_are_those_of_the_full_model_free_and_on_springs() {
         assert_eq!(rigid, if springs.is_empty() { 6 } else { 0 });
         for mode in &found {
             let q = &mode.coordinates;
-            let modal: f64 = (0..size * size)
-                .map(|k| q[k / size] * reduction.model.mass[k] * q[k % size])
-                .sum();
+            let modal: f64 =
+                (0..size * size).map(|k| q[k / size] * reduction.model.mass[k] * q[k % size]).sum();
             assert!((modal - 1.0).abs() < 1e-9, "{modal}");
         }
     }

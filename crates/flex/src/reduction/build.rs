@@ -61,7 +61,11 @@ impl Reduction {
 /// # Errors
 /// As [`Mesh::check`]; [`FlexError::Memory`], [`FlexError::NotDefinite`], [`FlexError::NoConvergence`]; [`FlexError::Number`] without
 /// interfaces or with more modes than unknowns.
-pub fn reduce(mesh: &Mesh, interfaces: &[Interface], options: ReductionOptions) -> Result<Reduction, FlexError> {
+pub fn reduce(
+    mesh: &Mesh,
+    interfaces: &[Interface],
+    options: ReductionOptions,
+) -> Result<Reduction, FlexError> {
     reduce_watched(mesh, interfaces, options, &|_| {})
 }
 
@@ -131,7 +135,9 @@ impl Parts<'_> {
     /// Values of the free unknowns put into all of them.
     fn full(&self, inner: &[f64], rest: &[f64]) -> Vec<f64> {
         let mut values = inner.iter();
-        let of = |(free, rest): (&bool, &f64)| if *free { values.next().copied().unwrap_or_default() } else { *rest };
+        let of = |(free, rest): (&bool, &f64)| {
+            if *free { values.next().copied().unwrap_or_default() } else { *rest }
+        };
         self.free.iter().zip(rest).map(of).collect()
     }
 

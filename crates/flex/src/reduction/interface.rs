@@ -38,7 +38,8 @@ impl Interface {
 pub fn interfaces(mesh: &Mesh, sets: &[String]) -> Result<Vec<Interface>, FlexError> {
     let mut taken: HashSet<u32> = HashSet::new();
     let one = |name: &String| {
-        let nodes: Vec<u32> = mesh.set(name)?.nodes.iter().copied().filter(|node| taken.insert(*node)).collect();
+        let nodes: Vec<u32> =
+            mesh.set(name)?.nodes.iter().copied().filter(|node| taken.insert(*node)).collect();
         if nodes.len() < 3 {
             return Err(FlexError::Number {
                 quantity: format!("the number of nodes of {name}"),

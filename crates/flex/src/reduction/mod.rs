@@ -13,7 +13,7 @@ mod interface;
 mod model;
 mod npz;
 
-pub use build::{ReductionOptions, Reduction, reduce, reduce_watched};
+pub use build::{Reduction, ReductionOptions, reduce, reduce_watched};
 pub use interface::{Interface, interfaces};
-pub use model::{ReducedModel, ReducedMode};
+pub use model::{ReducedMode, ReducedModel};
 pub use npz::{Array, read_npz, write_npz};

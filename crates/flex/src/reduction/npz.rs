@@ -119,7 +119,8 @@ pub fn read_npz(bytes: &[u8]) -> Result<Vec<(String, Array)>, FlexError> {
         if bytes.get(place..place + 4) != Some(b"PK\x01\x02") {
             return Err(wrong("its directory is damaged"));
         }
-        let (method, sum, length) = (short(bytes, place + 10)?, long(bytes, place + 16)?, long(bytes, place + 24)?);
+        let (method, sum, length) =
+            (short(bytes, place + 10)?, long(bytes, place + 16)?, long(bytes, place + 24)?);
         let (name_length, extra, comment) =
             (short(bytes, place + 28)?, short(bytes, place + 30)?, short(bytes, place + 32)?);
         let start = long(bytes, place + 42)?;
@@ -155,7 +156,12 @@ fn array(name: &str, data: &[u8]) -> Result<Array, FlexError> {
     }
     let shape = value("'shape'").and_then(|rest| rest.trim_start_matches('(').split(')').next());
     let shape: Option<Vec<usize>> = shape.and_then(|shape| {
-        shape.split(',').map(str::trim).filter(|part| !part.is_empty()).map(|part| part.parse().ok()).collect()
+        shape
+            .split(',')
+            .map(str::trim)
+            .filter(|part| !part.is_empty())
+            .map(|part| part.parse().ok())
+            .collect()
     });
     let shape = shape.ok_or_else(|| other("has no shape"))?;
     let rest = &data[10 + length..];
@@ -172,7 +178,8 @@ fn array(name: &str, data: &[u8]) -> Result<Array, FlexError> {
         };
         return Ok(Array::Numbers { shape, values: rest.chunks_exact(8).map(number).collect() });
     }
-    let length = kind.strip_prefix("|S").and_then(|length| length.parse::<usize>().ok()).filter(|length| *length > 0);
+    let length =
+        kind.strip_prefix("|S").and_then(|length| length.parse::<usize>().ok()).filter(|length| *length > 0);
     match length {
         Some(length) if shape.len() == 1 && rest.len() == count.saturating_mul(length) => {
             let word = |own: &[u8]| String::from_utf8_lossy(own).trim_end_matches('\0').to_owned();

@@ -45,10 +45,26 @@ pub fn solve_deck(
                 };
                 let (moved, moved_at) = largest(&|node| length(&solution.displacements[node]));
                 let (stress, stress_at) = largest(&|node| stresses[node].stress.von_mises());
-                let jump = stresses.get(stress_at).map_or(0.0, |own| own.jump / stress.max(f64::MIN_POSITIVE));
-                fields.push(field(index, "displacement", 3, solution.displacements.iter().flatten().copied().collect()));
-                fields.push(field(index, "stress xx yy zz xy yz zx", 6, stresses.iter().flat_map(|own| own.stress.0).collect()));
-                fields.push(field(index, "von Mises", 1, stresses.iter().map(|own| own.stress.von_mises()).collect()));
+                let jump =
+                    stresses.get(stress_at).map_or(0.0, |own| own.jump / stress.max(f64::MIN_POSITIVE));
+                fields.push(field(
+                    index,
+                    "displacement",
+                    3,
+                    solution.displacements.iter().flatten().copied().collect(),
+                ));
+                fields.push(field(
+                    index,
+                    "stress xx yy zz xy yz zx",
+                    6,
+                    stresses.iter().flat_map(|own| own.stress.0).collect(),
+                ));
+                fields.push(field(
+                    index,
+                    "von Mises",
+                    1,
+                    stresses.iter().map(|own| own.stress.von_mises()).collect(),
+                ));
                 steps.push(SolvedStep::Static(StaticStep {
                     energy: solution.energy,
                     largest_displacement: (moved, number(moved_at)),

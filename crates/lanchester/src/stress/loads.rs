@@ -41,10 +41,10 @@ impl Wanted {
 
     /// "largest radial and resultant force on pin 1, firing top dead centre of cylinder 1".
     fn words(&self) -> String {
-        let extreme = |(pin, names): &(usize, Vec<&str>)| {
-            format!("largest {} force on pin {pin}", names.join(" and "))
-        };
-        let fires = self.fires.iter().map(|cylinder| format!("firing top dead centre of cylinder {cylinder}"));
+        let extreme =
+            |(pin, names): &(usize, Vec<&str>)| format!("largest {} force on pin {pin}", names.join(" and "));
+        let fires =
+            self.fires.iter().map(|cylinder| format!("firing top dead centre of cylinder {cylinder}"));
         self.extremes.iter().map(extreme).chain(fires).collect::<Vec<_>>().join(", ")
     }
 }

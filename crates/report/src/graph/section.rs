@@ -6,7 +6,7 @@ use crate::kit::flow::energy_flow;
 use crate::kit::number;
 use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table};
-use crate::simulated::section::{curve, figure, panel};
+use crate::simulated::figure::{curve, figure, panel};
 use lanchester_bondgraph::{Audit, Causality, Equation, Kind, Placed, ShownEquations, Simulation};
 use serde::Serialize;
 use std::collections::BTreeMap;

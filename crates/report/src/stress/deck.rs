@@ -1,8 +1,8 @@
 //! Results of a CalculiX deck: their tables.
 
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
-use crate::loads::text::push_wrapped;
 use lanchester_flex::mesh::MeshQuality;
 use lanchester_flex::modes::ModeSolution;
 use lanchester_flex::sparse::SolveReport;

@@ -2,8 +2,8 @@
 
 use super::body::CrankSheet;
 use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
-use crate::loads::text::push_wrapped;
 use lanchester_flex::reduction::ReducedModel;
 use serde::Serialize;
 
@@ -51,9 +51,7 @@ impl ReducedCrank {
     /// Free frequencies and what the truncation does to them.
     pub(crate) fn frequencies_table(&self) -> Table {
         let rows = &self.frequencies[..self.frequencies.len().min(LISTED)];
-        let change = rows.iter().map(|[all, fewer]| {
-            Cell::text(format!("{:.1e}", fewer / all - 1.0))
-        });
+        let change = rows.iter().map(|[all, fewer]| Cell::text(format!("{:.1e}", fewer / all - 1.0)));
         Table::of_columns(
             "reduced-frequencies",
             "Free natural frequencies of the reduced model",
@@ -71,9 +69,9 @@ impl ReducedCrank {
 
     pub(crate) fn words(&self) -> Vec<String> {
         let frequencies = &self.model.frequencies;
-        let highest = frequencies.last().map_or(String::new(), |last| {
-            format!(", up to {} Hz", number::short(*last, 5))
-        });
+        let highest = frequencies
+            .last()
+            .map_or(String::new(), |last| format!(", up to {} Hz", number::short(*last, 5)));
         let mut words = vec![format!(
             "{} coordinates: {} of {} reference points, {} modes with all of these fixed{highest}.",
             self.model.size(),

@@ -96,9 +96,9 @@ impl StaticStress {
         else {
             return "No fillet has a stress.".to_owned();
         };
-        let safety = self.safety(stress.von_mises).map_or(String::new(), |safety| {
-            format!(", {} times below yield", number::short(safety, 3))
-        });
+        let safety = self
+            .safety(stress.von_mises)
+            .map_or(String::new(), |safety| format!(", {} times below yield", number::short(safety, 3)));
         let force = |own: &PinForces| {
             let [radial, tangential] = [own.radial, own.tangential].map(|f| number::short(1e-3 * f, 4));
             format!("pin {} {radial} and {tangential} kN", own.pin)
@@ -211,7 +211,8 @@ impl StaticStress {
     pub(crate) fn surfaces_table(&self) -> Table {
         let count = self.cases.first().map_or(0, |case| case.result.surfaces.len());
         let most = |k: usize| {
-            let of = |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
+            let of =
+                |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
             self.cases.iter().enumerate().max_by(|a, b| of(a.1).total_cmp(&of(b.1)))
         };
         let found: Vec<(String, f64, usize)> = (0..count)

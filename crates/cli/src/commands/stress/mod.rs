@@ -15,8 +15,8 @@ use lanchester::flex::reduction::ReductionOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::report::{
-    CrankModes, StaticStress, deck_csv, deck_text, modes_csv, modes_text, reduced_csv, reduced_text, static_stress_csv,
-    static_stress_text,
+    CrankModes, StaticStress, deck_csv, deck_text, modes_csv, modes_text, reduced_csv, reduced_text,
+    static_stress_csv, static_stress_text,
 };
 use lanchester::{
     ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_modes, modes_deck, modes_vtu,
@@ -142,8 +142,7 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
     }
     let options = ReductionOptions { modes: arguments.modes as usize, memory: memory(&own.memory)? };
     let opened = open(&own.file, colour)?;
-    let found =
-        reduced_crank(&opened.file.engine, mesh(own, 2)?, options, &say).map_err(Failure::refused)?;
+    let found = reduced_crank(&opened.file.engine, mesh(own, 2)?, options, &say).map_err(Failure::refused)?;
     if let Some(path) = &arguments.output {
         write_result(path, &own.file, &found.model.to_npz())?;
         tell(format_args!("{} written", lanchester_files::shown(path)));
@@ -164,9 +163,8 @@ fn solve(arguments: &SolveArguments) -> Result<u8, Failure> {
     let memory = memory(&arguments.memory)?;
     let options = SolveOptions { precision, memory, coarse_mass: arguments.calculix_mass };
     let bytes = read_bytes(&arguments.file, "give the path of a CalculiX deck")?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        Failure::input("a deck is text in ASCII or UTF-8", "is this the right file?")
-    })?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Failure::input("a deck is text in ASCII or UTF-8", "is this the right file?"))?;
     let (found, pictures) = solve_deck(&text, options, &say).map_err(Failure::refused)?;
     if let Some(path) = &arguments.output {
         write_result(path, &arguments.file, &pictures)?;

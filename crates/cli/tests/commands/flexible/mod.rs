@@ -61,7 +61,8 @@ fn fillets_of_the_built_in_cases_are_tabulated() {
     ] {
         assert!(text.contains(words), "{words}: {text}");
     }
-    let csv = output(&folder, 0, &words(&["static", "--angle", "0 deg", "--speed", "4000 rpm", "--format", "csv"]));
+    let csv =
+        output(&folder, 0, &words(&["static", "--angle", "0 deg", "--speed", "4000 rpm", "--format", "csv"]));
     // Four fillets, a pin, two journals.
     assert_eq!(csv.lines().count(), 1 + 7, "{csv}");
 }
@@ -82,7 +83,9 @@ fn forces_are_in_balance_and_stress_is_proportional_to_them() {
     for (key, wanted) in [("load/0", -20e3), ("load/1", 5e3), ("reaction/0", 20e3), ("reaction/1", -5e3)] {
         assert!((at(&one, key) - wanted).abs() < 1e-4, "{key}: {}", at(&one, key));
     }
-    for (key, factor) in [("energy", 4.0), ("result/largest_displacement", 2.0), ("result/peaks/1/stress/von_mises", 2.0)] {
+    for (key, factor) in
+        [("energy", 4.0), ("result/largest_displacement", 2.0), ("result/peaks/1/stress/von_mises", 2.0)]
+    {
         let ratio = at(&two, key) / at(&one, key);
         assert!((ratio / factor - 1.0).abs() < 1e-9, "{key}: {ratio}");
     }
@@ -96,8 +99,11 @@ fn an_exported_deck_gives_the_same_numbers_when_it_is_solved() {
     output(&folder, 0, &words(&[&["export"], &rest[..], &["--output", "case.inp"]].concat()));
     output(&folder, 0, &words(&[&["export"], &rest[..], &["--output", "case.vtu"]].concat()));
     assert!(fs::read(folder.join("case.vtu")).unwrap().starts_with(b"<?xml"));
-    let solved =
-        output_json(&folder, 0, &["stress", "solve", "case.inp", "--output", "again.vtu", "--format", "json"]);
+    let solved = output_json(
+        &folder,
+        0,
+        &["stress", "solve", "case.inp", "--output", "again.vtu", "--format", "json"],
+    );
     let [ours, theirs] = [number(&json, "/cases/0/energy"), number(&solved, "/steps/0/energy")];
     assert!((ours / theirs - 1.0).abs() < 1e-9, "{ours} {theirs}");
     let moved = [
