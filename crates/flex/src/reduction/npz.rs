@@ -113,6 +113,9 @@ fn long(bytes: &[u8], at: usize) -> Result<usize, FlexError> {
 pub fn read_npz(bytes: &[u8]) -> Result<Vec<(String, Array)>, FlexError> {
     let end = bytes.windows(4).rposition(|four| four == b"PK\x05\x06");
     let end = end.ok_or_else(|| wrong("it has no directory: it is no .npz file, or cut off"))?;
+    if bytes.len() != end + 22 + short(bytes, end + 20)? {
+        return Err(wrong("it is cut off"));
+    }
     let (count, mut place) = (short(bytes, end + 10)?, long(bytes, end + 16)?);
     let mut arrays = Vec::new();
     for _ in 0..count {

@@ -90,7 +90,7 @@ fn what_cannot_be_designed_is_told() {
     assert!(error.contains("\"web 3\"") && error.contains("\"web 1\", \"web 2\", \"flywheel\""), "{error}");
     let bare = engine.without_counterweights();
     let error = design_counterweights(&bare, &request(&[])).unwrap_err().to_string();
-    assert!(error.contains("--counterweights webs"), "{error}");
+    assert!(error.contains("hint: find the best ones on the webs first"), "{error}");
     let both = request(&["web 1", "flywheel"]);
     let error = counterweight_front(&engine, &both, Objective::SweptRadius, 5).unwrap_err().to_string();
     assert!(error.contains("web 1 0.030000 kg m, flywheel 0.001000 kg m"), "{error}");
