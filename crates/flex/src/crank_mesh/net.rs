@@ -42,6 +42,10 @@ pub(super) fn net(chords: &Chords, size: f64) -> Result<Net, Point> {
         }
         net.add_constraint(a, b);
     }
+    if net.inner_faces().any(|face| is_flat(face.positions())) {
+        // Nearly straight lines of the hull leave triangles whose circumcentres are out of reach: a frame takes the hull's place.
+        frame(&mut net, size).map_err(|_| chords.points[0])?;
+    }
     let parameters = RefinementParameters::<f64>::new()
         .keep_constraint_edges()
         .with_angle_limit(AngleLimit::from_deg(ANGLE))
@@ -69,6 +73,37 @@ pub(super) fn net(chords: &Chords, size: f64) -> Result<Net, Point> {
     let triangles = net.triangles.iter().copied().filter(|corners| !is_flat(corners)).collect();
     net.triangles = triangles;
     Ok(net)
+}
+
+/// Whether a triangle's circumcentre is too far away to be found among the others: its height is rounding beside its longest side.
+fn is_flat(corners: [Point2<f64>; 3]) -> bool {
+    let [a, b, c] = corners.map(|at| Point::new(at.x, at.y));
+    let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+    (b - a).cross(c - a).abs() < FLAT * longest
+}
+
+/// Inserts the corners of a rectangle about all points, two edges of elements away.
+fn frame(
+    net: &mut ConstrainedDelaunayTriangulation<Point2<f64>>,
+    size: f64,
+) -> Result<(), spade::InsertionError> {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for vertex in net.vertices() {
+        let at = vertex.position();
+        for (k, value) in [at.x, at.y].into_iter().enumerate() {
+            (low[k], high[k]) = (low[k].min(value), high[k].max(value));
+        }
+    }
+    let room = 2.0 * size;
+    for (x, y) in [
+        (low[0] - room, low[1] - room),
+        (high[0] + room, low[1] - room),
+        (high[0] + room, high[1] + room),
+        (low[0] - room, high[1] + room),
+    ] {
+        net.insert(Point2::new(x, y))?;
+    }
+    Ok(())
 }
 
 impl Net {

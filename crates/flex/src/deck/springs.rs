@@ -33,8 +33,9 @@ pub(super) fn write_springs(text: &mut String, mesh: &Mesh, case: &StaticCase) {
         all.sort_by(|a, b| b.2.abs().total_cmp(&a.2.abs()).then(a.cmp_place(b)));
         all.push((number(index), 1, -1.0));
         for chunk in all.chunks(4) {
+            // CalculiX reads no more than 20 characters of a number.
             let words: Vec<String> =
-                chunk.iter().map(|(node, axis, weight)| format!("{node}, {axis}, {weight:.15e}")).collect();
+                chunk.iter().map(|(node, axis, weight)| format!("{node}, {axis}, {weight:.13e}")).collect();
             let _ = writeln!(text, "{}", words.join(", "));
         }
     }
