@@ -47,7 +47,9 @@ pub use consequences::consequences;
 pub use crosscheck::*;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use graph_report::bond_graph_report;
-pub use inertias::{DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, shaped_crankshafts};
+pub use inertias::{
+    DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, rotating_bodies, shaped_crankshafts,
+};
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;

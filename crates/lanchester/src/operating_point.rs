@@ -1,7 +1,7 @@
 //! An engine at one speed with the gas of its file, for sensitivities.
 
+use crate::inertias::known_inertia;
 use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
-use crate::torque_report::known_inertia;
 use lanchester_mechanism::OuterTorque;
 use lanchester_model::Engine;
 use lanchester_study::sensitivity::{Needs, OperatingPoint, Weights};

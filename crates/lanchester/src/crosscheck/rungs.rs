@@ -1,9 +1,9 @@
 //! Closed form and bond graph held against the multibody simulation of the same engine.
 
 use crate::crosscheck::orders::order_rows;
+use crate::inertias::{known_inertia, rotating_bodies};
 use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
 use crate::pressure::simulated::GivenGas;
-use crate::torque_report::known_inertia;
 use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{
     BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque,
@@ -120,7 +120,7 @@ pub fn crosscheck(
 
 /// What is known of the inertia of everything that turns: keys of the file, else the crank as a body.
 pub fn rotor_inertia(engine: &Engine) -> RotorInertia {
-    RotorInertia::with_crankshafts(engine, known_inertia(engine).crankshaft)
+    RotorInertia::of(&rotating_bodies(engine))
 }
 
 /// One engine in both computations.
