@@ -81,8 +81,8 @@ impl BestShape {
         Ok(best)
     }
 
-    /// As [`BestShape::find`]; where there is none, limits are told as far as the last envelope knows them.
-    fn find_as_asked(
+    /// As [`BestShape::find`]; where there is none, limits are told as far as the last envelope knows them, which takes no further search.
+    pub fn find_as_asked(
         engine: &Engine,
         index: usize,
         duty: f64,
@@ -166,6 +166,14 @@ impl BestShape {
             best.value = best.design.value(task.minimise);
         }
         Ok(found)
+    }
+
+    /// The shape, where there is one.
+    pub fn design(&self) -> Option<Design> {
+        match &self.outcome {
+            DesignOutcome::Found(best) => Some(best.design),
+            DesignOutcome::Infeasible(_) => None,
+        }
     }
 
     /// Mass of the part as it is exported [kg].

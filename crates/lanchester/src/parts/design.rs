@@ -216,26 +216,17 @@ pub fn design_counterweights(
     request: &CounterweightRequest,
 ) -> Result<CounterweightDesigns, CounterweightError> {
     let mut weights: Vec<DesignedCounterweight> = Vec::new();
-    let mut done: Vec<(f64, BestShape)> = Vec::new();
+    let mut done = Alike::default();
     for (index, duty) in duties(engine, request)? {
-        let name = engine.counterweights[index].name.clone();
-        // Weights of one duty that stand alike on their webs have one shape.
-        let tilt = tilt(engine, &engine.counterweights[index]);
-        let mut alike = None;
-        for (at, (known_tilt, known)) in done.iter().enumerate() {
-            if known.duty == duty && (known_tilt - tilt).abs() < 1e-9 && known.is_best_for(engine, index)? {
-                alike = Some(at);
-                break;
-            }
-        }
-        let known = alike.map(|at| done[at].1.clone());
+        let known = done.find(engine, index, duty)?.cloned();
+        let is_new = known.is_none();
         let best = match known {
             Some(known) => known,
             None => BestShape::find(engine, index, duty, &request.task)?,
         };
         let evolution = request.evolution.map(|search| best.evolve(engine, index, search)).transpose()?;
         weights.push(DesignedCounterweight {
-            name,
+            name: engine.counterweights[index].name.clone(),
             index,
             duty,
             shared: best.shared,
@@ -246,8 +237,8 @@ pub fn design_counterweights(
             part_mass: best.part_mass(engine, index)?,
             evolution,
         });
-        if alike.is_none() {
-            done.push((tilt, best));
+        if is_new {
+            done.add(engine, index, best);
         }
     }
     Ok(CounterweightDesigns {
@@ -310,23 +301,62 @@ pub fn adopted(
         }
         task
     };
-    let adopt = |index: &usize| -> Result<(usize, Design), CounterweightError> {
-        let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[*index]));
+    let find = |index: usize, duty: f64| -> Result<Option<BestShape>, CounterweightError> {
         for task in [limited(0.0), limited(1e-5), ShapeTask { minimise: second, ..request.task }] {
-            if let DesignOutcome::Found(best) = BestShape::find(engine, *index, duty, &task)?.outcome {
-                return Ok((*index, best.design));
+            let found = BestShape::find_as_asked(engine, index, duty, &task)?;
+            if found.design().is_some() {
+                return Ok(Some(found));
             }
         }
-        Ok((*index, *design))
+        Ok(None)
     };
+    let mut done = Alike::default();
     let mut designs: Vec<(usize, Design)> = Vec::new();
-    for index in &front.weights {
-        let (index, own) = adopt(index)?;
+    for &index in &front.weights {
+        let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[index]));
+        let own = match done.find(engine, index, duty)? {
+            Some(known) => known.design(),
+            None => {
+                let found = find(index, duty)?;
+                let own = found.as_ref().and_then(BestShape::design);
+                found.into_iter().for_each(|found| done.add(engine, index, found));
+                own
+            }
+        };
+        let own = own.unwrap_or(*design);
         // Webs that are alike have one design, not two that differ by rounding.
         let alike = designs.iter().map(|one| one.1).find(|known| are_same(known, &own));
         designs.push((index, alike.unwrap_or(own)));
     }
     Ok(designs)
+}
+
+/// Shapes that are known, each with how far its weight stands from the opposite of its crankpin: weights of one duty that stand alike on their
+/// webs have one shape.
+#[derive(Default)]
+struct Alike {
+    known: Vec<(f64, BestShape)>,
+}
+
+impl Alike {
+    fn find(
+        &self,
+        engine: &Engine,
+        index: usize,
+        duty: f64,
+    ) -> Result<Option<&BestShape>, CounterweightError> {
+        let tilt = tilt(engine, &engine.counterweights[index]);
+        for (known_tilt, known) in &self.known {
+            if known.duty == duty && (known_tilt - tilt).abs() < 1e-9 && known.is_best_for(engine, index)? {
+                return Ok(Some(known));
+            }
+        }
+        Ok(None)
+    }
+
+    fn add(&mut self, engine: &Engine, index: usize, shape: BestShape) {
+        self.known.push((tilt(engine, &engine.counterweights[index]), shape));
+    }
 }
 
 /// Whether two designs differ by rounding alone.
