@@ -3,7 +3,9 @@
 use crate::consequences::consequences;
 use crate::inertias::{known_inertia, rotating_bodies};
 use crate::parts::web_bounds::{WebBoundError, optimise_on_webs};
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use crate::pressure::over_speed::SpeedGas;
 use crate::torque_report::UNKNOWN_CRANKSHAFT;
 use lanchester_balance::{

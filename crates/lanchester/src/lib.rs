@@ -73,10 +73,11 @@ pub use operating_point::operating_point;
 pub use parts::*;
 pub use pressure::*;
 pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance, robust_balance_while};
+pub use run_plan::SimulateRequest;
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
-pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
+pub use simulation::{RunLength, simulate, simulate_watched};
 pub use stress::*;
 pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
 pub use torque_report::{

@@ -1,7 +1,9 @@
 //! An engine on its mounts under its own loads.
 
 use crate::inertias::rotating_bodies;
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::{
     GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, OrderLoads, TorqueError,
     inertia_excitations, merged_orders, mount_study, rotor_inertia_about_z,

@@ -2,7 +2,9 @@
 
 use crate::inertias::known_inertia;
 use crate::pressure::cycles::cycle_results;
-use crate::pressure::cylinders::{GasError, GasReport, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{GasReport, cylinder_gas};
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, OuterTorque,
     PowerCurve, RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads,

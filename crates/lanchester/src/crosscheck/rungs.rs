@@ -2,7 +2,9 @@
 
 use crate::crosscheck::orders::order_rows;
 use crate::inertias::{known_inertia, rotating_bodies};
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::GivenGas;
 use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{

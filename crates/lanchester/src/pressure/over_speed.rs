@@ -2,7 +2,8 @@
 
 use crate::inertias::with_known_rotors;
 use crate::mounted::depends_on_speed;
-use crate::pressure::cylinders::{TraceFile, cylinder_gas};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::measured::TraceFile;
 use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,
 };

@@ -1,6 +1,7 @@
 //! Loads of a crankshaft from the closed form, named, in the frame that turns with it.
 
-use crate::pressure::cylinders::{GasReport, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{GasReport, cylinder_gas};
+use crate::pressure::measured::TraceFile;
 use crate::stress::request::{StaticRequest, StressError, StressLoad};
 use lanchester_flex::crank_case::{CrankLoad, PinLoad};
 use lanchester_mechanism::{BearingPart, BearingRequest, ThrowForce, throw_forces};
