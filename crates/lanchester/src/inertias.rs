@@ -3,6 +3,7 @@
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_mechanism::KnownInertia;
 use lanchester_model::{Engine, EngineParts, Flywheel, InertiaSum, RotatingBody, ShapedCrankshaft, Sourced};
+use lanchester_multibody::RotorInertia;
 use lanchester_task::Tasks;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -59,6 +60,11 @@ pub fn shaped_crankshafts(engine: &Engine) -> Vec<Option<ShapedCrankshaft>> {
 /// inertia from.
 pub fn rotating_bodies(engine: &Engine) -> Vec<RotatingBody> {
     engine.rotating_bodies(&shaped_crankshafts(engine))
+}
+
+/// [`rotating_bodies`] as a multibody simulation takes them.
+pub fn rotor_inertia(engine: &Engine) -> RotorInertia {
+    RotorInertia::of(&rotating_bodies(engine))
 }
 
 /// What of [`rotating_bodies`] swings the speed: flywheel and crankshafts, as seen at crankshaft 1.

@@ -48,7 +48,8 @@ pub use crosscheck::*;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use graph_report::bond_graph_report;
 pub use inertias::{
-    DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, rotating_bodies, shaped_crankshafts,
+    DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, rotating_bodies, rotor_inertia,
+    shaped_crankshafts,
 };
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;

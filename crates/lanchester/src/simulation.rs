@@ -1,6 +1,7 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
-use crate::crosscheck::rungs::{CrossCheckError, rotor_inertia};
+use crate::crosscheck::pair::CrossCheckError;
+use crate::inertias::rotor_inertia;
 use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::{GivenGas, gas_over_speed};
 use crate::run_plan::{RunPlan, SimulateRequest, action_words, plan};

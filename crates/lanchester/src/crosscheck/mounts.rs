@@ -10,8 +10,8 @@
 //! torque is taken by a load on the block, so that it does not lean; the loads of the gas do not halve with the masses, so that no ratio is held.
 
 use crate::crosscheck::orders::order_of;
-use crate::crosscheck::rungs::{CrossCheckError, Pair, rotor_inertia};
-use crate::inertias::rotating_bodies;
+use crate::crosscheck::pair::{CrossCheckError, Pair};
+use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::simulated::GivenGas;
 use lanchester_mechanism::{
     GasTrain, Lever, MountSystem, inertia_excitations, merged_orders, rotor_inertia_about_z,
