@@ -1,5 +1,5 @@
-//! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure; `cargo xtask quick` is what a change needs
-//! before the next one.
+//! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure (with `--to-the-end` all failures are told);
+//! `cargo xtask quick` is what a change needs before the next one.
 //!
 //! Tests and program are compiled once, in one profile with one set of features (`lanchester-testkit` brings those that tests need). The
 //! optimised program of the README's commands is another profile, because that is the one that users get.
@@ -14,9 +14,8 @@ use crate::{
 use anyhow::{Context, Result};
 use std::process::Command;
 
-/// Runs every step.
-pub fn run() -> Result<()> {
-    let mut steps = Steps::default();
+/// Runs every step of `steps`.
+pub fn run(mut steps: Steps) -> Result<()> {
     // What compiles nothing, or what one processor compiles, stands beside what leaves processors idle.
     steps.beside(vec![
         Lane::new()
@@ -50,8 +49,7 @@ pub fn run() -> Result<()> {
     ])?;
     // It waits for frames, and has the processors for itself.
     steps.run("studio in a browser", || page::try_in_browser(&program))?;
-    steps.print();
-    Ok(())
+    steps.finish()
 }
 
 /// What a change needs before the next one: format, rules, lints, and the tests but the slow ones.
@@ -61,8 +59,7 @@ pub fn quick() -> Result<()> {
     steps.run("rules of the house", tidy::sources)?;
     steps.run("clippy, all targets, no warning", || lint::clippy().map(|()| String::new()))?;
     steps.run("tests but the slow ones", test_programs::quick)?;
-    steps.print();
-    Ok(())
+    steps.finish()
 }
 
 fn formatting() -> Result<String> {

@@ -25,11 +25,12 @@ mod workspace;
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;
+use steps::Steps;
 
 const HELP: &str = "\
 tasks of the workspace
 
-  cargo xtask ci                                all that CI runs; installs what it needs
+  cargo xtask ci                                all that CI runs; installs what it needs; --to-the-end tells all failures
   cargo xtask quick                             before the next change: format, rules, lints, tests but the slow ones
   cargo xtask test                              all tests with the cases of CI; lists the slowest
   cargo xtask tidy                              rules of the house: crate arrows, pages, links, file length, ...;
@@ -61,7 +62,8 @@ fn main() -> ExitCode {
 fn task(arguments: &[String]) -> Result<()> {
     let rest = arguments.get(1..).unwrap_or_default();
     match arguments.first().map(String::as_str) {
-        Some("ci") if rest.is_empty() => ci::run(),
+        Some("ci") if rest.is_empty() => ci::run(Steps::default()),
+        Some("ci") if rest == ["--to-the-end"] => ci::run(Steps::to_the_end()),
         Some("quick") if rest.is_empty() => ci::quick(),
         Some("test") if rest.is_empty() => {
             println!("{}", test_programs::all()?);

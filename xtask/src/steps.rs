@@ -1,8 +1,8 @@
-//! Steps one after another or beside one another, each with its time; the first failure stops them.
+//! Steps one after another or beside one another, each with its time; the first failure stops them, or all failures are told at the end.
 
-use anyhow::{Context, Result};
-use std::sync::Mutex;
+use anyhow::{Context, Result, ensure};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard};
 use std::time::{Duration, Instant};
 
 type Work<'a> = Box<dyn FnOnce() -> Result<String> + Send + 'a>;
@@ -29,6 +29,9 @@ impl<'a> Lane<'a> {
 /// Steps that are done.
 #[derive(Default)]
 pub struct Steps {
+    /// Whether steps go on after a failure.
+    goes_on: bool,
+    failed: Vec<String>,
     done: Vec<Done>,
     /// From the first step to the last.
     time: Duration,
@@ -38,6 +41,11 @@ pub struct Steps {
 type Done = (&'static str, Duration, String);
 
 impl Steps {
+    /// Steps that go on after a failure: [`Steps::finish`] tells all of them.
+    pub fn to_the_end() -> Steps {
+        Steps { goes_on: true, ..Steps::default() }
+    }
+
     /// Runs one step.
     pub fn run<'a>(
         &mut self,
@@ -47,23 +55,33 @@ impl Steps {
         self.beside(vec![Lane::new().step(name, work)])
     }
 
-    /// Runs lanes beside one another; after a failure no further step begins.
+    /// Runs lanes beside one another; after a failure no further step begins, unless steps go on to the end.
     pub fn beside(&mut self, lanes: Vec<Lane>) -> Result<()> {
         let start = Instant::now();
-        let (done, failed) = (Mutex::new(Vec::new()), AtomicBool::new(false));
+        let goes_on = self.goes_on;
+        let (done, told) = (Mutex::new(Vec::new()), Mutex::new(Vec::new()));
+        let failed = AtomicBool::new(false);
         let results: Vec<Result<()>> = std::thread::scope(|scope| {
             let threads: Vec<_> = lanes
                 .into_iter()
                 .map(|lane| {
-                    let (done, failed) = (&done, &failed);
+                    let (done, told, failed) = (&done, &told, &failed);
                     scope.spawn(move || -> Result<()> {
                         for (name, work) in lane.steps {
                             if failed.load(Ordering::Relaxed) {
                                 break;
                             }
-                            let result = one(name, work);
-                            failed.fetch_or(result.is_err(), Ordering::Relaxed);
-                            done.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push(result?);
+                            match one(name, work) {
+                                Ok(own) => locked(done).push(own),
+                                Err(error) if goes_on => {
+                                    println!("error: {error:#}");
+                                    locked(told).push(name.to_owned());
+                                }
+                                Err(error) => {
+                                    failed.store(true, Ordering::Relaxed);
+                                    return Err(error);
+                                }
+                            }
                         }
                         Ok(())
                     })
@@ -76,12 +94,16 @@ impl Steps {
         });
         self.time += start.elapsed();
         self.done.extend(done.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner()));
+        self.failed.extend(told.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner()));
         results.into_iter().collect()
     }
 
-    /// The list of all.
-    pub fn print(&self) {
-        println!("\nall steps passed");
+    /// Prints the list of all.
+    ///
+    /// # Errors
+    /// The steps that failed, where steps go on after a failure.
+    pub fn finish(&self) -> Result<()> {
+        println!("\n{}", if self.failed.is_empty() { "all steps passed" } else { "steps that passed" });
         for (name, time, remark) in &self.done {
             println!("{:8.1} s  {name:50} {remark}", time.as_secs_f64());
         }
@@ -89,7 +111,13 @@ impl Steps {
             "{:8.1} s  in all, where steps beside one another share the processors",
             self.time.as_secs_f64()
         );
+        ensure!(self.failed.is_empty(), "steps failed: {}", self.failed.join("; "));
+        Ok(())
     }
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
 }
 
 fn one(name: &'static str, work: Work) -> Result<Done> {
@@ -133,5 +161,18 @@ mod tests {
         let error = steps.beside(vec![lane]).expect_err("the first step fails");
         assert_eq!(format!("{error:#}"), "step failed: first: broken");
         assert!(steps.done.is_empty());
+    }
+
+    #[test]
+    fn all_failures_are_told_where_steps_go_on() {
+        let mut steps = Steps::to_the_end();
+        let lane = Lane::new()
+            .step("first", || bail!("broken"))
+            .step("second", || Ok(String::new()))
+            .step("third", || bail!("broken too"));
+        steps.beside(vec![lane]).expect("failures wait for the end");
+        assert_eq!(steps.done.len(), 1);
+        let error = steps.finish().expect_err("two steps failed");
+        assert_eq!(format!("{error:#}"), "steps failed: first; third");
     }
 }

@@ -1,8 +1,9 @@
 //! The bond graph of an engine file, with its gas, friction, block and load.
 
-use crate::crosscheck::rungs::rotor_inertia;
-use crate::inertias::shaped_crankshafts;
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::inertias::{rotor_inertia, shaped_crankshafts};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_bondgraph::{
     Curve, Description, EngineBlock, EngineDrive, EngineGraphError, EngineJoints, EngineLink, EngineLoad,
     EngineRequest, EngineStarter, GasStates, LoadTorque, Unit, engine_graph,

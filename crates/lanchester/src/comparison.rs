@@ -1,10 +1,13 @@
 //! Engines and arrangements side by side.
 
 use crate::consequences::consequences;
+use crate::inertias::{known_inertia, rotating_bodies};
 use crate::parts::web_bounds::{WebBoundError, optimise_on_webs};
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use crate::pressure::over_speed::SpeedGas;
-use crate::torque_report::{UNKNOWN_CRANKSHAFT, known_inertia};
+use crate::torque_report::UNKNOWN_CRANKSHAFT;
 use lanchester_balance::{
     Affected, BalanceError, BalanceSettings, Consequences, GasOverSpeed, Next, Outcome, as_it_stands, fitted,
 };
@@ -489,7 +492,7 @@ impl Candidate {
                 excitation.orders = merged_orders(&excitation.orders, &train.orders(MOUNT_ORDERS));
             }
         }
-        let rotors = rotor_inertia_about_z(&self.engine, known_inertia(&self.engine).crankshaft);
+        let rotors = rotor_inertia_about_z(&rotating_bodies(&self.engine));
         let response = MountSystem::new(&self.engine)
             .and_then(|system| system.with_rotors(rotors).response(&excitations))
             .map_err(refused)?;

@@ -1,6 +1,6 @@
 //! What other weights do to an engine, with the masses of counterweights where they are known.
 
-use crate::torque_report::with_known_rotors;
+use crate::inertias::with_known_rotors;
 use lanchester_balance::{BalanceError, Consequences, consequences as of_masses};
 use lanchester_geometry::counterweight_properties;
 use lanchester_model::{Counterweight, Engine};

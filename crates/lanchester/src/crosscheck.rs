@@ -4,7 +4,9 @@ pub(crate) mod graph;
 pub(crate) mod graph_states;
 pub(crate) mod mounts;
 pub(crate) mod orders;
+pub(crate) mod pair;
 pub(crate) mod ripple;
 pub(crate) mod rungs;
 
-pub use rungs::{CrossCheckError, CrossCheckRequest, crosscheck, rotor_inertia};
+pub use pair::{CrossCheckError, CrossCheckRequest};
+pub use rungs::crosscheck;

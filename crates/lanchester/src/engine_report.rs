@@ -3,7 +3,7 @@
 use crate::consequences::consequences;
 use crate::parts::check::{CounterweightCheck, check_counterweights};
 use crate::parts::web_bounds::optimise_on_webs;
-use crate::pressure::cylinders::TraceFile;
+use crate::pressure::measured::TraceFile;
 use crate::running::{Running, running};
 use lanchester_balance::{Answer, BalanceSettings, Consequences, Next, fitted};
 use lanchester_file::{Diagnostic, EngineFile};

@@ -1,7 +1,7 @@
 //! The engine as a bond graph for the report: a working cycle at one speed.
 
 use crate::bond_graph::{BondGraphRequest, engine_bond_graph};
-use crate::pressure::cylinders::TraceFile;
+use crate::pressure::measured::TraceFile;
 use lanchester_bondgraph::{Graph, Notation, SimulationRequest, equations, placed};
 use lanchester_file::Diagnostic;
 use lanchester_model::{Engine, SimulationInput};

@@ -1,9 +1,12 @@
 //! Inertias of everything that turns, in one table: each body with its number, what it is at crankshaft 1, and where it comes from.
 
 use lanchester_geometry::crankshaft::crankshaft;
-use lanchester_model::{Engine, InertiaSum, RotatingBody, ShapedCrankshaft, Sourced};
+use lanchester_mechanism::KnownInertia;
+use lanchester_model::{Engine, EngineParts, Flywheel, InertiaSum, RotatingBody, ShapedCrankshaft, Sourced};
+use lanchester_multibody::RotorInertia;
 use lanchester_task::Tasks;
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// Version of [`Inertias`]; raised when a field changes its meaning or goes.
 pub const INERTIAS_VERSION: u32 = 1;
@@ -53,9 +56,38 @@ pub fn shaped_crankshafts(engine: &Engine) -> Vec<Option<ShapedCrankshaft>> {
     (0..engine.crankshafts.len()).map(of).collect()
 }
 
+/// All that turns with `engine` at a fixed ratio to crankshaft 1: the one list that torque, speed ripple, mounts and simulation take their
+/// inertia from.
+pub fn rotating_bodies(engine: &Engine) -> Vec<RotatingBody> {
+    engine.rotating_bodies(&shaped_crankshafts(engine))
+}
+
+/// [`rotating_bodies`] as a multibody simulation takes them.
+pub fn rotor_inertia(engine: &Engine) -> RotorInertia {
+    RotorInertia::of(&rotating_bodies(engine))
+}
+
+/// What of [`rotating_bodies`] swings the speed: flywheel and crankshafts, as seen at crankshaft 1.
+pub(crate) fn known_inertia(engine: &Engine) -> KnownInertia {
+    KnownInertia::of_bodies(&rotating_bodies(engine))
+}
+
+/// `engine` with the inertia of its crankshafts as bodies among its numbers, for kernels that know the numbers alone: mounts that feel what turns.
+pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
+    let is_given = engine.flywheel.as_ref().is_some_and(|wheel| wheel.crankshaft_inertia.is_some());
+    let bodies = if is_given || !engine.is_on_springs() { None } else { known_inertia(engine).crankshaft };
+    let with = |inertia| {
+        let add = |parts: &mut EngineParts| {
+            parts.flywheel.get_or_insert_with(Flywheel::default).crankshaft_inertia = Some(inertia);
+        };
+        engine.with(add).ok().map(Cow::Owned)
+    };
+    bodies.and_then(with).unwrap_or(Cow::Borrowed(engine))
+}
+
 /// The inertias of an engine and of the driveline that its file gives.
 pub fn inertias(engine: &Engine, tasks: &Tasks) -> Inertias {
-    let bodies = engine.rotating_bodies(&shaped_crankshafts(engine));
+    let bodies = rotating_bodies(engine);
     let shares = (0..engine.crankshafts.len()).filter_map(|index| crankshaft(engine, index).ok());
     let mut throws: Vec<ThrowInertia> = shares
         .flat_map(|body| body.throws)

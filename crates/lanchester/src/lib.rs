@@ -47,7 +47,10 @@ pub use consequences::consequences;
 pub use crosscheck::*;
 pub use engine_report::{EngineReport, fnv1a, in_one_line, provenance};
 pub use graph_report::bond_graph_report;
-pub use inertias::{DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, shaped_crankshafts};
+pub use inertias::{
+    DrivelineBody, INERTIAS_VERSION, Inertias, ThrowInertia, inertias, rotating_bodies, rotor_inertia,
+    shaped_crankshafts,
+};
 pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
@@ -71,10 +74,11 @@ pub use operating_point::operating_point;
 pub use parts::*;
 pub use pressure::*;
 pub use robust_balance::{MOST_ENGINES, RobustError, RobustOptions, robust_balance, robust_balance_while};
+pub use run_plan::SimulateRequest;
 pub use running::{Running, is_running, running};
 pub use sample_study::SampleStudy;
 pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
-pub use simulation::{RunLength, SimulateRequest, simulate, simulate_watched};
+pub use simulation::{RunLength, simulate, simulate_watched};
 pub use stress::*;
 pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
 pub use torque_report::{

@@ -1,7 +1,9 @@
 //! An engine on its mounts under its own loads.
 
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
-use crate::torque_report::known_inertia;
+use crate::inertias::rotating_bodies;
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::{
     GasTrain, Lever, MountError, MountRequest, MountStudy, MountSystem, OrderLoads, TorqueError,
     inertia_excitations, merged_orders, mount_study, rotor_inertia_about_z,
@@ -95,7 +97,7 @@ pub fn mounts(
              carry none of it"
         ));
     }
-    let rotors = Some(rotor_inertia_about_z(engine, known_inertia(engine).crankshaft));
+    let rotors = Some(rotor_inertia_about_z(&rotating_bodies(engine)));
     let request = MountRequest { points: points.to_vec(), excitation: words, warnings, rotors };
     Ok(mount_study(engine, &excitations, &request)?)
 }

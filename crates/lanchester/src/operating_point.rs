@@ -1,7 +1,9 @@
 //! An engine at one speed with the gas of its file, for sensitivities.
 
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
-use crate::torque_report::known_inertia;
+use crate::inertias::known_inertia;
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::OuterTorque;
 use lanchester_model::Engine;
 use lanchester_study::sensitivity::{Needs, OperatingPoint, Weights};

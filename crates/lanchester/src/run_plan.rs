@@ -1,15 +1,43 @@
 //! What a run is asked, from the request, the engine file and defaults, in this order.
 
-use crate::simulation::SimulateRequest;
 use lanchester_model::{
     Action, BlockKind, Engine, ImposedAgainst, RodGuidance, RunLength, SimulationInput, SpeedKind,
     StartOfBlock, When,
 };
 use lanchester_multibody::{
-    BlockMotion, BlockStart, Drive, Duration, Event, Guidance, MultibodyError, STANDARD_GRAVITY, Simulation,
-    Train,
+    BlockMotion, BlockStart, Drive, Duration, Event, Guidance, LoadLaw, MultibodyError, ReactsOn,
+    STANDARD_GRAVITY, Simulation, Train,
 };
 use std::f64::consts::TAU;
+
+/// What to simulate; where it says nothing, the engine file does, and then a default.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SimulateRequest {
+    /// Speed of crankshaft 1 at the start [rad/s]; by default the highest of the engine.
+    pub speed: Option<f64>,
+    /// How long; by default ten revolutions.
+    pub length: Option<RunLength>,
+    /// Whether the speed is imposed; by default it is free.
+    pub imposed: Option<bool>,
+    /// Whether the block moves on its mounts; by default where the file gives them in a form that a run can use.
+    pub on_mounts: Option<bool>,
+    /// Whether weight acts; by default it does.
+    pub gravity: Option<bool>,
+    /// Whether the gas of the file acts; by default it does.
+    pub gas: Option<bool>,
+    /// Load; by default with gas the constant mean torque that the engine gives at the start speed, without gas none.
+    pub load: Option<LoadLaw>,
+    /// Where the reaction to the load goes; by default to the ground.
+    pub reacts_on: Option<ReactsOn>,
+    /// Cylinders, by index, that fire no more after the first revolution.
+    pub misfire: Vec<usize>,
+    /// Crank angle between samples [rad]; by default a degree.
+    pub step: Option<f64>,
+    /// Tolerance of every step; by default 1e-9.
+    pub tolerance: Option<f64>,
+    /// Whether it may take as long as it takes.
+    pub long: bool,
+}
 
 /// What a run is asked, but for gas, load and friction.
 pub(crate) struct RunPlan {
@@ -26,7 +54,7 @@ pub(crate) fn action_words(action: &Action) -> String {
         Action::Misfire(cylinder) => format!("cylinder {} fires no more", cylinder + 1),
         Action::Fuel(share) => format!("fuel {} %", 100.0 * share),
         Action::Load(law) => match law {
-            lanchester_model::LoadLaw::Constant(torque) => format!("load {torque} N m"),
+            LoadLaw::Constant(torque) => format!("load {torque} N m"),
             _ => "no load".into(),
         },
         Action::ClutchOpen => "the clutch opens".into(),

@@ -2,8 +2,9 @@
 
 use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
-use crate::pressure::cylinders::TraceFile;
-use crate::simulation::{SimulateRequest, simulate};
+use crate::pressure::measured::TraceFile;
+use crate::run_plan::SimulateRequest;
+use crate::simulation::simulate;
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };

@@ -193,10 +193,3 @@ fn period(engine: &Engine) -> f64 {
     let common = firing_period(engine).unwrap_or(cycle);
     TAU * f64::from(if common.is_multiple_of(cycle) { common } else { common * cycle })
 }
-
-/// Rounded to a micrometre, or to a millionth of a radian.
-fn rounded(value: f64) -> f64 {
-    let rounded = (value * 1e6).round() / 1e6;
-    // No negative zero, which reads as a mistake.
-    if rounded == 0.0 { 0.0 } else { rounded }
-}

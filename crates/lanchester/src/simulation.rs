@@ -1,9 +1,10 @@
 //! A run of the multibody simulation with the gas, friction and block of an engine file.
 
-use crate::crosscheck::rungs::{CrossCheckError, rotor_inertia};
-use crate::pressure::cylinders::TraceFile;
+use crate::crosscheck::pair::CrossCheckError;
+use crate::inertias::rotor_inertia;
+use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::{GivenGas, gas_over_speed};
-use crate::run_plan::{RunPlan, action_words, plan};
+use crate::run_plan::{RunPlan, SimulateRequest, action_words, plan};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{GasTrain, Lever, LoadError, TorqueRequest, torque};
 use lanchester_model::MainSharing;
@@ -13,35 +14,6 @@ use lanchester_multibody::{
 };
 use lanchester_report::{PeriodicResult, SIMULATION_VERSION, SimulationResult};
 use std::f64::consts::PI;
-
-/// What to simulate; where it says nothing, the engine file does, and then a default.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct SimulateRequest {
-    /// Speed of crankshaft 1 at the start [rad/s]; by default the highest of the engine.
-    pub speed: Option<f64>,
-    /// How long; by default ten revolutions.
-    pub length: Option<RunLength>,
-    /// Whether the speed is imposed; by default it is free.
-    pub imposed: Option<bool>,
-    /// Whether the block moves on its mounts; by default where the file gives them in a form that a run can use.
-    pub on_mounts: Option<bool>,
-    /// Whether weight acts; by default it does.
-    pub gravity: Option<bool>,
-    /// Whether the gas of the file acts; by default it does.
-    pub gas: Option<bool>,
-    /// Load; by default with gas the constant mean torque that the engine gives at the start speed, without gas none.
-    pub load: Option<LoadLaw>,
-    /// Where the reaction to the load goes; by default to the ground.
-    pub reacts_on: Option<ReactsOn>,
-    /// Cylinders, by index, that fire no more after the first revolution.
-    pub misfire: Vec<usize>,
-    /// Crank angle between samples [rad]; by default a degree.
-    pub step: Option<f64>,
-    /// Tolerance of every step; by default 1e-9.
-    pub tolerance: Option<f64>,
-    /// Whether it may take as long as it takes.
-    pub long: bool,
-}
 
 /// Simulates `engine`; `traces` holds the files that [`crate::trace_names`] names.
 ///

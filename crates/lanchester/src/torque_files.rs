@@ -1,6 +1,6 @@
 //! Torques over the crank angle that stand in files of their own.
 
-use crate::pressure::cylinders::TraceFile;
+use crate::pressure::measured::TraceFile;
 use lanchester_cycle::{TraceError, read_torque};
 use lanchester_file::EngineFile;
 

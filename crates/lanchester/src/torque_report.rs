@@ -1,22 +1,23 @@
 //! Torque, friction, flywheel and power of an engine with the gas of its file; loads of its bearings.
 
+use crate::inertias::known_inertia;
 use crate::pressure::cycles::cycle_results;
-use crate::pressure::cylinders::{GasError, GasReport, TraceFile, cylinder_gas};
-use lanchester_geometry::crankshaft::crankshaft;
+use crate::pressure::cylinders::{GasReport, cylinder_gas};
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::{
     BearingLoads, BearingPart, BearingRequest, BearingSize, Brake, FlywheelNeed, KnownInertia, OuterTorque,
     PowerCurve, RippleOutcome, Torque, TorqueAtSpeed, TorqueError, TorqueRequest, bearing_loads,
     flywheel_need, speed_ripple, torque, torque_without_gas,
 };
 use lanchester_model::{
-    CrankElementForm, Engine, EngineParts, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
+    CrankElementForm, Engine, Flywheel, Friction, GasProcess, GasSource, PlainBearing, RodJoint,
     SimulationInput, SpeedRange,
 };
 use lanchester_report::{
     BearingSizes, BearingsInput, CycleResult, Section, TorqueInput, bearings_section, torque_section,
 };
 use serde::Serialize;
-use std::borrow::Cow;
 
 /// Version of the form of [`TorqueReport`].
 pub const TORQUE_REPORT_VERSION: u32 = 2;
@@ -184,36 +185,6 @@ const WITHOUT_GAS: &str = "no gas in the engine file, inertia alone";
 /// What the user is told of a flywheel where the inertia of the crankshafts is not known.
 pub(crate) const UNKNOWN_CRANKSHAFT: &str =
     "the inertia of the crankshaft is not known: the flywheel found includes it";
-
-/// Flywheel of the file; crankshafts as seen at crankshaft 1: those of the file, or all crankshafts that are bodies.
-pub(crate) fn known_inertia(engine: &Engine) -> KnownInertia {
-    let wheel = engine.flywheel.as_ref();
-    let crankshaft =
-        wheel.and_then(|wheel| wheel.crankshaft_inertia).or_else(|| crankshaft_of_bodies(engine));
-    KnownInertia { flywheel: wheel.and_then(|wheel| wheel.inertia), crankshaft }
-}
-
-/// `engine` with the inertia of its crankshafts as bodies among its numbers, for kernels that know the numbers alone: mounts that feel what turns.
-pub(crate) fn with_known_rotors(engine: &Engine) -> Cow<'_, Engine> {
-    let given = engine.flywheel.as_ref().and_then(|wheel| wheel.crankshaft_inertia);
-    let bodies = if given.is_none() && engine.is_on_springs() { crankshaft_of_bodies(engine) } else { None };
-    let with = |inertia| {
-        let add = |parts: &mut EngineParts| {
-            parts.flywheel.get_or_insert_with(Flywheel::default).crankshaft_inertia = Some(inertia);
-        };
-        engine.with(add).ok().map(Cow::Owned)
-    };
-    bodies.and_then(with).unwrap_or(Cow::Borrowed(engine))
-}
-
-/// Inertia of all crankshafts as bodies, seen at crankshaft 1 [kg m^2].
-fn crankshaft_of_bodies(engine: &Engine) -> Option<f64> {
-    let of = |(index, shaft): (usize, &lanchester_model::Crankshaft)| {
-        crankshaft(engine, index).ok().map(|body| body.polar_inertia * shaft.ratio.value().powi(2))
-    };
-    engine.crank_body.as_ref()?;
-    engine.crankshafts.iter().enumerate().map(of).sum()
-}
 
 /// Loads of the bearings of `engine` with its own gas; without gas in the file those of inertia alone.
 ///

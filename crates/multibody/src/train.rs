@@ -6,7 +6,7 @@
 use crate::block_body::BlockBody;
 use crate::error::MultibodyError;
 use crate::mount_place::MountPlace;
-use lanchester_model::{Engine, RodJoint};
+use lanchester_model::{Engine, RodJoint, RotatingBody, RotatingKind};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -28,28 +28,23 @@ pub struct RotorInertia {
 }
 
 impl RotorInertia {
-    /// What the engine file itself gives: the flywheel, and the crankshafts together as seen at crankshaft 1, in equal parts to each.
-    ///
-    /// Of a balance shaft what its key says.
-    pub fn of(engine: &Engine) -> RotorInertia {
-        let wheel = engine.flywheel.as_ref();
-        RotorInertia::with_crankshafts(engine, wheel.and_then(|wheel| wheel.crankshaft_inertia))
-    }
-
-    /// The same with the inertia of the crankshafts together, as seen at crankshaft 1 [kg m^2], from elsewhere.
-    pub fn with_crankshafts(engine: &Engine, seen: Option<f64>) -> RotorInertia {
-        let flywheel = engine.flywheel.as_ref().and_then(|wheel| wheel.inertia);
-        let squares: f64 = engine.crankshafts.iter().map(|shaft| shaft.ratio.value().powi(2)).sum();
-        let each = seen.map(|seen| seen / squares);
-        let mut crankshafts = vec![each; engine.crankshafts.len()];
-        if let (Some(first), Some(flywheel)) = (crankshafts.first_mut(), flywheel) {
+    /// Of all that turns with an engine, as [`lanchester_model::EngineParts::rotating_bodies`] lists it.
+    pub fn of(bodies: &[RotatingBody]) -> RotorInertia {
+        let mut inertia = RotorInertia::default();
+        let mut flywheel = None;
+        for body in bodies {
+            let own = body.inertia.map(|own| own.value);
+            match body.kind {
+                RotatingKind::Crankshaft(_) => inertia.crankshafts.push(own),
+                RotatingKind::Flywheel => flywheel = own,
+                RotatingKind::Shaft(_) | RotatingKind::Gear(_) => inertia.shafts.push(own),
+            }
+        }
+        if let (Some(first), Some(flywheel)) = (inertia.crankshafts.first_mut(), flywheel) {
             *first = Some(first.unwrap_or(0.0) + flywheel);
         }
-        RotorInertia {
-            crankshafts,
-            flywheel: flywheel.unwrap_or(0.0),
-            shafts: engine.geared_shafts().iter().map(|shaft| shaft.inertia).collect(),
-        }
+        inertia.flywheel = flywheel.unwrap_or(0.0);
+        inertia
     }
 }
 

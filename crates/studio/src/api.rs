@@ -36,7 +36,7 @@ pub(crate) struct Made {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// Questions with their schemas, and what answers them; [`crate::questions::all`] has all of them.
+/// Questions with their schemas, and what answers them; [`crate::openapi::all`] has all of them.
 pub struct Api {
     router: Router<Arc<Studio>>,
     pub(crate) endpoints: Vec<Endpoint>,

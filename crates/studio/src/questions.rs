@@ -15,7 +15,7 @@ pub(crate) mod summary;
 
 use crate::api::Api;
 
-/// The one list of questions.
+/// The one list of questions, but for their own description, which [`crate::openapi`] adds.
 pub(crate) fn all() -> Api {
     let lists = [
         session::questions,

@@ -5,8 +5,8 @@ use crate::error::StudioError;
 use crate::folder::Folder;
 use crate::gate::{Gate, random_token};
 use crate::lanes::Lanes;
+use crate::openapi;
 use crate::problem::Problem;
-use crate::questions;
 use crate::remembered::Remembered;
 use crate::state::Studio;
 use crate::watch::events;
@@ -148,7 +148,7 @@ async fn terminated() {
 fn router(studio: Arc<Studio>, gate: Gate) -> Router {
     let watched = studio.clone();
     let questions =
-        questions::all().router(studio).route("/api/events", get(move || async { events(watched) }));
+        openapi::all().router(studio).route("/api/events", get(move || async { events(watched) }));
     let questions = questions
         .layer(DefaultBodyLimit::max(LONGEST_QUESTION))
         .layer(from_fn_with_state(gate.clone(), with_token));

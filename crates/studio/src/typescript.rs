@@ -1,6 +1,6 @@
 //! The types of all questions and answers as TypeScript, from the same schemas as [`crate::openapi`].
 
-use crate::questions;
+use crate::openapi;
 use serde_json::{Map, Value};
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ const HEAD: &str = "// Written by `cargo xtask generate` from the Rust types. Do
 
 /// One exported type for every structure, sorted by name.
 pub fn typescript() -> String {
-    let mut api = questions::all();
+    let mut api = openapi::all();
     let definitions = api.schemas.take_definitions(true);
     let mut out = HEAD.to_string();
     for (name, schema) in &definitions {

@@ -11,14 +11,10 @@ mod factor;
 mod given_factor;
 mod grade;
 mod internal;
+mod sheet;
 
 use crate::failure::Failure;
-use crate::files::read_source;
 use crate::options::workshop::{WorkshopArguments, WorkshopCommand};
-use lanchester::file::render;
-use lanchester::file::workshop::read_sheet;
-use lanchester::task::workshop::Sheet;
-use std::path::Path;
 
 pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {
     match &arguments.command {
@@ -31,18 +27,5 @@ pub fn run(arguments: &WorkshopArguments, colour: bool) -> Result<u8, Failure> {
         WorkshopCommand::Drill(arguments) => drill::run(arguments, colour),
         WorkshopCommand::Assign(arguments) => assign::run(arguments, colour),
         WorkshopCommand::Grade(arguments) => grade::run(arguments, colour),
-    }
-}
-
-/// Read a workshop sheet: mistakes and warnings go to standard error.
-fn open(path: &Path, colour: bool) -> Result<Sheet, Failure> {
-    let source = read_source(path)?;
-    let reading = read_sheet(&source.text);
-    if !reading.diagnostics.is_empty() {
-        eprint!("{}", render(&reading.diagnostics, &source.name, &source.text, colour));
-    }
-    match reading.sheet {
-        Some(sheet) => Ok(sheet),
-        None => Err(Failure::diagnosed()),
     }
 }

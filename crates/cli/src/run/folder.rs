@@ -1,6 +1,6 @@
 //! What a run has done so far: a folder of small tables, each a stretch of blocks, whole or not there.
 
-use super::head::{Head, Held};
+use super::head::{Head, Held, numbered};
 use super::table_file;
 use crate::failure::Failure;
 use lanchester::table::{Column, Form, Rows, TableError, TableReader};
@@ -135,12 +135,4 @@ fn damaged(table: &Path, of: u64, error: TableError) -> Failure {
         format_args!("{blocks} cannot be read from {}: {error}", shown(table)),
         "remove this file: the same command computes its blocks again, and no others",
     )
-}
-
-/// Blocks as people count them.
-pub fn numbered(blocks: &Range<u64>, of: u64) -> String {
-    if blocks.end == blocks.start + 1 {
-        return format!("block {} of {of}", blocks.end);
-    }
-    format!("blocks {} to {} of {of}", blocks.start + 1, blocks.end)
 }

@@ -112,3 +112,11 @@ impl Held {
         })
     }
 }
+
+/// Blocks as people count them.
+pub fn numbered(blocks: &Range<u64>, of: u64) -> String {
+    if blocks.end == blocks.start + 1 {
+        return format!("block {} of {of}", blocks.end);
+    }
+    format!("blocks {} to {} of {of}", blocks.start + 1, blocks.end)
+}

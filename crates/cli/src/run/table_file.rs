@@ -1,7 +1,6 @@
 //! Tables as files: whole or not at all.
 
-use super::folder::numbered;
-use super::head::Held;
+use super::head::{Held, numbered};
 use crate::failure::Failure;
 use lanchester::table::{Column, Form, SEAL, TableError, TableReader, TableWriter, csv_seal};
 use lanchester_files::{NewFile, Over, PutError, shown};

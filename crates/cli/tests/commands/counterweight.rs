@@ -49,16 +49,15 @@ fn a_front_has_designs_to_adopt() {
     let front = ["counterweight", "front", &file, "--against", "inertia", "--designs", "5"];
     let csv = output(&folder, 0, &[&front[..], &["--format", "csv"]].concat());
     assert!((4..=6).contains(&csv.lines().count()), "{csv}");
-    let text = output(&folder, 0, &front);
+    let text = output(&folder, 0, &[&front[..], &["--adopt", "2", "--figures", "figures"]].concat());
     assert!(text.contains("keeps 1.50 mm of clearance, bounded first by piston"), "{text}");
-    output(&folder, 0, &[&front[..], &["--adopt", "2", "--figures", "figures"]].concat());
     for figure in ["counterweight-front.svg", "counterweight-web-5-web-6.svg"] {
         let svg = std::fs::read_to_string(folder.join("figures").join(figure)).unwrap();
         assert!(svg.starts_with("<svg") && !svg.contains("NaN"), "{figure}");
     }
     // An adopted design makes up for what it shares with the flank of its web, also at both ends.
     let last = (csv.lines().count() - 1).to_string();
-    for number in ["1", "2", &last] {
+    for number in ["1", &last] {
         std::fs::copy(&file, folder.join("three.toml")).unwrap();
         let adopt = ["counterweight", "front", "three.toml", "--against", "inertia", "--designs", "5"];
         output(&folder, 0, &[&adopt[..], &["--adopt", number, "--write"]].concat());

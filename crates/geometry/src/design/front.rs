@@ -7,6 +7,7 @@ use super::task::DesignTask;
 use crate::clearance::RadialEnvelope;
 use lanchester_shape::GeometryError;
 use lanchester_task::Objective;
+use rayon::prelude::*;
 use serde::Serialize;
 
 /// The front between two objectives, from the least of the first to the least of the second.
@@ -28,6 +29,21 @@ pub struct Front {
 /// What an objective may be larger than its least where the other is made small: a tenth of what is proved of it. Without
 /// room the shapes that are left are too few to tell them from none.
 const SLACK: f64 = 0.1 * PROVED_GAP;
+
+/// The numbers of a shape.
+type Shape = [f64; super::problem::SHAPE];
+
+/// Levels that are searched one after another, each from the design of the one before; runs are searched beside one another. It does not
+/// depend on the machine, so that neither does the front.
+const RUN: usize = 10;
+
+/// What a run of levels finds.
+struct LevelRun {
+    /// Each with the level that it keeps.
+    designs: Vec<(f64, Shape)>,
+    boxes: usize,
+    proved: bool,
+}
 
 /// Up to `count` designs of the front between two objectives, evenly spread over the second.
 ///
@@ -86,22 +102,38 @@ pub fn front_within(
         *end = found.best.or(Some(best));
     }
     let [Some(start), Some(end)] = ends else { return Ok(front) };
-    let level = |x: &[f64; super::problem::SHAPE]| problem.attained(&problem.quantities(x), second);
+    let level = |x: &Shape| problem.attained(&problem.quantities(x), second);
     let (most, least) = (level(&start.x), level(&end.x));
-    let mut last = start.x;
-    front.designs.push(realised(task, &problem, &start.x));
-    for at in 1..count - 1 {
-        let limit = most + (least - most) * at as f64 / (count - 1) as f64;
-        // The design before may be as good here: where the front jumps.
-        if level(&last) <= limit {
-            continue;
+    let limits: Vec<f64> =
+        (1..count - 1).map(|at| most + (least - most) * at as f64 / (count - 1) as f64).collect();
+    let runs = limits.par_chunks(RUN).map(|limits| {
+        let mut run = LevelRun { designs: Vec::new(), boxes: 0, proved: true };
+        let (mut search, mut last) = (Search::default(), start.x);
+        for &limit in limits {
+            // The design before may be as good here: where the front jumps.
+            if level(&last) <= limit {
+                continue;
+            }
+            let found = search.best(&limited(second, limit), first, Some(last));
+            run.boxes += found.boxes;
+            run.proved &= found.proved;
+            if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {
+                last = best.x;
+                run.designs.push((limit, last));
+            }
         }
-        let found = search.best(&limited(second, limit), first, Some(last));
-        front.boxes += found.boxes;
-        front.proved &= found.proved;
-        if let Some(best) = found.best.filter(|best| within(&problem, first, best)) {
-            last = best.x;
-            front.designs.push(realised(task, &problem, &last));
+        run
+    });
+    let mut last = start.x;
+    front.designs.push(realised(task, &problem, &last));
+    for run in runs.collect::<Vec<_>>() {
+        front.boxes += run.boxes;
+        front.proved &= run.proved;
+        for (limit, x) in run.designs {
+            if level(&last) > limit {
+                last = x;
+                front.designs.push(realised(task, &problem, &last));
+            }
         }
     }
     if most > least * (1.0 + 1e-9) {

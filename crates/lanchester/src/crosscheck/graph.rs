@@ -4,7 +4,7 @@
 //! of the mounts along their directions.
 
 use crate::bond_graph::gauge_pressures;
-use crate::crosscheck::rungs::{CrossCheckError, Pair};
+use crate::crosscheck::pair::{CrossCheckError, Pair};
 use crate::pressure::simulated::GivenGas;
 use lanchester_bondgraph::{
     EngineBlock, EngineLoad, EngineRequest, Graph, LoadTorque, Simulation as GraphRun, SimulationRequest,

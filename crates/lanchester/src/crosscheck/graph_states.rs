@@ -1,6 +1,6 @@
 //! The gas as states of the bond graph held against the computed cycle.
 
-use crate::crosscheck::rungs::{CrossCheckError, Pair};
+use crate::crosscheck::pair::{CrossCheckError, Pair};
 use lanchester_bondgraph::{
     EngineDrive, EngineRequest, GasStates, Graph, Simulation as GraphRun, SimulationRequest, engine_graph,
     equations,

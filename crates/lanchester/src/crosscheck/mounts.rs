@@ -10,9 +10,9 @@
 //! torque is taken by a load on the block, so that it does not lean; the loads of the gas do not halve with the masses, so that no ratio is held.
 
 use crate::crosscheck::orders::order_of;
-use crate::crosscheck::rungs::{CrossCheckError, Pair, rotor_inertia};
+use crate::crosscheck::pair::{CrossCheckError, Pair};
+use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::simulated::GivenGas;
-use crate::torque_report::known_inertia;
 use lanchester_mechanism::{
     GasTrain, Lever, MountSystem, inertia_excitations, merged_orders, rotor_inertia_about_z,
 };
@@ -293,7 +293,7 @@ fn linear(
         let gas = GasTrain::new(engine, gas, Lever::Exact)?.orders(ORDERS);
         excitation.orders = merged_orders(&excitation.orders, &gas);
     }
-    let about_z = rotor_inertia_about_z(engine, known_inertia(engine).crankshaft);
+    let about_z = rotor_inertia_about_z(&rotating_bodies(engine));
     let system = system.with_rotors(if rotors { about_z } else { 0.0 });
     let Ok(response) = system.response(&excitations) else { return Ok(None) };
     let all = |k: u32| {

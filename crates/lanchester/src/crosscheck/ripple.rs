@@ -7,7 +7,7 @@
 //! `F_0` and `e` are those of the closed form: the loads at constant speed, and the energy integral. The rocking couple goes the same way. The roll moment has the
 //! torque of the flywheel in it as well: it has no estimate.
 
-use crate::crosscheck::rungs::{CrossCheckError, Pair};
+use crate::crosscheck::pair::{CrossCheckError, Pair};
 use lanchester_mechanism::{LoadRequest, Mechanism, SpeedRipple};
 use lanchester_multibody::Run;
 use lanchester_report::{CrossRow, CrossVerdict};

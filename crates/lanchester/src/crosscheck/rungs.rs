@@ -1,21 +1,18 @@
 //! Closed form and bond graph held against the multibody simulation of the same engine.
 
 use crate::crosscheck::orders::order_rows;
-use crate::pressure::cylinders::{GasError, TraceFile, cylinder_gas};
+use crate::crosscheck::pair::{CrossCheckError, CrossCheckRequest, Pair};
+use crate::inertias::{known_inertia, rotor_inertia};
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::measured::TraceFile;
 use crate::pressure::simulated::GivenGas;
-use crate::torque_report::known_inertia;
-use lanchester_bondgraph::EngineGraphError;
 use lanchester_mechanism::{
-    BearingRequest, CylinderGas, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque,
-    RippleOutcome, TorqueError, bearing_loads, speed_ripple,
+    BearingRequest, GasTrain, Lever, LoadError, LoadRequest, Mechanism, OuterTorque, RippleOutcome,
+    bearing_loads, speed_ripple,
 };
-use lanchester_model::{Engine, SimulationInput};
-use lanchester_multibody::{
-    Guidance, Instant, LoadLaw, Motion, MultibodyError, Reactions, RotorInertia, RunOutcome, Simulation,
-    Train,
-};
+use lanchester_model::Engine;
+use lanchester_multibody::{LoadLaw, RunOutcome, Simulation, Train};
 use lanchester_report::{CROSSCHECK_VERSION, Condition, ConditionCheck, CrossCheck, CrossRow};
-use nalgebra::Vector3;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -31,48 +28,6 @@ const CANCELLED: f64 = 1e-3;
 
 /// Samples of one revolution.
 const SAMPLES: usize = 180;
-
-/// What to compare.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CrossCheckRequest {
-    /// Speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
-    pub speed: Option<f64>,
-    /// Conditions; empty: all.
-    pub conditions: Vec<Condition>,
-    /// Highest order listed.
-    pub max_order: u32,
-    /// Bar of condition A; `None`: 1e-10.
-    pub bar: Option<f64>,
-    /// What the file says of a run in time: its torques over the angle count in condition B.
-    pub simulation: Option<Box<SimulationInput>>,
-}
-
-impl Default for CrossCheckRequest {
-    fn default() -> Self {
-        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None, simulation: None }
-    }
-}
-
-/// Why nothing can be compared.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CrossCheckError {
-    /// The pressures.
-    #[error(transparent)]
-    Gas(#[from] GasError),
-    /// The closed form.
-    #[error(transparent)]
-    Loads(#[from] LoadError),
-    /// The closed form with gas.
-    #[error(transparent)]
-    Torque(#[from] TorqueError),
-    /// The simulation.
-    #[error(transparent)]
-    Multibody(#[from] MultibodyError),
-    /// The bond graph.
-    #[error(transparent)]
-    BondGraph(#[from] EngineGraphError),
-}
 
 /// Compares closed form, bond graph and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
 /// [`crate::trace_names`] names.
@@ -118,20 +73,6 @@ pub fn crosscheck(
     })
 }
 
-/// What is known of the inertia of everything that turns: keys of the file, else the crank as a body.
-pub fn rotor_inertia(engine: &Engine) -> RotorInertia {
-    RotorInertia::with_crankshafts(engine, known_inertia(engine).crankshaft)
-}
-
-/// One engine in both computations.
-pub(crate) struct Pair<'a> {
-    pub engine: &'a Engine,
-    pub speed: f64,
-    pub gas: Option<&'a [CylinderGas]>,
-    pub train: Train,
-    pub request: &'a CrossCheckRequest,
-}
-
 impl Pair<'_> {
     fn check(&self, condition: Condition) -> Result<ConditionCheck, CrossCheckError> {
         let found = match condition {
@@ -163,30 +104,6 @@ impl Pair<'_> {
     }
 
     /// Reactions of the simulation at `theta`, speed imposed, block fixed.
-    pub(crate) fn reactions(&self, theta: f64, shares: &[lanchester_multibody::RotorShares]) -> Reactions {
-        let forces: Vec<f64> = (0..self.train.cylinders.len())
-            .map(|index| {
-                let own = self.train.own_angle(index, theta);
-                let area = self.train.cylinders[index].area.unwrap_or(0.0);
-                self.gas
-                    .map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
-            })
-            .collect();
-        let motion = Motion::fixed(theta, self.speed);
-        let mut places = Vec::new();
-        self.train.places_into(theta, &mut places);
-        let instant = Instant {
-            motion: &motion,
-            places: &places,
-            rates: [0.0; 7],
-            gas: &forces,
-            gravity: Vector3::zeros(),
-            piston_damping: 0.0,
-            guidance: Guidance::Crankpin,
-        };
-        self.train.reactions(&instant, shares)
-    }
-
     /// Condition A: every component over the cycle and by order.
     fn like_for_like(&self) -> Result<Vec<CrossRow>, CrossCheckError> {
         let bar = self.request.bar.unwrap_or(LIKE_FOR_LIKE);

@@ -1,7 +1,8 @@
 //! The best shape of one counterweight on its web, within everything that moves past it.
 
 use crate::parts::clearance::{clearance_model, largest_swept_radius};
-use crate::parts::design::{CounterweightError, EvolutionRequest, duty_of, tilt, web_of};
+use crate::parts::duty::{duty_of, tilt, web_of};
+use crate::parts::error::CounterweightError;
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::{
     Design, DesignOutcome, DesignTask, Evolution, Limit, NearestLimit, Objective, Optimum, Outline, Part,
@@ -27,6 +28,15 @@ const SAME_RADIUS: f64 = 3e-7;
 pub(crate) const MOST_ROUNDS: usize = 6;
 /// Part of the largest unbalance that a shape can have which is not promised: without it too few shapes are left to find one.
 const MARGIN: f64 = 3e-5;
+
+/// An evolutionary search, as the tool paper has it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct EvolutionRequest {
+    /// Where its random numbers begin.
+    pub seed: u64,
+    /// How many designs it looks at.
+    pub evaluations: usize,
+}
 
 /// What a shape shares with its plain web beyond the web's disc: it is the web's.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
@@ -81,8 +91,8 @@ impl BestShape {
         Ok(best)
     }
 
-    /// As [`BestShape::find`]; where there is none, limits are told as far as the last envelope knows them.
-    fn find_as_asked(
+    /// As [`BestShape::find`]; where there is none, limits are told as far as the last envelope knows them, which takes no further search.
+    pub fn find_as_asked(
         engine: &Engine,
         index: usize,
         duty: f64,
@@ -166,6 +176,14 @@ impl BestShape {
             best.value = best.design.value(task.minimise);
         }
         Ok(found)
+    }
+
+    /// The shape, where there is one.
+    pub fn design(&self) -> Option<Design> {
+        match &self.outcome {
+            DesignOutcome::Found(best) => Some(best.design),
+            DesignOutcome::Infeasible(_) => None,
+        }
     }
 
     /// Mass of the part as it is exported [kg].

@@ -1,7 +1,7 @@
 //! Crankshaft and counterweights as they stand in the file, checked.
 
 use crate::parts::clearance::EngineClearanceError;
-use crate::parts::design::CounterweightError;
+use crate::parts::error::CounterweightError;
 use lanchester_geometry::clearance::{Clearances, SweptOverlap, swept_overlaps};
 use lanchester_geometry::counterweight_properties;
 use lanchester_geometry::crankshaft::{CrankshaftBody, crankshaft};

@@ -1,17 +1,16 @@
 //! The counterweights of an engine as parts: which of them, their duties, the best shapes.
 
-use crate::parts::best_shape::{BestShape, SharedWithWeb, fit, fitted_part, plane, refused};
-use crate::parts::clearance::EngineClearanceError;
-use crate::parts::shape_front::best_front;
+use crate::parts::best_shape::{
+    BestShape, EvolutionRequest, SharedWithWeb, fit, fitted_part, plane, refused,
+};
+use crate::parts::duty::{duty_of, tilt, web_of};
+use crate::parts::error::CounterweightError;
+use crate::parts::shape_front::{CounterweightFront, best_front};
 use lanchester_geometry::CounterweightShape;
 use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
-use lanchester_geometry::crankshaft::CrankshaftError;
-use lanchester_geometry::{
-    Design, DesignOutcome, Evolution, Front, GeometryError, Objective, Part, ShapeTask,
-};
-use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine, Fault};
+use lanchester_geometry::{Design, DesignOutcome, Evolution, Objective, Part, ShapeTask};
+use lanchester_model::{Counterweight, CounterweightForm, CounterweightPart, Engine};
 use serde::Serialize;
-use std::f64::consts::{PI, TAU};
 
 /// Version of [`CounterweightDesigns`]; raised when a field changes its meaning or goes.
 pub const COUNTERWEIGHT_DESIGNS_VERSION: u32 = 2;
@@ -30,15 +29,6 @@ pub struct CounterweightRequest {
     pub task: ShapeTask,
     /// An evolutionary search beside the proved optimum, for comparison.
     pub evolution: Option<EvolutionRequest>,
-}
-
-/// An evolutionary search, as the tool paper has it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct EvolutionRequest {
-    /// Where its random numbers begin.
-    pub seed: u64,
-    /// How many designs it looks at.
-    pub evaluations: usize,
 }
 
 /// A weight and the shape that was found for it.
@@ -87,122 +77,6 @@ pub struct CounterweightDesigns {
     pub weights: Vec<DesignedCounterweight>,
 }
 
-/// The trade between two objectives for weights of one duty.
-#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct CounterweightFront {
-    /// Indices of the weights in [`Engine::counterweights`].
-    pub weights: Vec<usize>,
-    /// The smallest swept radius that keeps the wanted clearance of one of them whatever the shape; none where there is nothing to stay clear of.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub room: Option<SweptRoom>,
-    /// With a room: how far all of them may reach in each direction.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub envelope: Option<RadialEnvelope>,
-    /// The designs, each as what it adds to the crankshaft beyond the web as it is.
-    pub front: Front,
-}
-
-/// Why no counterweight can be designed.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CounterweightError {
-    /// With it there would be no engine.
-    #[error(transparent)]
-    Engine(Fault),
-    /// No weight on any web.
-    #[error(
-        "no counterweight stands on a web\nhint: {}", match .has_weights {
-            true => "name one, or give the weights a web: `web = 1` in [[counterweight]], `at = \"webs\"` in [counterweights]",
-            false => "find the best ones on the webs first"
-        }
-    )]
-    NoneOnAWeb {
-        /// Whether there are weights elsewhere.
-        has_weights: bool,
-    },
-    /// A name that no weight has.
-    #[error("no counterweight is called \"{name}\"\nhint: the names are {known}")]
-    Unknown {
-        /// The name.
-        name: String,
-        /// The names that there are.
-        known: String,
-    },
-    /// A weight without any unbalance.
-    #[error(
-        "counterweight \"{name}\" has no unbalance to be designed for\nhint: give one, or leave the weight out"
-    )]
-    NoDuty {
-        /// Its name.
-        name: String,
-    },
-    /// Weights of different duties where one is due.
-    #[error(
-        "the weights have different duties: {}\nhint: name one of them, or give one unbalance for all", .duties.join(", ")
-    )]
-    Duties {
-        /// Each weight with its duty, in words.
-        duties: Vec<String>,
-    },
-    /// A name that several weights have.
-    #[error("{count} counterweights are called \"{name}\"\nhint: give each its own name")]
-    Several {
-        /// The name.
-        name: String,
-        /// How many have it.
-        count: usize,
-    },
-    /// A whole web where the engine has no plain one to take the place of.
-    #[error(
-        "the outline of a whole web needs a weight on a web, and [crank.body] for the plain web that it replaces; \"{name}\" has not both\nhint: draw the counterweight alone, or add them to the engine file"
-    )]
-    NoPlainWeb {
-        /// Name of the weight.
-        name: String,
-    },
-    /// A part that is no single weight, or does not fit its web.
-    #[error("counterweight \"{name}\": {fault}\nhint: change its outline or its inserts")]
-    Fault {
-        /// Name of the weight.
-        name: String,
-        /// What is wrong.
-        fault: String,
-    },
-    /// Something that the crankshaft must stay clear of and that is not told completely.
-    #[error(transparent)]
-    Clearance(#[from] EngineClearanceError),
-    /// A crankshaft that is no body.
-    #[error(transparent)]
-    Crankshaft(#[from] CrankshaftError),
-    /// A name that no balance shaft has.
-    #[error("no balance shaft is called \"{name}\"\nhint: {}", match .known.as_str() {
-        "" => "the file has no [[shaft]]".to_owned(),
-        known => format!("the names are {known}"),
-    })]
-    UnknownShaft {
-        /// The name.
-        name: String,
-        /// The names that there are.
-        known: String,
-    },
-    /// A balance shaft none of whose weights is a part.
-    #[error(
-        "no weight of the shaft \"{name}\" has a shape yet\nhint: design them first, in a file with a section [shaft_weight_design]"
-    )]
-    BareShaft {
-        /// Name of the shaft.
-        name: String,
-    },
-    /// No weight that is a part.
-    #[error(
-        "no counterweight and no weight of a balance shaft has a shape yet\nhint: design shapes first, or take them from a drawing"
-    )]
-    NoPart,
-    /// Numbers of the task that have no meaning.
-    #[error(transparent)]
-    Geometry(#[from] GeometryError),
-}
-
 /// The best shape for each weight that is asked for, with its proof.
 ///
 /// Where the engine says what the crankshaft must stay clear of, and the best shape does not, it is the best of the shapes within the envelope of all
@@ -216,26 +90,17 @@ pub fn design_counterweights(
     request: &CounterweightRequest,
 ) -> Result<CounterweightDesigns, CounterweightError> {
     let mut weights: Vec<DesignedCounterweight> = Vec::new();
-    let mut done: Vec<(f64, BestShape)> = Vec::new();
+    let mut done = Alike::default();
     for (index, duty) in duties(engine, request)? {
-        let name = engine.counterweights[index].name.clone();
-        // Weights of one duty that stand alike on their webs have one shape.
-        let tilt = tilt(engine, &engine.counterweights[index]);
-        let mut alike = None;
-        for (at, (known_tilt, known)) in done.iter().enumerate() {
-            if known.duty == duty && (known_tilt - tilt).abs() < 1e-9 && known.is_best_for(engine, index)? {
-                alike = Some(at);
-                break;
-            }
-        }
-        let known = alike.map(|at| done[at].1.clone());
+        let known = done.find(engine, index, duty)?.cloned();
+        let is_new = known.is_none();
         let best = match known {
             Some(known) => known,
             None => BestShape::find(engine, index, duty, &request.task)?,
         };
         let evolution = request.evolution.map(|search| best.evolve(engine, index, search)).transpose()?;
         weights.push(DesignedCounterweight {
-            name,
+            name: engine.counterweights[index].name.clone(),
             index,
             duty,
             shared: best.shared,
@@ -246,8 +111,8 @@ pub fn design_counterweights(
             part_mass: best.part_mass(engine, index)?,
             evolution,
         });
-        if alike.is_none() {
-            done.push((tilt, best));
+        if is_new {
+            done.add(engine, index, best);
         }
     }
     Ok(CounterweightDesigns {
@@ -256,13 +121,6 @@ pub fn design_counterweights(
         task: request.task,
         weights,
     })
-}
-
-/// How far a weight stands from the opposite of its crankpin, without its sign [rad].
-pub(crate) fn tilt(engine: &Engine, weight: &Counterweight) -> f64 {
-    let Some(web) = web_of(engine, weight) else { return 0.0 };
-    let off = weight.angle - engine.throws[web / 2].angle - PI;
-    ((off + PI).rem_euclid(TAU) - PI).abs()
 }
 
 /// The front between what the task makes small and `against`, for weights of one duty.
@@ -310,23 +168,62 @@ pub fn adopted(
         }
         task
     };
-    let adopt = |index: &usize| -> Result<(usize, Design), CounterweightError> {
-        let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[*index]));
+    let find = |index: usize, duty: f64| -> Result<Option<BestShape>, CounterweightError> {
         for task in [limited(0.0), limited(1e-5), ShapeTask { minimise: second, ..request.task }] {
-            if let DesignOutcome::Found(best) = BestShape::find(engine, *index, duty, &task)?.outcome {
-                return Ok((*index, best.design));
+            let found = BestShape::find_as_asked(engine, index, duty, &task)?;
+            if found.design().is_some() {
+                return Ok(Some(found));
             }
         }
-        Ok((*index, *design))
+        Ok(None)
     };
+    let mut done = Alike::default();
     let mut designs: Vec<(usize, Design)> = Vec::new();
-    for index in &front.weights {
-        let (index, own) = adopt(index)?;
+    for &index in &front.weights {
+        let duty = request.unbalance.unwrap_or_else(|| duty_of(&engine.counterweights[index]));
+        let own = match done.find(engine, index, duty)? {
+            Some(known) => known.design(),
+            None => {
+                let found = find(index, duty)?;
+                let own = found.as_ref().and_then(BestShape::design);
+                found.into_iter().for_each(|found| done.add(engine, index, found));
+                own
+            }
+        };
+        let own = own.unwrap_or(*design);
         // Webs that are alike have one design, not two that differ by rounding.
         let alike = designs.iter().map(|one| one.1).find(|known| are_same(known, &own));
         designs.push((index, alike.unwrap_or(own)));
     }
     Ok(designs)
+}
+
+/// Shapes that are known, each with how far its weight stands from the opposite of its crankpin: weights of one duty that stand alike on their
+/// webs have one shape.
+#[derive(Default)]
+struct Alike {
+    known: Vec<(f64, BestShape)>,
+}
+
+impl Alike {
+    fn find(
+        &self,
+        engine: &Engine,
+        index: usize,
+        duty: f64,
+    ) -> Result<Option<&BestShape>, CounterweightError> {
+        let tilt = tilt(engine, &engine.counterweights[index]);
+        for (known_tilt, known) in &self.known {
+            if known.duty == duty && (known_tilt - tilt).abs() < 1e-9 && known.is_best_for(engine, index)? {
+                return Ok(Some(known));
+            }
+        }
+        Ok(None)
+    }
+
+    fn add(&mut self, engine: &Engine, index: usize, shape: BestShape) {
+        self.known.push((tilt(engine, &engine.counterweights[index]), shape));
+    }
 }
 
 /// Whether two designs differ by rounding alone.
@@ -407,11 +304,6 @@ pub fn with_outline(
     engine.with(|parts| fit(parts, index, part, weight)).map_err(CounterweightError::engine)
 }
 
-/// The unbalance that a weight should have [kg m].
-pub(crate) fn duty_of(weight: &Counterweight) -> f64 {
-    weight.part.as_ref().and_then(|part| part.wanted).unwrap_or(weight.unbalance)
-}
-
 /// The indices of the weights that are asked for, each with its duty [kg m].
 fn duties(engine: &Engine, request: &CounterweightRequest) -> Result<Vec<(usize, f64)>, CounterweightError> {
     let mut found = Vec::new();
@@ -461,27 +353,5 @@ pub(crate) fn stands_on_a_web(engine: &Engine, weight: &Counterweight) -> bool {
     web_of(engine, weight).is_some()
 }
 
-/// The web in whose plane a weight stands, counted through all throws.
-pub(crate) fn web_of(engine: &Engine, weight: &Counterweight) -> Option<usize> {
-    if let Some(part) = &weight.part {
-        return part.web;
-    }
-    let webs = engine.throws.iter().enumerate().flat_map(|(index, throw)| {
-        let planes = throw.webs.filter(|_| throw.crankshaft == weight.crankshaft);
-        planes.into_iter().flatten().enumerate().map(move |(side, z)| (2 * index + side, z))
-    });
-    let mut near = webs.filter(|(_, z)| (z - weight.z).abs() < 1e-9);
-    // The web between two pins is no place for a shape.
-    let shared: Vec<usize> = engine.shared_webs().into_iter().flat_map(|shared| shared.webs()).collect();
-    near.next().map(|(web, _)| web).filter(|web| engine.crank_body.is_none() || !shared.contains(web))
-}
-
 #[cfg(test)]
 mod tests;
-
-impl CounterweightError {
-    /// The first of the faults of parts that are no engine.
-    pub(crate) fn engine(faults: Vec<Fault>) -> CounterweightError {
-        CounterweightError::Engine(Fault::first_of(faults))
-    }
-}

@@ -3,13 +3,29 @@
 use crate::parts::best_shape::{
     MOST_ROUNDS, asked, designed, envelope, missed, on_web, room, shared, thin_enough,
 };
-use crate::parts::design::{CounterweightError, CounterweightFront};
-use lanchester_geometry::clearance::RadialEnvelope;
+use crate::parts::error::CounterweightError;
+use lanchester_geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester_geometry::{Design, DesignOutcome, Front, Objective, ShapeTask, front_within};
 use lanchester_model::Engine;
+use serde::Serialize;
 
 /// Part of the duty that a design may miss or have too much before it is searched anew with what it shares itself.
 const MISSED: f64 = 1e-7;
+
+/// The trade between two objectives for weights of one duty.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct CounterweightFront {
+    /// Indices of the weights in [`Engine::counterweights`].
+    pub weights: Vec<usize>,
+    /// The smallest swept radius that keeps the wanted clearance of one of them whatever the shape; none where there is nothing to stay clear of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub room: Option<SweptRoom>,
+    /// With a room: how far all of them may reach in each direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub envelope: Option<RadialEnvelope>,
+    /// The designs, each as what it adds to the crankshaft beyond the web as it is.
+    pub front: Front,
+}
 
 /// The front for weights (by index) of one duty [kg m].
 pub(crate) fn best_front(

@@ -1,6 +1,7 @@
 //! What of crankshafts and balance shafts goes into a CAD file.
 
-use crate::parts::design::{CounterweightError, chosen};
+use crate::parts::design::chosen;
+use crate::parts::error::CounterweightError;
 use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_geometry::export::PlacedPart;
 use lanchester_geometry::shaft_solids;

@@ -1,8 +1,9 @@
 //! What fits: the largest unbalance that web, shapes and clearance allow, as the bound of each free weight on a web.
 
 use crate::parts::best_shape::LargestShapes;
-use crate::parts::design::{CounterweightError, web_of};
-use crate::pressure::cylinders::TraceFile;
+use crate::parts::duty::web_of;
+use crate::parts::error::CounterweightError;
+use crate::pressure::measured::TraceFile;
 use crate::pressure::over_speed::optimised;
 use lanchester_balance::{Answer, BalanceError, BalanceSettings, Next, SearchState, WebBound};
 use lanchester_model::{Counterweight, Engine};

@@ -1,7 +1,8 @@
 //! Weights that do not fit on their webs, whoever chose them: methods that know no bound of what fits are held against it afterwards.
 
 use crate::parts::best_shape::LargestShapes;
-use crate::parts::design::{CounterweightError, web_of};
+use crate::parts::duty::web_of;
+use crate::parts::error::CounterweightError;
 use lanchester_model::Engine;
 use lanchester_task::ShapeTask;
 use serde::Serialize;

@@ -1,8 +1,7 @@
 //! What the weights that balancing found weigh as real parts.
 
-use crate::parts::design::{
-    CounterweightError, CounterweightRequest, design_counterweights, stands_on_a_web,
-};
+use crate::parts::design::{CounterweightRequest, design_counterweights, stands_on_a_web};
+use crate::parts::error::CounterweightError;
 use crate::parts::shaft_weights::design_shaft_weights;
 use lanchester_balance::Answer;
 use lanchester_geometry::{DesignOutcome, ShaftWeightOutcome};

@@ -1,25 +1,17 @@
 //! The gas of an engine at one speed: from its file and its traces to the pressures on every piston.
 
-use crate::pressure::measured::{self, Measured};
+use crate::pressure::error::GasError;
+use crate::pressure::measured::{self, Measured, TraceFile};
 use lanchester_cycle::{
-    CycleError, CylinderVolume, IdealCycle, Indicated, TraceError, TracePlace, ZoneCycle, ZoneSettings,
-    ideal_cycle, indicated, single_zone,
+    CylinderVolume, IdealCycle, Indicated, TracePlace, ZoneCycle, ZoneSettings, ideal_cycle, indicated,
+    single_zone,
 };
-use lanchester_mechanism::{CurveError, CylinderGas, PeriodicCurve};
+use lanchester_mechanism::{CylinderGas, PeriodicCurve};
 use lanchester_model::{CrankcasePressure, Engine, Gas, GasCycle, GasProcess, GasSource, PressureTrace};
 use serde::Serialize;
 
 /// Version of the form of [`GasReport`].
 pub const GAS_REPORT_VERSION: u32 = 1;
-
-/// A file that the engine file names, with its text.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TraceFile {
-    /// Its name as the engine file gives it.
-    pub name: String,
-    /// Its text.
-    pub text: String,
-}
 
 /// Pressures on all pistons at one speed, and where they come from.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -68,39 +60,6 @@ impl CylinderCycle {
             CylinderCycle::Ideal(cycle) => &cycle.pressure,
             CylinderCycle::SingleZone(cycle) => &cycle.pressure,
         }
-    }
-}
-
-/// Why there are no pressures.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum GasError {
-    /// The engine file says nothing of gas.
-    #[error("the engine file says nothing of the gas\nhint: add [gas] with [[gas.trace]] or [gas.cycle]")]
-    NoGas,
-    /// A speed at which nothing turns.
-    #[error("gas needs a speed above 0, got {got} rad/s")]
-    Speed {
-        /// The speed [rad/s].
-        got: f64,
-    },
-    /// A file that the engine file names was not given.
-    #[error("the pressures of {name} are missing\nhint: [gas] names this file")]
-    MissingTrace {
-        /// Its name.
-        name: String,
-    },
-    /// A file of pressures is refused.
-    #[error(transparent)]
-    Trace(#[from] TraceError),
-    /// The cycle cannot be.
-    #[error(transparent)]
-    Cycle(#[from] CycleError),
-}
-
-impl From<CurveError> for GasError {
-    fn from(error: CurveError) -> GasError {
-        GasError::Cycle(error.into())
     }
 }
 

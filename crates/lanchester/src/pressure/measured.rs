@@ -1,12 +1,21 @@
 //! Measured pressures of an engine at one speed.
 
-use crate::pressure::cylinders::{GasError, TraceFile};
+use crate::pressure::error::GasError;
 use lanchester_cycle::{
     CylinderVolume, MeasuredTrace, TraceError, TraceFault, TraceOptions, TracePlace, at_speed, check_firing,
     read_trace,
 };
 use lanchester_mechanism::PeriodicCurve;
 use lanchester_model::{Gas, PressureTrace};
+
+/// A file that the engine file names, with its text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TraceFile {
+    /// Its name as the engine file gives it.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
 
 /// One curve for each cylinder, and what is to be said of the files.
 pub(crate) struct Measured {

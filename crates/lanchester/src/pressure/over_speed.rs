@@ -1,8 +1,9 @@
 //! The pressures of an engine at any speed, for an optimum that counts the gas over a range of speeds.
 
+use crate::inertias::with_known_rotors;
 use crate::mounted::depends_on_speed;
-use crate::pressure::cylinders::{TraceFile, cylinder_gas};
-use crate::torque_report::with_known_rotors;
+use crate::pressure::cylinders::cylinder_gas;
+use crate::pressure::measured::TraceFile;
 use lanchester_balance::{
     Answer, BalanceError, BalanceSettings, GasOverSpeed, Next, SearchState, optimise_watched,
 };

@@ -1,7 +1,9 @@
 //! The pressures of gas reports as a run of the multibody simulation takes them.
 
 use crate::mounted::depends_on_speed;
-use crate::pressure::cylinders::{GasError, GasReport, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{GasReport, cylinder_gas};
+use crate::pressure::error::GasError;
+use crate::pressure::measured::TraceFile;
 use lanchester_mechanism::{CylinderGas, PeriodicCurve};
 use lanchester_model::{CrankcasePressure, Engine, GasSource};
 use lanchester_multibody::GasPressure;

@@ -1,7 +1,8 @@
 //! Balance shafts: their weights as parts where the file gives shapes, else as half discs, and the bar through them.
 
 use super::mesh::SceneMesh;
-use super::{Builder, SceneKind, SceneMotion, part, rounded};
+use super::mesh::rounded;
+use super::{Builder, SceneKind, SceneMotion, part};
 use lanchester_geometry::{Contour, Corner, Outline, Point};
 use lanchester_model::{BalanceShaft, ShaftWeight};
 

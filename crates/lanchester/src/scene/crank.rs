@@ -1,7 +1,8 @@
 //! Crankshafts: journals, pins, webs and counterweights.
 
 use super::mesh::SceneMesh;
-use super::{Builder, SceneKind, SceneMotion, ScenePart, part, rounded, symbolic};
+use super::mesh::rounded;
+use super::{Builder, SceneKind, SceneMotion, ScenePart, part, symbolic};
 use lanchester_geometry::crankshaft::{CrankshaftPiece, SectionKind, crankshaft_pieces};
 use lanchester_geometry::export::PlacedPart;
 use lanchester_geometry::{Part, Point};

@@ -1,6 +1,7 @@
 //! Pistons, rods and liners with their motion.
 
-use super::{Builder, STEPS, SceneKind, SceneMotion, ScenePart, part, rounded};
+use super::mesh::rounded;
+use super::{Builder, STEPS, SceneKind, SceneMotion, ScenePart, part};
 use lanchester_mechanism::{RodLinkage, RodPlace};
 use num_complex::Complex64;
 use std::f64::consts::TAU;

@@ -5,8 +5,6 @@ use lanchester_geometry::{Outline, Part, Point};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-use super::rounded;
-
 /// Density of solids that are only drawn; any of a material does [kg/m^3].
 const ANY: f64 = 7850.0;
 /// Facets of a turned surface.
@@ -161,4 +159,11 @@ impl Meshes {
             self.all.len() - 1
         })
     }
+}
+
+/// Rounded to a micrometre, or to a millionth of a radian.
+pub(super) fn rounded(value: f64) -> f64 {
+    let rounded = (value * 1e6).round() / 1e6;
+    // No negative zero, which reads as a mistake.
+    if rounded == 0.0 { 0.0 } else { rounded }
 }

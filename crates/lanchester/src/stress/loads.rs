@@ -1,6 +1,7 @@
 //! Loads of a crankshaft from the closed form, named, in the frame that turns with it.
 
-use crate::pressure::cylinders::{GasReport, TraceFile, cylinder_gas};
+use crate::pressure::cylinders::{GasReport, cylinder_gas};
+use crate::pressure::measured::TraceFile;
 use crate::stress::request::{StaticRequest, StressError, StressLoad};
 use lanchester_flex::crank_case::{CrankLoad, PinLoad};
 use lanchester_mechanism::{BearingPart, BearingRequest, ThrowForce, throw_forces};
@@ -104,6 +105,16 @@ fn named(
     }
 }
 
+/// A size of the force on a pin, and how it is called.
+type Size = (&'static str, fn(&ThrowForce) -> f64);
+
+/// Sizes whose extremes are load cases.
+const SIZES: [Size; 3] = [
+    ("radial", |own| own.radial.abs()),
+    ("tangential", |own| own.tangential.abs()),
+    ("resultant", |own| own.force.norm()),
+];
+
 fn of_closed_form(
     engine: &Engine,
     gas: Option<&GasReport>,
@@ -131,12 +142,7 @@ fn of_closed_form(
     let throws = over.first().map_or(0, Vec::len);
     for k in 0..throws {
         let pin = over[0][k].throw + 1;
-        let sizes: [(&'static str, &dyn Fn(&ThrowForce) -> f64); 3] = [
-            ("radial", &|own| own.radial.abs()),
-            ("tangential", &|own| own.tangential.abs()),
-            ("resultant", &|own| own.force.norm()),
-        ];
-        for (name, size) in sizes {
+        for (name, size) in SIZES {
             let best = (0..count).max_by(|a, b| size(&over[*a][k]).total_cmp(&size(&over[*b][k])));
             if let Some(best) = best {
                 let extremes = &mut Wanted::at(&mut wanted, grid[best]).extremes;

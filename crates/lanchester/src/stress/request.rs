@@ -1,6 +1,6 @@
 //! What is asked of the stress of a crankshaft, and why it may not be answered.
 
-use crate::pressure::cylinders::GasError;
+use crate::pressure::error::GasError;
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_case::CrankSupport;
 use lanchester_flex::crank_mesh::CrankMeshOptions;

@@ -1,6 +1,6 @@
 //! Meshing and solving.
 
-use crate::pressure::cylinders::TraceFile;
+use crate::pressure::measured::TraceFile;
 use crate::stress::loads::named_loads;
 use crate::stress::request::{
     ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,

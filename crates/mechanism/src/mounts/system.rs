@@ -79,7 +79,7 @@ impl MountSystem {
             fixed,
             mounts,
             body,
-            rotors: rotor_inertia_about_z(engine, None),
+            rotors: rotor_inertia_about_z(&engine.rotating_bodies(&[])),
         })
     }
 

@@ -1,6 +1,7 @@
 //! What becomes of the speed within the cycle: a periodic speed, an inertia that is not known, or an engine that stops.
 
 use crate::speed::ripple::{FLYWHEEL_VERSION, SpeedRipple, TurningInertia};
+use lanchester_model::{RotatingBody, RotatingKind};
 use serde::Serialize;
 
 /// Lowest speed over the mean [1] below which an engine counts as stopped: a load that takes the same torque at every angle, and the
@@ -58,6 +59,18 @@ impl KnownInertia {
     /// Both known.
     pub fn of(given: TurningInertia) -> KnownInertia {
         KnownInertia { flywheel: Some(given.flywheel), crankshaft: Some(given.crankshaft) }
+    }
+
+    /// Of all that turns with an engine: its flywheel, and its crankshafts where all of them are known.
+    pub fn of_bodies(bodies: &[RotatingBody]) -> KnownInertia {
+        let of = |is_wanted: fn(RotatingKind) -> bool| -> Option<f64> {
+            let own = bodies.iter().filter(|body| is_wanted(body.kind));
+            own.map(|body| body.referred().map(|inertia| inertia.value)).sum()
+        };
+        KnownInertia {
+            flywheel: of(|kind| kind == RotatingKind::Flywheel),
+            crankshaft: of(|kind| matches!(kind, RotatingKind::Crankshaft(_))),
+        }
     }
 
     /// What is not known.

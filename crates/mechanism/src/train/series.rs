@@ -211,9 +211,13 @@ fn central_weights(m: u32) -> impl Iterator<Item = (u32, f64)> {
     })
 }
 
-/// `binom(a, k) (-1)^k` for `a = +-1/2`.
-fn half_binomial(a: f64, k: u32) -> f64 {
-    (0..k).map(f64::from).fold(1.0, |value, j| value * (j - a) / (j + 1.0))
+/// `binom(a, k) (-1)^k` for `a = +-1/2`, k = 0..=highest.
+fn half_binomials(a: f64, highest: u32) -> Vec<f64> {
+    let next = |value: &f64, k: u32| value * (f64::from(k) - a) / (f64::from(k) + 1.0);
+    std::iter::successors(Some((0, 1.0)), |(k, value)| Some((k + 1, next(value, *k))))
+        .map(|(_, value)| value)
+        .take(highest as usize + 1)
+        .collect()
 }
 
 /// The literature's order coefficients of a centred slider-crank, n = 0..=max_order: power series in the rod ratio
@@ -234,11 +238,12 @@ pub fn series_coefficients(rod_ratio: f64, max_order: u32, max_power: u32) -> Ve
     if max_order >= 1 {
         coefficients[1] = 1.0;
     }
+    let binomials = half_binomials(0.5, max_power / 2 + 1);
     for m in 1..=max_order / 2 {
         let sign = if m % 2 == 0 { 2.0 } else { -2.0 };
         let sum: f64 = central_weights(m)
             .take_while(|(k, _)| 2 * k - 1 <= max_power)
-            .map(|(k, weight)| half_binomial(0.5, k) * rod_ratio.powi(2 * k as i32 - 1) * weight)
+            .map(|(k, weight)| binomials[k as usize] * rod_ratio.powi(2 * k as i32 - 1) * weight)
             .sum();
         coefficients[2 * m as usize] = f64::from(4 * m * m) * sign * sum;
     }
@@ -255,12 +260,13 @@ pub(crate) fn series_orders(slider: &Slider, max_order: u32, max_power: u32) -> 
         .collect();
     // The mean travel moves no load.
     travel[0] = Complex64::from(slider.length);
+    let binomials = half_binomials(-0.5, max_power / 2 + 1);
     let inverse: Vec<f64> = (0..=max_order / 2 + 1)
         .map(|m| {
             let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
             central_weights(m)
                 .take_while(|(k, _)| 2 * k < max_power)
-                .map(|(k, weight)| sign * half_binomial(-0.5, k) * ratio.powi(2 * k as i32) * weight)
+                .map(|(k, weight)| sign * binomials[k as usize] * ratio.powi(2 * k as i32) * weight)
                 .sum()
         })
         .collect();

@@ -5,7 +5,7 @@ use crate::support::mounted::{block, mount};
 use lanchester_mechanism::{
     MountSystem, TurningInertia, inertia_excitations, rotor_inertia_about_z, train_inertia,
 };
-use lanchester_model::{Block, Engine, Flywheel, Mount, MountSpring};
+use lanchester_model::{Block, Engine, Flywheel, Mount, MountSpring, ShapedCrankshaft};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -110,7 +110,8 @@ fn the_rotors_matter_and_can_be_left_out() {
 #[test]
 fn every_rotor_counts_with_its_sense() {
     let mut engine = engine();
-    assert_eq!(rotor_inertia_about_z(&engine, Some(0.02)), J + 0.02);
+    let shape = ShapedCrankshaft { mass: 12.0, centre: [0.0; 3], inertia: 0.02 };
+    assert_eq!(rotor_inertia_about_z(&engine.rotating_bodies(&[Some(shape)])), J + 0.02);
     engine = engine
         .with(|engine| {
             if let Some(flywheel) = &mut engine.flywheel {
@@ -118,7 +119,7 @@ fn every_rotor_counts_with_its_sense() {
             }
         })
         .unwrap();
-    assert_eq!(rotor_inertia_about_z(&engine, None), J + 0.03);
+    assert_eq!(rotor_inertia_about_z(&engine.rotating_bodies(&[])), J + 0.03);
     let mut shaft = lanchester_model::BalanceShaft {
         name: "shaft".into(),
         ratio: lanchester_model::Ratio::new(-2, 1).expect("not 0"),
@@ -132,7 +133,7 @@ fn every_rotor_counts_with_its_sense() {
             engine.shafts.push(shaft.clone());
         })
         .unwrap();
-    assert!((rotor_inertia_about_z(&engine, None) - (J + 0.03 - 0.002)).abs() < 1e-15);
+    assert!((rotor_inertia_about_z(&engine.rotating_bodies(&[])) - (J + 0.03 - 0.002)).abs() < 1e-15);
     shaft.inertia = None;
     shaft.name = "another".into();
     engine = engine
@@ -140,7 +141,7 @@ fn every_rotor_counts_with_its_sense() {
             engine.shafts.push(shaft);
         })
         .unwrap();
-    assert!((rotor_inertia_about_z(&engine, None) - (J + 0.03 - 0.002)).abs() < 1e-15);
+    assert!((rotor_inertia_about_z(&engine.rotating_bodies(&[])) - (J + 0.03 - 0.002)).abs() < 1e-15);
 }
 
 /// A gear counts in the roll by its momentum, and in the inertia of the train by its energy.
@@ -155,7 +156,10 @@ fn a_gear_counts_in_roll_and_in_the_train() {
         disc: None,
     };
     let (plain, geared) = (engine(), engine().with(|engine| engine.gears.push(gear)).unwrap());
-    assert_eq!(rotor_inertia_about_z(&geared, None), rotor_inertia_about_z(&plain, None) - 0.002);
+    assert_eq!(
+        rotor_inertia_about_z(&geared.rotating_bodies(&[])),
+        rotor_inertia_about_z(&plain.rotating_bodies(&[])) - 0.002
+    );
     let given = TurningInertia { flywheel: J, crankshaft: 0.01 };
     let theta = [0.0, 1.0, 2.0];
     let [plain, geared] = [plain, geared].map(|engine| train_inertia(&engine, given, &theta).unwrap());

@@ -66,7 +66,8 @@ fn gas(engine: &Engine) -> Vec<CylinderGas> {
 fn xcheck_loads_on_the_block_and_shaft_torque() {
     for engine in gallery() {
         let speed = engine.speed.highest;
-        let train = Train::new(&engine, &RotorInertia::of(&engine)).expect("the gallery turns");
+        let train =
+            Train::new(&engine, &RotorInertia::of(&engine.rotating_bodies(&[]))).expect("the gallery turns");
         let closed = Mechanism::new(&engine, &LoadRequest::default()).expect("the gallery is valid");
         let none = vec![0.0; engine.cylinders.len()];
         let mut off = [0.0f64; 6];
@@ -106,7 +107,8 @@ fn xcheck_loads_on_the_block_and_shaft_torque() {
 fn xcheck_walls_pins_and_mains_with_gas() {
     for engine in gallery() {
         let speed = engine.speed.highest;
-        let train = Train::new(&engine, &RotorInertia::of(&engine)).expect("the gallery turns");
+        let train =
+            Train::new(&engine, &RotorInertia::of(&engine.rotating_bodies(&[]))).expect("the gallery turns");
         let gas = gas(&engine);
         let request = BearingRequest { samples: 41, ..BearingRequest::default() };
         let closed = bearing_loads(&engine, Some(&gas), &request).expect("the gallery is valid");

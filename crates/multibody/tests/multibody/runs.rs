@@ -450,7 +450,7 @@ fn an_imposed_speed_follows_its_profile() {
 #[test]
 fn what_is_missing_is_named() {
     let mut engine = engine("bare", vec![throw(0.0, 0.0)], vec![support::cylinder(0, 0.0, 0.0)]);
-    let train = Train::new(&engine, &RotorInertia::of(&engine)).expect("it turns");
+    let train = Train::new(&engine, &RotorInertia::of(&engine.rotating_bodies(&[]))).expect("it turns");
     let refused = train.run(&Simulation::free(100.0, 1.0), None).expect_err("no inertia");
     assert!(refused.to_string().contains("[flywheel]"), "{refused}");
     let on_mounts = Simulation { block: BlockMotion::Mounts, ..Simulation::imposed(100.0, 1.0) };
@@ -463,7 +463,8 @@ fn what_is_missing_is_named() {
             engine.block = fired(1).block.clone().map(|block| Block { mass: 1.0, ..block });
         })
         .unwrap();
-    let refused = Train::new(&engine, &RotorInertia::of(&engine)).expect_err("too small");
+    let refused =
+        Train::new(&engine, &RotorInertia::of(&engine.rotating_bodies(&[]))).expect_err("too small");
     assert!(refused.to_string().contains("cylinder 1"), "{refused}");
     let few = Simulation { most_evaluations: 500, ..Simulation::imposed(100.0, 1000.0) };
     let refused = train.run(&few, None).expect_err("it would take too long");

@@ -3,7 +3,6 @@
 use crate::api::Api;
 use crate::asker::Asker;
 use crate::folder::FileState;
-use crate::openapi::openapi;
 use crate::problem::Problem;
 use lanchester::file::{KeyTable, key_tables, templates};
 use schemars::JsonSchema;
@@ -38,11 +37,7 @@ struct TemplateInfo {
 }
 
 pub(crate) fn questions(api: Api) -> Api {
-    api.get("/api/session", "What the page needs to know at its start.", session).get(
-        "/api/openapi.json",
-        "This description.",
-        |_| Ok(openapi()),
-    )
+    api.get("/api/session", "What the page needs to know at its start.", session)
 }
 
 fn session(asker: &Asker) -> Result<Session, Problem> {

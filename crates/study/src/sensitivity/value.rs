@@ -10,7 +10,7 @@ use lanchester_mechanism::{
     SpeedResponse, Torque, TorqueError, TorqueRequest, bearing_loads, inertia_excitations, internal_moments,
     merged_orders, rotor_inertia_about_z, speed_ripple, torque, total_loads, vector_amplitude,
 };
-use lanchester_model::{Engine, EngineParts};
+use lanchester_model::{Engine, EngineParts, RotatingKind, Sourced};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -333,9 +333,19 @@ fn on_mounts(
 
 /// Angular momentum of the rotors over the speed [kg m^2], with the flywheel and the crankshafts of the point where it knows them.
 fn rotors_about_z(point: &OperatingPoint) -> f64 {
-    let of_file = point.engine.flywheel.as_ref().and_then(|wheel| wheel.inertia).unwrap_or(0.0);
-    let changed = point.turning.flywheel.map_or(0.0, |own| own - of_file);
-    rotor_inertia_about_z(&point.engine, point.turning.crankshaft) + changed
+    let turning = point.turning;
+    let squares: f64 = point.engine.crankshafts.iter().map(|shaft| shaft.ratio.value().powi(2)).sum();
+    let mut bodies = point.engine.rotating_bodies(&[]);
+    for body in &mut bodies {
+        // The crankshafts together, as seen at crankshaft 1: an equal part to each.
+        let own = match body.kind {
+            RotatingKind::Flywheel => turning.flywheel,
+            RotatingKind::Crankshaft(_) => turning.crankshaft.map(|seen| seen / squares),
+            RotatingKind::Shaft(_) | RotatingKind::Gear(_) => None,
+        };
+        body.inertia = own.map(Sourced::given).or(body.inertia);
+    }
+    rotor_inertia_about_z(&bodies)
 }
 
 fn of_mounts(response: &SpeedResponse, one: Option<usize>, size: Size) -> f64 {

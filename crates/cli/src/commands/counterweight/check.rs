@@ -1,6 +1,6 @@
 //! `lanchester counterweight check`: crankshaft and counterweights as they stand in the file.
 
-use super::draw;
+use super::drawings::draw;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};

@@ -1,6 +1,7 @@
 //! `lanchester counterweight design`: the best shape for every counterweight and every weight of a balance shaft.
 
-use super::{designed_counterweights, designed_shaft_weights, draw};
+use super::drawings::draw;
+use super::{designed_counterweights, designed_shaft_weights};
 use crate::commands::balance::found::consequences;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};

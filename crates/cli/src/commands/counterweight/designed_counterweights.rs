@@ -1,6 +1,6 @@
 //! What `counterweight design` found for counterweights, as text and CSV.
 
-use super::{list, room_words};
+use super::words::{list, room_words};
 use lanchester::geometry::clearance::{RadialEnvelope, SweptRoom};
 use lanchester::geometry::{DesignOutcome, Evolution, Optimum};
 use lanchester::report::{

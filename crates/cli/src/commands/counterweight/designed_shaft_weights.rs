@@ -1,6 +1,6 @@
 //! What `counterweight design` found for the weights of balance shafts, as text and CSV.
 
-use super::list;
+use super::words::list;
 use lanchester::geometry::{ShaftWeightAim, ShaftWeightOutcome};
 use lanchester::model::Engine;
 use lanchester::report::{

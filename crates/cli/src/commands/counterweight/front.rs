@@ -1,6 +1,7 @@
 //! `lanchester counterweight front`: the trade between two objectives, and the adoption of one of its designs.
 
-use super::{draw, list, room_words};
+use super::drawings::draw;
+use super::words::{list, room_words};
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};

@@ -1,6 +1,6 @@
 //! `lanchester workshop bobweight`: bobweights from weighed parts.
 
-use super::open as open_sheet;
+use super::sheet::open as open_sheet;
 use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
 use crate::files::print;

@@ -1,6 +1,6 @@
 //! `lanchester workshop correct`: where to add or remove how much.
 
-use super::open;
+use super::sheet::open;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, write_result};

@@ -1,7 +1,7 @@
 //! A crank with its bobweights, planes and body, from options and a sheet.
 
 use super::given_factor::{bad, given_factor};
-use super::open as open_sheet;
+use super::sheet::open as open_sheet;
 use crate::commands::open;
 use crate::failure::Failure;
 use crate::options::workshop::CrankInput;

@@ -1,6 +1,6 @@
 //! `lanchester workshop drill`: which holes to drill, and what they leave.
 
-use super::open;
+use super::sheet::open;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;

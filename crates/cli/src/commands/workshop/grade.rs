@@ -1,6 +1,6 @@
 //! `lanchester workshop grade`: what a balance quality grade allows.
 
-use super::open;
+use super::sheet::open;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;

@@ -1,6 +1,6 @@
 //! `lanchester workshop internal`: slugs that take over from weights outside.
 
-use super::open as open_sheet;
+use super::sheet::open as open_sheet;
 use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::print;

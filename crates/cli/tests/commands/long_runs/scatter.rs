@@ -25,7 +25,7 @@ fn tolerant(folder: &Path, name: &str, tolerances: &str) -> String {
 fn threads_and_parts_give_the_same_bytes_and_statistics() {
     let folder = folder("scatter-runs-same");
     let four = example("in-line-4-production");
-    let cases = [("40000", "parquet", &[][..]), ("120000", "csv", &["--orders-only"][..])];
+    let cases = [("36000", "parquet", &[][..]), ("70000", "csv", &["--orders-only"][..])];
     for (samples, ending, more) in cases {
         let limit = ["--limit", "force order 1 = 2 kN"];
         let run = |what: &str, options: &[&str]| {

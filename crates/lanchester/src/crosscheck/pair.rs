@@ -1,0 +1,86 @@
+//! One engine in both computations: what to compare, and why nothing can be.
+
+use crate::pressure::error::GasError;
+use lanchester_bondgraph::EngineGraphError;
+use lanchester_mechanism::{CylinderGas, LoadError, TorqueError};
+use lanchester_model::{Engine, SimulationInput};
+use lanchester_multibody::{Guidance, Instant, Motion, MultibodyError, Reactions, RotorShares, Train};
+use lanchester_report::Condition;
+use nalgebra::Vector3;
+
+/// What to compare.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrossCheckRequest {
+    /// Speed of crankshaft 1 [rad/s]; `None`: the highest of the engine.
+    pub speed: Option<f64>,
+    /// Conditions; empty: all.
+    pub conditions: Vec<Condition>,
+    /// Highest order listed.
+    pub max_order: u32,
+    /// Bar of condition A; `None`: 1e-10.
+    pub bar: Option<f64>,
+    /// What the file says of a run in time: its torques over the angle count in condition B.
+    pub simulation: Option<Box<SimulationInput>>,
+}
+
+impl Default for CrossCheckRequest {
+    fn default() -> Self {
+        CrossCheckRequest { speed: None, conditions: Vec::new(), max_order: 4, bar: None, simulation: None }
+    }
+}
+
+/// Why nothing can be compared.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CrossCheckError {
+    /// The pressures.
+    #[error(transparent)]
+    Gas(#[from] GasError),
+    /// The closed form.
+    #[error(transparent)]
+    Loads(#[from] LoadError),
+    /// The closed form with gas.
+    #[error(transparent)]
+    Torque(#[from] TorqueError),
+    /// The simulation.
+    #[error(transparent)]
+    Multibody(#[from] MultibodyError),
+    /// The bond graph.
+    #[error(transparent)]
+    BondGraph(#[from] EngineGraphError),
+}
+
+/// One engine in both computations.
+pub(crate) struct Pair<'a> {
+    pub engine: &'a Engine,
+    pub speed: f64,
+    pub gas: Option<&'a [CylinderGas]>,
+    pub train: Train,
+    pub request: &'a CrossCheckRequest,
+}
+
+impl Pair<'_> {
+    pub(crate) fn reactions(&self, theta: f64, shares: &[RotorShares]) -> Reactions {
+        let forces: Vec<f64> = (0..self.train.cylinders.len())
+            .map(|index| {
+                let own = self.train.own_angle(index, theta);
+                let area = self.train.cylinders[index].area.unwrap_or(0.0);
+                self.gas
+                    .map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
+            })
+            .collect();
+        let motion = Motion::fixed(theta, self.speed);
+        let mut places = Vec::new();
+        self.train.places_into(theta, &mut places);
+        let instant = Instant {
+            motion: &motion,
+            places: &places,
+            rates: [0.0; 7],
+            gas: &forces,
+            gravity: Vector3::zeros(),
+            piston_damping: 0.0,
+            guidance: Guidance::Crankpin,
+        };
+        self.train.reactions(&instant, shares)
+    }
+}
