@@ -5,6 +5,7 @@
 //! ```
 //! Mass and transverse inertia of rotors stay in it: they move with the block. Their polar inertia does not, because they spin.
 
+use crate::block::{BlockBody, point_inertia};
 use crate::error::MultibodyError;
 use crate::place::Place;
 use crate::train::Train;
@@ -16,40 +17,12 @@ use std::f64::consts::TAU;
 /// Angles of a revolution over which places are averaged: the mean of a smooth periodic function, to rounding.
 const ANGLES: u32 = 360;
 
-/// A rigid body by its moments about the origin, block axes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BlockBody {
-    /// Mass [kg].
-    pub mass: f64,
-    /// Mass times centre [kg m].
-    pub first_moment: Vector3<f64>,
-    /// Inertia tensor about the origin [kg m^2].
-    pub inertia: Matrix3<f64>,
-}
-
-/// Inertia tensor of a point mass.
-pub(crate) fn point_inertia(mass: f64, at: Vector3<f64>) -> Matrix3<f64> {
-    mass * (Matrix3::identity() * at.norm_squared() - at * at.transpose())
-}
-
 /// A vector across the crank axis in a plane.
 pub(crate) fn in_plane(across: Complex64, z: f64) -> Vector3<f64> {
     Vector3::new(across.re, across.im, z)
 }
 
 impl BlockBody {
-    /// The block of the file with everything that it holds.
-    pub(crate) fn whole(block: &Block) -> BlockBody {
-        let rows = block.tensor();
-        let centre = Vector3::from(block.centre);
-        let own = Matrix3::from_fn(|i, j| rows[i][j]);
-        BlockBody {
-            mass: block.mass,
-            first_moment: block.mass * centre,
-            inertia: own + point_inertia(block.mass, centre),
-        }
-    }
-
     /// The block without what moves in it.
     pub(crate) fn alone(block: &Block, train: &Train) -> Result<BlockBody, MultibodyError> {
         let mut body = BlockBody::whole(block);
@@ -67,19 +40,6 @@ impl BlockBody {
             body.check(&format!("the polar inertia of {}", rotor.name))?;
         }
         Ok(body)
-    }
-
-    /// Refuses what is no body.
-    fn check(&self, part: &str) -> Result<(), MultibodyError> {
-        let fault =
-            |quantity, got| Err(MultibodyError::BlockTooSmall { part: part.to_owned(), quantity, got });
-        if !(self.mass > 0.0 && self.mass.is_finite()) {
-            return fault("a mass [kg]", self.mass);
-        }
-        let centre = self.first_moment / self.mass;
-        let own = self.inertia - point_inertia(self.mass, centre);
-        let least = own.symmetric_eigenvalues().min();
-        if least > 0.0 { Ok(()) } else { fault("a moment of inertia [kg m^2]", least) }
     }
 }
 

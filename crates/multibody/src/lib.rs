@@ -1,14 +1,12 @@
 //! The rigid crank train on its mounts, as a second opinion on the closed form and for what the closed form cannot say.
 #![forbid(unsafe_code)]
 
-mod audit;
+mod block;
 mod block_body;
 mod dynamics;
-mod equilibrium;
 mod error;
 mod firing;
 mod gas_pressure;
-mod kinks;
 mod loads;
 mod main_rules;
 mod maxwell;
@@ -20,16 +18,13 @@ mod plane_sums;
 mod powered;
 mod reactions;
 pub mod referee;
-mod referee_engine;
 mod rotor_shares;
 mod run;
-mod run_check;
-mod run_result;
 mod simulation;
 mod symmetric;
 mod train;
 
-pub use block_body::BlockBody;
+pub use block::BlockBody;
 pub use dynamics::{CrankInertia, Equations};
 pub use error::MultibodyError;
 pub use gas_pressure::GasPressure;
@@ -42,8 +37,8 @@ pub use mount_place::MountPlace;
 pub use periodic::{Periodic, PeriodicOutcome};
 pub use place::Place;
 pub use reactions::*;
-pub use referee_engine::RefereeEngine;
+pub use referee::engine::RefereeEngine;
 pub use rotor_shares::RotorShares;
-pub use run_result::*;
+pub use run::result::*;
 pub use simulation::*;
 pub use train::*;

@@ -8,8 +8,8 @@
 
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
-use crate::run::Runner;
-use crate::run_result::{Run, RunOutcome, RunState};
+use crate::run::result::{Run, RunOutcome, RunState};
+use crate::run::runner::Runner;
 use crate::simulation::{Drive, Duration, Simulation};
 use crate::train::Train;
 use nalgebra::{DMatrix, DVector};

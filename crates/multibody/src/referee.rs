@@ -11,6 +11,8 @@
 //! `h`: what inertia takes at zero accelerations, `gamma = - J' nu`. Velocities follow from the same rows, `J nu = 0` with as many given speeds as there
 //! are freedoms; places are corrected by Newton on `g`.
 
+pub(crate) mod engine;
+
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// A rigid body by its moments about a reference point, in its own axes. The reference may lie anywhere, so that also what is no body by itself, like an

@@ -2,17 +2,24 @@
 //!
 //! Over the angle the kinks of the pressures lie at known places, and steps end there. Over time they are located, as is every halt of the crank.
 
+pub(crate) mod audit;
+pub(crate) mod check;
+pub(crate) mod equilibrium;
 mod kept;
+pub(crate) mod kinks;
+pub(crate) mod result;
+pub(crate) mod runner;
 
-use crate::audit::Auditor;
 use crate::error::MultibodyError;
 use crate::gas_pressure::GasPressure;
-use crate::kinks::kinks;
 use crate::mount_place::MountPlace;
 use crate::powered::{Conditions, Layout, Powered, Torques, counted};
 use crate::reactions::{Instant, Scratch};
-use crate::run_check::check;
-use crate::run_result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
+use crate::run::audit::Auditor;
+use crate::run::check::check;
+use crate::run::kinks::kinks;
+use crate::run::result::{Cost, Happened, Occasion, RUN_VERSION, Run, RunOutcome, RunState, Samples};
+use crate::run::runner::Runner;
 use crate::simulation::{Action, BlockMotion, BlockStart, Drive, Duration, Simulation, When, load_torque};
 use crate::train::Train;
 use kept::Kept;
@@ -117,23 +124,6 @@ impl System for Piece<'_, '_> {
             };
         }
     }
-}
-
-/// A run in progress.
-pub(crate) struct Runner<'a> {
-    pub powered: Powered<'a>,
-    /// Time, and state with the crank angle first.
-    pub time: f64,
-    pub state: Vec<f64>,
-    /// Crank angles of kinks within one period, rising.
-    kinks: Vec<f64>,
-    period: f64,
-    pending: Vec<bool>,
-    step: Option<f64>,
-    pub cost: Cost,
-    happened: Vec<Happened>,
-    scale: f64,
-    pub watch: &'a dyn Fn(RunState) -> bool,
 }
 
 impl Train {
@@ -272,7 +262,7 @@ impl<'a> Runner<'a> {
             self.state[at + 3] = 1.0;
             match simulation.block_start {
                 BlockStart::AsDrawn => {}
-                BlockStart::Equilibrium => crate::equilibrium::place(self),
+                BlockStart::Equilibrium => equilibrium::place(self),
                 BlockStart::Moving { velocity, spin } => {
                     self.state[at + 7..at + 10].copy_from_slice(&velocity);
                     self.state[at + 10..at + 13].copy_from_slice(&spin);

@@ -1,8 +1,7 @@
 //! What the rules still forgive. Every number here must shrink; a line that is needed no more is a breach itself.
 
 /// Folders with more source files side by side than fit at one glance, and how many they may hold.
-pub const FOLDERS: [(&str, usize); 5] = [
-    ("crates/multibody/src", 28),
+pub const FOLDERS: [(&str, usize); 4] = [
     ("crates/studio/page/src/parts/balance", 35),
     ("crates/studio/page/src/parts/counterweight", 27),
     ("crates/studio/page/src/parts/engine", 35),
@@ -10,5 +9,4 @@ pub const FOLDERS: [(&str, usize); 5] = [
 ];
 
 /// Crates whose files import one another in circles, and how many files may stand in such circles.
-pub const CIRCLES: [(&str, usize); 3] =
-    [("crates/bondgraph", 7), ("crates/flex", 2), ("crates/multibody", 6)];
+pub const CIRCLES: [(&str, usize); 2] = [("crates/bondgraph", 7), ("crates/flex", 2)];

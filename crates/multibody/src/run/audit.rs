@@ -1,8 +1,8 @@
 //! Audits of a run: energy against works, momenta in space, loops, quaternion.
 
 use crate::powered::{self, Powered, WORKS};
-use crate::run::Runner;
-use crate::run_result::{Audit, EnergyLedger};
+use crate::run::result::{Audit, EnergyLedger};
+use crate::run::runner::Runner;
 use crate::simulation::{BlockMotion, Drive, LoadLaw, ReactsOn};
 use nalgebra::Vector3;
 

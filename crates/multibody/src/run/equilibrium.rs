@@ -1,6 +1,6 @@
 //! The block at rest on its mounts under weight and the mean torque of the load.
 
-use crate::run::Runner;
+use crate::run::runner::Runner;
 use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
 
 /// Newton's iterations: mounts are linear, only the turn of the block is not.

@@ -1,6 +1,7 @@
 //! An engine as bodies and joints of the referee: block, rotors, pistons, rods; every joint with as many rows as leave nothing undetermined.
 
-use crate::block_body::{BlockBody, in_plane};
+use crate::block::BlockBody;
+use crate::block_body::in_plane;
 use crate::motion::Motion;
 use crate::place::Place;
 use crate::reactions::Guidance;
