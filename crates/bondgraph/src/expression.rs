@@ -9,7 +9,7 @@ mod print;
 
 pub(crate) use derivative::By;
 pub(crate) use parse::{Parsed, Scope, parse};
-pub(crate) use print::{Printed, Style, number};
+pub(crate) use print::{Printed, Style, identifier, number};
 
 use crate::curve::Curve;
 use std::collections::HashMap;

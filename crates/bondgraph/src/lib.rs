@@ -32,6 +32,7 @@ mod graph;
 mod linear;
 mod mistake;
 mod output;
+mod reading;
 mod relax;
 mod run;
 mod subgraph;

@@ -89,6 +89,9 @@ fn pin_that_touches_the_journal_in_projection_is_refused() {
     assert!(matches!(error, FlexError::Mesh { .. } | FlexError::Inverted { .. }), "{error}");
 }
 
+/// Template, body of its crankshaft, keys that change.
+type Case<'a> = (&'a str, &'a str, &'a [(&'a str, &'a str)]);
+
 #[test]
 fn prop_meshes_of_all_layouts_have_the_mass_of_the_exact_body() {
     let large = radial("84 mm");
@@ -99,7 +102,7 @@ fn prop_meshes_of_all_layouts_have_the_mass_of_the_exact_body() {
     // Split pins and boxers: one web between the two pins of a pair, as far from the middle of each as the throws are apart.
     let thin = CAR.replace("16 mm", "10 mm");
     let one_web: &[(&str, &str)] = &[("bank_stagger", "40 mm"), ("web_distance", "40 mm")];
-    let cases: [(&str, &str, &[(&str, &str)]); 13] = [
+    let cases: [Case; 13] = [
         ("single", CAR, &[]),
         ("in-line-4", &webs, &[]),
         ("in-line-5", CAR, &[]),

@@ -1,7 +1,6 @@
 //! Expressions as a textbook writes them: plain text, LaTeX, Modelica.
 
 use super::{Function, Id, Node, Pool, Var};
-use crate::output::shown::identifier;
 
 /// How an expression is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -219,4 +218,12 @@ impl<N: Fn(Var) -> String> Printed<'_, N> {
         }
         *out += close;
     }
+}
+
+/// A name that a programming language takes.
+pub(crate) fn identifier(name: &str) -> String {
+    name.chars()
+        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
+        .collect::<String>()
+        .replace("___", "_")
 }

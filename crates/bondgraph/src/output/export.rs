@@ -2,9 +2,9 @@
 
 use crate::curve::Curve;
 use crate::equations::Equations;
+use crate::expression::identifier;
 use crate::expression::{Id, Printed, Style, Var};
 use crate::graph::{Graph, Kind, Law};
-use crate::output::shown::identifier;
 use std::fmt::Write;
 
 /// The graph as one flat Modelica model: the laws of elements and junctions without causality, units in comments.

@@ -1,7 +1,7 @@
 //! Equations as a textbook writes them: element laws, junction laws, state equations in causal order.
 
 use crate::equations::{Equations, What};
-use crate::expression::{Id, Pool, Printed, Style, Var, number};
+use crate::expression::{Id, Pool, Printed, Style, Var, identifier, number};
 use crate::graph::{Graph, Kind, Law};
 use serde::Serialize;
 use std::collections::HashMap;
@@ -411,14 +411,6 @@ impl Equations {
         }
         laws
     }
-}
-
-/// A name that a programming language takes.
-pub(crate) fn identifier(name: &str) -> String {
-    name.chars()
-        .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' })
-        .collect::<String>()
-        .replace("___", "_")
 }
 
 /// Parts that stand more than once and are worth a name, and the expressions with those names.

@@ -100,7 +100,7 @@ impl Mesh {
             return Err(FlexError::FreeNode { node: node + 1 });
         }
         for (index, element) in self.elements.iter().enumerate() {
-            super::quality::check_element(index, element.kind, &self.places(element), 0.0)?;
+            super::jacobian::check_element(index, element.kind, &self.places(element), 0.0)?;
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 mod blocks;
 mod data;
+mod jacobian;
 mod quality;
 mod surface;
 

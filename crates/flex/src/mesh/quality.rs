@@ -1,10 +1,9 @@
 //! Quality of a mesh as data.
 
 use super::Mesh;
+use super::jacobian::{middle, scaled_jacobian};
 use crate::FlexError;
-use crate::element::{
-    ElementKind, jacobian_determinant, local_coordinates, mass_rule, shape_values, stiffness_rule,
-};
+use crate::element::{ElementKind, jacobian_determinant, mass_rule, shape_values};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -36,36 +35,6 @@ pub struct MeshQuality {
     pub centre: [f64; 3],
     /// Moments of inertia xx, yy, zz and products xy, yz, zx about the origin, `INT x y dm` with plus sign [kg m^2].
     pub inertia: [f64; 6],
-}
-
-/// Smallest determinant of the Jacobian of an element over its mean, at nodes and integration points.
-fn scaled_jacobian(kind: ElementKind, nodes: &[[f64; 3]]) -> f64 {
-    let rule = stiffness_rule(kind);
-    let inner: Vec<f64> = rule.iter().map(|point| jacobian_determinant(kind, nodes, point.at)).collect();
-    let weights: f64 = rule.iter().map(|point| point.weight).sum();
-    let mean = rule.iter().zip(&inner).map(|(point, value)| point.weight * value).sum::<f64>() / weights;
-    let at_nodes =
-        (0..kind.nodes()).map(|node| jacobian_determinant(kind, nodes, local_coordinates(kind, node)));
-    let least = inner.iter().copied().chain(at_nodes).fold(f64::INFINITY, f64::min);
-    if mean > 0.0 { least / mean } else { -1.0 }
-}
-
-pub(super) fn check_element(
-    index: usize,
-    kind: ElementKind,
-    nodes: &[[f64; 3]],
-    needed: f64,
-) -> Result<(), FlexError> {
-    let jacobian = scaled_jacobian(kind, nodes);
-    if jacobian > needed {
-        return Ok(());
-    }
-    Err(FlexError::Inverted { element: index + 1, at: middle(kind, nodes), jacobian, needed })
-}
-
-fn middle(kind: ElementKind, nodes: &[[f64; 3]]) -> [f64; 3] {
-    let corners = &nodes[..kind.corners()];
-    std::array::from_fn(|k| corners.iter().map(|node| node[k]).sum::<f64>() / corners.len() as f64)
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
