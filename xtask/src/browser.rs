@@ -10,24 +10,40 @@ use std::process::Command;
 const WIDTHS: [u32; 2] = [360, 1280];
 const NAMES: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
 
+/// Browsers beside one another: most of the time each waits.
+const BROWSERS: usize = 3;
+
 /// Opens the reports of all examples.
 pub fn check_reports(program: &Path) -> Result<String> {
     let chromium = chromium()?;
-    let folder = scratch("browser")?;
     let examples = crate::engines::examples()?;
-    for example in &examples {
-        let name = example.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let report = folder.join(format!("{name}.html"));
-        quiet(
-            Command::new(program).arg("report").arg(example).arg("--output").arg(&report).current_dir(root()),
-        )?;
-        for width in WIDTHS {
-            check_width(&chromium, &folder, &report, width)
-                .with_context(|| format!("{name} at {width} px"))?;
-        }
-        check_print(&chromium, &folder, &report).with_context(|| format!("{name} on paper"))?;
-    }
+    let lanes: Vec<Result<()>> = std::thread::scope(|scope| {
+        let lanes: Vec<_> = (0..BROWSERS)
+            .map(|lane| {
+                let (chromium, own) = (&chromium, examples.iter().skip(lane).step_by(BROWSERS));
+                scope.spawn(move || -> Result<()> {
+                    let folder = scratch(&format!("browser-{lane}"))?;
+                    own.into_iter().try_for_each(|example| check_report(program, chromium, &folder, example))
+                })
+            })
+            .collect();
+        let joined = lanes.into_iter().map(std::thread::ScopedJoinHandle::join);
+        joined
+            .map(|lane| lane.unwrap_or_else(|_| Err(anyhow::anyhow!("a browser's thread panicked"))))
+            .collect()
+    });
+    lanes.into_iter().collect::<Result<()>>()?;
     Ok(format!("{} reports at {WIDTHS:?} px and as PDF", examples.len()))
+}
+
+fn check_report(program: &Path, chromium: &Path, folder: &Path, example: &Path) -> Result<()> {
+    let name = example.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let report = folder.join(format!("{name}.html"));
+    quiet(Command::new(program).arg("report").arg(example).arg("--output").arg(&report).current_dir(root()))?;
+    for width in WIDTHS {
+        check_width(chromium, folder, &report, width).with_context(|| format!("{name} at {width} px"))?;
+    }
+    check_print(chromium, folder, &report).with_context(|| format!("{name} on paper"))
 }
 
 /// Loads the report in a frame of the given width, where a probe at its end tells its parent what it measures.
@@ -86,6 +102,9 @@ fn headless(chromium: &Path, folder: &Path) -> Command {
         "--disable-gpu",
         "--hide-scrollbars",
         "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
         "--disable-dev-shm-usage",
     ]);
     command.arg(format!("--user-data-dir={}", folder.join("profile").display()));
