@@ -38,6 +38,7 @@ tasks of the workspace
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
+  cargo xtask reports                           open the reports of all examples in a browser
   cargo xtask pictures                          draw the pictures of the studio's guide anew, in a browser
   cargo xtask notices                           write the notices of third parties anew
   cargo xtask supply                            licences, sources and advisories of what comes from others
@@ -81,6 +82,10 @@ fn task(arguments: &[String]) -> Result<()> {
             Ok(())
         }
         Some("page") if rest.is_empty() => page::build(),
+        Some("reports") if rest.is_empty() => {
+            println!("{}", browser::check_reports(&workspace::program()?)?);
+            Ok(())
+        }
         Some("pictures") if rest.is_empty() => page::draw(&workspace::program()?),
         Some("book") if rest.is_empty() => book::build(),
         Some("notices") if rest.is_empty() => {
