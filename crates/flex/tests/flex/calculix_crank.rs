@@ -1,7 +1,6 @@
 //! A crankshaft exported as a deck and run by CalculiX, where `ccx` is installed, against our own solution.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
+use crate::crank::one_throw;
 use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad, crank_cases};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
 use lanchester_flex::deck::{Analysis, write_deck};
@@ -10,42 +9,15 @@ use lanchester_flex::statics::{SolveOptions, as_node_forces, solve_static};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-const THROW: &str = r#"
-name = "single"
-speed = "4000 rpm"
-[layout]
-type = "in-line"
-cylinders = 1
-spacing = "90 mm"
-[crank]
-stroke = "95.5 mm"
-web_distance = "48 mm"
-[crank.body]
-density = "7850 kg/m3"
-journal_diameter = "55 mm"
-pin_diameter = "48 mm"
-web_thickness = "20 mm"
-web_radius = "40 mm"
-pin_end_radius = "36 mm"
-end_journals = ["25 mm", "25 mm"]
-pin_fillet = "3 mm"
-journal_fillet = "3 mm"
-[piston]
-mass = "0.5 kg"
-[rod]
-length = "150 mm"
-mass = "0.6 kg"
-"#;
-
 fn throw() -> CrankMesh {
-    let engine = lanchester_file::read(THROW).engine().unwrap();
+    let engine = one_throw("pin_fillet = \"3 mm\"\njournal_fillet = \"3 mm\"");
     let options = CrankMeshOptions { size: 20e-3, fillet_elements: 2, fillets: true };
     crank_mesh(&engine, 0, options).unwrap()
 }
 
 /// What `ccx` prints of a deck; none where it is not installed.
 fn run(name: &str, deck: &str) -> Option<String> {
-    let folder: PathBuf = std::env::temp_dir().join(format!("lanchester-ccx-{}-{name}", std::process::id()));
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("ccx-{name}"));
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join("case.inp"), deck).unwrap();
     let mut ccx = Command::new("ccx");
@@ -56,7 +28,6 @@ fn run(name: &str, deck: &str) -> Option<String> {
     };
     assert!(status.success(), "ccx stops at {name}");
     let text = std::fs::read_to_string(folder.join("case.dat")).unwrap();
-    std::fs::remove_dir_all(&folder).unwrap();
     Some(text)
 }
 

@@ -1,7 +1,5 @@
 //! Our solver against CalculiX on the same decks, and decks that cannot be read.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::deck::{Analysis, Deck, DeckStep, read_deck, write_deck};
 use lanchester_flex::element::ElementKind;

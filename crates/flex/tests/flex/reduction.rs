@@ -1,7 +1,5 @@
 //! Reduced models against the full one with the same rigid interfaces, made independently as dense matrices.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use lanchester_flex::element::ElementKind;
 use lanchester_flex::mesh::{Mesh, NodeSet, mapped_block, quality};
 use lanchester_flex::reduction::{Interface, ReducedModel, Reduction, ReductionOptions, interfaces, reduce};

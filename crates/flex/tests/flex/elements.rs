@@ -1,7 +1,5 @@
 //! Elements against closed forms: patch tests, rigid motions, thick cylinder, plate with a hole, beam, bar in torsion.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use lanchester_flex::case::{StaticCase, rigid_motions};
 use lanchester_flex::element::ElementKind;
 use lanchester_flex::mesh::{Mesh, mapped_block, quality, surface, surface_areas};

@@ -1,7 +1,5 @@
 //! Meshes of the crankshafts of all layouts: joined without gaps, with the mass, centre and inertia of the exact body.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use lanchester_flex::FlexError;
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
 use lanchester_flex::mesh::surface;

@@ -1,0 +1,10 @@
+//! Elements, meshes, solutions and decks of flexible crankshafts.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod calculix;
+mod calculix_crank;
+mod crank;
+mod crank_kinds;
+mod elements;
+mod reduction;
