@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 27] = [
+const ARROWS: [(&str, &[&str]); 28] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -46,6 +46,7 @@ const ARROWS: [(&str, &[&str]); 27] = [
         &["lanchester-model", "lanchester-results", "lanchester-task", "lanchester-mechanism"],
     ),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
+    ("lanchester-film", &["lanchester-numerics"]),
     ("lanchester-flex", &["lanchester-model", "lanchester-geometry", "lanchester-shape"]),
     ("lanchester-table", &[]),
     (

@@ -1,0 +1,185 @@
+//! Finite volumes of the film: thickness, conductances and sources of every cell.
+//!
+//! With H = h/c, place s = 2z/L and pressure p = (12 mu R^2/c^3) P:
+//! ```text
+//! d/da(H^3 dP/da) + k d/ds(H^3 dP/ds) = -v.n,   k = (D/L)^2          n integrated over each cell exactly
+//! ```
+//! so that the work of force and torque is the dissipation to rounding.
+
+use crate::grid::FilmGrid;
+use crate::plane::{Plane, add, cross, dot, quarter};
+use crate::problem::{Feed, FilmProblem};
+use std::f64::consts::{PI, TAU};
+
+/// Cells at one instant, index i m + j. Buffers are kept.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Cells {
+    pub around: usize,
+    pub axial: usize,
+    /// INT n da of each column.
+    pub normal: Vec<Plane>,
+    /// Direction at the middle of each column, and its width.
+    pub middle: Vec<Plane>,
+    pub width: Vec<f64>,
+    /// H in the middle of the cell.
+    pub thickness: Vec<f64>,
+    /// H at the face towards the next column.
+    pub face: Vec<f64>,
+    /// Conductance towards the next column, the next cell along the axis (the end for the last), and the end before the first cell.
+    pub east: Vec<f64>,
+    pub north: Vec<f64>,
+    pub south: Vec<f64>,
+    /// INT v.n da.
+    pub source: Vec<f64>,
+    /// Known pressure, in the unit of P.
+    pub fixed: Vec<Option<f64>>,
+    pub any_fixed: bool,
+}
+
+impl Cells {
+    /// Directions of a grid.
+    pub fn place(&mut self, grid: &FilmGrid) {
+        (self.around, self.axial) = (grid.around(), grid.axial);
+        self.normal.clear();
+        self.middle.clear();
+        self.width.clear();
+        for i in 0..self.around {
+            let (from, to) = (grid.faces[i], grid.faces[i + 1]);
+            self.normal.push([to.sin() - from.sin(), from.cos() - to.cos()]);
+            let (sin, cos) = grid.angle(i).sin_cos();
+            self.middle.push([cos, sin]);
+            self.width.push(to - from);
+        }
+    }
+
+    /// Everything of an instant.
+    pub fn fill(&mut self, grid: &FilmGrid, problem: &FilmProblem) {
+        let (n, m) = (self.around, self.axial);
+        let bearing = &problem.bearing;
+        let ratio = problem.motion.eccentricity.map(|e| e / bearing.clearance);
+        let tilt = problem.tilt.map(|e| e / bearing.clearance);
+        let shape = bearing.slenderness().powi(-2);
+        let height = grid.height();
+        let closing = problem.motion.closing();
+        let swing = quarter(problem.tilt).map(|part| -problem.motion.entrainment * part);
+        for buffer in [
+            &mut self.thickness,
+            &mut self.face,
+            &mut self.east,
+            &mut self.north,
+            &mut self.south,
+            &mut self.source,
+        ] {
+            buffer.clear();
+            buffer.resize(n * m, 0.0);
+        }
+        for i in 0..n {
+            let (sin, cos) = grid.faces[i + 1].sin_cos();
+            let distance = 0.5 * (self.width[i] + self.width[(i + 1) % n]);
+            for j in 0..m {
+                let cell = i * m + j;
+                let at = add(ratio, grid.place(j), tilt);
+                let h = 1.0 - dot(at, self.middle[i]);
+                let face = 1.0 - dot(at, [cos, sin]);
+                self.thickness[cell] = h;
+                self.face[cell] = face;
+                self.east[cell] = face.powi(3) / distance;
+                let between = if j + 1 < m { 1.0 } else { 2.0 };
+                let next = if j + 1 < m { 1.0 - dot(add(ratio, 0.5 * (grid.place(j) + grid.place(j + 1)), tilt), self.middle[i]) } else { h };
+                self.north[cell] = between * shape * next.powi(3) * self.width[i] / (height * height);
+                if j == 0 && !grid.half {
+                    self.south[cell] = 2.0 * shape * h.powi(3) * self.width[i] / (height * height);
+                }
+                self.source[cell] = dot(add(closing, grid.place(j), swing), self.normal[i]);
+            }
+        }
+        self.fix(grid, problem);
+    }
+
+    fn fix(&mut self, grid: &FilmGrid, problem: &FilmProblem) {
+        let (n, m) = (self.around, self.axial);
+        self.fixed.clear();
+        self.fixed.resize(n * m, None);
+        self.any_fixed = !problem.feeds.is_empty();
+        let (radius, half) = (problem.bearing.radius, 0.5 * problem.bearing.length);
+        let unit = problem.bearing.pressure_scale(problem.viscosity);
+        let turn = |from: f64, to: f64| (to - from + PI).rem_euclid(TAU) - PI;
+        let column = |angle: f64| (0..n).find(|&i| (angle - grid.faces[i]).rem_euclid(TAU) < grid.faces[i + 1] - grid.faces[i]).unwrap_or(0);
+        let row = |place: f64| {
+            let s = (place / half).clamp(-1.0, 1.0);
+            let share = if grid.half { s.abs() } else { 0.5 * (s + 1.0) };
+            ((share * m as f64) as usize).min(m - 1)
+        };
+        for feed in &problem.feeds {
+            let (value, nearest) = match *feed {
+                Feed::Groove { from, to, middle, pressure, .. } => (pressure / unit, (column(0.5 * (from + to)), row(middle))),
+                Feed::Hole { angle, place, pressure, .. } => (pressure / unit, (column(angle), row(place))),
+                Feed::Line { angle, pressure } => (pressure / unit, (column(angle), 0)),
+            };
+            let inside = |i: usize, j: usize| {
+                let (angle, z) = (grid.angle(i), grid.place(j) * half);
+                match *feed {
+                    Feed::Groove { from, to, middle, width, .. } => {
+                        let at_angle = (angle - from).rem_euclid(TAU) <= to - from || (to - from < self.width[i] && i == nearest.0);
+                        let across = (z - middle).abs() <= 0.5 * width || (width < grid.height() * half && j == nearest.1);
+                        at_angle && across
+                    }
+                    Feed::Hole { angle: centre, place, diameter, .. } => {
+                        let distance = (radius * turn(centre, angle)).hypot(z - place);
+                        distance <= 0.5 * diameter || (i, j) == nearest
+                    }
+                    Feed::Line { .. } => i == nearest.0,
+                }
+            };
+            for i in 0..n {
+                for j in 0..m {
+                    if inside(i, j) {
+                        self.fixed[i * m + j] = Some(value);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Sum of the conductances of a cell.
+    pub fn diagonal(&self, i: usize, j: usize) -> f64 {
+        let (m, cell) = (self.axial, i * self.axial + j);
+        let west = (i + self.around - 1) % self.around * m + j;
+        let below = if j > 0 { self.north[cell - 1] } else { self.south[cell] };
+        self.east[cell] + self.east[west] + self.north[cell] + below
+    }
+
+    /// What leaves a cell by pressure: row of the matrix times P.
+    pub fn outflow(&self, p: &[f64], i: usize, j: usize) -> f64 {
+        let (n, m) = (self.around, self.axial);
+        let cell = i * m + j;
+        let (next, west) = ((i + 1) % n * m + j, (i + n - 1) % n * m + j);
+        let mut sum = self.diagonal(i, j) * p[cell] - self.east[cell] * p[next] - self.east[west] * p[west];
+        if j + 1 < m {
+            sum -= self.north[cell] * p[cell + 1];
+        }
+        if j > 0 {
+            sum -= self.north[cell - 1] * p[cell - 1];
+        }
+        sum
+    }
+
+    /// Order of the columns in which neighbours are near one another: from a column where all pressure is known onwards, else folded.
+    pub fn order(&self, cut: Option<usize>) -> Vec<usize> {
+        let n = self.around;
+        match cut {
+            Some(first) => (0..n).map(|i| (first + i) % n).collect(),
+            None => (0..n).map(|i| if i % 2 == 0 { i / 2 } else { n - 1 - i / 2 }).collect(),
+        }
+    }
+
+    /// Squeeze of a cell by the journal's own velocity, H' times its width [m/s].
+    pub fn opening(&self, velocity: Plane, i: usize) -> f64 {
+        -dot(velocity, self.normal[i])
+    }
+
+    /// z component of e x n, integrated over a column.
+    pub fn lever(&self, eccentricity: Plane, i: usize) -> f64 {
+        cross(eccentricity, self.normal[i])
+    }
+}

@@ -1,0 +1,39 @@
+//! Hydrodynamic journal-bearing films.
+//!
+//! Frame and signs as everywhere: e is the journal's centre from the bearing's, n(a) = (cos a, sin a), film thickness h = c - e.n,
+//! v = e' - w_m z x e with w_m the mean of the two angular speeds against that frame; force is that of the film on the journal.
+//!
+//! ```
+//! use lanchester_film::{JournalBearing, JournalMotion, attitude, short_bearing_force};
+//! let bearing = JournalBearing::new(0.05, 0.03, 1e-4)?;
+//! let motion = JournalMotion { eccentricity: [0.266_298e-4, 0.0], entrainment: 78.54, ..JournalMotion::default() };
+//! let force = short_bearing_force(&bearing, 0.1, &motion, true)?;
+//! assert!((force[0].hypot(force[1]) - 525.0).abs() < 0.1);
+//! # Ok::<(), lanchester_film::FilmError>(())
+//! ```
+#![forbid(unsafe_code)]
+
+mod banded;
+mod bearing;
+mod cavitation;
+mod cells;
+mod error;
+mod grid;
+mod long;
+mod plane;
+mod problem;
+mod separable;
+mod short;
+mod solution;
+mod solver;
+
+pub use bearing::{CLEARANCE_RATIO, JournalBearing, JournalMotion, VISCOSITY, check_viscosity};
+pub use cavitation::Cavitation;
+pub use error::FilmError;
+pub use grid::FilmGrid;
+pub use long::{long_bearing_force, sommerfeld_load};
+pub use plane::Plane;
+pub use problem::{Feed, FilmProblem};
+pub use short::{ocvirk_load, short_bearing_force};
+pub use solution::{FilmSolution, attitude};
+pub use solver::FilmSolver;
