@@ -110,7 +110,9 @@ fn lit_raimondi_boyd_friction_flow_and_pressure() {
         let leaves = s.side_flow / (b.radius * b.clearance * SPEED / (2.0 * PI) * b.length);
         assert!((leaves / (flow * side) - 1.0).abs() < 0.015, "eps {ratio}: flow {leaves}, printed {}", flow * side);
         let share = load / (2.0 * b.radius * b.length) / s.largest_pressure;
-        assert!((share / peak - 1.0).abs() < 0.015, "eps {ratio}: P/pmax {share}, printed {peak}");
+        // At 0.8 the printed 0.313 is 2 % below both ours and the finite elements of `ext_scipy_films` (0.320), which agree to 0.3 %.
+        let bar = if ratio == 0.8 { 0.025 } else { 0.015 };
+        assert!((share / peak - 1.0).abs() < bar, "eps {ratio}: P/pmax {share}, printed {peak}");
     }
 }
 
@@ -138,13 +140,13 @@ fn short_bearing_example_of_friswell() {
         let speed = rpm * PI / 30.0;
         assert!((ocvirk_load(&bearing, 0.1, speed, ratio) / 525.0 - 1.0).abs() < 1e-5, "{rpm}");
     }
-    // Stiffness and damping along the load, x: the journal sits at the attitude angle from it.
+    // Its x lies across the load, which is along -y there and along x here: K11 and C11 are across.
     let ratio: f64 = 0.266_298;
     let phi = (PI * (1.0 - ratio * ratio).sqrt() / (4.0 * ratio)).atan();
-    let at = |x: f64, velocity: f64| {
-        let e = [ratio * 1e-4 * phi.cos() + x, ratio * 1e-4 * phi.sin()];
-        let motion = JournalMotion { eccentricity: e, velocity: [velocity, 0.0], entrainment: 25.0 * PI, sliding: 50.0 * PI };
-        short_bearing_force(&bearing, 0.1, &motion, true).expect("a film")[0]
+    let at = |y: f64, velocity: f64| {
+        let e = [ratio * 1e-4 * phi.cos(), ratio * 1e-4 * phi.sin() + y];
+        let motion = JournalMotion { eccentricity: e, velocity: [0.0, velocity], entrainment: 25.0 * PI, sliding: 50.0 * PI };
+        short_bearing_force(&bearing, 0.1, &motion, true).expect("a film")[1]
     };
     let stiffness = -(at(1e-9, 0.0) - at(-1e-9, 0.0)) / 2e-9;
     let damping = -(at(0.0, 1e-6) - at(0.0, -1e-6)) / 2e-6;
@@ -217,4 +219,28 @@ fn bad_input_names_what_is_needed() {
     film.viscosity = 0.01;
     film.feeds = vec![Feed::Groove { from: 0.0, to: 2.0 * PI, middle: 0.0, width: 1.0, pressure: 0.0 }];
     assert!(solver.solve(&film).expect_err("no land").to_string().contains("whole shell"));
+}
+
+#[test]
+fn ext_scipy_films() {
+    let text = include_str!("../../../validation/external/film/films.json");
+    let data: serde_json::Value = serde_json::from_str(text).expect("json");
+    let cases = data["cases"].as_array().expect("cases");
+    assert_eq!(cases.len(), 30);
+    for case in cases {
+        let number = |key: &str| case[key].as_f64().expect("a number");
+        let reynolds = case["condition"] == "reynolds";
+        let mut film = problem(number("slenderness"), number("ratio"), if reynolds { Cavitation::Reynolds } else { Cavitation::Gumbel });
+        if reynolds {
+            film.feeds.push(Feed::Line { angle: PI, pressure: 0.0 });
+        }
+        let s = solve(&film, 240, 30);
+        let b = &film.bearing;
+        let share = size(s.force) / (2.0 * b.radius * b.length) / s.largest_pressure;
+        let near = |ours: f64, theirs: f64, bar: f64| assert!((ours - theirs).abs() < bar, "{case}: {ours} {theirs}");
+        // Both are of second order in the width of a cell, of opposite sign; 0.5 % is their sum at eps 0.95.
+        near(sommerfeld(&film, s.force) / number("sommerfeld"), 1.0, 5e-3);
+        near(attitude(s.force, film.motion.eccentricity).to_degrees(), number("attitude_deg"), 0.2);
+        near(share / number("mean_over_largest_pressure"), 1.0, 1e-2);
+    }
 }
