@@ -26,6 +26,7 @@ mod separable;
 mod short;
 mod solution;
 mod solver;
+mod table;
 
 pub use bearing::{CLEARANCE_RATIO, JournalBearing, JournalMotion, VISCOSITY, check_viscosity};
 pub use cavitation::Cavitation;
@@ -37,3 +38,4 @@ pub use problem::{Feed, FilmProblem};
 pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};
 pub use solver::FilmSolver;
+pub use table::{FilmTable, Impedance};
