@@ -1,0 +1,332 @@
+//! Orbit of a journal under a periodic load.
+//!
+//! Quasi-static (no mass; Booker's mobility method): the film's force balances the load at every instant, `e' = w_m z x e + v(e, -load)`, v from the
+//! inverted table. Dynamic: `m e'' = load + film + contact`. Both by Radau IIA, since mobility and damping span many decades.
+
+use crate::bearing::{JournalBearing, JournalMotion, check_viscosity};
+use crate::contact::contact_force;
+use crate::error::{FilmError, require};
+use crate::grid::FilmGrid;
+use crate::plane::{Plane, add, direction, length, quarter};
+use crate::problem::FilmProblem;
+use crate::solver::FilmSolver;
+use crate::table::FilmTable;
+use lanchester_numerics::{Outcome, Radau5, Settings, System};
+use serde::{Deserialize, Serialize};
+use std::ops::ControlFlow;
+
+/// Most periods until the orbit repeats.
+const MOST_PERIODS: usize = 30;
+/// Change of the orbit from period to period, over the clearance, that counts as none.
+const REPEATS: f64 = 1e-3;
+/// Instants at which pressure, friction and flow are taken.
+const INSTANTS: usize = 120;
+/// Films of these: cells around and along half the length.
+const CELLS: (usize, usize) = (120, 12);
+
+/// What acts on a journal over one period, at equally spaced instants from 0, the end excluded, in a frame that does not turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JournalCycle {
+    /// Duration of the period [s].
+    pub duration: f64,
+    /// Load on the journal [N].
+    pub load: Vec<Plane>,
+    /// Mean of the angular speeds of journal and shell [rad/s].
+    pub entrainment: Vec<f64>,
+    /// Journal's less shell's angular speed [rad/s].
+    pub sliding: Vec<f64>,
+}
+
+/// What an orbit is computed of.
+#[derive(Debug, Clone, Copy)]
+pub struct OrbitRequest<'a> {
+    /// The bearing.
+    pub bearing: JournalBearing,
+    /// Its table: same length over diameter.
+    pub table: &'a FilmTable,
+    /// Viscosity [Pa s].
+    pub viscosity: f64,
+    /// Load and speeds.
+    pub cycle: &'a JournalCycle,
+    /// Composite roughness [m], 0: no contact.
+    pub roughness: f64,
+    /// Mass that the journal moves with [kg]; `None`: quasi-static.
+    pub mass: Option<f64>,
+}
+
+/// How an orbit ended.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum OrbitOutcome {
+    /// It repeats within a thousandth of the clearance.
+    Periodic,
+    /// It does not after the most periods allowed; the last one is given.
+    NotPeriodic,
+    /// The integration ended early: the film has no thickness left for this load.
+    Overloaded,
+}
+
+/// The orbit over one period, and what the film does on it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct FilmOrbit {
+    /// How it ended.
+    pub outcome: OrbitOutcome,
+    /// Periods integrated.
+    pub periods: usize,
+    /// Largest change from the last period but one, over the clearance.
+    pub change: f64,
+    /// Journal centre at every instant of the load [m].
+    pub eccentricity: Vec<Plane>,
+    /// Least film [m].
+    pub least_film: f64,
+    /// Instant of the least film, over the period.
+    pub least_film_at: f64,
+    /// Direction of the least film [rad].
+    pub least_film_angle: f64,
+    /// Largest film pressure [Pa] and its instant over the period.
+    pub largest_pressure: f64,
+    /// Instant of the largest pressure, over the period.
+    pub largest_pressure_at: f64,
+    /// Friction power, mean over the period [W]: torques and motion of the journal, contact left out.
+    pub friction_power: f64,
+    /// Oil that leaves at the ends, mean [m3/s]; what a feed pressure adds is left out.
+    pub side_flow: f64,
+    /// Share of the period with contact of the roughness.
+    pub contact_time: f64,
+    /// Largest share of the load that contact takes.
+    pub contact_share: f64,
+    /// Largest difference of the table's force from that of the film solved directly, over the load.
+    pub table_error: f64,
+    /// Steps of the integrator.
+    pub steps: u64,
+}
+
+struct Orbit<'a> {
+    request: OrbitRequest<'a>,
+    scale: f64,
+}
+
+impl Orbit<'_> {
+    /// Periodic cubic through the samples.
+    fn at<T>(&self, s: f64, value: impl Fn(usize) -> T, blend: impl Fn([T; 4], [f64; 4]) -> T) -> T {
+        let n = self.request.cycle.load.len();
+        let place = s.rem_euclid(1.0) * n as f64;
+        let i = (place as usize).min(n - 1);
+        let t = place - i as f64;
+        let weights = [
+            -0.5 * t * (1.0 - t) * (1.0 - t),
+            1.0 + t * t * (1.5 * t - 2.5),
+            t * (0.5 + t * (2.0 - 1.5 * t)),
+            -0.5 * t * t * (1.0 - t),
+        ];
+        blend([0, 1, 2, 3].map(|k| value((i + n + k - 1) % n)), weights)
+    }
+
+    fn load(&self, s: f64) -> Plane {
+        self.at(s, |i| self.request.cycle.load[i], |p, w| [0, 1].map(|k| (0..4).map(|j| w[j] * p[j][k]).sum()))
+    }
+
+    fn scalar(&self, s: f64, samples: &[f64]) -> f64 {
+        self.at(s, |i| samples[i], |p, w| (0..4).map(|j| w[j] * p[j]).sum())
+    }
+
+    /// Contact on the journal [N].
+    fn contact(&self, ratio: Plane) -> Plane {
+        let (along, size) = direction(ratio);
+        let force = contact_force(&self.request.bearing, self.request.roughness, size);
+        along.map(|part| -force * part)
+    }
+
+    /// e' [m/s] of the quasi-static journal.
+    fn quasi_static(&self, s: f64, ratio: Plane) -> Result<Plane, FilmError> {
+        let contact = self.contact(ratio);
+        let film = add(self.load(s).map(|l| -l), -1.0, contact);
+        let v = self.request.table.velocity(ratio, film.map(|f| f / self.scale))?;
+        let speed = self.scalar(s, &self.request.cycle.entrainment) * self.request.bearing.clearance;
+        Ok(add(v, speed, quarter(ratio)))
+    }
+}
+
+impl System for Orbit<'_> {
+    fn dimension(&self) -> usize {
+        if self.request.mass.is_some() { 4 } else { 2 }
+    }
+
+    fn derivative(&mut self, s: f64, y: &[f64], derivative: &mut [f64]) {
+        let ratio = [y[0], y[1]];
+        let (c, duration) = (self.request.bearing.clearance, self.request.cycle.duration);
+        derivative.fill(f64::NAN);
+        match self.request.mass {
+            None => {
+                if let Ok(velocity) = self.quasi_static(s, ratio) {
+                    derivative.copy_from_slice(&velocity.map(|v| v * duration / c));
+                }
+            }
+            Some(mass) => {
+                // State: e/c and its rate per period.
+                let rate = [y[2], y[3]].map(|part| part * c / duration);
+                let speed = self.scalar(s, &self.request.cycle.entrainment) * c;
+                let v = add(rate, -speed, quarter(ratio));
+                if let Ok(film) = self.request.table.impedance(ratio, v) {
+                    let contact = self.contact(ratio);
+                    let load = self.load(s);
+                    for k in 0..2 {
+                        derivative[k] = y[2 + k];
+                        derivative[2 + k] =
+                            (load[k] + contact[k] + film.force[k] * self.scale) / mass * duration * duration / c;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Orbit of a journal under a periodic load, and the film along it.
+///
+/// # Errors
+/// [`FilmError`] for a bearing or viscosity out of range, a table of another length, a load of fewer than 16 samples, no speed at all.
+pub fn journal_orbit(request: &OrbitRequest) -> Result<FilmOrbit, FilmError> {
+    let (bearing, cycle) = (&request.bearing, request.cycle);
+    check(request)?;
+    let mut system = Orbit { request: *request, scale: bearing.force_scale(request.viscosity) };
+    let n = cycle.load.len();
+    let mut state = vec![0.0; system.dimension()];
+    let mut settings = Settings::uniform(state.len(), 1e-5);
+    settings.longest_step = 0.02;
+    settings.most_evaluations = 3_000_000;
+    for absolute in settings.absolute.iter_mut().skip(2) {
+        *absolute = 1e-3;
+    }
+    let mut integrator = Radau5::new(settings);
+    let mut orbit = vec![[0.0; 2]; n];
+    let (mut change, mut periods, mut outcome) = (f64::INFINITY, 0, OrbitOutcome::NotPeriodic);
+    while periods < MOST_PERIODS {
+        let (mut s, mut next) = (periods as f64, 0);
+        let start = s;
+        let mut now = vec![[0.0; 2]; n];
+        let end = integrator.run(&mut system, &mut s, &mut state, start + 1.0, |step| {
+            while next < n && start + next as f64 / n as f64 <= step.to {
+                let at = start + next as f64 / n as f64;
+                now[next] = [step.component(0, at), step.component(1, at)];
+                next += 1;
+            }
+            ControlFlow::Continue(())
+        });
+        periods += 1;
+        if end != Outcome::Reached {
+            outcome = OrbitOutcome::Overloaded;
+            orbit[..next].copy_from_slice(&now[..next]);
+            break;
+        }
+        change = orbit.iter().zip(&now).map(|(a, b)| length([a[0] - b[0], a[1] - b[1]])).fold(0.0, f64::max);
+        orbit = now;
+        if periods > 1 && change < REPEATS {
+            outcome = OrbitOutcome::Periodic;
+            break;
+        }
+    }
+    let mut found = films(&system, &orbit)?;
+    found.outcome = outcome;
+    (found.periods, found.change, found.steps) = (periods, change, integrator.statistics().steps);
+    Ok(found)
+}
+
+fn check(request: &OrbitRequest) -> Result<(), FilmError> {
+    request.bearing.check()?;
+    check_viscosity(request.viscosity)?;
+    let cycle = request.cycle;
+    let n = cycle.load.len();
+    let fewest = n.min(cycle.entrainment.len()).min(cycle.sliding.len());
+    if fewest < 16 || fewest < n {
+        return Err(FilmError::Samples { needed: n.max(16), got: fewest });
+    }
+    require(cycle.duration > 0.0, "duration of the period [s]", "above 0", cycle.duration)?;
+    let numbers = cycle.load.iter().flatten().chain(&cycle.entrainment).chain(&cycle.sliding);
+    for number in numbers {
+        require(number.is_finite(), "load [N] and speed [rad/s] over the period", "finite numbers", *number)?;
+    }
+    let mean = cycle.entrainment.iter().sum::<f64>() / n as f64;
+    if mean == 0.0 {
+        return Err(FilmError::NoSpeed { speed: mean });
+    }
+    require(request.roughness >= 0.0, "composite roughness [m]", "0 or above", request.roughness)?;
+    require(request.mass.is_none_or(|mass| mass > 0.0), "mass at the journal [kg]", "above 0", request.mass.unwrap_or(1.0))?;
+    let own = request.bearing.slenderness();
+    require(
+        (request.table.slenderness() / own - 1.0).abs() < 1e-6,
+        "length over diameter of the table",
+        "that of the bearing",
+        request.table.slenderness(),
+    )
+}
+
+/// Film along an orbit.
+fn films(system: &Orbit, orbit: &[Plane]) -> Result<FilmOrbit, FilmError> {
+    let request = &system.request;
+    let (bearing, cycle) = (&request.bearing, request.cycle);
+    let n = orbit.len();
+    let least = (0..n).max_by(|a, b| length(orbit[*a]).total_cmp(&length(orbit[*b]))).unwrap_or(0);
+    let mut found = FilmOrbit {
+        outcome: OrbitOutcome::NotPeriodic,
+        periods: 0,
+        change: 0.0,
+        eccentricity: orbit.iter().map(|e| e.map(|part| part * bearing.clearance)).collect(),
+        least_film: bearing.clearance * (1.0 - length(orbit[least])),
+        least_film_at: least as f64 / n as f64,
+        least_film_angle: orbit[least][1].atan2(orbit[least][0]),
+        largest_pressure: 0.0,
+        largest_pressure_at: 0.0,
+        friction_power: 0.0,
+        side_flow: 0.0,
+        contact_time: 0.0,
+        contact_share: 0.0,
+        table_error: 0.0,
+        steps: 0,
+    };
+    let mut instants: Vec<usize> = (0..INSTANTS.min(n)).map(|k| k * n / INSTANTS.min(n)).collect();
+    let regular = instants.len() as f64;
+    instants.push(least);
+    for (k, &i) in instants.iter().enumerate() {
+        let (s, at) = (i as f64 / n as f64, orbit[i]);
+        let contact = system.contact(at);
+        let velocity = match request.mass {
+            None => system.quasi_static(s, at)?,
+            Some(_) => {
+                let (before, after) = (orbit[(i + n - 1) % n], orbit[(i + 1) % n]);
+                let step = 2.0 * cycle.duration / n as f64;
+                [0, 1].map(|k| (after[k] - before[k]) / step * bearing.clearance)
+            }
+        };
+        let motion = JournalMotion {
+            eccentricity: at.map(|part| part * bearing.clearance),
+            velocity,
+            entrainment: cycle.entrainment[i],
+            sliding: cycle.sliding[i],
+        };
+        let problem = FilmProblem {
+            bearing: *bearing,
+            viscosity: request.viscosity,
+            motion,
+            tilt: [0.0, 0.0],
+            cavitation: request.table.cavitation(),
+            feeds: Vec::new(),
+        };
+        let grid = FilmGrid::graded(CELLS.0, CELLS.1, true, at)?;
+        let film = FilmSolver::new(grid)?.solve(&problem)?;
+        if film.largest_pressure > found.largest_pressure {
+            (found.largest_pressure, found.largest_pressure_at) = (film.largest_pressure, s);
+        }
+        let load = length(cycle.load[i]);
+        if load > 0.0 {
+            let table = request.table.impedance(at, motion.closing())?.force.map(|f| f * system.scale);
+            found.table_error = found.table_error.max(length(add(table, -1.0, film.force)) / load);
+            found.contact_share = found.contact_share.max(length(contact) / load);
+        }
+        if (k as f64) < regular {
+            found.friction_power += film.power / regular;
+            found.side_flow += film.side_flow / regular;
+            found.contact_time += if length(contact) > 0.0 { 1.0 / regular } else { 0.0 };
+        }
+    }
+    Ok(found)
+}
