@@ -1,6 +1,8 @@
 //! Time of films.
 use criterion::{Criterion, criterion_group, criterion_main};
-use lanchester_film::{Cavitation, FilmGrid, FilmProblem, FilmSolver, JournalBearing, JournalMotion};
+use lanchester_film::{
+    Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalCycle, JournalMotion, OrbitRequest, journal_orbit,
+};
 use std::hint::black_box;
 
 fn films(c: &mut Criterion) {
@@ -25,6 +27,38 @@ fn films(c: &mut Criterion) {
                 black_box(solver.solve(&problem))
             })
         });
+    }
+    let table = FilmTable::new(0.4, Cavitation::Gumbel).expect("a table");
+    let mut angle = 0.0f64;
+    c.bench_function("table with derivatives", |b| {
+        b.iter(|| {
+            angle += 0.01;
+            black_box(table.impedance([0.8 * angle.cos(), 0.8 * angle.sin()], [0.01, 0.02]))
+        })
+    });
+    c.bench_function("mobility by table", |b| {
+        b.iter(|| {
+            angle += 0.01;
+            black_box(table.velocity([0.8 * angle.cos(), 0.8 * angle.sin()], [1.0, 0.5]))
+        })
+    });
+    // Two mains of a rigid crank that share its mass: 720 deg at 4000 rpm, with a firing and inertia.
+    let (n, speed) = (720, 4000.0 * std::f64::consts::PI / 30.0);
+    let load = |i: usize| {
+        let a = 4.0 * std::f64::consts::PI * i as f64 / n as f64;
+        [-8000.0 * (-8.0 * (1.0 - (0.5 * a).cos())).exp() + 2000.0 * a.cos(), 1500.0 * a.sin()]
+    };
+    let cycle = JournalCycle {
+        duration: 4.0 * std::f64::consts::PI / speed,
+        load: (0..n).map(load).collect(),
+        entrainment: vec![0.5 * speed; n],
+        sliding: vec![speed; n],
+    };
+    for mass in [None, Some(5.0)] {
+        let request = OrbitRequest { bearing, table: &table, viscosity: 0.01, cycle: &cycle, roughness: 0.0, mass };
+        let found = journal_orbit(&request).expect("an orbit");
+        println!("{mass:?}: {:?}, {} periods, {} steps, least film {:.2} um", found.outcome, found.periods, found.steps, found.least_film * 1e6);
+        c.bench_function(&format!("orbit to repetition, mass {mass:?}"), |b| b.iter(|| black_box(journal_orbit(&request))));
     }
 }
 

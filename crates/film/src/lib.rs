@@ -26,6 +26,7 @@ mod orbit;
 mod plane;
 mod problem;
 mod separable;
+mod sheet;
 mod short;
 mod solution;
 mod solver;
@@ -41,6 +42,7 @@ pub use oil::{DENSITY, HEAT_SHARE, OilCurve, SPECIFIC_HEAT, oil_grades, temperat
 pub use orbit::{FilmOrbit, JournalCycle, OrbitOutcome, OrbitRequest, journal_orbit};
 pub use plane::Plane;
 pub use problem::{Feed, FilmProblem};
+pub use sheet::{BearingFilm, BearingFilmRequest, BearingKind, FilmOil, bearing_film};
 pub use short::{ocvirk_load, short_bearing_force};
 pub use solution::{FilmSolution, attitude};
 pub use solver::FilmSolver;

@@ -17,6 +17,7 @@
 #![forbid(unsafe_code)]
 
 mod arrangements;
+mod bearing_films;
 mod bond_graph;
 mod comparison;
 mod consequences;
@@ -55,6 +56,7 @@ pub use lanchester_balance as balance;
 pub use lanchester_bondgraph as bondgraph;
 pub use lanchester_cycle as cycle;
 pub use lanchester_file as file;
+pub use lanchester_film as film;
 pub use lanchester_flex as flex;
 pub use lanchester_geometry as geometry;
 pub use lanchester_literature as literature;
@@ -81,6 +83,7 @@ pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use simulation::{RunLength, simulate, simulate_watched};
 pub use stress::*;
 pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
+pub use bearing_films::{BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films};
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,

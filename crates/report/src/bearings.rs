@@ -1,6 +1,7 @@
 //! Loads of pistons, pins and bearings, and what bends the crankshaft.
 
 pub(crate) mod bending;
+pub(crate) mod films;
 pub(crate) mod internal_figure;
 pub(crate) mod internal_noise;
 pub(crate) mod internal_tables;
@@ -8,6 +9,7 @@ pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use bending::bending_section;
+pub use films::{films_csv, films_table, films_text};
 pub use internal_figure::internal_figures;
 pub use internal_tables::{internal_csv, internal_table, internal_text, mains_table};
 pub use section::{BearingsInput, bearings_section};

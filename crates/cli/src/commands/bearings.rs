@@ -4,12 +4,13 @@ use crate::commands::{json, open, write_figures};
 use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
-use crate::options::torque::{BearingsArguments, PartOption};
+use crate::options::torque::{BearingsArguments, FilmOption, PartOption};
 use crate::trace_files::trace_files;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
-use lanchester::report::{bearing_figures, bearings_csv, bearings_text};
+use lanchester::film::Cavitation;
+use lanchester::report::{bearing_figures, bearings_csv, bearings_text, films_csv, films_text};
 use lanchester::task::option;
-use lanchester::{bearing_report, bearing_sizes};
+use lanchester::{bearing_films, bearing_report, bearing_sizes};
 use serde::Serialize;
 
 /// Loads with counterweights, and without where the engine has some.
@@ -43,6 +44,16 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         bearing_report(engine, &traces, &request).map_err(Failure::refused)
     };
     let found = loads(part, true)?;
+    if let Some(models) = &arguments.film {
+        let models: Vec<Cavitation> = models.iter().map(|model| model_of(*model)).collect();
+        let films = bearing_films(engine, &found, &models).map_err(Failure::refused)?;
+        print(&match arguments.format {
+            Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
+            Format::Json => json(&films)?,
+            Format::Csv => films_csv(films.period, &films.films),
+        })?;
+        return Ok(DONE);
+    }
     let has_weights = part != BearingPart::Gas && engine.counterweights.iter().any(|w| w.unbalance > 0.0);
     let bare = if has_weights { Some(loads(part, false)?) } else { None };
     let mut parts = vec![found.clone()];
@@ -59,4 +70,12 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => bearings_csv(&found),
     })?;
     Ok(DONE)
+}
+
+fn model_of(option: FilmOption) -> Cavitation {
+    match option {
+        FilmOption::Full => Cavitation::Full,
+        FilmOption::Gumbel => Cavitation::Gumbel,
+        FilmOption::Reynolds => Cavitation::Reynolds,
+    }
 }

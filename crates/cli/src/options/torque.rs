@@ -85,12 +85,27 @@ pub struct BearingsArguments {
     /// Angles a revolution of the traces in JSON and CSV.
     #[arg(long, value_name = "ANGLES", default_value_t = 360, value_parser = clap::value_parser!(u32).range(4..=100_000))]
     pub samples: u32,
+    /// Oil films of main and big-end bearings instead: least film, pressure, friction, flow, temperature; models of cavitation side by side,
+    /// default: that of the file, else gumbel.
+    #[arg(long, value_enum, value_name = "MODELS", num_args = 0..=1, value_delimiter = ',', conflicts_with = "figures")]
+    pub film: Option<Vec<FilmOption>>,
     /// Write polar diagrams as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
     /// Form of the output; CSV is everything over the crank angle.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// Model of cavitation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FilmOption {
+    /// Negative pressures are kept.
+    Full,
+    /// Negative pressures of the full film are set to zero.
+    Gumbel,
+    /// Pressure and its slope vanish together.
+    Reynolds,
 }
 
 /// Which loads count.

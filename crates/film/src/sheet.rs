@@ -1,0 +1,211 @@
+//! What the film of one bearing of an engine does over the cycle, with its oil's temperature.
+
+use crate::bearing::JournalBearing;
+use crate::cavitation::Cavitation;
+use crate::error::FilmError;
+use crate::oil::{OilCurve, temperature_rise};
+use crate::orbit::{FilmOrbit, JournalCycle, OrbitRequest, journal_orbit};
+use crate::table::FilmTable;
+use serde::{Deserialize, Serialize};
+
+/// Repeats of the heat balance, and the change of temperature that ends it [K].
+const MOST_REPEATS: usize = 25;
+const SAME_TEMPERATURE: f64 = 0.1;
+/// Hottest film that the balance follows [K]: oil is destroyed well below.
+const HOTTEST: f64 = 573.15;
+
+/// Which bearing of the engine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BearingKind {
+    /// A main bearing.
+    Main,
+    /// A big-end bearing.
+    Crankpin,
+}
+
+/// The oil of a bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FilmOil {
+    /// The same viscosity whatever the temperature [Pa s], and the density [kg/m3].
+    Fixed {
+        /// Dynamic viscosity [Pa s].
+        viscosity: f64,
+        /// Density [kg/m3].
+        density: f64,
+    },
+    /// Viscosity by temperature; supplied at this temperature [K].
+    Curve {
+        /// The oil.
+        oil: OilCurve,
+        /// Temperature of supply [K].
+        supply: f64,
+    },
+}
+
+/// A bearing of an engine and its film over the cycle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct BearingFilm {
+    /// Main or big end.
+    pub kind: BearingKind,
+    /// Number of its crankshaft, from 1.
+    pub crankshaft: usize,
+    /// Number of the main bearing on its crankshaft, or of the cylinder.
+    pub number: usize,
+    /// The bearing.
+    pub bearing: JournalBearing,
+    /// Model of cavitation.
+    pub cavitation: Cavitation,
+    /// Viscosity of the film [Pa s].
+    pub viscosity: f64,
+    /// Rise of temperature through the film [K].
+    pub temperature_rise: f64,
+    /// Temperature of the film [K], where that of supply is known: the balance was repeated until it changed by 0.1 K.
+    pub temperature: Option<f64>,
+    /// Whether that balance was found.
+    pub heat_balanced: bool,
+    /// Largest load [N].
+    pub largest_load: f64,
+    /// Largest and mean load over diameter times length [Pa].
+    pub projected_pressure: [f64; 2],
+    /// Direction of the least film in the shell's frame [rad]: of a main that of the engine, of a big end from the rod's line towards the piston.
+    pub least_film_in_shell: f64,
+    /// Crank angle of the least film [rad].
+    pub least_film_angle: f64,
+    /// Crank angle of the largest pressure [rad].
+    pub largest_pressure_angle: f64,
+    /// Composite roughness [m].
+    pub roughness: f64,
+    /// Orbit and film.
+    pub orbit: FilmOrbit,
+}
+
+/// What a film of the engine is computed of.
+#[derive(Debug, Clone, Copy)]
+pub struct BearingFilmRequest<'a> {
+    /// Main or big end.
+    pub kind: BearingKind,
+    /// Number of its crankshaft, from 1.
+    pub crankshaft: usize,
+    /// Number of the main bearing or cylinder.
+    pub number: usize,
+    /// The bearing.
+    pub bearing: JournalBearing,
+    /// Its table.
+    pub table: &'a FilmTable,
+    /// Load and speeds.
+    pub cycle: &'a JournalCycle,
+    /// Angle of the shell's frame at every instant [rad].
+    pub shell: &'a [f64],
+    /// Period of the crank angle [rad].
+    pub period: f64,
+    /// Composite roughness [m].
+    pub roughness: f64,
+    /// Oil.
+    pub oil: FilmOil,
+}
+
+/// The film of one bearing, with the heat balance where the oil's viscosity depends on temperature.
+///
+/// # Errors
+/// As [`journal_orbit`].
+pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmError> {
+    let orbit_at = |viscosity: f64| {
+        journal_orbit(&OrbitRequest {
+            bearing: request.bearing,
+            table: request.table,
+            viscosity,
+            cycle: request.cycle,
+            roughness: request.roughness,
+            mass: None,
+        })
+    };
+    let (mut viscosity, mut temperature, mut balanced) = match request.oil {
+        FilmOil::Fixed { viscosity, .. } => (viscosity, None, true),
+        FilmOil::Curve { oil, supply } => (oil.viscosity(supply), Some(supply), false),
+    };
+    let density = match request.oil {
+        FilmOil::Fixed { density, .. } => density,
+        FilmOil::Curve { oil, .. } => oil.density,
+    };
+    let mut orbit = orbit_at(viscosity)?;
+    let mut rise = temperature_rise(orbit.friction_power, orbit.side_flow, density);
+    if let FilmOil::Curve { oil, supply } = request.oil {
+        let mut film = supply;
+        for _ in 0..MOST_REPEATS {
+            // Half the step: friction falls as the film warms, so that the whole one may swing.
+            let next = (film + 0.5 * (supply + rise - film)).min(HOTTEST);
+            if (supply + rise - film).abs() < SAME_TEMPERATURE {
+                balanced = true;
+                break;
+            }
+            film = next;
+            viscosity = oil.viscosity(film);
+            orbit = orbit_at(viscosity)?;
+            rise = temperature_rise(orbit.friction_power, orbit.side_flow, density);
+        }
+        temperature = Some(film);
+    }
+    let sizes = request.cycle.load.iter().map(|load| load[0].hypot(load[1]));
+    let largest_load = sizes.clone().fold(0.0, f64::max);
+    let area = 2.0 * request.bearing.radius * request.bearing.length;
+    let n = request.cycle.load.len();
+    let least = ((orbit.least_film_at * n as f64).round() as usize).min(n - 1);
+    let frame = request.shell.get(least).copied().unwrap_or(0.0);
+    Ok(BearingFilm {
+        kind: request.kind,
+        crankshaft: request.crankshaft,
+        number: request.number,
+        bearing: request.bearing,
+        cavitation: request.table.cavitation(),
+        viscosity,
+        temperature_rise: rise,
+        temperature,
+        heat_balanced: balanced,
+        largest_load,
+        projected_pressure: [largest_load / area, sizes.sum::<f64>() / n as f64 / area],
+        least_film_in_shell: (orbit.least_film_angle - frame).sin().atan2((orbit.least_film_angle - frame).cos()),
+        least_film_angle: orbit.least_film_at * request.period,
+        largest_pressure_angle: orbit.largest_pressure_at * request.period,
+        roughness: request.roughness,
+        orbit,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heat_balance_closes_on_its_own_numbers() {
+        let bearing = JournalBearing::new(0.025, 0.02, 2.5e-5).expect("plausible");
+        let table = FilmTable::new(0.4, Cavitation::Gumbel).expect("a table");
+        let n = 120;
+        let load = (0..n).map(|i| 0.0524 * f64::from(i)).map(|a| [3000.0 + 2000.0 * a.cos(), 1500.0 * a.sin()]);
+        let cycle = JournalCycle {
+            duration: 0.02,
+            load: load.collect(),
+            entrainment: vec![157.0; n as usize],
+            sliding: vec![314.0; n as usize],
+        };
+        let oil = OilCurve::of_grade("5W-30", 850.0).expect("known");
+        let request = BearingFilmRequest {
+            kind: BearingKind::Main,
+            crankshaft: 1,
+            number: 1,
+            bearing,
+            table: &table,
+            cycle: &cycle,
+            shell: &[],
+            period: 6.283,
+            roughness: 0.0,
+            oil: FilmOil::Curve { oil, supply: 363.15 },
+        };
+        let found = bearing_film(&request).expect("a film");
+        let film = found.temperature.expect("known");
+        assert!(found.heat_balanced && (film - 363.15 - found.temperature_rise).abs() < 0.1, "{film} {}", found.temperature_rise);
+        assert!((found.viscosity / oil.viscosity(film) - 1.0).abs() < 1e-12 && found.temperature_rise > 0.5);
+        let fixed = bearing_film(&BearingFilmRequest { oil: FilmOil::Fixed { viscosity: found.viscosity, density: 850.0 }, ..request }).expect("a film");
+        assert_eq!(fixed.orbit.least_film, found.orbit.least_film);
+    }
+}
