@@ -1,7 +1,8 @@
 //! Time of films.
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_film::{
-    Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalCycle, JournalMotion, OrbitRequest, journal_orbit,
+    Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalCycle, JournalMotion,
+    OrbitRequest, journal_orbit,
 };
 use std::hint::black_box;
 
@@ -13,7 +14,12 @@ fn films(c: &mut Criterion) {
         let mut problem = FilmProblem {
             bearing,
             viscosity: 0.01,
-            motion: JournalMotion { eccentricity: [1.8e-5, 0.0], entrainment: 200.0, sliding: 400.0, ..JournalMotion::default() },
+            motion: JournalMotion {
+                eccentricity: [1.8e-5, 0.0],
+                entrainment: 200.0,
+                sliding: 400.0,
+                ..JournalMotion::default()
+            },
             tilt: [0.0, 0.0],
             cavitation,
             feeds: Vec::new(),
@@ -55,10 +61,19 @@ fn films(c: &mut Criterion) {
         sliding: vec![speed; n],
     };
     for mass in [None, Some(5.0)] {
-        let request = OrbitRequest { bearing, table: &table, viscosity: 0.01, cycle: &cycle, roughness: 0.0, mass };
+        let request =
+            OrbitRequest { bearing, table: &table, viscosity: 0.01, cycle: &cycle, roughness: 0.0, mass };
         let found = journal_orbit(&request).expect("an orbit");
-        println!("{mass:?}: {:?}, {} periods, {} steps, least film {:.2} um", found.outcome, found.periods, found.steps, found.least_film * 1e6);
-        c.bench_function(&format!("orbit to repetition, mass {mass:?}"), |b| b.iter(|| black_box(journal_orbit(&request))));
+        println!(
+            "{mass:?}: {:?}, {} periods, {} steps, least film {:.2} um",
+            found.outcome,
+            found.periods,
+            found.steps,
+            found.least_film * 1e6
+        );
+        c.bench_function(&format!("orbit to repetition, mass {mass:?}"), |b| {
+            b.iter(|| black_box(journal_orbit(&request)))
+        });
     }
 }
 

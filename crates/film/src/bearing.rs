@@ -40,7 +40,7 @@ impl JournalBearing {
         require(self.length > 0.0, "bearing length [m]", "above 0", self.length)?;
         require(self.clearance > 0.0, "radial clearance [m]", "above 0", self.clearance)?;
         let ratio = self.clearance / self.radius;
-        if ratio < CLEARANCE_RATIO[0] || ratio > CLEARANCE_RATIO[1] {
+        if !(CLEARANCE_RATIO[0]..=CLEARANCE_RATIO[1]).contains(&ratio) {
             return Err(FilmError::Clearance {
                 clearance: self.clearance,
                 radius: self.radius,
@@ -71,7 +71,7 @@ impl JournalBearing {
 /// # Errors
 /// [`FilmError::Viscosity`].
 pub fn check_viscosity(viscosity: f64) -> Result<(), FilmError> {
-    if viscosity >= VISCOSITY[0] && viscosity <= VISCOSITY[1] {
+    if (VISCOSITY[0]..=VISCOSITY[1]).contains(&viscosity) {
         Ok(())
     } else {
         Err(FilmError::Viscosity { viscosity, range: VISCOSITY })

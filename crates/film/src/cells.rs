@@ -76,6 +76,21 @@ impl Cells {
         for i in 0..n {
             let (sin, cos) = grid.faces[i + 1].sin_cos();
             let distance = 0.5 * (self.width[i] + self.width[(i + 1) % n]);
+            if tilt == [0.0, 0.0] {
+                // Every cell of the column is the same but the last, whose end is half a cell away.
+                let h = 1.0 - dot(ratio, self.middle[i]);
+                let face = 1.0 - dot(ratio, [cos, sin]);
+                let along = shape * h.powi(3) * self.width[i] / (height * height);
+                let column = i * m..(i + 1) * m;
+                self.thickness[column.clone()].fill(h);
+                self.face[column.clone()].fill(face);
+                self.east[column.clone()].fill(face.powi(3) / distance);
+                self.north[column.clone()].fill(along);
+                self.north[column.end - 1] = 2.0 * along;
+                self.south[column.start] = if grid.half { 0.0 } else { 2.0 * along };
+                self.source[column].fill(dot(closing, self.normal[i]));
+                continue;
+            }
             for j in 0..m {
                 let cell = i * m + j;
                 let at = add(ratio, grid.place(j), tilt);
@@ -85,7 +100,11 @@ impl Cells {
                 self.face[cell] = face;
                 self.east[cell] = face.powi(3) / distance;
                 let between = if j + 1 < m { 1.0 } else { 2.0 };
-                let next = if j + 1 < m { 1.0 - dot(add(ratio, 0.5 * (grid.place(j) + grid.place(j + 1)), tilt), self.middle[i]) } else { h };
+                let next = if j + 1 < m {
+                    1.0 - dot(add(ratio, 0.5 * (grid.place(j) + grid.place(j + 1)), tilt), self.middle[i])
+                } else {
+                    h
+                };
                 self.north[cell] = between * shape * next.powi(3) * self.width[i] / (height * height);
                 if j == 0 && !grid.half {
                     self.south[cell] = 2.0 * shape * h.powi(3) * self.width[i] / (height * height);
@@ -104,7 +123,11 @@ impl Cells {
         let (radius, half) = (problem.bearing.radius, 0.5 * problem.bearing.length);
         let unit = problem.bearing.pressure_scale(problem.viscosity);
         let turn = |from: f64, to: f64| (to - from + PI).rem_euclid(TAU) - PI;
-        let column = |angle: f64| (0..n).find(|&i| (angle - grid.faces[i]).rem_euclid(TAU) < grid.faces[i + 1] - grid.faces[i]).unwrap_or(0);
+        let column = |angle: f64| {
+            (0..n)
+                .find(|&i| (angle - grid.faces[i]).rem_euclid(TAU) < grid.faces[i + 1] - grid.faces[i])
+                .unwrap_or(0)
+        };
         let row = |place: f64| {
             let s = (place / half).clamp(-1.0, 1.0);
             let share = if grid.half { s.abs() } else { 0.5 * (s + 1.0) };
@@ -112,7 +135,9 @@ impl Cells {
         };
         for feed in &problem.feeds {
             let (value, nearest) = match *feed {
-                Feed::Groove { from, to, middle, pressure, .. } => (pressure / unit, (column(0.5 * (from + to)), row(middle))),
+                Feed::Groove { from, to, middle, pressure, .. } => {
+                    (pressure / unit, (column(0.5 * (from + to)), row(middle)))
+                }
                 Feed::Hole { angle, place, pressure, .. } => (pressure / unit, (column(angle), row(place))),
                 Feed::Line { angle, pressure } => (pressure / unit, (column(angle), 0)),
             };
@@ -120,8 +145,10 @@ impl Cells {
                 let (angle, z) = (grid.angle(i), grid.place(j) * half);
                 match *feed {
                     Feed::Groove { from, to, middle, width, .. } => {
-                        let at_angle = (angle - from).rem_euclid(TAU) <= to - from || (to - from < self.width[i] && i == nearest.0);
-                        let across = (z - middle).abs() <= 0.5 * width || (width < grid.height() * half && j == nearest.1);
+                        let at_angle = (angle - from).rem_euclid(TAU) <= to - from
+                            || (to - from < self.width[i] && i == nearest.0);
+                        let across = (z - middle).abs() <= 0.5 * width
+                            || (width < grid.height() * half && j == nearest.1);
                         at_angle && across
                     }
                     Feed::Hole { angle: centre, place, diameter, .. } => {

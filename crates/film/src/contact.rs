@@ -14,7 +14,7 @@ const INTERVALS: usize = 32;
 /// Size of the contact force [N] on the journal, against the eccentricity, at this eccentricity ratio; `roughness` is the composite height sigma [m].
 pub fn contact_force(bearing: &JournalBearing, roughness: f64, ratio: f64) -> f64 {
     let reach = 4.0 * roughness / bearing.clearance;
-    if !(roughness > 0.0) || 1.0 - ratio >= reach {
+    if roughness <= 0.0 || 1.0 - ratio >= reach {
         return 0.0;
     }
     let edge = ((1.0 - reach) / ratio).clamp(-1.0, 1.0).acos();

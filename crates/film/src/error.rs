@@ -83,3 +83,8 @@ pub(crate) fn require(
 ) -> Result<(), FilmError> {
     if holds && got.is_finite() { Ok(()) } else { Err(FilmError::Number { quantity, needed, got }) }
 }
+
+/// Refuses an eccentricity that leaves no film, or is no number.
+pub(crate) fn require_film(ratio: f64) -> Result<(), FilmError> {
+    if ratio.is_finite() && ratio < 1.0 { Ok(()) } else { Err(FilmError::Eccentricity { ratio }) }
+}

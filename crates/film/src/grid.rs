@@ -1,6 +1,6 @@
 //! Cells of the unrolled film: rings of cells around, columns along the axis.
 
-use crate::error::{FilmError, require};
+use crate::error::{FilmError, require, require_film};
 use crate::plane::{self, Plane};
 use std::f64::consts::{PI, TAU};
 
@@ -31,12 +31,15 @@ impl FilmGrid {
     ///
     /// # Errors
     /// [`FilmError::Number`] below 8 cells around or 2 along, [`FilmError::Eccentricity`] at 1 and above.
-    pub fn graded(around: usize, axial: usize, half: bool, eccentricity_ratio: Plane) -> Result<FilmGrid, FilmError> {
+    pub fn graded(
+        around: usize,
+        axial: usize,
+        half: bool,
+        eccentricity_ratio: Plane,
+    ) -> Result<FilmGrid, FilmError> {
         check(around, axial)?;
         let (along, ratio) = plane::direction(eccentricity_ratio);
-        if !(ratio < 1.0) {
-            return Err(FilmError::Eccentricity { ratio });
-        }
+        require_film(ratio)?;
         let origin = along[1].atan2(along[0]);
         let stretch = ((1.0 + ratio) / (1.0 - ratio)).sqrt();
         // g = 2 atan(stretch tan(a/2)); wanted is a with (a + g)/2 = u, u equal steps in [-pi, pi].
@@ -46,7 +49,11 @@ impl FilmGrid {
             for _ in 0..80 {
                 let (sin, cos) = (0.5 * a).sin_cos();
                 let value = 0.5 * (a + 2.0 * (stretch * sin).atan2(cos)) - u;
-                if value > 0.0 { high = a } else { low = a }
+                if value > 0.0 {
+                    high = a
+                } else {
+                    low = a
+                }
                 let slope = 0.5 * (1.0 + stretch / (cos * cos + stretch * stretch * sin * sin));
                 let step = a - value / slope;
                 let next = if step > low && step < high { step } else { 0.5 * (low + high) };

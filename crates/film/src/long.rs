@@ -8,7 +8,7 @@
 
 use crate::bearing::{JournalBearing, JournalMotion};
 use crate::check_viscosity;
-use crate::error::FilmError;
+use crate::error::{FilmError, require_film};
 use crate::plane::{self, Plane, dot, quarter};
 use std::f64::consts::PI;
 
@@ -29,9 +29,7 @@ pub fn long_bearing_force(
     check_viscosity(viscosity)?;
     let (along, size) = plane::direction(motion.eccentricity);
     let ratio = size / bearing.clearance;
-    if !(ratio < 1.0) {
-        return Err(FilmError::Eccentricity { ratio });
-    }
+    require_film(ratio)?;
     let v = motion.closing();
     let across = quarter(along);
     let v = [dot(v, along), dot(v, across)];
@@ -95,17 +93,25 @@ mod tests {
                 let g = 2.0 * PI * (i as f64 + 0.5) / INTERVALS as f64;
                 let (sin, cos) = g.sin_cos();
                 let turn = 1.0 + ratio * cos;
-                let weight = pressure(ratio, d, v, g) / d.powi(4) / (turn * turn) * 2.0 * PI / INTERVALS as f64;
+                let weight =
+                    pressure(ratio, d, v, g) / d.powi(4) / (turn * turn) * 2.0 * PI / INTERVALS as f64;
                 sum = [sum[0] + weight * (ratio + cos), sum[1] + weight * d * sin];
             }
             let closed = full_integrals(ratio, v);
             for k in 0..2 {
                 assert!((sum[k] - closed[k]).abs() < 1e-9 * plane::length(closed), "{sum:?} {closed:?}");
             }
-            let motion = JournalMotion { eccentricity: [ratio * 1e-4, 0.0], entrainment: 50.0, ..JournalMotion::default() };
+            let motion = JournalMotion {
+                eccentricity: [ratio * 1e-4, 0.0],
+                entrainment: 50.0,
+                ..JournalMotion::default()
+            };
             let force = long_bearing_force(&bearing, 0.02, &motion, false).expect("a film");
             let load = sommerfeld_load(&bearing, 0.02, 100.0, ratio) * bearing.length;
-            assert!((force[1] / load - 1.0).abs() < 1e-12 && force[0].abs() < 1e-9 * load, "{force:?} {load}");
+            assert!(
+                (force[1] / load - 1.0).abs() < 1e-12 && force[0].abs() < 1e-9 * load,
+                "{force:?} {load}"
+            );
         }
     }
 }

@@ -48,10 +48,25 @@ impl OilCurve {
     /// [`FilmError::Number`] where they do not fall with temperature or the density is not above 0.
     pub fn through(cool: (f64, f64), hot: (f64, f64), density: f64) -> Result<OilCurve, FilmError> {
         require(density > 0.0, "density of the oil [kg/m3]", "above 0", density)?;
-        require(cool.0 > 0.0 && hot.0 > cool.0, "higher of the two temperatures of the oil [K]", "above the lower one", hot.0)?;
-        require(hot.1 > 0.0 && cool.1 > hot.1, "kinematic viscosity at the lower temperature [m2/s]", "above that at the higher one", cool.1)?;
+        require(
+            cool.0 > 0.0 && hot.0 > cool.0,
+            "higher of the two temperatures of the oil [K]",
+            "above the lower one",
+            hot.0,
+        )?;
+        require(
+            hot.1 > 0.0 && cool.1 > hot.1,
+            "kinematic viscosity at the lower temperature [m2/s]",
+            "above that at the higher one",
+            cool.1,
+        )?;
         let double = |viscosity: f64| (viscosity * 1e6 + 0.7).log10().log10();
-        require(double(hot.1).is_finite(), "kinematic viscosity at the higher temperature [m2/s]", "above 0.3e-6", hot.1)?;
+        require(
+            double(hot.1).is_finite(),
+            "kinematic viscosity at the higher temperature [m2/s]",
+            "above 0.3e-6",
+            hot.1,
+        )?;
         let slope = (double(cool.1) - double(hot.1)) / (hot.0.log10() - cool.0.log10());
         Ok(OilCurve { intercept: double(cool.1) + slope * cool.0.log10(), slope, density })
     }

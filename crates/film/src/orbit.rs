@@ -123,7 +123,11 @@ impl Orbit<'_> {
     }
 
     fn load(&self, s: f64) -> Plane {
-        self.at(s, |i| self.request.cycle.load[i], |p, w| [0, 1].map(|k| (0..4).map(|j| w[j] * p[j][k]).sum()))
+        self.at(
+            s,
+            |i| self.request.cycle.load[i],
+            |p, w| [0, 1].map(|k| (0..4).map(|j| w[j] * p[j][k]).sum()),
+        )
     }
 
     fn scalar(&self, s: f64, samples: &[f64]) -> f64 {
@@ -173,7 +177,8 @@ impl System for Orbit<'_> {
                     for k in 0..2 {
                         derivative[k] = y[2 + k];
                         derivative[2 + k] =
-                            (load[k] + contact[k] + film.force[k] * self.scale) / mass * duration * duration / c;
+                            (load[k] + contact[k] + film.force[k] * self.scale) / mass * duration * duration
+                                / c;
                     }
                 }
             }
@@ -250,7 +255,12 @@ fn check(request: &OrbitRequest) -> Result<(), FilmError> {
         return Err(FilmError::NoSpeed { speed: mean });
     }
     require(request.roughness >= 0.0, "composite roughness [m]", "0 or above", request.roughness)?;
-    require(request.mass.is_none_or(|mass| mass > 0.0), "mass at the journal [kg]", "above 0", request.mass.unwrap_or(1.0))?;
+    require(
+        request.mass.is_none_or(|mass| mass > 0.0),
+        "mass at the journal [kg]",
+        "above 0",
+        request.mass.unwrap_or(1.0),
+    )?;
     let own = request.bearing.slenderness();
     require(
         (request.table.slenderness() / own - 1.0).abs() < 1e-6,

@@ -2,7 +2,7 @@
 
 use crate::bearing::{JournalBearing, JournalMotion, check_viscosity};
 use crate::cavitation::Cavitation;
-use crate::error::{FilmError, require};
+use crate::error::{FilmError, require, require_film};
 use crate::plane::Plane;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -76,16 +76,20 @@ impl FilmProblem {
         require(motion.entrainment.is_finite(), "mean speed [rad/s]", "a finite number", motion.entrainment)?;
         require(motion.sliding.is_finite(), "sliding speed [rad/s]", "a finite number", motion.sliding)?;
         let reach = |sign: f64| {
-            crate::plane::length(crate::plane::add(motion.eccentricity, sign, self.tilt)) / self.bearing.clearance
+            crate::plane::length(crate::plane::add(motion.eccentricity, sign, self.tilt))
+                / self.bearing.clearance
         };
         let ratio = reach(1.0).max(reach(-1.0));
-        if !(ratio < 1.0) {
-            return Err(FilmError::Eccentricity { ratio });
-        }
+        require_film(ratio)?;
         for feed in &self.feeds {
             let (pressure, size) = match *feed {
                 Feed::Groove { from, to, width, pressure, .. } => {
-                    require(to > from && to - from <= TAU + 1e-12, "angle that a groove covers [rad]", "above 0, at most a turn", to - from)?;
+                    require(
+                        to > from && to - from <= TAU + 1e-12,
+                        "angle that a groove covers [rad]",
+                        "above 0, at most a turn",
+                        to - from,
+                    )?;
                     if to - from > TAU - 1e-9 && width >= self.bearing.length {
                         return Err(FilmError::NoLand);
                     }
@@ -95,7 +99,12 @@ impl FilmProblem {
                 Feed::Line { pressure, .. } => (pressure, 1.0),
             };
             require(size > 0.0, "width of a groove or hole [m]", "above 0", size)?;
-            require(pressure >= 0.0, "pressure of a groove or hole [Pa]", "0 or above, over that at the ends", pressure)?;
+            require(
+                pressure >= 0.0,
+                "pressure of a groove or hole [Pa]",
+                "0 or above, over that at the ends",
+                pressure,
+            )?;
         }
         Ok(())
     }

@@ -89,7 +89,8 @@ impl Separable {
             let diagonal = west + east + self.squeeze[last] * self.value[k]
                 - west * self.ring[before]
                 - east * self.ring[k];
-            let right = cells.source[last * m] * self.share[k] + west * self.right[before] + east * self.right[k];
+            let right =
+                cells.source[last * m] * self.share[k] + west * self.right[before] + east * self.right[k];
             self.right[last * m + k] = right / diagonal;
         }
         for i in 0..n {

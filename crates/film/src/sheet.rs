@@ -164,7 +164,9 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         heat_balanced: balanced,
         largest_load,
         projected_pressure: [largest_load / area, sizes.sum::<f64>() / n as f64 / area],
-        least_film_in_shell: (orbit.least_film_angle - frame).sin().atan2((orbit.least_film_angle - frame).cos()),
+        least_film_in_shell: (orbit.least_film_angle - frame)
+            .sin()
+            .atan2((orbit.least_film_angle - frame).cos()),
         least_film_angle: orbit.least_film_at * request.period,
         largest_pressure_angle: orbit.largest_pressure_at * request.period,
         roughness: request.roughness,
@@ -175,13 +177,16 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
 
     #[test]
     fn heat_balance_closes_on_its_own_numbers() {
         let bearing = JournalBearing::new(0.025, 0.02, 2.5e-5).expect("plausible");
         let table = FilmTable::new(0.4, Cavitation::Gumbel).expect("a table");
         let n = 120;
-        let load = (0..n).map(|i| 0.0524 * f64::from(i)).map(|a| [3000.0 + 2000.0 * a.cos(), 1500.0 * a.sin()]);
+        let load = (0..n)
+            .map(|i| TAU * f64::from(i) / f64::from(n))
+            .map(|a| [3000.0 + 2000.0 * a.cos(), 1500.0 * a.sin()]);
         let cycle = JournalCycle {
             duration: 0.02,
             load: load.collect(),
@@ -197,15 +202,23 @@ mod tests {
             table: &table,
             cycle: &cycle,
             shell: &[],
-            period: 6.283,
+            period: TAU,
             roughness: 0.0,
             oil: FilmOil::Curve { oil, supply: 363.15 },
         };
         let found = bearing_film(&request).expect("a film");
         let film = found.temperature.expect("known");
-        assert!(found.heat_balanced && (film - 363.15 - found.temperature_rise).abs() < 0.1, "{film} {}", found.temperature_rise);
+        assert!(
+            found.heat_balanced && (film - 363.15 - found.temperature_rise).abs() < 0.1,
+            "{film} {}",
+            found.temperature_rise
+        );
         assert!((found.viscosity / oil.viscosity(film) - 1.0).abs() < 1e-12 && found.temperature_rise > 0.5);
-        let fixed = bearing_film(&BearingFilmRequest { oil: FilmOil::Fixed { viscosity: found.viscosity, density: 850.0 }, ..request }).expect("a film");
+        let fixed = bearing_film(&BearingFilmRequest {
+            oil: FilmOil::Fixed { viscosity: found.viscosity, density: 850.0 },
+            ..request
+        })
+        .expect("a film");
         assert_eq!(fixed.orbit.least_film, found.orbit.least_film);
     }
 }

@@ -9,7 +9,7 @@
 //! Source of the equation: Ocvirk, NACA TN 2808 (1952); Booker, J. Basic Eng. 87 (1965) 537; the integrals are derived here.
 
 use crate::bearing::{JournalBearing, JournalMotion};
-use crate::error::FilmError;
+use crate::error::{FilmError, require_film};
 use crate::plane::{Plane, dot, quarter};
 use crate::{check_viscosity, plane};
 use std::f64::consts::PI;
@@ -28,14 +28,11 @@ pub fn short_bearing_force(
     check_viscosity(viscosity)?;
     let (along, size) = plane::direction(motion.eccentricity);
     let ratio = size / bearing.clearance;
-    if !(ratio < 1.0) {
-        return Err(FilmError::Eccentricity { ratio });
-    }
+    require_film(ratio)?;
     let v = motion.closing();
     let across = quarter(along);
     let [radial, tangential] = short_integrals(ratio, [dot(v, along), dot(v, across)], cut);
-    let scale =
-        -viscosity * bearing.radius * bearing.length.powi(3) / bearing.clearance.powi(3);
+    let scale = -viscosity * bearing.radius * bearing.length.powi(3) / bearing.clearance.powi(3);
     Ok([0, 1].map(|k| scale * (radial * along[k] + tangential * across[k])))
 }
 
@@ -70,7 +67,11 @@ pub(crate) fn short_integrals(ratio: f64, v: Plane, cut: bool) -> Plane {
 /// ```
 pub fn ocvirk_load(bearing: &JournalBearing, viscosity: f64, speed: f64, ratio: f64) -> f64 {
     let rest = 1.0 - ratio * ratio;
-    viscosity * speed * bearing.radius * bearing.length.powi(3) * ratio
+    viscosity
+        * speed
+        * bearing.radius
+        * bearing.length.powi(3)
+        * ratio
         * (PI * PI * rest + 16.0 * ratio * ratio).sqrt()
         / (4.0 * bearing.clearance.powi(2) * rest * rest)
 }

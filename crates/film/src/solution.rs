@@ -61,6 +61,7 @@ impl FilmSolution {
         let pressure = bearing.pressure_scale(problem.viscosity);
         let share = 1.0 / m as f64;
         let half = 0.5 * bearing.length;
+        let tilted = problem.tilt != [0.0, 0.0];
         let (mut force, mut moment) = ([0.0; 2], [0.0; 2]);
         let (mut shear, mut shear_pressed, mut lever) = (0.0, 0.0, 0.0);
         let (mut side, mut feed, mut flow_work) = (0.0, 0.0, 0.0);
@@ -86,9 +87,14 @@ impl FilmSolution {
                 if p[cell] != 0.0 {
                     flow_work += p[cell] * cells.outflow(p, i, j);
                 }
-                // Lever of the pressure about the bearing's centre, the tilt included.
-                let at = add(motion.eccentricity, grid.place(j), problem.tilt);
-                lever += p[cell] * cells.lever(at, i);
+                if tilted {
+                    // Lever of the pressure about the bearing's centre, the tilt included.
+                    let at = add(motion.eccentricity, grid.place(j), problem.tilt);
+                    lever += p[cell] * cells.lever(at, i);
+                }
+            }
+            if !tilted {
+                lever += mean * cells.lever(motion.eccentricity, i);
             }
             force = add(force, -mean, cells.normal[i]);
             moment = add(moment, -off, cells.normal[i]);
@@ -107,7 +113,6 @@ impl FilmSolution {
         let couple = -lever * scale;
         let viscous = problem.viscosity * bearing.radius.powi(2) * area / bearing.clearance;
         let torque = |shear: f64| -viscous * motion.sliding * shear - 0.5 * couple;
-        let tilted = problem.tilt != [0.0, 0.0];
         let (least, angle, place) = least_film(problem, tilted);
         FilmSolution {
             force,
@@ -115,7 +120,8 @@ impl FilmSolution {
             torque: torque(shear),
             torque_of_pressure_part: torque(shear_pressed),
             shell_torque: viscous * motion.sliding * shear - 0.5 * couple,
-            power: viscous * motion.sliding.powi(2) * shear + motion.entrainment * couple - dot(force, motion.velocity),
+            power: viscous * motion.sliding.powi(2) * shear + motion.entrainment * couple
+                - dot(force, motion.velocity),
             dissipation: viscous * motion.sliding.powi(2) * shear + scale * flow_work,
             least_film: least,
             least_film_angle: angle,

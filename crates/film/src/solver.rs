@@ -42,7 +42,12 @@ impl FilmSolver {
             require(pair[1] > pair[0], "width of a column of cells [rad]", "above 0", pair[1] - pair[0])?;
         }
         let turn = grid.faces[grid.faces.len() - 1] - grid.faces[0];
-        require((turn - std::f64::consts::TAU).abs() < 1e-9, "angle that the cells cover [rad]", "one turn", turn)?;
+        require(
+            (turn - std::f64::consts::TAU).abs() < 1e-9,
+            "angle that the cells cover [rad]",
+            "one turn",
+            turn,
+        )?;
         let count = grid.around() * grid.axial;
         let mut solver = FilmSolver {
             cells: Cells::default(),
@@ -111,7 +116,8 @@ impl FilmSolver {
                 first.and_then(|first| Some(first + self.conserving(problem)?))
             }
         };
-        let mut solution = FilmSolution::gather(&self.grid, &self.cells, problem, &self.pressure, &self.empty);
+        let mut solution =
+            FilmSolution::gather(&self.grid, &self.cells, problem, &self.pressure, &self.empty);
         solution.converged = iterations.is_some();
         solution.iterations = iterations.unwrap_or(MOST_ITERATIONS);
         Ok(solution)
@@ -167,7 +173,9 @@ impl FilmSolver {
     /// Pressure in the cells of the set, zero in the others, as known in the fixed.
     fn solve_set(&mut self) {
         let (n, m) = (self.cells.around, self.cells.axial);
-        let free = |i: usize, cell: usize, solver: &FilmSolver| solver.under_pressure[i * m + cell] && solver.cells.fixed[i * m + cell].is_none();
+        let free = |i: usize, cell: usize, solver: &FilmSolver| {
+            solver.under_pressure[i * m + cell] && solver.cells.fixed[i * m + cell].is_none()
+        };
         let cut = (0..n).find(|&i| (0..m).all(|j| !free(i, j, self)));
         let order = self.cells.order(cut);
         self.number.fill(NONE);
@@ -292,7 +300,8 @@ impl FilmSolver {
         }
         let (next, west) = ((i + 1) % n * m + j, (i + n - 1) % n * m + j);
         self.right[own] += self.cells.source[cell];
-        let mut neighbours = [(next, self.cells.east[cell]), (west, self.cells.east[west]), (NONE, 0.0), (NONE, 0.0)];
+        let mut neighbours =
+            [(next, self.cells.east[cell]), (west, self.cells.east[west]), (NONE, 0.0), (NONE, 0.0)];
         if j + 1 < m {
             neighbours[2] = (cell + 1, self.cells.north[cell]);
         }
@@ -317,7 +326,8 @@ impl FilmSolver {
                 self.general.add(own, self.number[other], -conductance);
             }
         }
-        let (upstream, face) = if carry >= 0.0 { (west, self.cells.face[west]) } else { (next, self.cells.face[cell]) };
+        let (upstream, face) =
+            if carry >= 0.0 { (west, self.cells.face[west]) } else { (next, self.cells.face[cell]) };
         if self.number[upstream] != NONE && !self.under_pressure[upstream] {
             self.general.add(own, self.number[upstream], carry.abs() * face);
         }

@@ -10,7 +10,7 @@
 
 use crate::bearing::{JournalBearing, JournalMotion};
 use crate::cavitation::Cavitation;
-use crate::error::{FilmError, require};
+use crate::error::{FilmError, require, require_film};
 use crate::grid::FilmGrid;
 use crate::plane::{Plane, direction, dot, length, quarter};
 use crate::problem::FilmProblem;
@@ -53,7 +53,12 @@ impl FilmTable {
     /// # Errors
     /// [`FilmError::Number`] for a length over diameter outside 0.02 to 20, or the mass-conserving film, whose force depends on its feeds.
     pub fn new(slenderness: f64, cavitation: Cavitation) -> Result<FilmTable, FilmError> {
-        require((0.02..=20.0).contains(&slenderness), "length over diameter of a bearing", "0.02 to 20", slenderness)?;
+        require(
+            (0.02..=20.0).contains(&slenderness),
+            "length over diameter of a bearing",
+            "0.02 to 20",
+            slenderness,
+        )?;
         require(
             cavitation != Cavitation::MassConserving,
             "models of cavitation in a table (mass-conserving films are solved directly)",
@@ -92,7 +97,8 @@ impl FilmTable {
                 };
                 values[row * COLUMNS + column] = rest;
                 // Mirrored in the line of centres.
-                values[row * COLUMNS + (COLUMNS - column) % COLUMNS] = [rest[0], if column % (COLUMNS / 2) == 0 { 0.0 } else { -rest[1] }];
+                values[row * COLUMNS + (COLUMNS - column) % COLUMNS] =
+                    [rest[0], if column % (COLUMNS / 2) == 0 { 0.0 } else { -rest[1] }];
                 if column % (COLUMNS / 2) == 0 {
                     values[row * COLUMNS + column][1] = 0.0;
                 }
@@ -136,7 +142,12 @@ impl FilmTable {
         for (node, a, b) in corners {
             for component in 0..2 {
                 let [value, by_x, by_g, by_xg] = node[component];
-                let along_t = |weights: &[f64; 4]| (value * weights[2 * b] + by_g * weights[2 * b + 1], by_x * weights[2 * b] + by_xg * weights[2 * b + 1]);
+                let along_t = |weights: &[f64; 4]| {
+                    (
+                        value * weights[2 * b] + by_g * weights[2 * b + 1],
+                        by_x * weights[2 * b] + by_xg * weights[2 * b + 1],
+                    )
+                };
                 let (plain, slope) = along_t(&bt);
                 let (plain_t, slope_t) = along_t(&dt);
                 found[component][0] += plain * bs[2 * a] + slope * bs[2 * a + 1];
@@ -147,8 +158,16 @@ impl FilmTable {
         let (sin, cos) = g.sin_cos();
         let by_x = if beyond { 0.0 } else { 1.0 / step_x() };
         [
-            [found[0][0] - self.centred * cos, found[0][1] * by_x, found[0][2] / step_g() + self.centred * sin],
-            [found[1][0] - self.centred * sin, found[1][1] * by_x, found[1][2] / step_g() - self.centred * cos],
+            [
+                found[0][0] - self.centred * cos,
+                found[0][1] * by_x,
+                found[0][2] / step_g() + self.centred * sin,
+            ],
+            [
+                found[1][0] - self.centred * sin,
+                found[1][1] * by_x,
+                found[1][2] / step_g() - self.centred * cos,
+            ],
         ]
     }
 
@@ -158,9 +177,7 @@ impl FilmTable {
     /// [`FilmError::Eccentricity`] at 1 and above.
     pub fn impedance(&self, eccentricity_ratio: Plane, v: Plane) -> Result<Impedance, FilmError> {
         let (along, size) = direction(eccentricity_ratio);
-        if !(size < 1.0) {
-            return Err(FilmError::Eccentricity { ratio: size });
-        }
+        require_film(size)?;
         let across = quarter(along);
         let ratio = size.max(1e-7);
         let d = (1.0 - ratio * ratio).sqrt();
@@ -179,7 +196,8 @@ impl FilmTable {
             [
                 power * (cos * value - sin * g),
                 power * d * (sin * value + cos * g),
-                speed * power * x * by_x + by_d * power * (exponent * speed / d * value + sin * vt * value + cos * vt * g),
+                speed * power * x * by_x
+                    + by_d * power * (exponent * speed / d * value + sin * vt * value + cos * vt * g),
             ]
         };
         let (fr, ft) = (speed * pr * r, speed * pt * t);
@@ -208,9 +226,7 @@ impl FilmTable {
     /// [`FilmError::Eccentricity`] at 1 and above.
     pub fn velocity(&self, eccentricity_ratio: Plane, force: Plane) -> Result<Plane, FilmError> {
         let (along, size) = direction(eccentricity_ratio);
-        if !(size < 1.0) {
-            return Err(FilmError::Eccentricity { ratio: size });
-        }
+        require_film(size)?;
         let across = quarter(along);
         let d = (1.0 - size * size).sqrt();
         let wanted = [dot(force, along) * d.powi(3), dot(force, across) * d * d];
@@ -248,7 +264,15 @@ impl FilmTable {
         Ok(self.velocity_at(x, g, amount, d, along, across))
     }
 
-    fn scan(&self, x: f64, wanted: Plane, amount: f64, d: f64, along: Plane, across: Plane) -> Result<Plane, FilmError> {
+    fn scan(
+        &self,
+        x: f64,
+        wanted: Plane,
+        amount: f64,
+        d: f64,
+        along: Plane,
+        across: Plane,
+    ) -> Result<Plane, FilmError> {
         let left = |g: f64| {
             let [[r, ..], [t, ..]] = self.lookup(x, g);
             (wanted[0] * t - wanted[1] * r).atan2(wanted[0] * r + wanted[1] * t)
@@ -331,8 +355,13 @@ fn with_slopes(values: &[Plane]) -> Vec<[[f64; 4]; 2]> {
         match row {
             0 => (-25.0 * at(0) + 48.0 * at(1) - 36.0 * at(2) + 16.0 * at(3) - 3.0 * at(4)) / 12.0,
             1 => (-3.0 * at(0) - 10.0 * at(1) + 18.0 * at(2) - 6.0 * at(3) + at(4)) / 12.0,
-            _ if row == n => -(-25.0 * at(n) + 48.0 * at(n - 1) - 36.0 * at(n - 2) + 16.0 * at(n - 3) - 3.0 * at(n - 4)) / 12.0,
-            _ if row == n - 1 => -(-3.0 * at(n) - 10.0 * at(n - 1) + 18.0 * at(n - 2) - 6.0 * at(n - 3) + at(n - 4)) / 12.0,
+            _ if row == n => {
+                -(-25.0 * at(n) + 48.0 * at(n - 1) - 36.0 * at(n - 2) + 16.0 * at(n - 3) - 3.0 * at(n - 4))
+                    / 12.0
+            }
+            _ if row == n - 1 => {
+                -(-3.0 * at(n) - 10.0 * at(n - 1) + 18.0 * at(n - 2) - 6.0 * at(n - 3) + at(n - 4)) / 12.0
+            }
             _ => (at(row - 2) - 8.0 * at(row - 1) + 8.0 * at(row + 1) - at(row + 2)) / 12.0,
         }
     };

@@ -1,8 +1,8 @@
 //! Finite films against closed forms, published tables and themselves.
 
 use lanchester_film::{
-    Cavitation, Feed, FilmGrid, FilmProblem, FilmSolution, FilmSolver, JournalBearing, JournalMotion, attitude,
-    long_bearing_force, ocvirk_load, short_bearing_force,
+    Cavitation, Feed, FilmGrid, FilmProblem, FilmSolution, FilmSolver, JournalBearing, JournalMotion,
+    attitude, long_bearing_force, ocvirk_load, short_bearing_force,
 };
 use std::f64::consts::PI;
 
@@ -72,18 +72,31 @@ fn lit_finite_films_have_the_given_sommerfeld_numbers_and_attitudes() {
                 film.feeds.push(Feed::Line { angle: PI, pressure: 0.0 });
             }
             let solution = solve(&film, 90 * k, 10 * k);
-            (sommerfeld(&film, solution.force), attitude(solution.force, film.motion.eccentricity).to_degrees())
+            (
+                sommerfeld(&film, solution.force),
+                attitude(solution.force, film.motion.eccentricity).to_degrees(),
+            )
         };
-        for (cavitation, wanted) in [(Cavitation::Reynolds, reynolds), (Cavitation::Gumbel, gumbel), (Cavitation::MassConserving, reynolds)] {
+        for (cavitation, wanted) in [
+            (Cavitation::Reynolds, reynolds),
+            (Cavitation::Gumbel, gumbel),
+            (Cavitation::MassConserving, reynolds),
+        ] {
             if cavitation == Cavitation::MassConserving && ratio != 0.6 {
                 continue;
             }
             let ((coarse, turn), (fine, fine_turn)) = (at(cavitation, 1), at(cavitation, 2));
             let number = extrapolated(coarse, fine);
-            assert!((number / wanted - 1.0).abs() < 3e-3, "{cavitation:?} L/D {slenderness} eps {ratio}: S {number} ({coarse}, {fine}), given {wanted}");
+            assert!(
+                (number / wanted - 1.0).abs() < 3e-3,
+                "{cavitation:?} L/D {slenderness} eps {ratio}: S {number} ({coarse}, {fine}), given {wanted}"
+            );
             if cavitation != Cavitation::Gumbel {
                 let turn = extrapolated(turn, fine_turn);
-                assert!((turn - angle).abs() < 0.3, "L/D {slenderness} eps {ratio}: {turn} deg, given {angle}");
+                assert!(
+                    (turn - angle).abs() < 0.3,
+                    "L/D {slenderness} eps {ratio}: {turn} deg, given {angle}"
+                );
             }
         }
     }
@@ -106,9 +119,16 @@ fn lit_raimondi_boyd_friction_flow_and_pressure() {
         let load = size(s.force);
         assert!((sommerfeld(&film, s.force) / number - 1.0).abs() < 0.01, "eps {ratio}");
         let coefficient = -s.torque / (b.radius * load) * b.radius / b.clearance;
-        assert!((coefficient / friction - 1.0).abs() < 0.015, "eps {ratio}: friction {coefficient}, printed {friction}");
+        assert!(
+            (coefficient / friction - 1.0).abs() < 0.015,
+            "eps {ratio}: friction {coefficient}, printed {friction}"
+        );
         let leaves = s.side_flow / (b.radius * b.clearance * SPEED / (2.0 * PI) * b.length);
-        assert!((leaves / (flow * side) - 1.0).abs() < 0.015, "eps {ratio}: flow {leaves}, printed {}", flow * side);
+        assert!(
+            (leaves / (flow * side) - 1.0).abs() < 0.015,
+            "eps {ratio}: flow {leaves}, printed {}",
+            flow * side
+        );
         let share = load / (2.0 * b.radius * b.length) / s.largest_pressure;
         // At 0.8 the printed 0.313 is 2 % below both ours and the finite elements of `ext_scipy_films` (0.320), which agree to 0.3 %.
         let bar = if ratio == 0.8 { 0.025 } else { 0.015 };
@@ -145,7 +165,12 @@ fn short_bearing_example_of_friswell() {
     let phi = (PI * (1.0 - ratio * ratio).sqrt() / (4.0 * ratio)).atan();
     let at = |y: f64, velocity: f64| {
         let e = [ratio * 1e-4 * phi.cos(), ratio * 1e-4 * phi.sin() + y];
-        let motion = JournalMotion { eccentricity: e, velocity: [0.0, velocity], entrainment: 25.0 * PI, sliding: 50.0 * PI };
+        let motion = JournalMotion {
+            eccentricity: e,
+            velocity: [0.0, velocity],
+            entrainment: 25.0 * PI,
+            sliding: 50.0 * PI,
+        };
         short_bearing_force(&bearing, 0.1, &motion, true).expect("a film")[1]
     };
     let stiffness = -(at(1e-9, 0.0) - at(-1e-9, 0.0)) / 2e-9;
@@ -162,7 +187,12 @@ fn prop_power_of_force_and_torque_is_the_dissipation() {
             film.motion.velocity = [2e-4, -5e-4];
             film.tilt = tilt;
             let s = solve(&film, 60, 6);
-            assert!((s.power / s.dissipation - 1.0).abs() < 1e-6, "{cavitation:?} {tilt:?}: {} {}", s.power, s.dissipation);
+            assert!(
+                (s.power / s.dissipation - 1.0).abs() < 1e-6,
+                "{cavitation:?} {tilt:?}: {} {}",
+                s.power,
+                s.dissipation
+            );
             // The torques and the couple of the force balance: tilt carries a share by the moment.
             if tilt == [0.0, 0.0] {
                 let e = film.motion.eccentricity;
@@ -197,7 +227,12 @@ fn prop_mass_conserving_film_loses_no_oil() {
     assert!((s.feed_flow / s.side_flow - 1.0).abs() < 1e-9, "in {} out {}", s.feed_flow, s.side_flow);
     film.tilt = [2e-6, 5e-6];
     let tilted = solve(&film, 72, 8);
-    assert!((tilted.feed_flow / tilted.side_flow - 1.0).abs() < 1e-9, "in {} out {}", tilted.feed_flow, tilted.side_flow);
+    assert!(
+        (tilted.feed_flow / tilted.side_flow - 1.0).abs() < 1e-9,
+        "in {} out {}",
+        tilted.feed_flow,
+        tilted.side_flow
+    );
     assert!(size(tilted.moment) > 1e-3 * size(tilted.force) * 0.03 && tilted.least_film < s.least_film);
 }
 
@@ -230,14 +265,20 @@ fn ext_scipy_films() {
     for case in cases {
         let number = |key: &str| case[key].as_f64().expect("a number");
         let reynolds = case["condition"] == "reynolds";
-        let mut film = problem(number("slenderness"), number("ratio"), if reynolds { Cavitation::Reynolds } else { Cavitation::Gumbel });
+        let mut film = problem(
+            number("slenderness"),
+            number("ratio"),
+            if reynolds { Cavitation::Reynolds } else { Cavitation::Gumbel },
+        );
         if reynolds {
             film.feeds.push(Feed::Line { angle: PI, pressure: 0.0 });
         }
         let s = solve(&film, 240, 30);
         let b = &film.bearing;
         let share = size(s.force) / (2.0 * b.radius * b.length) / s.largest_pressure;
-        let near = |ours: f64, theirs: f64, bar: f64| assert!((ours - theirs).abs() < bar, "{case}: {ours} {theirs}");
+        let near = |ours: f64, theirs: f64, bar: f64| {
+            assert!((ours - theirs).abs() < bar, "{case}: {ours} {theirs}")
+        };
         // Both are of second order in the width of a cell, of opposite sign; 0.5 % is their sum at eps 0.95.
         near(sommerfeld(&film, s.force) / number("sommerfeld"), 1.0, 5e-3);
         near(attitude(s.force, film.motion.eccentricity).to_degrees(), number("attitude_deg"), 0.2);

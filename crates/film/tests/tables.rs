@@ -1,6 +1,8 @@
 //! Tables of impedance against the films that they stand for.
 
-use lanchester_film::{Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalMotion};
+use lanchester_film::{
+    Cavitation, FilmGrid, FilmProblem, FilmSolver, FilmTable, JournalBearing, JournalMotion,
+};
 
 fn size(a: [f64; 2]) -> f64 {
     a[0].hypot(a[1])
@@ -21,7 +23,11 @@ fn table_is_the_direct_film_within_half_a_percent_with_its_derivatives() {
             let problem = FilmProblem {
                 bearing,
                 viscosity: 0.01,
-                motion: JournalMotion { eccentricity: at.map(|e| e * bearing.clearance), velocity: v, ..JournalMotion::default() },
+                motion: JournalMotion {
+                    eccentricity: at.map(|e| e * bearing.clearance),
+                    velocity: v,
+                    ..JournalMotion::default()
+                },
                 tilt: [0.0, 0.0],
                 cavitation,
                 feeds: Vec::new(),
@@ -38,7 +44,11 @@ fn table_is_the_direct_film_within_half_a_percent_with_its_derivatives() {
                 let h = 1e-6;
                 let moved = |amount: f64, of_v: bool| {
                     let (mut a, mut b) = (at, v);
-                    if of_v { b[j] += 0.01 * amount } else { a[j] += amount * (1.0 - ratio) }
+                    if of_v {
+                        b[j] += 0.01 * amount
+                    } else {
+                        a[j] += amount * (1.0 - ratio)
+                    }
                     table.impedance(a, b).expect("inside").force
                 };
                 for i in 0..2 {
@@ -46,14 +56,25 @@ fn table_is_the_direct_film_within_half_a_percent_with_its_derivatives() {
                     let by_e = (moved(h, false)[i] - moved(-h, false)[i]) / (2.0 * h * (1.0 - ratio));
                     let scale_v = size(found.by_velocity[0]) + size(found.by_velocity[1]);
                     let scale_e = size(found.by_eccentricity[0]) + size(found.by_eccentricity[1]);
-                    assert!((by_v - found.by_velocity[i][j]).abs() < 1e-5 * scale_v, "{by_v} {:?}", found.by_velocity);
-                    assert!((by_e - found.by_eccentricity[i][j]).abs() < 1e-4 * scale_e, "{ratio}: {by_e} {:?}", found.by_eccentricity);
+                    assert!(
+                        (by_v - found.by_velocity[i][j]).abs() < 1e-5 * scale_v,
+                        "{by_v} {:?}",
+                        found.by_velocity
+                    );
+                    assert!(
+                        (by_e - found.by_eccentricity[i][j]).abs() < 1e-4 * scale_e,
+                        "{ratio}: {by_e} {:?}",
+                        found.by_eccentricity
+                    );
                 }
             }
             // The mobility is its inverse.
             let back = table.velocity(at, found.force).expect("inside");
             let again = table.impedance(at, back).expect("inside").force;
-            assert!(size([again[0] - found.force[0], again[1] - found.force[1]]) < 1e-9 * size(found.force), "{v:?} {back:?}");
+            assert!(
+                size([again[0] - found.force[0], again[1] - found.force[1]]) < 1e-9 * size(found.force),
+                "{v:?} {back:?}"
+            );
         }
         assert!(worst > 0.0);
     }

@@ -82,7 +82,13 @@ pub fn bearing_films(
     let roughness = engine.bearing_design.as_ref().and_then(|design| design.oil.roughness).unwrap_or(0.0);
     let mut wanted = models.to_vec();
     if wanted.is_empty() {
-        wanted.push(engine.bearing_design.as_ref().and_then(|design| design.oil.cavitation).map_or(Cavitation::Gumbel, model_of));
+        wanted.push(
+            engine
+                .bearing_design
+                .as_ref()
+                .and_then(|design| design.oil.cavitation)
+                .map_or(Cavitation::Gumbel, model_of),
+        );
     }
     if wanted.contains(&Cavitation::MassConserving) {
         wanted.retain(|model| *model != Cavitation::MassConserving);
@@ -103,7 +109,8 @@ pub fn bearing_films(
         None => assumptions.push("big ends are left out: their diameter and width are not known".into()),
     }
     if places.iter().any(|place| place.data.diametral_clearance.is_none()) {
-        assumptions.push(format!("diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter"));
+        assumptions
+            .push(format!("diametral clearance where none is given: {ASSUMED_CLEARANCE} of the diameter"));
     }
     if places.iter().any(|place| place.data.grooves.as_ref().is_some_and(|grooves| !grooves.is_empty())) {
         assumptions.push("grooves and supply pressure are left out: they lower the load that a film carries and raise its flow".into());
@@ -118,7 +125,9 @@ pub fn bearing_films(
             let refused = |error| BearingFilmsError::Bearing { bearing: place.name(), error };
             let bearing = place.bearing().map_err(refused)?;
             let slenderness = bearing.slenderness();
-            let known = |table: &FilmTable| table.cavitation() == cavitation && (table.slenderness() / slenderness - 1.0).abs() < 1e-9;
+            let known = |table: &FilmTable| {
+                table.cavitation() == cavitation && (table.slenderness() / slenderness - 1.0).abs() < 1e-9
+            };
             let index = match tables.iter().position(known) {
                 Some(index) => index,
                 None => {
@@ -183,10 +192,12 @@ fn mains(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place>
     let place = |main: &lanchester_mechanism::MainBearing| {
         // Counted as in the file: over all crankshafts, from the free end on.
         let before = all.iter().filter(|(crankshaft, _)| crankshaft + 1 < main.crankshaft).count();
-        let speed = loads.speed * engine.crankshafts.get(main.crankshaft - 1).map_or(1.0, |own| own.ratio.value());
+        let speed =
+            loads.speed * engine.crankshafts.get(main.crankshaft - 1).map_or(1.0, |own| own.ratio.value());
         let load: Vec<[f64; 2]> = main.load.load.iter().map(|force| [force.re, force.im]).collect();
         let n = load.len();
-        let cycle = JournalCycle { duration, load, entrainment: vec![0.5 * speed; n], sliding: vec![speed; n] };
+        let cycle =
+            JournalCycle { duration, load, entrainment: vec![0.5 * speed; n], sliding: vec![speed; n] };
         Place {
             kind: BearingKind::Main,
             crankshaft: main.crankshaft,
@@ -205,7 +216,11 @@ fn big_ends(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Pla
     let mut places = Vec::new();
     for own in loads.cylinders.iter().filter(|own| !own.radial.is_empty()) {
         let index = own.cylinder - 1;
-        let crankshaft = engine.cylinders.get(index).and_then(|c| engine.throws.get(c.throw)).map_or(0, |throw| throw.crankshaft);
+        let crankshaft = engine
+            .cylinders
+            .get(index)
+            .and_then(|c| engine.throws.get(c.throw))
+            .map_or(0, |throw| throw.crankshaft);
         let speed = loads.speed * engine.crankshafts.get(crankshaft).map_or(1.0, |own| own.ratio.value());
         let rod = rod_angles(&own.lower_pin.load, &own.rod_frame);
         let n = rod.len();
@@ -254,7 +269,8 @@ fn oil_of(engine: &Engine, assumptions: &mut Vec<String>) -> Result<FilmOil, Bea
     let given = engine.bearing_design.as_ref().map(|design| design.oil.clone()).unwrap_or_default();
     let density = given.density.unwrap_or(DENSITY);
     if let Some(viscosity) = given.viscosity {
-        check_viscosity(viscosity).map_err(|error| BearingFilmsError::Bearing { bearing: "oil".into(), error })?;
+        check_viscosity(viscosity)
+            .map_err(|error| BearingFilmsError::Bearing { bearing: "oil".into(), error })?;
         return Ok(FilmOil::Fixed { viscosity, density });
     }
     let name = given.name.clone().unwrap_or_else(|| ASSUMED_OIL.to_owned());

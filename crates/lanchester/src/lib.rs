@@ -42,6 +42,7 @@ mod torque_files;
 mod torque_report;
 
 pub use arrangements::arrangements;
+pub use bearing_films::{BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films};
 pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_bond_graph, gauge_pressures};
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
 pub use consequences::consequences;
@@ -83,7 +84,6 @@ pub use scene::{Scene, SceneKind, SceneMesh, SceneMotion, ScenePart, scene};
 pub use simulation::{RunLength, simulate, simulate_watched};
 pub use stress::*;
 pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
-pub use bearing_films::{BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films};
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,

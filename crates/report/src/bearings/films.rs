@@ -21,7 +21,9 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         OrbitOutcome::Periodic if !film.heat_balanced => "no heat balance",
         OrbitOutcome::Periodic => "",
     };
-    let column = |header, unit, digits, value: fn(&BearingFilm) -> f64| numbers(header, unit, films.iter().map(value), digits);
+    let column = |header, unit, digits, value: fn(&BearingFilm) -> f64| {
+        numbers(header, unit, films.iter().map(value), digits)
+    };
     Table::of_columns(
         "bearing-films",
         "Oil films",
@@ -57,7 +59,9 @@ pub fn films_text(engine: &str, speed: f64, films: &[BearingFilm], assumptions: 
 
 /// The orbit of every bearing over the crank angle, as CSV.
 pub fn films_csv(period: f64, films: &[BearingFilm]) -> String {
-    let mut out = String::from("bearing,number,crankshaft,cavitation,crank_angle_deg,eccentricity_x_um,eccentricity_y_um,film_um\n");
+    let mut out = String::from(
+        "bearing,number,crankshaft,cavitation,crank_angle_deg,eccentricity_x_um,eccentricity_y_um,film_um\n",
+    );
     for film in films {
         let kind = match film.kind {
             BearingKind::Main => "main",
@@ -69,7 +73,12 @@ pub fn films_csv(period: f64, films: &[BearingFilm]) -> String {
             let thickness = film.bearing.clearance - e[0].hypot(e[1]);
             out.push_str(&format!(
                 "{kind},{},{},{},{angle:.4},{:.6},{:.6},{:.6}\n",
-                film.number, film.crankshaft, film.cavitation.name(), 1e6 * e[0], 1e6 * e[1], 1e6 * thickness
+                film.number,
+                film.crankshaft,
+                film.cavitation.name(),
+                1e6 * e[0],
+                1e6 * e[1],
+                1e6 * thickness
             ));
         }
     }
