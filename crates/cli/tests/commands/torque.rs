@@ -188,6 +188,21 @@ fn bearings_with_gas_and_without() {
     assert!(refused.contains("says nothing of the gas"), "{refused}");
 }
 
+#[test]
+fn bearings_with_oil_films() {
+    let folder = folder("bearings-film");
+    let sizes = "[bearings.main]\ndiameter = \"55 mm\"\nwidth = \"22 mm\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
+    written(&folder, &format!("{FOUR}{sizes}"));
+    let text = output(&folder, 0, &["bearings", "four.toml", "--film", "gumbel,reynolds"]);
+    assert!(text.contains("Oil films") && text.contains("big end 4") && text.contains("reynolds"), "{text}");
+    assert!(text.contains("diametral clearance where none is given") && text.contains("5W-30"), "{text}");
+    let csv = output(&folder, 0, &["bearings", "four.toml", "--film", "--format", "csv"]);
+    assert_eq!(csv.lines().count(), 1 + 9 * 360);
+    written(&folder, FOUR);
+    let refused = message(&folder, 2, &["bearings", "four.toml", "--film"]);
+    assert!(refused.contains("diameter and width"), "{refused}");
+}
+
 /// Without gas the inertia of pistons and rods alone turns the crank to and fro, and makes its speed swing.
 #[test]
 fn torque_without_gas_is_that_of_inertia() {

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod bearing_films;
 mod bond_graph_engine;
 mod chamber;
 #[path = "../../../../fuzz/checks.rs"]

@@ -1,0 +1,97 @@
+//! Oil films of all bearings of an engine.
+
+use lanchester::film::{BearingFilm, BearingKind, Cavitation, OrbitOutcome};
+use lanchester::mechanism::{BearingLoads, BearingRequest};
+use lanchester::model::Engine;
+use lanchester::{BearingFilms, bearing_films, bearing_report};
+
+const FOUR: &str = include_str!("../../../../examples/in-line-4-crank-by-elements.toml");
+
+fn engine(text: &str) -> Engine {
+    lanchester::file::read(text).engine().expect("it has no mistakes")
+}
+
+fn loads(engine: &Engine) -> BearingLoads {
+    let request = BearingRequest { speed: Some(314.0), ..BearingRequest::default() };
+    bearing_report(engine, &[], &request).expect("loads")
+}
+
+fn films(text: &str) -> BearingFilms {
+    let engine = engine(text);
+    bearing_films(&engine, &loads(&engine), &[Cavitation::Gumbel]).expect("films")
+}
+
+fn of(films: &BearingFilms, kind: BearingKind) -> Vec<&BearingFilm> {
+    films.films.iter().filter(|film| film.kind == kind).collect()
+}
+
+#[test]
+fn every_main_and_big_end_has_a_film_and_equal_cylinders_have_equal_ones() {
+    let found = films(FOUR);
+    let (mains, big_ends) = (of(&found, BearingKind::Main), of(&found, BearingKind::Crankpin));
+    assert_eq!((mains.len(), big_ends.len()), (5, 4));
+    for film in &found.films {
+        assert_eq!(film.orbit.outcome, OrbitOutcome::Periodic, "{:?} {}", film.kind, film.number);
+        assert!(film.orbit.least_film > 0.0 && film.orbit.largest_pressure > film.projected_pressure[0]);
+        assert!(film.orbit.friction_power > 0.0 && film.orbit.side_flow > 0.0 && film.temperature_rise > 0.0);
+        // The bar of the tables holds along real orbits.
+        assert!(film.orbit.table_error < 5e-3, "{:?} {}: {}", film.kind, film.number, film.orbit.table_error);
+    }
+    assert!(
+        (mains[2].bearing.length - 0.022).abs() < 1e-12 && (mains[0].bearing.length - 0.020).abs() < 1e-12
+    );
+    for film in &big_ends {
+        assert!((film.orbit.least_film / big_ends[0].orbit.least_film - 1.0).abs() < 5e-3);
+        assert!((film.bearing.clearance - 25e-6).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn big_ends_least_film_counts_from_the_rods_line() {
+    let found = films(FOUR);
+    let engine = engine(FOUR);
+    let (radius, length) = (engine.throws[0].radius, engine.cylinders[0].rod.length);
+    let first = of(&found, BearingKind::Crankpin)[0];
+    let sin = radius * first.least_film_angle.sin();
+    // Cylinder 1 stands along x, so the rod leans by -asin(r sin theta / l).
+    let rod = (-sin / length).asin();
+    let difference = first.orbit.least_film_angle - first.least_film_in_shell - rod;
+    assert!(difference.sin().abs() < 1e-9 && difference.cos() > 0.0, "{difference}");
+    let main = of(&found, BearingKind::Main)[0];
+    assert!((main.orbit.least_film_angle - main.least_film_in_shell).sin().abs() < 1e-12);
+}
+
+#[test]
+fn thicker_oil_makes_thicker_films_and_a_grade_finds_its_temperature() {
+    let thin = films(FOUR);
+    let thick = films(&FOUR.replace("viscosity = \"10 mPa s\"", "viscosity = \"20 mPa s\""));
+    for (a, b) in thin.films.iter().zip(&thick.films) {
+        assert!(b.orbit.least_film > a.orbit.least_film && b.orbit.friction_power > a.orbit.friction_power);
+    }
+    let grade =
+        films(&FOUR.replace("viscosity = \"10 mPa s\"", "oil = \"SAE 5W-30\"\ntemperature = \"90 degC\""));
+    for film in &grade.films {
+        let temperature = film.temperature.expect("it is known");
+        assert!(
+            film.heat_balanced && (temperature - 363.15 - film.temperature_rise).abs() < 0.1,
+            "{temperature}"
+        );
+    }
+    assert!(grade.assumptions.iter().any(|said| said.contains("5W-30") && said.contains("90 degC")));
+}
+
+#[test]
+fn bad_input_names_bearing_and_remedy() {
+    let refused = |text: &str| {
+        let engine = engine(text);
+        bearing_films(&engine, &loads(&engine), &[]).expect_err("bad").to_string()
+    };
+    let olive =
+        refused(&FOUR.replace("viscosity = \"10 mPa s\"", "oil = \"olive\"\ntemperature = \"90 degC\""));
+    assert!(olive.contains("olive") && olive.contains("5W-30"), "{olive}");
+    let loose =
+        refused(&FOUR.replace("diametral_clearance = \"0.06 mm\"", "diametral_clearance = \"1.5 mm\""));
+    assert!(loose.contains("main bearing 1") && loose.contains("factor of two"), "{loose}");
+    let bare = refused(include_str!("../../../../examples/in-line-4.toml"));
+    assert!(bare.contains("[bearings.main]"), "{bare}");
+}
