@@ -73,6 +73,29 @@ pub fn bearing_films(
     loads: &BearingLoads,
     models: &[Cavitation],
 ) -> Result<BearingFilms, BearingFilmsError> {
+    films_at(engine, loads, models, &mut Vec::new())
+}
+
+/// The same at several speeds, in their order.
+///
+/// # Errors
+/// As [`bearing_films`].
+pub fn bearing_films_over_speed(
+    engine: &Engine,
+    loads: &[BearingLoads],
+    models: &[Cavitation],
+) -> Result<Vec<BearingFilms>, BearingFilmsError> {
+    let mut tables = Vec::new();
+    loads.iter().map(|loads| films_at(engine, loads, models, &mut tables)).collect()
+}
+
+/// Films at one speed; tables that are there already are used again.
+fn films_at(
+    engine: &Engine,
+    loads: &BearingLoads,
+    models: &[Cavitation],
+    tables: &mut Vec<FilmTable>,
+) -> Result<BearingFilms, BearingFilmsError> {
     let sizes = bearing_sizes(engine);
     if sizes.main.is_none() && sizes.crankpin.is_none() {
         return Err(BearingFilmsError::NoSizes);
@@ -118,7 +141,6 @@ pub fn bearing_films(
     assumptions.push(
         "crank and shells rigid, journals parallel to them, without mass (quasi-static); indeterminate mains as in the table of loads".into(),
     );
-    let mut tables: Vec<FilmTable> = Vec::new();
     let mut films = Vec::new();
     for place in &places {
         for &cavitation in &wanted {

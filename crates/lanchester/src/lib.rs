@@ -42,7 +42,9 @@ mod torque_files;
 mod torque_report;
 
 pub use arrangements::arrangements;
-pub use bearing_films::{BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films};
+pub use bearing_films::{
+    BEARING_FILMS_VERSION, BearingFilms, BearingFilmsError, bearing_films, bearing_films_over_speed,
+};
 pub use bond_graph::{BondGraphError, BondGraphRequest, EngineBondGraph, engine_bond_graph, gauge_pressures};
 pub use comparison::{CompareEntry, CompareError, CompareRequest, ComparedWith, compare};
 pub use consequences::consequences;

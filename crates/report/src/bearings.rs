@@ -9,7 +9,7 @@ pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use bending::bending_section;
-pub use films::{films_csv, films_table, films_text};
+pub use films::{films_csv, films_over_speed_table, films_table, films_text};
 pub use internal_figure::internal_figures;
 pub use internal_tables::{internal_csv, internal_table, internal_text, mains_table};
 pub use section::{BearingsInput, bearings_section};

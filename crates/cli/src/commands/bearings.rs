@@ -5,12 +5,16 @@ use crate::failure::{DONE, Failure};
 use crate::files::print;
 use crate::format::Format;
 use crate::options::torque::{BearingsArguments, FilmOption, PartOption};
+use crate::requests::value_list::value_list;
 use crate::trace_files::trace_files;
 use lanchester::film::Cavitation;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
-use lanchester::report::{bearing_figures, bearings_csv, bearings_text, films_csv, films_text};
+use lanchester::model::Engine;
+use lanchester::report::{
+    bearing_figures, bearings_csv, bearings_text, films_csv, films_over_speed_table, films_text,
+};
 use lanchester::task::option;
-use lanchester::{bearing_films, bearing_report, bearing_sizes};
+use lanchester::{bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
 use serde::Serialize;
 
 /// Loads with counterweights, and without where the engine has some.
@@ -38,22 +42,26 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         (true, PartOption::All) => BearingPart::All,
         (true, PartOption::Gas) => BearingPart::Gas,
     };
-    let loads = |part, counterweights| {
+    let loads_at = |speed, part, counterweights| {
         let samples = arguments.samples as usize;
         let request = BearingRequest { speed, part, counterweights, samples };
         bearing_report(engine, &traces, &request).map_err(Failure::refused)
     };
-    let found = loads(part, true)?;
+    let loads = |part, counterweights| loads_at(speed, part, counterweights);
     if let Some(models) = &arguments.film {
         let models: Vec<Cavitation> = models.iter().map(|model| model_of(*model)).collect();
-        let films = bearing_films(engine, &found, &models).map_err(Failure::refused)?;
-        print(&match arguments.format {
-            Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
-            Format::Json => json(&films)?,
-            Format::Csv => films_csv(films.period, &films.films),
-        })?;
+        let text = match &arguments.speeds {
+            Some(list) => {
+                let speeds = value_list(list, "--speeds", |one| Ok(option::speed(one, "--speeds")?))?;
+                let loads = speeds.into_iter().map(|speed| loads_at(Some(speed), part, true));
+                films_over_speed(engine, &loads.collect::<Result<Vec<_>, _>>()?, &models, arguments.format)?
+            }
+            None => films(engine, &loads(part, true)?, &models, arguments.format)?,
+        };
+        print(&text)?;
         return Ok(DONE);
     }
+    let found = loads(part, true)?;
     let has_weights = part != BearingPart::Gas && engine.counterweights.iter().any(|w| w.unbalance > 0.0);
     let bare = if has_weights { Some(loads(part, false)?) } else { None };
     let mut parts = vec![found.clone()];
@@ -70,6 +78,36 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => bearings_csv(&found),
     })?;
     Ok(DONE)
+}
+
+fn films(
+    engine: &Engine,
+    loads: &BearingLoads,
+    models: &[Cavitation],
+    format: Format,
+) -> Result<String, Failure> {
+    let films = bearing_films(engine, loads, models).map_err(Failure::refused)?;
+    Ok(match format {
+        Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
+        Format::Json => json(&films)?,
+        Format::Csv => films_csv(films.period, &films.films),
+    })
+}
+
+fn films_over_speed(
+    engine: &Engine,
+    loads: &[BearingLoads],
+    models: &[Cavitation],
+    format: Format,
+) -> Result<String, Failure> {
+    let found = bearing_films_over_speed(engine, loads, models).map_err(Failure::refused)?;
+    let by_speed: Vec<_> = found.iter().map(|films| (films.speed, films.films.as_slice())).collect();
+    let table = films_over_speed_table(&by_speed);
+    Ok(match format {
+        Format::Text => table.text(),
+        Format::Json => json(&found)?,
+        Format::Csv => table.csv(),
+    })
 }
 
 fn model_of(option: FilmOption) -> Cavitation {

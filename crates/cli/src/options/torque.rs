@@ -89,6 +89,9 @@ pub struct BearingsArguments {
     /// default: that of the file, else gumbel.
     #[arg(long, value_enum, value_name = "MODELS", num_args = 0..=1, value_delimiter = ',', conflicts_with = "figures")]
     pub film: Option<Vec<FilmOption>>,
+    /// With `--film`: the least films at these speeds of crankshaft 1, a list or a range, like `1000 rpm .. 6000 rpm by 250 rpm`.
+    #[arg(long, value_name = "SPEEDS", requires = "film", conflicts_with = "speed")]
+    pub speeds: Option<String>,
     /// Write polar diagrams as SVG files into this folder.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,

@@ -193,11 +193,22 @@ fn bearings_with_oil_films() {
     let folder = folder("bearings-film");
     let sizes = "[bearings.main]\ndiameter = \"55 mm\"\nwidth = \"22 mm\"\n[bearings.crankpin]\ndiameter = \"48 mm\"\nwidth = \"22 mm\"\n";
     written(&folder, &format!("{FOUR}{sizes}"));
-    let text = output(&folder, 0, &["bearings", "four.toml", "--film", "gumbel,reynolds"]);
+    let text = output(&folder, 0, &["bearings", "four.toml", "--film", "gumbel,reynolds", "--samples", "90"]);
     assert!(text.contains("Oil films") && text.contains("big end 4") && text.contains("reynolds"), "{text}");
     assert!(text.contains("diametral clearance where none is given") && text.contains("5W-30"), "{text}");
-    let csv = output(&folder, 0, &["bearings", "four.toml", "--film", "--format", "csv"]);
-    assert_eq!(csv.lines().count(), 1 + 9 * 360);
+    let csv = output(&folder, 0, &["bearings", "four.toml", "--film", "--samples", "90", "--format", "csv"]);
+    assert_eq!(csv.lines().count(), 1 + 9 * 180);
+    let speeds = [
+        "bearings",
+        "four.toml",
+        "--film",
+        "--speeds",
+        "2000 rpm .. 6000 rpm by 4000 rpm",
+        "--format",
+        "csv",
+    ];
+    let over = output(&folder, 0, &speeds);
+    assert!(over.lines().count() == 3 && over.contains("big end 4"), "{over}");
     written(&folder, FOUR);
     let refused = message(&folder, 2, &["bearings", "four.toml", "--film"]);
     assert!(refused.contains("diameter and width"), "{refused}");

@@ -8,11 +8,6 @@ use std::f64::consts::PI;
 
 /// Least film, pressure, friction, flow and temperature of every bearing.
 pub fn films_table(films: &[BearingFilm]) -> Table {
-    let name = |film: &BearingFilm| match (film.kind, film.crankshaft) {
-        (BearingKind::Main, 1) => format!("main {}", film.number),
-        (BearingKind::Main, crankshaft) => format!("main {} of crankshaft {crankshaft}", film.number),
-        (BearingKind::Crankpin, _) => format!("big end {}", film.number),
-    };
     let state = |film: &BearingFilm| match film.orbit.outcome {
         OrbitOutcome::Overloaded => "overloaded",
         _ if film.orbit.contact_time > 0.0 => "contact",
@@ -29,7 +24,7 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
         "Oil films",
         "Least film over the cycle with its crank angle and its direction in the shell (main: frame of the engine; big end: from the rod's line).",
         vec![
-            words("bearing", films.iter().map(name)),
+            words("bearing", films.iter().map(bearing_name)),
             words("cavitation", films.iter().map(|film| film.cavitation.name().to_owned())),
             column("clearance", "um", 3, |film| 2e6 * film.bearing.clearance),
             column("least film", "um", 4, |film| 1e6 * film.orbit.least_film),
@@ -44,6 +39,29 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
             words("remark", films.iter().map(|film| state(film).to_owned())),
         ],
     )
+}
+
+fn bearing_name(film: &BearingFilm) -> String {
+    match (film.kind, film.crankshaft) {
+        (BearingKind::Main, 1) => format!("main {}", film.number),
+        (BearingKind::Main, crankshaft) => format!("main {} of crankshaft {crankshaft}", film.number),
+        (BearingKind::Crankpin, _) => format!("big end {}", film.number),
+    }
+}
+
+/// Least film of every bearing over speed [um]: by speed [rad/s] the same bearings in the same order.
+pub fn films_over_speed_table(speeds: &[(f64, &[BearingFilm])]) -> Table {
+    let mut columns = vec![numbers("speed", "1/min", speeds.iter().map(|(speed, _)| number::rpm(*speed)), 4)];
+    let first = speeds.first().map_or(&[][..], |(_, films)| *films);
+    let several = first.iter().any(|film| film.cavitation != first[0].cavitation);
+    for (k, film) in first.iter().enumerate() {
+        let name = bearing_name(film);
+        let name = if several { format!("{name}, {}", film.cavitation.name()) } else { name };
+        let least =
+            speeds.iter().map(|(_, films)| films.get(k).map_or(f64::NAN, |film| 1e6 * film.orbit.least_film));
+        columns.push(numbers(&name, "um", least, 4));
+    }
+    Table::of_columns("films-over-speed", "Least film over speed", "Over the cycle at each speed.", columns)
 }
 
 /// The table with what was assumed.
