@@ -198,8 +198,8 @@ impl MainForces {
     /// Largest load of main bearing `main`, from 0, over the continuous cycle, with its angle [N].
     pub fn peak(&self, main: usize) -> Extreme {
         let [x, y] = &self.mains[main];
-        let sizes: Vec<f64> = x.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect();
-        true_peak(&sizes, self.period(), &self.jumps, |theta| self.at(main, theta).norm())
+        let sizes: Vec<f64> = x.iter().zip(y).map(|(x, y)| (x * x + y * y).sqrt()).collect();
+        true_peak(&sizes, self.period(), &self.jumps, |theta| self.at(main, theta).norm_sqr().sqrt())
     }
 }
 
