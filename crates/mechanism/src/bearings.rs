@@ -11,7 +11,7 @@ pub(crate) mod rod_force;
 pub(crate) mod throw_forces;
 
 pub use beam::{Beam, BeamModel};
-pub use main_forces::MainForces;
+pub use main_forces::{MainForces, MainGas, MainInertia};
 pub use main_loads::{MainInertiaLoad, main_inertia_loads};
 pub use main_orders::{MainOrder, MainOrders, main_orders};
 pub use plan::{BearingPlan, BearingTrace, RodTrace};

@@ -29,6 +29,20 @@ pub(crate) fn pressures(gas: &dyn GasOverSpeed, speed: f64) -> Result<Vec<Cylind
     gas.at(speed).map_err(|reason| BalanceError::Gas { reason })
 }
 
+/// Speeds with their shares whose pressures add up to those at `speed`; `knots` as of [`GasOverSpeed::knots`].
+pub(crate) fn parts(knots: &[f64], speed: f64) -> Vec<(f64, f64)> {
+    let above = knots.partition_point(|knot| *knot < speed);
+    match (above.checked_sub(1).map(|below| knots[below]), knots.get(above)) {
+        (Some(below), Some(&next)) if speed < next => {
+            let share = (speed - below) / (next - below);
+            vec![(1.0 - share, below), (share, next)]
+        }
+        (_, Some(&first)) => vec![(1.0, first)],
+        (Some(last), None) => vec![(1.0, last)],
+        (None, None) => vec![(1.0, speed)],
+    }
+}
+
 /// Highest orders that are tried, one after another.
 const HIGHEST: [u32; 4] = [12, 24, 48, 96];
 
@@ -83,23 +97,19 @@ impl<'a> GasRolls<'a> {
 
     /// The roll moment at a speed of crankshaft 1 [rad/s].
     pub fn at(&self, speed: f64) -> Result<Rc<GasRoll>, BalanceError> {
-        let above = self.knots.partition_point(|knot| *knot < speed);
-        let roll = match (above.checked_sub(1).map(|below| self.knots[below]), self.knots.get(above)) {
-            (Some(below), Some(&next)) if speed < next => {
-                let share = (speed - below) / (next - below);
-                let (one, other) = (self.computed(below)?, self.computed(next)?);
-                // The same cylinders have the same orders.
-                let between =
-                    |(a, b): (&(f64, Complex64), &(f64, Complex64))| (a.0, (1.0 - share) * a.1 + share * b.1);
-                Rc::new(GasRoll { orders: one.orders.iter().zip(&other.orders).map(between).collect() })
+        let mut orders: Vec<(f64, Complex64)> = Vec::new();
+        for (share, knot) in parts(&self.knots, speed) {
+            let known = self.computed(knot)?;
+            // The same cylinders have the same orders.
+            if orders.is_empty() {
+                orders = known.orders.iter().map(|one| (one.0, share * one.1)).collect();
+            } else {
+                orders.iter_mut().zip(&known.orders).for_each(|(sum, one)| sum.1 += share * one.1);
             }
-            (_, Some(&first)) => self.computed(first)?,
-            (Some(last), None) => self.computed(last)?,
-            (None, None) => self.computed(speed)?,
-        };
-        let largest = roll.orders.iter().map(|one| one.1.norm()).fold(0.0, f64::max);
-        let kept = roll.orders.iter().filter(|one| one.1.norm() > VANISHES * largest);
-        Ok(Rc::new(GasRoll { orders: kept.copied().collect() }))
+        }
+        let largest = orders.iter().map(|one| one.1.norm()).fold(0.0, f64::max);
+        orders.retain(|one| one.1.norm() > VANISHES * largest);
+        Ok(Rc::new(GasRoll { orders }))
     }
 
     fn computed(&self, speed: f64) -> Result<Rc<GasRoll>, BalanceError> {

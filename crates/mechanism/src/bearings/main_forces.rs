@@ -1,7 +1,7 @@
 //! Loads of the main bearings at one speed, at any angle: what an optimum over speeds and angles asks for.
 
 use crate::bearings::plan::{BearingPlan, BearingTrace};
-use crate::bearings::request::BearingRequest;
+use crate::bearings::request::{BearingPart, BearingRequest};
 use crate::curves::extreme::Extreme;
 use crate::curves::true_peak::true_peak;
 use crate::torque::gas::CylinderGas;
@@ -9,6 +9,7 @@ use crate::torque::gas_train::GasTrain;
 use crate::torque::request::{Lever, TorqueError};
 use lanchester_model::Engine;
 use num_complex::Complex64;
+use std::sync::Arc;
 
 /// Angles of a revolution.
 const SAMPLES: usize = 360;
@@ -16,15 +17,75 @@ const SAMPLES: usize = 360;
 /// How far beside a jump its sides are taken [rad].
 const BESIDE: f64 = 1e-10;
 
-/// Loads of all main bearings of an engine at one speed, throw by throw, of inertia and gas, as those of [`crate::bearing_loads`]:
-/// journal on bearing, crankshaft 1 first, each from the free end on.
+/// Loads of all main bearings of an engine by its inertia, prepared for any speed.
 #[derive(Debug, Clone)]
-pub struct MainForces {
+pub struct MainInertia {
+    /// At the highest speed of the engine.
     plan: BearingPlan,
-    train: Option<GasTrain>,
+    trace: BearingTrace,
+}
+
+/// Loads of all main bearings of an engine by the gas of one speed.
+#[derive(Debug, Clone)]
+pub struct MainGas {
+    train: GasTrain,
     trace: BearingTrace,
     /// Angles at which the gas jumps [rad].
     jumps: Vec<f64>,
+}
+
+/// Loads of all main bearings of an engine at one speed, throw by throw, of inertia and gas, as those of [`crate::bearing_loads`]:
+/// journal on bearing, crankshaft 1 first, each from the free end on.
+///
+/// ```text
+/// F(theta, W) = (W / W_0)^2 F_i(theta, W_0) + SUM over k of a_k F_g(theta; p_k)              (26.7)
+/// ```
+/// The load of the gas is linear in the pressures: with `SUM of a_k p_k` for pressures it is the same sum of the loads `F_g` of each.
+#[derive(Debug, Clone)]
+pub struct MainForces {
+    inertia: Arc<MainInertia>,
+    /// Share and load of each gas.
+    gas: Vec<(f64, Arc<MainGas>)>,
+    speed: f64,
+    /// `(W / W_0)^2`.
+    growth: f64,
+    /// By main bearing: along x and y at equal angles [N].
+    mains: Vec<[Vec<f64>; 2]>,
+    /// Angles at which the gas jumps [rad], rising.
+    jumps: Vec<f64>,
+}
+
+fn request(part: BearingPart) -> BearingRequest {
+    BearingRequest { samples: SAMPLES, part, ..BearingRequest::default() }
+}
+
+impl MainInertia {
+    /// Of `engine`.
+    ///
+    /// # Errors
+    /// As [`crate::bearing_loads`].
+    pub fn new(engine: &Engine) -> Result<MainInertia, TorqueError> {
+        let plan = BearingPlan::new(engine, None, &request(BearingPart::Inertia))?;
+        let mut trace = BearingTrace::default();
+        plan.loads_into(&mut trace);
+        Ok(MainInertia { plan, trace })
+    }
+}
+
+impl MainGas {
+    /// Of `engine` under `gas`, one entry a cylinder.
+    ///
+    /// # Errors
+    /// As [`crate::bearing_loads`].
+    pub fn new(engine: &Engine, gas: &[CylinderGas]) -> Result<MainGas, TorqueError> {
+        let train = GasTrain::new(engine, gas, Lever::Exact)?;
+        let mut plan = BearingPlan::new(engine, None, &request(BearingPart::Gas))?;
+        plan.set_gas(&train);
+        let mut trace = BearingTrace::default();
+        plan.loads_into(&mut trace);
+        let jumps = train.jumps(plan.period);
+        Ok(MainGas { train, trace, jumps })
+    }
 }
 
 impl MainForces {
@@ -33,33 +94,50 @@ impl MainForces {
     /// # Errors
     /// As [`crate::bearing_loads`].
     pub fn new(engine: &Engine, gas: Option<&[CylinderGas]>, speed: f64) -> Result<MainForces, TorqueError> {
-        let request = BearingRequest { speed: Some(speed), samples: SAMPLES, ..BearingRequest::default() };
-        let plan = BearingPlan::new(engine, gas, &request)?;
-        let mut trace = BearingTrace::default();
-        plan.loads_into(&mut trace);
-        let train = gas.map(|gas| GasTrain::new(engine, gas, Lever::Exact)).transpose()?;
-        let jumps = train.as_ref().map_or_else(Vec::new, |train| train.jumps(plan.period));
-        Ok(MainForces { plan, train, trace, jumps })
+        let gas = gas.map(|gas| Ok::<_, TorqueError>((1.0, Arc::new(MainGas::new(engine, gas)?)))).transpose()?;
+        Ok(MainForces::of(Arc::new(MainInertia::new(engine)?), gas.into_iter().collect(), speed))
+    }
+
+    /// At `speed` of crankshaft 1 [rad/s], positive, by `inertia` and by `gas`, each with its share of the pressures, all of one engine (weights on
+    /// its crankshafts may differ).
+    pub fn of(inertia: Arc<MainInertia>, gas: Vec<(f64, Arc<MainGas>)>, speed: f64) -> MainForces {
+        let growth = (speed / inertia.plan.speed).powi(2);
+        let count = inertia.plan.grid.len();
+        let along = |main: usize, axis: usize| {
+            let mut sum: Vec<f64> =
+                inertia.trace.mains[main][axis][..count].iter().map(|load| growth * load).collect();
+            for (share, gas) in &gas {
+                for (sum, load) in sum.iter_mut().zip(&gas.trace.mains[main][axis]) {
+                    *sum += share * load;
+                }
+            }
+            sum
+        };
+        let mains = (0..inertia.plan.mains.len()).map(|main| [0, 1].map(|axis| along(main, axis))).collect();
+        let mut jumps: Vec<f64> = gas.iter().flat_map(|(_, gas)| gas.jumps.iter().copied()).collect();
+        jumps.sort_by(f64::total_cmp);
+        jumps.dedup_by(|next, kept| *next - *kept < BESIDE);
+        MainForces { inertia, gas, speed, growth, mains, jumps }
     }
 
     /// Speed of crankshaft 1 [rad/s].
     pub fn speed(&self) -> f64 {
-        self.plan.speed
+        self.speed
     }
 
     /// Number of main bearings.
     pub fn count(&self) -> usize {
-        self.plan.mains.len()
+        self.mains.len()
     }
 
     /// Angles of crankshaft 1 [rad] over one period with their weights, which add up to 1: sums over them are means over the cycle by
     /// the trapezoidal rule on equal steps. At a jump of the gas there is an angle on either side.
     pub fn nodes(&self) -> Vec<(f64, f64)> {
-        let period = self.plan.period;
+        let period = self.period();
         let apart = |a: f64, b: f64| ((a - b + 0.5 * period).rem_euclid(period) - 0.5 * period).abs();
         let free = |theta: &f64| self.jumps.iter().all(|jump| apart(*jump, *theta) > 2.0 * BESIDE);
         let mut angles: Vec<(f64, bool)> =
-            self.plan.grid.theta().iter().copied().filter(free).map(|theta| (theta, false)).collect();
+            self.inertia.plan.grid.theta().iter().copied().filter(free).map(|theta| (theta, false)).collect();
         // On either side, unless the next jump is as close.
         for jump in &self.jumps {
             let sides = [(jump - BESIDE, false), (jump + BESIDE, true)];
@@ -81,8 +159,8 @@ impl MainForces {
 
     /// Load of main bearing `main`, from 0, at the nodes [N].
     pub fn at_nodes(&self, main: usize, nodes: &[(f64, f64)]) -> Vec<Complex64> {
-        let [x, y] = self.samples(main);
-        let step = self.plan.period / x.len() as f64;
+        let [x, y] = &self.mains[main];
+        let step = self.period() / x.len() as f64;
         let load = |(theta, _): &(f64, f64)| {
             let place = theta / step;
             let nearest = place.round() as usize % x.len();
@@ -94,26 +172,34 @@ impl MainForces {
         nodes.iter().map(load).collect()
     }
 
-    /// Load of main bearing `main`, from 0, along x and y at equal angles [N].
-    fn samples(&self, main: usize) -> [&[f64]; 2] {
-        let count = self.plan.grid.theta().len();
-        let [x, y] = &self.trace.mains[main];
-        [&x[..count], &y[..count]]
+    /// Period of the loads [rad].
+    fn period(&self) -> f64 {
+        self.inertia.plan.period
     }
 
     /// Load of main bearing `main`, from 0, at any angle `theta` of crankshaft 1 [rad]: `F_x + i F_y` [N].
     pub fn at(&self, main: usize, theta: f64) -> Complex64 {
-        self.plan.main_at(main, theta, &|cylinder: usize, theta: f64| {
-            let piston = self.train.as_ref().map(|train| &train.pistons[cylinder]);
-            piston.map_or(0.0, |piston| piston.force.at(piston.own_angle(theta)))
-        })
+        let gas = |cylinder: usize, theta: f64| {
+            let of = |(share, gas): &(f64, Arc<MainGas>)| {
+                let piston = &gas.train.pistons[cylinder];
+                share * piston.force.at(piston.own_angle(theta))
+            };
+            self.gas.iter().map(of).sum::<f64>() / self.growth
+        };
+        self.growth * self.inertia.plan.main_at(main, theta, &gas)
+    }
+
+    /// Largest load of main bearing `main`, from 0, at equal angles, every degree of crankshaft 1 [N]: no more than its peak.
+    pub fn largest_sample(&self, main: usize) -> f64 {
+        let [x, y] = &self.mains[main];
+        x.iter().zip(y).map(|(x, y)| x * x + y * y).fold(0.0, f64::max).sqrt()
     }
 
     /// Largest load of main bearing `main`, from 0, over the continuous cycle, with its angle [N].
     pub fn peak(&self, main: usize) -> Extreme {
-        let [x, y] = self.samples(main);
-        let sizes: Vec<f64> = x.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect();
-        true_peak(&sizes, self.plan.period, &self.jumps, |theta| self.at(main, theta).norm())
+        let [x, y] = &self.mains[main];
+        let sizes: Vec<f64> = x.iter().zip(y).map(|(x, y)| (x * x + y * y).sqrt()).collect();
+        true_peak(&sizes, self.period(), &self.jumps, |theta| self.at(main, theta).norm_sqr().sqrt())
     }
 }
 
@@ -145,7 +231,9 @@ mod tests {
             let loads = bearing_loads(&engine, gas, &request).expect("it is held");
             assert_eq!(forces.count(), loads.mains.len());
             for (main, known) in loads.mains.iter().enumerate() {
-                assert_eq!(forces.peak(main), known.load.peak);
+                let peak = forces.peak(main);
+                assert!((peak.value - known.load.peak.value).abs() < 1e-12 * peak.value);
+                assert!(peak.value >= forces.largest_sample(main));
                 let at = forces.at(main, 1.234).norm();
                 assert!(at <= known.load.peak.value * (1.0 + 1e-12));
                 let nodes = forces.nodes();
