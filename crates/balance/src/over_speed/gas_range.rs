@@ -131,7 +131,8 @@ impl<'a> GasRange<'a> {
 
     /// Loads of the main bearings at every speed that is looked at.
     fn forces(&self, inertia: &Arc<MainInertia>) -> Result<Vec<Weighted>, BalanceError> {
-        let of = |&(speed, weight): &(f64, f64)| Ok(Weighted { weight, forces: self.forces_at(inertia, speed)? });
+        let of =
+            |&(speed, weight): &(f64, f64)| Ok(Weighted { weight, forces: self.forces_at(inertia, speed)? });
         self.speeds.iter().map(of).collect()
     }
 

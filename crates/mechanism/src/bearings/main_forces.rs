@@ -94,7 +94,8 @@ impl MainForces {
     /// # Errors
     /// As [`crate::bearing_loads`].
     pub fn new(engine: &Engine, gas: Option<&[CylinderGas]>, speed: f64) -> Result<MainForces, TorqueError> {
-        let gas = gas.map(|gas| Ok::<_, TorqueError>((1.0, Arc::new(MainGas::new(engine, gas)?)))).transpose()?;
+        let gas =
+            gas.map(|gas| Ok::<_, TorqueError>((1.0, Arc::new(MainGas::new(engine, gas)?)))).transpose()?;
         Ok(MainForces::of(Arc::new(MainInertia::new(engine)?), gas.into_iter().collect(), speed))
     }
 
