@@ -5,6 +5,7 @@ use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
 use crate::run_plan::SimulateRequest;
 use crate::simulation::simulate;
+use crate::strength::{RuleRequest, crank_rule, has_rule};
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };
@@ -12,7 +13,8 @@ use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
 use lanchester_report::{
-    BondGraphResult, Section, SimulationResult, bond_graph_section, mounts_section, simulation_section,
+    BondGraphResult, CrankRule, Section, SimulationResult, bond_graph_section, mounts_section, rule_section,
+    simulation_section,
 };
 
 /// Speeds and highest order of the section on mounts.
@@ -29,6 +31,8 @@ pub struct Running {
     pub torque: Option<TorqueReport>,
     /// Loads of the bearings.
     pub bearings: Option<BearingStudy>,
+    /// Strength of the crankshafts whose fillets and material the file gives.
+    pub strength: Vec<CrankRule>,
     /// The block on its mounts.
     pub mounts: Option<MountStudy>,
     /// The run in time that the file describes.
@@ -42,7 +46,7 @@ pub struct Running {
 /// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
 pub fn is_running(file: &EngineFile) -> bool {
     let EngineFile { engine, tasks } = file;
-    let turns = engine.gas.is_some() || engine.flywheel.is_some();
+    let turns = engine.gas.is_some() || engine.flywheel.is_some() || has_rule(engine);
     turns || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
 }
 
@@ -65,6 +69,14 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     let bearings = section(has_bearings, "loads of the bearings are", &traces, &mut warnings, |traces| {
         bearing_study(engine, traces, speed).map_err(|error| error.to_string())
     });
+    let strength =
+        section(has_rule(engine), "the strength of the crankshaft is", &traces, &mut warnings, |traces| {
+            let of = |crankshaft| {
+                let request = RuleRequest { crankshaft, ..RuleRequest::default() };
+                crank_rule(engine, traces, &request).map_err(|error| error.to_string())
+            };
+            (0..engine.crankshafts.len()).map(of).collect::<Result<Vec<_>, _>>()
+        });
     let mounts =
         section(engine.is_on_springs(), "the block on its mounts is", &traces, &mut warnings, |traces| {
             mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(traces), &[])
@@ -78,7 +90,8 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     let graph = section(has_graph(engine, input), "the bond graph is", &traces, &mut warnings, |traces| {
         bond_graph_report(engine, traces, input, speed)
     });
-    Running { torque, bearings, mounts, simulation, graph, warnings }
+    let strength = strength.unwrap_or_default();
+    Running { torque, bearings, strength, mounts, simulation, graph, warnings }
 }
 
 /// What the section on torque is called where it is left out.
@@ -107,7 +120,8 @@ impl Running {
         let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
         let simulated = self.simulation.as_ref().map(simulation_section);
         let graph = self.graph.as_ref().map(bond_graph_section);
-        [torque, bearings, mounts, simulated, graph].into_iter().flatten().collect()
+        let strength = rule_section(&self.strength);
+        [torque, bearings, strength, mounts, simulated, graph].into_iter().flatten().collect()
     }
 }
 

@@ -19,6 +19,7 @@ mod published;
 #[cfg(test)]
 mod sample;
 mod simulated;
+mod strength;
 mod stress;
 mod study;
 mod torque;
@@ -37,6 +38,7 @@ pub use page::{Provenance, ReportHead, figures, report};
 pub use parts::*;
 pub use published::*;
 pub use simulated::*;
+pub use strength::*;
 pub use stress::*;
 pub use study::*;
 pub use torque::*;

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 28] = [
+const ARROWS: [(&str, &[&str]); 29] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -48,6 +48,7 @@ const ARROWS: [(&str, &[&str]); 28] = [
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-film", &["lanchester-numerics"]),
     ("lanchester-flex", &["lanchester-model", "lanchester-geometry", "lanchester-shape"]),
+    ("lanchester-strength", &["lanchester-model"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",
@@ -59,6 +60,7 @@ const ARROWS: [(&str, &[&str]); 28] = [
             "lanchester-multibody",
             "lanchester-film",
             "lanchester-flex",
+            "lanchester-strength",
             "lanchester-geometry",
             "lanchester-balance",
             "lanchester-literature",
@@ -77,6 +79,7 @@ const ARROWS: [(&str, &[&str]); 28] = [
             "lanchester-multibody",
             "lanchester-film",
             "lanchester-flex",
+            "lanchester-strength",
             "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",

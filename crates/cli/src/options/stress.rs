@@ -41,6 +41,13 @@ pub enum StressCommand {
         after_help = "Examples:\n  lanchester stress reduce four.toml\n  lanchester stress reduce four.toml --modes 30 --output four.npz"
     )]
     Reduce(ReduceArguments),
+    /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
+    #[command(
+        after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '500 N m'\n  \
+                            lanchester stress rule four.toml --torsional-vibration '300 N m, 350 N m, 400 N m, 420 N m' --format csv > rule.csv\n\n\
+                            Formulas after UR M53, not compared with the printed rule. Every ratio is held to the range of the formulas."
+    )]
+    Rule(RuleArguments),
     /// Solve a CalculiX deck: C3D10, C3D15, C3D20, sets, materials, displacements, forces, static steps and natural modes.
     #[command(
         after_help = "Examples:\n  lanchester stress solve case.inp\n  lanchester stress solve case.inp --output case.vtu --format json\n\n\
@@ -181,6 +188,30 @@ pub struct ReduceArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `stress rule`
+#[derive(Debug, Args)]
+pub struct RuleArguments {
+    /// Engine file with [crank.body], fillets and [crank.material]; `-` reads standard input.
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Number of the crankshaft, from 1.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub crankshaft: usize,
+    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Vec<String>,
+    /// Amplitude of the torque that torsional vibration adds to that of a rigid crankshaft: one for all throws, or one for each from the free
+    /// end on, parted by commas.
+    #[arg(long, value_name = "TORQUE")]
+    pub torsional_vibration: Option<String>,
+    /// Leave out the gas of the file.
+    #[arg(long)]
+    pub inertia_only: bool,
+    /// Form of the output; CSV has one line for each place and speed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 }

@@ -1,24 +1,47 @@
 //! Options of `stress` as requests.
 
 use crate::failure::Failure;
-use crate::options::stress::{LoadArguments, MeshArguments, SupportArguments, SupportOption};
+use crate::options::stress::{LoadArguments, MeshArguments, RuleArguments, SupportArguments, SupportOption};
+use crate::requests::value_list::value_list;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::task::option;
 use lanchester::units::{Bound, Dimension};
-use lanchester::{GivenForce, StressLoad, StressMesh};
+use lanchester::{GivenForce, RuleRequest, StressLoad, StressMesh};
 
 /// Which crankshaft, how fine.
 pub fn mesh(own: &MeshArguments, fillet_elements: usize) -> Result<StressMesh, Failure> {
     let size = option::length(&own.size, "--size")?;
-    let crankshaft = own.crankshaft.checked_sub(1).ok_or_else(|| {
-        Failure::input("--crankshaft counts from 1, got 0", "leave it out for the first crankshaft")
-    })?;
+    let crankshaft = crankshaft(own.crankshaft)?;
     let fillet_elements = own.fillet_elements.unwrap_or(fillet_elements);
     let options = CrankMeshOptions { size, fillet_elements, ..CrankMeshOptions::default() };
     Ok(StressMesh { crankshaft, options })
+}
+
+/// Index of a crankshaft.
+fn crankshaft(number: usize) -> Result<usize, Failure> {
+    number.checked_sub(1).ok_or_else(|| {
+        Failure::input("--crankshaft counts from 1, got 0", "leave it out for the first crankshaft")
+    })
+}
+
+/// What is asked of the formulas of strength.
+pub fn rule_request(own: &RuleArguments) -> Result<RuleRequest, Failure> {
+    let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
+    let torque = |text: &str| {
+        let name = "--torsional-vibration";
+        option::of_dimension(text, Dimension::Torque, Bound::NotNegative, name).map_err(Failure::from)
+    };
+    let vibration = own.torsional_vibration.as_deref();
+    let vibration = vibration.map(|text| value_list(text, "--torsional-vibration", torque)).transpose()?;
+    Ok(RuleRequest {
+        crankshaft: crankshaft(own.crankshaft)?,
+        speeds: own.speed.iter().map(speed).collect::<Result<_, _>>()?,
+        gas: !own.inertia_only,
+        vibration: vibration.unwrap_or_default(),
+    })
 }
 
 /// How to solve.

@@ -1,14 +1,14 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
 use crate::commands::{Opened, json, open};
-use crate::failure::{DONE, Failure};
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, read_bytes, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
-    ExportArguments, LoadArguments, MeshArguments, ModesArguments, ReduceArguments, SolveArguments,
-    StaticArguments, StressArguments, StressCommand,
+    ExportArguments, LoadArguments, MeshArguments, ModesArguments, ReduceArguments, RuleArguments,
+    SolveArguments, StaticArguments, StressArguments, StressCommand,
 };
-use crate::requests::stress::{loads, memory, mesh, solve_options, support};
+use crate::requests::stress::{loads, memory, mesh, rule_request, solve_options, support};
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::reduction::ReductionOptions;
@@ -16,11 +16,11 @@ use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::report::{
     CrankModes, StaticStress, deck_csv, deck_text, modes_csv, modes_text, reduced_csv, reduced_text,
-    static_stress_csv, static_stress_text,
+    rule_csv, rule_text, static_stress_csv, static_stress_text,
 };
 use lanchester::{
-    ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_modes, modes_deck, modes_vtu,
-    reduced_crank, solve_deck, static_stress,
+    ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_modes, crank_rule, modes_deck,
+    modes_vtu, reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -30,6 +30,7 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
         StressCommand::Modes(arguments) => modes(arguments, colour),
         StressCommand::Export(arguments) => export(arguments, colour),
         StressCommand::Reduce(arguments) => reduce(arguments, colour),
+        StressCommand::Rule(arguments) => rule(arguments, colour),
         StressCommand::Solve(arguments) => solve(arguments),
     }
 }
@@ -153,6 +154,20 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => reduced_csv(&found),
     })?;
     Ok(DONE)
+}
+
+fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {
+    let request = rule_request(arguments)?;
+    let opened = open(&arguments.file, colour)?;
+    let engine = &opened.file.engine;
+    let traces = if request.gas { trace_files(engine, &arguments.file)? } else { Vec::new() };
+    let found = crank_rule(engine, &traces, &request).map_err(Failure::refused)?;
+    print(&match arguments.format {
+        Format::Text => rule_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => rule_csv(&found),
+    })?;
+    Ok(if found.is_accepted() { DONE } else { NOT_AS_EXPECTED })
 }
 
 fn solve(arguments: &SolveArguments) -> Result<u8, Failure> {

@@ -1,0 +1,149 @@
+//! The sheet of formulas after UR M53 as a result.
+
+use crate::kit::number;
+use crate::kit::paragraph::push_wrapped;
+use crate::kit::section::Section;
+use lanchester_model::Sourced;
+use lanchester_strength::{RangeBreach, ThrowSheet};
+use serde::Serialize;
+
+/// Version of these structures; raised when a field changes its meaning or goes.
+pub const CRANK_RULE_VERSION: u32 = 1;
+
+/// Strength of a crankshaft by formulas after UR M53.
+///
+/// Each throw on two supports, alternating stresses alone, torque of a rigid crankshaft with that of torsional vibration as given.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct CrankRule {
+    /// [`CRANK_RULE_VERSION`].
+    pub version: u32,
+    /// Name of the engine.
+    pub engine: String,
+    /// Number of the crankshaft, from 1.
+    pub crankshaft: usize,
+    /// Which formulas, and how far they are trusted.
+    pub rule: String,
+    /// Tensile strength [Pa].
+    pub tensile_strength: Sourced,
+    /// Factor K of the way of forging [1].
+    pub forging: Sourced,
+    /// Least safety that the rule accepts [1].
+    pub acceptable: f64,
+    /// Where the pressures come from, in words; `None`: no gas acts.
+    pub gas: Option<String>,
+    /// The sheet at each speed.
+    pub speeds: Vec<SpeedSheet>,
+    /// What was assumed and left out.
+    pub notes: Vec<String>,
+}
+
+/// The sheet at one speed.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct SpeedSheet {
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Throw by throw, from the free end on.
+    pub throws: Vec<ThrowSheet>,
+}
+
+impl SpeedSheet {
+    /// The place with the least safety.
+    pub fn least(&self) -> Option<(String, f64)> {
+        self.throws.iter().flat_map(ThrowSheet::safeties).min_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
+impl CrankRule {
+    /// The speed with the least safety.
+    pub fn decisive(&self) -> Option<&SpeedSheet> {
+        let least = |sheet: &SpeedSheet| sheet.least().map_or(f64::INFINITY, |least| least.1);
+        self.speeds.iter().min_by(|a, b| least(a).total_cmp(&least(b)))
+    }
+
+    /// What the formulas cannot judge, and why: the same at every speed.
+    pub fn breaches(&self) -> Vec<(String, RangeBreach)> {
+        self.speeds
+            .first()
+            .map_or_else(Vec::new, |sheet| sheet.throws.iter().flat_map(ThrowSheet::breaches).collect())
+    }
+
+    /// Whether every place is judged and safe at every speed.
+    pub fn is_accepted(&self) -> bool {
+        let is_safe = |sheet: &SpeedSheet| sheet.least().is_some_and(|least| least.1 >= self.acceptable);
+        self.breaches().is_empty() && self.speeds.iter().all(is_safe)
+    }
+
+    /// The sentences that matter most.
+    pub(crate) fn lead(&self) -> String {
+        let limit = number::trimmed(self.acceptable, 4);
+        let mut words = match self.decisive().and_then(|sheet| Some((sheet, sheet.least()?))) {
+            None => "No place has a safety: every web lies outside the range of the formulas.".to_owned(),
+            Some((sheet, (place, safety))) => {
+                let verdict = if safety >= self.acceptable { "not below" } else { "below" };
+                format!(
+                    "Least safety Q = {} at {place} at {} rpm, {verdict} the {limit} of the rule.",
+                    number::short(safety, 3),
+                    number::terminal(number::rpm(sheet.speed), 0),
+                )
+            }
+        };
+        let breaches = self.breaches();
+        if let Some((place, _)) = breaches.first() {
+            let others = breaches.iter().any(|(other, _)| other != place);
+            words.push_str(&format!(
+                " Not judged, because outside the range of the formulas: {place}{}.",
+                if others { " and others" } else { "" }
+            ));
+        }
+        words
+    }
+
+    /// Words between the lead and the tables.
+    pub(crate) fn words(&self) -> Vec<String> {
+        let mut words = vec![format!("{}.", number::capital(&self.rule))];
+        words.push(format!(
+            "Material: tensile strength {} MPa ({}), K = {} ({}). Gas: {}.",
+            number::trimmed(1e-6 * self.tensile_strength.value, 4),
+            self.tensile_strength.origin,
+            number::trimmed(self.forging.value, 3),
+            self.forging.origin,
+            self.gas.as_deref().unwrap_or("none"),
+        ));
+        words.extend(self.notes.iter().cloned());
+        let refused = self.breaches().into_iter().map(|(place, breach)| {
+            format!("{}: {breach}. Change the size, or judge it by finite elements.", number::capital(&place))
+        });
+        words.extend(refused);
+        words
+    }
+}
+
+/// Everything as plain text.
+pub fn rule_text(rule: &CrankRule) -> String {
+    let mut out = format!("{}, strength of crankshaft {}\n\n", rule.engine, rule.crankshaft);
+    push_wrapped(&mut out, "", &rule.lead());
+    out.push('\n');
+    for words in rule.words() {
+        push_wrapped(&mut out, "", &words);
+    }
+    for table in rule.tables() {
+        out.push('\n');
+        out.push_str(&table.noted_text());
+    }
+    out
+}
+
+/// The chapter of a report; `None` without a sheet.
+pub fn rule_section(rules: &[CrankRule]) -> Option<Section> {
+    if rules.is_empty() {
+        return None;
+    }
+    let mut section = Section::new("strength", "Strength", "Strength of the crankshaft");
+    for rule in rules {
+        if rules.len() > 1 {
+            section = section.words(format!("Crankshaft {}:", rule.crankshaft));
+        }
+        section = section.lead(rule.lead()).paragraphs(rule.words()).tables(rule.tables());
+    }
+    Some(section)
+}

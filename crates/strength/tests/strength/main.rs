@@ -1,0 +1,5 @@
+//! Formulas after UR M53, sheets, fatigue at a point.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod rule;
