@@ -5,7 +5,7 @@ use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
 use crate::run_plan::SimulateRequest;
 use crate::simulation::simulate;
-use crate::strength::{RuleRequest, crank_rule, has_rule};
+use crate::stress::rule::{RuleRequest, crank_rule, has_rule};
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };

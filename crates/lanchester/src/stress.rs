@@ -5,6 +5,7 @@ pub(crate) mod export;
 pub(crate) mod loads;
 pub(crate) mod reduce;
 pub(crate) mod request;
+pub(crate) mod rule;
 pub(crate) mod run;
 
 pub use deck::solve_deck;
@@ -13,4 +14,5 @@ pub use reduce::reduced_crank;
 pub use request::{
     GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,
 };
+pub use rule::{CrankRuleError, RuleRequest, crank_rule};
 pub use run::{crank_modes, static_stress};

@@ -13,19 +13,25 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod circle;
 mod crank_throws;
 mod error;
 mod factors;
 mod fatigue_strength;
+mod findley;
 mod nominal;
 mod ratios;
 mod section;
 mod sheet;
 
+pub use circle::{Circle, smallest_circle};
 pub use crank_throws::{RuleThrow, rule_throws};
 pub use error::{Need, StrengthError};
 pub use factors::{Factor, FactorPart, OilFactors, RuleFactors};
 pub use fatigue_strength::{fatigue_strength, oil_bore_radius};
+pub use findley::{
+    CriticalPlane, FatigueLimits, Findley, LimitsError, PointFatigue, StressState, static_safety, von_mises,
+};
 pub use nominal::{NominalBore, NominalWeb, alternation};
 pub use ratios::{RangeBreach, SectionRatios};
 pub use section::WebSection;

@@ -169,3 +169,73 @@ fn what_cannot_be_computed_is_refused() {
     let text = text.replace('\n', " ");
     assert!(text.contains("no yield strength, so no safety"), "{text}");
 }
+
+/// `stress rule` of the engine above with another end.
+fn rule(folder: &std::path::Path, status: u8, rest: &[&str]) -> String {
+    output(folder, status, &[&["stress", "rule", "engine.toml"], rest].concat())
+}
+
+#[test]
+fn the_sheet_of_the_class_rule_has_every_number() {
+    let folder = engine("stress-rule", str::to_owned);
+    let text = rule(&folder, 0, &["--torsional-vibration", "100 N m"]);
+    for words in [
+        "strength of crankshaft 1",
+        "Formulas after UR M53, not compared with the printed rule.",
+        "tensile strength 900 MPa (typical value)",
+        "K = 1 (assumed)",
+        "pin 1 at web 2",
+        "journal 2 at web 2",
+        "Nominal alternating stresses",
+        "Parts of beta_Q",
+        "plus the amplitude of torsional vibration",
+    ] {
+        assert!(text.contains(words), "{words} is missing in\n{text}");
+    }
+    let json = output_json(
+        &folder,
+        0,
+        &["stress", "rule", "engine.toml", "--format", "json", "--speed", "4000 rpm"],
+    );
+    let web = &json["speeds"][0]["throws"][0]["webs"][0];
+    let safety = number(&web["pin_fillet"]["strength"]) / number(&web["pin_fillet"]["equivalent"]);
+    assert!((number(&web["pin_fillet"]["safety"]) - safety).abs() < 1e-12);
+    let csv = rule(&folder, 0, &["--format", "csv"]);
+    assert_eq!(csv.lines().count(), 1 + 2 * 4, "{csv}");
+}
+
+#[test]
+fn a_safety_below_the_rule_and_a_size_outside_its_range_are_status_1() {
+    let folder = engine("stress-rule-limits", str::to_owned);
+    let weak = rule(&folder, 1, &["--torsional-vibration", "4 kN m"]);
+    assert!(weak.contains("below the 1.15 of the rule") && weak.contains("below the rule"), "{weak}");
+    let folder =
+        engine("stress-rule-range", |text| text.replace("pin_fillet = \"4 mm\"", "pin_fillet = \"1 mm\""));
+    let outside = rule(&folder, 1, &[]);
+    for words in [
+        "Web 1: r = R_H/D = 0.0208 is below the range 0.03 to 0.13 by 0.0092",
+        "not judged",
+        "No place has a safety",
+    ] {
+        assert!(outside.contains(words), "{words} is missing in\n{outside}");
+    }
+}
+
+#[test]
+fn a_sheet_names_all_that_it_lacks() {
+    let folder = engine("stress-rule-lacks", |text| {
+        text.replace("journal_fillet = \"4 mm\"", "")
+            .replace("preset = \"42CrMo4 quenched and tempered\"", "")
+    });
+    let words = message(&folder, &["stress", "rule", "engine.toml"]);
+    for part in [
+        "material: the tensile strength is needed",
+        "journal 1: a fillet radius above 0 is needed",
+        "journal 2:",
+    ] {
+        assert!(words.contains(part), "{part} is missing in\n{words}");
+    }
+    let folder = engine("stress-rule-vibration", str::to_owned);
+    let words = message(&folder, &["stress", "rule", "engine.toml", "--torsional-vibration", "1 N m, 2 N m"]);
+    assert!(words.contains("one for each of 1 throws, got 2"), "{words}");
+}
