@@ -2,6 +2,7 @@
 
 pub(crate) mod deck;
 pub(crate) mod export;
+pub(crate) mod fatigue;
 pub(crate) mod loads;
 pub(crate) mod reduce;
 pub(crate) mod request;
@@ -10,6 +11,7 @@ pub(crate) mod run;
 
 pub use deck::solve_deck;
 pub use export::{case_deck, case_vtu, modes_deck, modes_vtu};
+pub use fatigue::{FatigueRequest, crank_fatigue};
 pub use reduce::reduced_crank;
 pub use request::{
     GivenForce, ModesRequest, StaticRequest, StressError, StressLoad, StressMesh, StressStage, support_words,

@@ -2,12 +2,17 @@
 
 pub(crate) mod body;
 pub(crate) mod deck;
+pub(crate) mod fatigue;
 pub(crate) mod modes;
 pub(crate) mod reduced;
 pub(crate) mod statics;
 
 pub use body::{CrankSheet, StressMaterial};
 pub use deck::{DECK_VERSION, SolvedDeck, SolvedStep, StaticStep, deck_csv, deck_text};
+pub use fatigue::{
+    CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FilletFatigue, fatigue_csv,
+    fatigue_text,
+};
 pub use modes::{CrankModes, MODES_VERSION, modes_csv, modes_text};
 pub use reduced::{REDUCED_VERSION, ReducedCrank, reduced_csv, reduced_text};
 pub use statics::{

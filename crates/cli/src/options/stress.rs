@@ -41,6 +41,12 @@ pub enum StressCommand {
         after_help = "Examples:\n  lanchester stress reduce four.toml\n  lanchester stress reduce four.toml --modes 30 --output four.npz"
     )]
     Reduce(ReduceArguments),
+    /// Safety of every fillet against fatigue over the cycle, by finite elements and Findley's criterion; exit status 1 where it is below --safety.
+    #[command(
+        after_help = "Examples:\n  lanchester stress fatigue four.toml\n  lanchester stress fatigue four.toml --speed '6000 rpm' --surface-factor 0.85 --safety 1.5\n  \
+                            lanchester stress fatigue four.toml --size '14 mm' --fillet-elements 4 --format csv > fatigue.csv"
+    )]
+    Fatigue(FatigueArguments),
     /// Strength by the formulas of IACS UR M53, throw by throw: fillets and oil bores with their safety; exit status 1 where it is below 1.15.
     #[command(
         after_help = "Examples:\n  lanchester stress rule four.toml\n  lanchester stress rule four.toml --speed '6000 rpm' --torsional-vibration '500 N m'\n  \
@@ -188,6 +194,41 @@ pub struct ReduceArguments {
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Form of the output.
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
+}
+
+/// `stress fatigue`
+#[derive(Debug, Args)]
+pub struct FatigueArguments {
+    /// Which crankshaft, and how fine its mesh is.
+    #[command(flatten)]
+    pub mesh: MeshArguments,
+    /// What holds it.
+    #[command(flatten)]
+    pub support: SupportArguments,
+    /// Speed of crankshaft 1, with its unit; may be given several times. Default: lowest and highest speed of the file.
+    #[arg(long, value_name = "SPEED")]
+    pub speed: Vec<String>,
+    /// Leave out the gas of the file.
+    #[arg(long)]
+    pub inertia_only: bool,
+    /// Instants of a revolution.
+    #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u32).range(8..=1440))]
+    pub instants: u32,
+    /// Factor of the surface's finish on the fatigue limits of polished specimens.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    pub surface_factor: f64,
+    /// Factor of the body's size on them.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    pub size_factor: f64,
+    /// Factor of the stress gradient on them.
+    #[arg(long, value_name = "FACTOR", default_value = "1")]
+    pub gradient_factor: f64,
+    /// Least safety that is wanted, of all stress and of its amplitude.
+    #[arg(long, value_name = "SAFETY", default_value = "1")]
+    pub safety: f64,
+    /// Form of the output; CSV has one line for each fillet and speed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 }

@@ -1,15 +1,18 @@
 //! Options of `stress` as requests.
 
 use crate::failure::Failure;
-use crate::options::stress::{LoadArguments, MeshArguments, RuleArguments, SupportArguments, SupportOption};
+use crate::options::stress::{
+    FatigueArguments, LoadArguments, MeshArguments, RuleArguments, SupportArguments, SupportOption,
+};
 use crate::requests::value_list::value_list;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
+use lanchester::report::FatigueFactors;
 use lanchester::task::option;
 use lanchester::units::{Bound, Dimension};
-use lanchester::{GivenForce, RuleRequest, StressLoad, StressMesh};
+use lanchester::{FatigueRequest, GivenForce, RuleRequest, StressLoad, StressMesh};
 
 /// Which crankshaft, how fine.
 pub fn mesh(own: &MeshArguments, fillet_elements: usize) -> Result<StressMesh, Failure> {
@@ -24,6 +27,34 @@ pub fn mesh(own: &MeshArguments, fillet_elements: usize) -> Result<StressMesh, F
 fn crankshaft(number: usize) -> Result<usize, Failure> {
     number.checked_sub(1).ok_or_else(|| {
         Failure::input("--crankshaft counts from 1, got 0", "leave it out for the first crankshaft")
+    })
+}
+
+/// What is asked of fatigue.
+pub fn fatigue_request(own: &FatigueArguments) -> Result<FatigueRequest, Failure> {
+    let speed = |text: &String| option::speed(text, "--speed").map_err(Failure::from);
+    let above_zero = |value: f64, name: &str| {
+        if value > 0.0 && value.is_finite() {
+            return Ok(value);
+        }
+        Err(Failure::input(
+            format_args!("{name} needs a number above 0, got {value}"),
+            "1 leaves things as they are",
+        ))
+    };
+    above_zero(own.safety, "--safety")?;
+    Ok(FatigueRequest {
+        mesh: mesh(&own.mesh, 6)?,
+        support: support(&own.support, CrankSupport::Journals)?,
+        speeds: own.speed.iter().map(speed).collect::<Result<_, _>>()?,
+        gas: !own.inertia_only,
+        factors: FatigueFactors {
+            surface: above_zero(own.surface_factor, "--surface-factor")?,
+            size: above_zero(own.size_factor, "--size-factor")?,
+            gradient: above_zero(own.gradient_factor, "--gradient-factor")?,
+        },
+        instants: own.instants as usize,
+        solve: solve_options(&own.mesh)?,
     })
 }
 

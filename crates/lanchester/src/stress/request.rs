@@ -119,6 +119,14 @@ pub enum StressError {
         /// Its number, from 1.
         crankshaft: usize,
     },
+    /// No fatigue limits.
+    #[error(
+        "fatigue limits are needed, the material has neither of its own nor a tensile strength to estimate them from\nhint: give fatigue_bending and fatigue_torsion, tensile_strength or a preset in [crank.material]"
+    )]
+    NoFatigueLimit,
+    /// Fatigue limits that the criterion cannot hold both.
+    #[error(transparent)]
+    Limits(#[from] lanchester_strength::LimitsError),
     /// A crankshaft or pin that is not there.
     #[error("{what} {number} is needed, the engine has {there}\nhint: numbers count from 1")]
     Missing {

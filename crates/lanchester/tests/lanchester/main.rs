@@ -10,6 +10,7 @@ mod checks;
 mod clearance;
 mod corpus;
 mod crosscheck;
+mod fatigue;
 mod gallery;
 mod graph_report;
 mod main_loads_with_gas;

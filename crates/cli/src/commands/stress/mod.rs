@@ -5,22 +5,22 @@ use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, read_bytes, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
-    ExportArguments, LoadArguments, MeshArguments, ModesArguments, ReduceArguments, RuleArguments,
-    SolveArguments, StaticArguments, StressArguments, StressCommand,
+    ExportArguments, FatigueArguments, LoadArguments, MeshArguments, ModesArguments, ReduceArguments,
+    RuleArguments, SolveArguments, StaticArguments, StressArguments, StressCommand,
 };
-use crate::requests::stress::{loads, memory, mesh, rule_request, solve_options, support};
+use crate::requests::stress::{fatigue_request, loads, memory, mesh, rule_request, solve_options, support};
 use crate::trace_files::trace_files;
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::reduction::ReductionOptions;
 use lanchester::flex::sparse::Precision;
 use lanchester::flex::statics::SolveOptions;
 use lanchester::report::{
-    CrankModes, StaticStress, deck_csv, deck_text, modes_csv, modes_text, reduced_csv, reduced_text,
-    rule_csv, rule_text, static_stress_csv, static_stress_text,
+    CrankModes, StaticStress, deck_csv, deck_text, fatigue_csv, fatigue_text, modes_csv, modes_text,
+    reduced_csv, reduced_text, rule_csv, rule_text, static_stress_csv, static_stress_text,
 };
 use lanchester::{
-    ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_modes, crank_rule, modes_deck,
-    modes_vtu, reduced_crank, solve_deck, static_stress,
+    ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_fatigue, crank_modes, crank_rule,
+    modes_deck, modes_vtu, reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -30,6 +30,7 @@ pub fn run(arguments: &StressArguments, colour: bool) -> Result<u8, Failure> {
         StressCommand::Modes(arguments) => modes(arguments, colour),
         StressCommand::Export(arguments) => export(arguments, colour),
         StressCommand::Reduce(arguments) => reduce(arguments, colour),
+        StressCommand::Fatigue(arguments) => fatigue(arguments, colour),
         StressCommand::Rule(arguments) => rule(arguments, colour),
         StressCommand::Solve(arguments) => solve(arguments),
     }
@@ -154,6 +155,21 @@ fn reduce(arguments: &ReduceArguments, colour: bool) -> Result<u8, Failure> {
         Format::Csv => reduced_csv(&found),
     })?;
     Ok(DONE)
+}
+
+fn fatigue(arguments: &FatigueArguments, colour: bool) -> Result<u8, Failure> {
+    let own = &arguments.mesh;
+    let request = fatigue_request(arguments)?;
+    let opened = open(&own.file, colour)?;
+    let engine = &opened.file.engine;
+    let traces = if request.gas { trace_files(engine, &own.file)? } else { Vec::new() };
+    let found = crank_fatigue(engine, &traces, &request, &say).map_err(Failure::refused)?;
+    print(&match arguments.format {
+        Format::Text => fatigue_text(&found),
+        Format::Json => json(&found)?,
+        Format::Csv => fatigue_csv(&found),
+    })?;
+    Ok(if found.is_safe(arguments.safety) { DONE } else { NOT_AS_EXPECTED })
 }
 
 fn rule(arguments: &RuleArguments, colour: bool) -> Result<u8, Failure> {

@@ -171,7 +171,7 @@ fn what_cannot_be_computed_is_refused() {
 }
 
 /// `stress rule` of the engine above with another end.
-fn rule(folder: &std::path::Path, status: u8, rest: &[&str]) -> String {
+fn rule(folder: &std::path::Path, status: i32, rest: &[&str]) -> String {
     output(folder, status, &[&["stress", "rule", "engine.toml"], rest].concat())
 }
 
@@ -198,8 +198,8 @@ fn the_sheet_of_the_class_rule_has_every_number() {
         &["stress", "rule", "engine.toml", "--format", "json", "--speed", "4000 rpm"],
     );
     let web = &json["speeds"][0]["throws"][0]["webs"][0];
-    let safety = number(&web["pin_fillet"]["strength"]) / number(&web["pin_fillet"]["equivalent"]);
-    assert!((number(&web["pin_fillet"]["safety"]) - safety).abs() < 1e-12);
+    let safety = number(web, "/pin_fillet/strength") / number(web, "/pin_fillet/equivalent");
+    assert!((number(web, "/pin_fillet/safety") - safety).abs() < 1e-12);
     let csv = rule(&folder, 0, &["--format", "csv"]);
     assert_eq!(csv.lines().count(), 1 + 2 * 4, "{csv}");
 }
@@ -227,7 +227,7 @@ fn a_sheet_names_all_that_it_lacks() {
         text.replace("journal_fillet = \"4 mm\"", "")
             .replace("preset = \"42CrMo4 quenched and tempered\"", "")
     });
-    let words = message(&folder, &["stress", "rule", "engine.toml"]);
+    let words = message(&folder, 2, &["stress", "rule", "engine.toml"]);
     for part in [
         "material: the tensile strength is needed",
         "journal 1: a fillet radius above 0 is needed",
@@ -236,6 +236,39 @@ fn a_sheet_names_all_that_it_lacks() {
         assert!(words.contains(part), "{part} is missing in\n{words}");
     }
     let folder = engine("stress-rule-vibration", str::to_owned);
-    let words = message(&folder, &["stress", "rule", "engine.toml", "--torsional-vibration", "1 N m, 2 N m"]);
+    let words =
+        message(&folder, 2, &["stress", "rule", "engine.toml", "--torsional-vibration", "1 N m, 2 N m"]);
     assert!(words.contains("one for each of 1 throws, got 2"), "{words}");
+}
+
+#[test]
+fn fatigue_of_the_fillets_is_tabulated() {
+    let folder = engine("stress-fatigue", str::to_owned);
+    let rest = ["fatigue", "--speed", "4000 rpm", "--instants", "24"];
+    let text = output(&folder, 0, &words(&rest));
+    for words in [
+        "fatigue of crankshaft 1",
+        "Least safety against fatigue",
+        "bending 405 MPa (assumed)",
+        "surface off, size off, gradient off",
+        "pin 1 at web 2",
+        "most loaded at crank angle",
+    ] {
+        assert!(text.contains(words), "{words} is missing in\n{text}");
+    }
+    // A factor lowers every safety by itself.
+    let json =
+        |more: &[&str]| output_json(&folder, 0, &[&words(&rest)[..], &["--format", "json"], more].concat());
+    let safety = |found: &serde_json::Value| number(found, "/speeds/0/fillets/0/point/safety_of_all");
+    let [polished, rough] = [json(&[]), json(&["--surface-factor", "0.8"])].map(|found| safety(&found));
+    assert!((rough / polished - 0.8).abs() < 1e-12, "{rough} {polished}");
+    output(&folder, 1, &[&words(&rest)[..], &["--safety", "1000"]].concat());
+}
+
+#[test]
+fn fatigue_without_strength_is_refused() {
+    let folder =
+        engine("stress-fatigue-lacks", |text| text.replace("preset = \"42CrMo4 quenched and tempered\"", ""));
+    let words = message(&folder, 2, &words(&["fatigue"]));
+    assert!(words.contains("fatigue_bending"), "{words}");
 }
