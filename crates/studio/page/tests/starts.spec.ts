@@ -3,7 +3,7 @@
 
 import type { APIRequestContext } from "@playwright/test";
 import type { Designed, Edit, Reading, Session } from "../src/api/types";
-import { eased } from "../src/parts/counterweight/nearest";
+import { eased } from "../src/parts/counterweight/shape/nearest";
 import { started, type Ask } from "../src/parts/counterweight/started";
 import { expect, test, type Studio } from "./server";
 

@@ -2,7 +2,7 @@
 
 import type { Loads, OrderLoads } from "../../api/types";
 import type { Series } from "../plot/series";
-import { size, type Component } from "../results/curves";
+import { size, type Component } from "../results/forces/curves";
 
 export interface Drawn {
   name: string;

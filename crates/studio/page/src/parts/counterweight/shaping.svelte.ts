@@ -5,7 +5,7 @@ import type { CounterweightFront, Designed, Dimensions, Problem, ShapePreview } 
 import { engine } from "../../state/engine.svelte";
 import { server } from "../../state/server.svelte";
 import { Search } from "../../state/search.svelte";
-import type { Key } from "./outline";
+import type { Key } from "./shape/outline";
 
 /** Something that belongs to one weight. */
 interface Of<T> {

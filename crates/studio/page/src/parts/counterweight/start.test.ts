@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { DeviceSummary } from "../../api/types";
 import { bodyEdits, bodyStart, clearanceStart, onFreeWebs, ontoWebs, shapesStart } from "./start";
-import type { Sizes } from "./sizes";
+import type { Sizes } from "./shape/sizes";
 
 const four: Sizes = {
   bore: 0.0825,

@@ -1,8 +1,8 @@
 // Sections to start from where a file does not say yet what its crankshaft looks like: sizes in proportion to bore and stroke.
 
 import type { DeviceSummary, Edit, FileEntry } from "../../api/types";
-import { baseOf, parted, plain, type Written } from "../balance/devices";
-import type { Sizes } from "./sizes";
+import { baseOf, parted, plain, type Written } from "../balance/devices/devices";
+import type { Sizes } from "./shape/sizes";
 
 const DENSITY = "7850 kg/m3";
 

@@ -1,8 +1,8 @@
 // All sections to start from at once: each needs what the server read of the one before.
 
 import type { Diagnostic, Reading } from "../../api/types";
-import { shape } from "../engine/geometry";
-import { sizesOf, type Sizes } from "./sizes";
+import { shape } from "../engine/sketch/geometry";
+import { sizesOf, type Sizes } from "./shape/sizes";
 import { steps } from "./steps";
 
 /** Asks the server. */

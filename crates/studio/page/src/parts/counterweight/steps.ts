@@ -1,8 +1,8 @@
 // The way from an engine with unbalances to one whose counterweights can be designed: one section of the file after the other.
 
 import type { Edit, EngineSummary, FileEntry } from "../../api/types";
-import { apart, type Written } from "../balance/devices";
-import type { Sizes } from "./sizes";
+import { apart, type Written } from "../balance/devices/devices";
+import type { Sizes } from "./shape/sizes";
 import { bodyEdits, clearanceStart, onFreeWebs, ontoWebs, shapesStart, webEdits } from "./start";
 
 export interface Step {

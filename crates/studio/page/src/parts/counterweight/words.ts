@@ -2,7 +2,7 @@
 
 import type { Obstacle } from "../../api/types";
 import type { Measure } from "../../state/units.svelte";
-import type { Key } from "./outline";
+import type { Key } from "./shape/outline";
 
 export function obstacleName(obstacle: Obstacle): string {
   switch (obstacle.kind) {

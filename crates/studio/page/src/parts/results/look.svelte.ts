@@ -1,6 +1,6 @@
 // What of the results is looked at; it stays while other tabs are open.
 
-import type { Seen } from "./shaken";
+import type { Seen } from "./mounts/shaken";
 
 export const SECTIONS = [
   ["forces", "Forces and couples"],
