@@ -6,7 +6,7 @@
 
 use crate::command::{cargo, quiet};
 use crate::steps::{Lane, Steps};
-use crate::workspace::{program, root};
+use crate::workspace::{Profile, program, root};
 use crate::{
     book, browser, claims, documents, engines, generate, hostile, lint, notices, page, supply, test_programs,
     tidy,
@@ -28,8 +28,8 @@ pub fn run(mut steps: Steps) -> Result<()> {
             .step("book", || book::build().map(|()| String::new())),
         Lane::new().step("clippy, all targets, no warning", || lint::clippy().map(|()| String::new())),
     ])?;
-    steps.run("tests, with the kept fuzz corpus", test_programs::all)?;
-    let program = program().context("the program does not build")?;
+    steps.run("tests, with the kept fuzz corpus", || test_programs::all(Profile::Release))?;
+    let program = program(Profile::Release).context("the program does not build")?;
     steps.beside(vec![
         Lane::new()
             .step("every example and template: check, loads, balance, report", || engines::run(&program))

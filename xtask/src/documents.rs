@@ -155,6 +155,7 @@ pub fn commands() -> Result<String> {
     let readme = text("README.md")?.context("README.md is not UTF-8")?;
     let commands = command_lines(&readme);
     ensure!(!commands.is_empty(), "the README names no command");
+    compiled_once()?;
     let before = tracked_changes()?;
     for command in &commands {
         run_one(command).with_context(|| format!("README: `{command}`"))?;
@@ -162,6 +163,24 @@ pub fn commands() -> Result<String> {
     let after = tracked_changes()?;
     ensure!(before == after, "the README's commands changed the working tree:\n{after}");
     Ok(format!("{} commands", commands.len()))
+}
+
+/// The program that the README's commands build is the one that was built with the tests: nothing is compiled for it alone.
+fn compiled_once() -> Result<()> {
+    let mut build = crate::command::cargo();
+    build.args(["build", "--release", "--message-format", "json-render-diagnostics"]).current_dir(root());
+    let said = quiet(&mut build)?;
+    let messages = said.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
+    let compiled: Vec<String> = messages
+        .filter(|message| message["fresh"].as_bool() == Some(false))
+        .map(|message| message["target"]["name"].to_string())
+        .collect();
+    ensure!(
+        compiled.is_empty(),
+        "compiled with other features than for the tests: {}; `cargo tree -e features` tells which, `crates/cli/Cargo.toml` asks for them",
+        compiled.join(", ")
+    );
+    Ok(())
 }
 
 /// One command line: our own commands run, that task is known to exist, getting the source is left out.

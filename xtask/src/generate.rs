@@ -2,7 +2,7 @@
 
 use crate::command::quiet;
 use crate::documents::file_of;
-use crate::workspace::{program, root, scratch};
+use crate::workspace::{Profile, program, root, scratch};
 use anyhow::{Context, Result, bail};
 use std::path::Path;
 use std::process::Command;
@@ -214,7 +214,7 @@ impl Written {
 
 /// Writes every file.
 pub fn write() -> Result<()> {
-    let program = program()?;
+    let program = program(Profile::Dev)?;
     for written in &WRITTEN {
         std::fs::write(root().join(written.file), written.text(&program)?)?;
         println!("{}", written.file);

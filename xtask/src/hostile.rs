@@ -10,7 +10,7 @@ mod laws;
 mod mutants;
 mod random;
 
-use crate::workspace::{program, scratch};
+use crate::workspace::{Profile, program, scratch};
 use anyhow::{Context, Result, bail, ensure};
 use ground::{End, Ground};
 use random::Random;
@@ -53,7 +53,7 @@ pub fn run(arguments: &[String]) -> Result<()> {
             _ => bail!("unknown option `{option}`; there are --seconds, --seed, --only and --short"),
         }
     }
-    println!("{}", trials(&program()?, seconds, seed, &only)?);
+    println!("{}", trials(&program(Profile::Dev)?, seconds, seed, &only)?);
     Ok(())
 }
 

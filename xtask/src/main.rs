@@ -26,6 +26,7 @@ mod workspace;
 use anyhow::{Result, bail};
 use std::process::ExitCode;
 use steps::Steps;
+use workspace::Profile;
 
 const HELP: &str = "\
 tasks of the workspace
@@ -67,7 +68,7 @@ fn task(arguments: &[String]) -> Result<()> {
         Some("ci") if rest == ["--to-the-end"] => ci::run(Steps::to_the_end()),
         Some("quick") if rest.is_empty() => ci::quick(),
         Some("test") if rest.is_empty() => {
-            println!("{}", test_programs::all()?);
+            println!("{}", test_programs::all(Profile::Dev)?);
             Ok(())
         }
         Some("tidy") if rest.is_empty() => tidy::run(),
@@ -77,16 +78,16 @@ fn task(arguments: &[String]) -> Result<()> {
         }
         Some("generate") if rest.is_empty() => generate::write(),
         Some("documents") if rest.is_empty() => {
-            let program = workspace::program()?;
+            let program = workspace::program(Profile::Dev)?;
             println!("{}\n{}", documents::engines(&program)?, claims::check(&program)?);
             Ok(())
         }
         Some("page") if rest.is_empty() => page::build(),
         Some("reports") if rest.is_empty() => {
-            println!("{}", browser::check_reports(&workspace::program()?)?);
+            println!("{}", browser::check_reports(&workspace::program(Profile::Dev)?)?);
             Ok(())
         }
-        Some("pictures") if rest.is_empty() => page::draw(&workspace::program()?),
+        Some("pictures") if rest.is_empty() => page::draw(&workspace::program(Profile::Dev)?),
         Some("book") if rest.is_empty() => book::build(),
         Some("notices") if rest.is_empty() => {
             page::install()?;

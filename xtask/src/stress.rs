@@ -2,6 +2,7 @@
 
 use crate::command::output;
 use crate::test_programs;
+use crate::workspace::Profile;
 use anyhow::{Context, Result, bail, ensure};
 use std::path::PathBuf;
 use std::process::Command;
@@ -71,7 +72,7 @@ impl Property {
 /// All tests of the workspace named `prop_` whose names hold a text.
 fn properties(only: &str) -> Result<Vec<Property>> {
     let mut found = Vec::new();
-    for program in test_programs::programs()? {
+    for program in test_programs::programs(Profile::Dev)? {
         for name in program.tests()? {
             let own = name.rsplit("::").next().unwrap_or(&name);
             if own.starts_with("prop_") && name.contains(only) {

@@ -4,7 +4,7 @@
 //! and so that the slowest tests are known.
 
 use crate::command::{cargo, quiet};
-use crate::workspace::{root, target};
+use crate::workspace::{Profile, root, target};
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -37,9 +37,10 @@ pub struct TestProgram {
 }
 
 /// Builds all test programs of the workspace.
-pub fn programs() -> Result<Vec<TestProgram>> {
+pub fn programs(profile: Profile) -> Result<Vec<TestProgram>> {
     let mut build = cargo();
     build.args(["test", "--workspace", "--no-run", "--message-format", "json-render-diagnostics"]);
+    build.args(profile.arguments());
     let said = quiet(build.current_dir(root()))?;
     let mut found = Vec::new();
     for message in said.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok()) {
@@ -126,8 +127,8 @@ fn ended(line: &str) -> Option<&str> {
 }
 
 /// All tests with the cases of CI, documentation's too; the slowest are listed, and their times kept for `quick`.
-pub fn all() -> Result<String> {
-    let programs = programs()?;
+pub fn all(profile: Profile) -> Result<String> {
+    let programs = programs(profile)?;
     let tests = run(&programs, Some(SEED), &[])?;
     let times: BTreeMap<&str, f64> = tests.iter().map(|test| (test.name.as_str(), test.time)).collect();
     let kept = times_file()?;
@@ -135,14 +136,15 @@ pub fn all() -> Result<String> {
     std::fs::write(&kept, json!(times).to_string())?;
     println!("{}", slowest(&tests));
     let mut documentation = cargo();
-    documentation.args(["test", "--workspace", "--doc", "--quiet"]).env("PROPTEST_RNG_SEED", SEED);
+    documentation.args(["test", "--workspace", "--doc", "--quiet"]).args(profile.arguments());
+    documentation.env("PROPTEST_RNG_SEED", SEED);
     quiet(documentation.current_dir(root()))?;
     Ok(format!("{} tests in {} programs, and the examples of the documentation", tests.len(), programs.len()))
 }
 
 /// The tests that took a second at most in the last whole run, and those that were not there.
 pub fn quick() -> Result<String> {
-    let programs = programs()?;
+    let programs = programs(Profile::Dev)?;
     let times = match std::fs::read_to_string(times_file()?) {
         Ok(text) => serde_json::from_str(&text)?,
         Err(_) => BTreeMap::<String, f64>::new(),

@@ -13,7 +13,7 @@ use anyhow::{Result, bail};
 /// All rules, generated pages included.
 pub fn run() -> Result<()> {
     println!("{}", sources()?);
-    println!("{}", generate::check(&workspace::program()?)?);
+    println!("{}", generate::check(&workspace::program(workspace::Profile::Dev)?)?);
     Ok(())
 }
 

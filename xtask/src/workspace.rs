@@ -34,12 +34,41 @@ pub fn scratch(name: &str) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The program `lanchester`, built as the tests build it: same profile, same features, nothing compiled twice. Features of the tests' own
-/// dependencies count where a test is built too: one small one is.
-pub fn program() -> Result<PathBuf> {
-    quiet(cargo().args(["build", "--workspace", "--bins", "--test", "new_file"]).current_dir(root()))?;
+/// How tests and program are compiled.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// Compiled anew in seconds after a change: for the next change.
+    Dev,
+    /// What users get: for the whole of CI, so that nothing is compiled in two profiles.
+    Release,
+}
+
+impl Profile {
+    /// Its option of cargo's.
+    pub fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Profile::Dev => &[],
+            Profile::Release => &["--release"],
+        }
+    }
+
+    /// Its folder below the target folder.
+    fn folder(self) -> &'static str {
+        match self {
+            Profile::Dev => "debug",
+            Profile::Release => "release",
+        }
+    }
+}
+
+/// The program `lanchester`, built as the tests build it: same features, nothing compiled twice. Features of the tests' own dependencies
+/// count where a test is built too: one small one is.
+pub fn program(profile: Profile) -> Result<PathBuf> {
+    let mut build = cargo();
+    build.args(["build", "--workspace", "--bins", "--test", "new_file"]).args(profile.arguments());
+    quiet(build.current_dir(root()))?;
     let name = format!("lanchester{}", std::env::consts::EXE_SUFFIX);
-    Ok(target()?.join("debug").join(name))
+    Ok(target()?.join(profile.folder()).join(name))
 }
 
 /// Files that git tracks or would track, relative to the root, with `/`.
