@@ -1,8 +1,8 @@
 //! `cargo xtask ci`: one list of steps, in one target folder, stopping at the first failure (with `--to-the-end` all failures are told);
 //! `cargo xtask quick` is what a change needs before the next one.
 //!
-//! Tests and program are compiled once, in one profile with one set of features (`lanchester-testkit` brings those that tests need). The
-//! optimised program of the README's commands is another profile, because that is the one that users get.
+//! Lints, tests, program and the README's commands share one profile, the one that users get, with one set of features
+//! (`crates/cli/Cargo.toml` brings those that tests need): nothing is compiled twice.
 
 use crate::command::{cargo, quiet};
 use crate::steps::{Lane, Steps};
@@ -26,7 +26,9 @@ pub fn run(mut steps: Steps) -> Result<()> {
             .step("built page is fresh", page::check_built)
             .step("notices of third parties are fresh", notices::check)
             .step("book", || book::build().map(|()| String::new())),
-        Lane::new().step("clippy, all targets, no warning", || lint::clippy().map(|()| String::new())),
+        Lane::new().step("clippy, all targets, no warning", || {
+            lint::clippy(Profile::Release).map(|()| String::new())
+        }),
     ])?;
     steps.run("tests, with the kept fuzz corpus", || test_programs::all(Profile::Release))?;
     let program = program(Profile::Release).context("the program does not build")?;
@@ -44,7 +46,9 @@ pub fn run(mut steps: Steps) -> Result<()> {
             .step("generated pages are fresh", || generate::check(&program))
             .step("report in a browser", || browser::check_reports(&program)),
         Lane::new()
-            .step("API documentation, no warning", || lint::documentation().map(|()| String::new()))
+            .step("API documentation, no warning", || {
+                lint::documentation(Profile::Release).map(|()| String::new())
+            })
             .step("commands of the README", documents::commands),
     ])?;
     // It waits for frames, and has the processors for itself.
@@ -57,7 +61,7 @@ pub fn quick() -> Result<()> {
     let mut steps = Steps::default();
     steps.run("formatting", formatting)?;
     steps.run("rules of the house", tidy::sources)?;
-    steps.run("clippy, all targets, no warning", || lint::clippy().map(|()| String::new()))?;
+    steps.run("clippy, all targets, no warning", || lint::clippy(Profile::Dev).map(|()| String::new()))?;
     steps.run("tests but the slow ones", test_programs::quick)?;
     steps.finish()
 }

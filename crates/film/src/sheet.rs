@@ -76,6 +76,9 @@ pub struct BearingFilm {
     pub largest_pressure_angle: f64,
     /// Composite roughness [m].
     pub roughness: f64,
+    /// Angle of the shell's frame at the instants of the orbit [rad]: of a big end the rod's line towards the piston. Empty: it does not turn.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub shell_angle: Vec<f64>,
     /// Orbit and film.
     pub orbit: FilmOrbit,
 }
@@ -170,6 +173,7 @@ pub fn bearing_film(request: &BearingFilmRequest) -> Result<BearingFilm, FilmErr
         least_film_angle: orbit.least_film_at * request.period,
         largest_pressure_angle: orbit.largest_pressure_at * request.period,
         roughness: request.roughness,
+        shell_angle: request.shell.to_vec(),
         orbit,
     })
 }

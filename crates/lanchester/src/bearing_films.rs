@@ -7,6 +7,7 @@ use lanchester_film::{
 };
 use lanchester_mechanism::{BearingLoads, BearingSize};
 use lanchester_model::{BearingData, Cavitation as FileCavitation, Engine};
+use lanchester_report::{FilmsInput, Section, films_section};
 use num_complex::Complex64;
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -34,6 +35,23 @@ pub struct BearingFilms {
     pub films: Vec<BearingFilm>,
     /// What the file does not say and was assumed, and what was left out.
     pub assumptions: Vec<String>,
+}
+
+impl BearingFilms {
+    /// Their chapter of a report; `None` without a film.
+    pub fn section(&self) -> Option<Section> {
+        films_section(&self.input())
+    }
+
+    /// As the report takes them.
+    pub fn input(&self) -> FilmsInput<'_> {
+        FilmsInput {
+            speed: self.speed,
+            period: self.period,
+            films: &self.films,
+            assumptions: &self.assumptions,
+        }
+    }
 }
 
 /// Why there are no films.
@@ -227,7 +245,7 @@ fn mains(engine: &Engine, loads: &BearingLoads, size: BearingSize) -> Vec<Place>
             size,
             data: engine.main_bearing_data(before + main.main - 1),
             cycle,
-            shell: vec![0.0; n],
+            shell: Vec::new(),
         }
     };
     loads.mains.iter().map(place).collect()

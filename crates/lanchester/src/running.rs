@@ -1,5 +1,6 @@
 //! What a report tells of the running engine: torque with gas, bearings, the block on its mounts.
 
+use crate::bearing_films::{BearingFilms, bearing_films};
 use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
@@ -31,6 +32,8 @@ pub struct Running {
     pub torque: Option<TorqueReport>,
     /// Loads of the bearings.
     pub bearings: Option<BearingStudy>,
+    /// Oil films, where the file says something of clearances or oil.
+    pub films: Option<BearingFilms>,
     /// Strength of the crankshafts whose fillets and material the file gives.
     pub strength: Vec<CrankRule>,
     /// The block on its mounts.
@@ -47,14 +50,18 @@ pub struct Running {
 pub fn is_running(file: &EngineFile) -> bool {
     let EngineFile { engine, tasks } = file;
     let turns = engine.gas.is_some() || engine.flywheel.is_some() || has_rule(engine);
-    turns || engine.bearings.is_some() || engine.is_on_springs() || tasks.simulation.is_some()
+    turns
+        || engine.bearings.is_some()
+        || engine.bearing_design.is_some()
+        || engine.is_on_springs()
+        || tasks.simulation.is_some()
 }
 
 /// Everything that the file has enough for, torque and bearings at `speed` [rad/s]; `traces`: the pressures, or why they cannot be
 /// read. What is left out is a warning.
 pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f64) -> Running {
     let EngineFile { engine, tasks } = file;
-    let has_bearings = engine.gas.is_some() || engine.bearings.is_some();
+    let has_bearings = engine.gas.is_some() || engine.bearings.is_some() || engine.bearing_design.is_some();
     let mut warnings = Vec::new();
     let has_torque = engine.gas.is_some() || engine.flywheel.is_some();
     let torque = section(has_torque, torque_name(engine.gas.is_some()), &traces, &mut warnings, |traces| {
@@ -68,6 +75,12 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
     });
     let bearings = section(has_bearings, "loads of the bearings are", &traces, &mut warnings, |traces| {
         bearing_study(engine, traces, speed).map_err(|error| error.to_string())
+    });
+    let loads = bearings.as_ref().and_then(|study| study.parts.first());
+    let wanted = loads.filter(|_| engine.bearing_design.is_some());
+    let films = section(wanted.is_some(), "the oil films are", &traces, &mut warnings, |_| {
+        let loads = wanted.ok_or("no loads of the bearings are known")?;
+        bearing_films(engine, loads, &[]).map_err(|error| error.to_string())
     });
     let strength =
         section(has_rule(engine), "the strength of the crankshaft is", &traces, &mut warnings, |traces| {
@@ -91,7 +104,7 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         bond_graph_report(engine, traces, input, speed)
     });
     let strength = strength.unwrap_or_default();
-    Running { torque, bearings, strength, mounts, simulation, graph, warnings }
+    Running { torque, bearings, films, strength, mounts, simulation, graph, warnings }
 }
 
 /// What the section on torque is called where it is left out.
@@ -117,11 +130,12 @@ impl Running {
     pub fn sections(&self, engine: &Engine) -> Vec<Section> {
         let torque = self.torque.as_ref().map(TorqueReport::section);
         let bearings = self.bearings.as_ref().and_then(|study| study.section(engine));
+        let films = self.films.as_ref().and_then(BearingFilms::section);
         let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
         let simulated = self.simulation.as_ref().map(simulation_section);
         let graph = self.graph.as_ref().map(bond_graph_section);
         let strength = rule_section(&self.strength);
-        [torque, bearings, strength, mounts, simulated, graph].into_iter().flatten().collect()
+        [torque, bearings, films, strength, mounts, simulated, graph].into_iter().flatten().collect()
     }
 }
 

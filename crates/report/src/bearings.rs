@@ -1,6 +1,8 @@
 //! Loads of pistons, pins and bearings, and what bends the crankshaft.
 
 pub(crate) mod bending;
+pub(crate) mod film_figures;
+pub(crate) mod film_name;
 pub(crate) mod films;
 pub(crate) mod internal_figure;
 pub(crate) mod internal_noise;
@@ -9,7 +11,8 @@ pub(crate) mod section;
 pub(crate) mod tables;
 
 pub use bending::bending_section;
-pub use films::{films_csv, films_over_speed_table, films_table, films_text};
+pub use film_figures::{film_figures, films_over_speed_figure};
+pub use films::{FilmsInput, films_csv, films_over_speed_table, films_section, films_table, films_text};
 pub use internal_figure::internal_figures;
 pub use internal_tables::{internal_csv, internal_table, internal_text, mains_table};
 pub use section::{BearingsInput, bearings_section};

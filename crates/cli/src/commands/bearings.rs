@@ -11,7 +11,8 @@ use lanchester::film::Cavitation;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest};
 use lanchester::model::Engine;
 use lanchester::report::{
-    bearing_figures, bearings_csv, bearings_text, films_csv, films_over_speed_table, films_text,
+    Figure, bearing_figures, bearings_csv, bearings_text, film_figures, films_csv, films_over_speed_figure,
+    films_over_speed_table, films_text,
 };
 use lanchester::task::option;
 use lanchester::{bearing_films, bearing_films_over_speed, bearing_report, bearing_sizes};
@@ -50,13 +51,23 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     let loads = |part, counterweights| loads_at(speed, part, counterweights);
     if let Some(models) = &arguments.film {
         let models: Vec<Cavitation> = models.iter().map(|model| model_of(*model)).collect();
+        let draw = |figures: &[Figure]| match &arguments.figures {
+            Some(folder) => write_figures(folder, &arguments.file, figures),
+            None => Ok(()),
+        };
         let text = match &arguments.speeds {
             Some(list) => {
                 let speeds = value_list(list, "--speeds", |one| Ok(option::speed(one, "--speeds")?))?;
                 let loads = speeds.into_iter().map(|speed| loads_at(Some(speed), part, true));
-                films_over_speed(engine, &loads.collect::<Result<Vec<_>, _>>()?, &models, arguments.format)?
+                films_over_speed(
+                    engine,
+                    &loads.collect::<Result<Vec<_>, _>>()?,
+                    &models,
+                    arguments.format,
+                    &draw,
+                )?
             }
-            None => films(engine, &loads(part, true)?, &models, arguments.format)?,
+            None => films(engine, &loads(part, true)?, &models, arguments.format, &draw)?,
         };
         print(&text)?;
         return Ok(DONE);
@@ -85,8 +96,10 @@ fn films(
     loads: &BearingLoads,
     models: &[Cavitation],
     format: Format,
+    draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
     let films = bearing_films(engine, loads, models).map_err(Failure::refused)?;
+    draw(&film_figures(films.period, &films.films))?;
     Ok(match format {
         Format::Text => films_text(&films.engine, films.speed, &films.films, &films.assumptions),
         Format::Json => json(&films)?,
@@ -99,9 +112,11 @@ fn films_over_speed(
     loads: &[BearingLoads],
     models: &[Cavitation],
     format: Format,
+    draw: &dyn Fn(&[Figure]) -> Result<(), Failure>,
 ) -> Result<String, Failure> {
     let found = bearing_films_over_speed(engine, loads, models).map_err(Failure::refused)?;
     let by_speed: Vec<_> = found.iter().map(|films| (films.speed, films.films.as_slice())).collect();
+    draw(&films_over_speed_figure(&by_speed).into_iter().collect::<Vec<_>>())?;
     let table = films_over_speed_table(&by_speed);
     Ok(match format {
         Format::Text => table.text(),

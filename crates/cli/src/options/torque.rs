@@ -87,12 +87,12 @@ pub struct BearingsArguments {
     pub samples: u32,
     /// Oil films of main and big-end bearings instead: least film, pressure, friction, flow, temperature; models of cavitation side by side,
     /// default: that of the file, else gumbel.
-    #[arg(long, value_enum, value_name = "MODELS", num_args = 0..=1, value_delimiter = ',', conflicts_with = "figures")]
+    #[arg(long, value_enum, value_name = "MODELS", num_args = 0..=1, value_delimiter = ',')]
     pub film: Option<Vec<FilmOption>>,
     /// With `--film`: the least films at these speeds of crankshaft 1, a list or a range, like `1000 rpm .. 6000 rpm by 250 rpm`.
     #[arg(long, value_name = "SPEEDS", requires = "film", conflicts_with = "speed")]
     pub speeds: Option<String>,
-    /// Write polar diagrams as SVG files into this folder.
+    /// Write polar diagrams as SVG files into this folder; with `--film` orbits and films, with `--speeds` the least films over speed.
     #[arg(long, value_name = "FOLDER")]
     pub figures: Option<PathBuf>,
     /// Form of the output; CSV is everything over the crank angle.

@@ -1,7 +1,10 @@
 //! Oil films of the bearings over the cycle, in numbers.
 
+use crate::bearings::film_figures::film_figures;
+use crate::bearings::film_name::bearing_name;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::section::Section;
 use crate::kit::table::{Table, numbers, words};
 use lanchester_film::{BearingFilm, BearingKind, OrbitOutcome};
 use std::f64::consts::PI;
@@ -41,14 +44,6 @@ pub fn films_table(films: &[BearingFilm]) -> Table {
     )
 }
 
-fn bearing_name(film: &BearingFilm) -> String {
-    match (film.kind, film.crankshaft) {
-        (BearingKind::Main, 1) => format!("main {}", film.number),
-        (BearingKind::Main, crankshaft) => format!("main {} of crankshaft {crankshaft}", film.number),
-        (BearingKind::Crankpin, _) => format!("big end {}", film.number),
-    }
-}
-
 /// Least film of every bearing over speed [um]: by speed [rad/s] the same bearings in the same order.
 pub fn films_over_speed_table(speeds: &[(f64, &[BearingFilm])]) -> Table {
     let mut columns = vec![numbers("speed", "1/min", speeds.iter().map(|(speed, _)| number::rpm(*speed)), 4)];
@@ -62,6 +57,55 @@ pub fn films_over_speed_table(speeds: &[(f64, &[BearingFilm])]) -> Table {
         columns.push(numbers(&name, "um", least, 4));
     }
     Table::of_columns("films-over-speed", "Least film over speed", "Over the cycle at each speed.", columns)
+}
+
+/// Films of an engine at one speed, for the chapter of a report.
+#[derive(Debug, Clone, Copy)]
+pub struct FilmsInput<'a> {
+    /// Speed of crankshaft 1 [rad/s].
+    pub speed: f64,
+    /// Period of the crank angle [rad].
+    pub period: f64,
+    /// By bearing and model of cavitation.
+    pub films: &'a [BearingFilm],
+    /// What was assumed and left out.
+    pub assumptions: &'a [String],
+}
+
+/// The chapter on oil films; `None` without a film.
+pub fn films_section(input: &FilmsInput<'_>) -> Option<Section> {
+    let least = input.films.iter().min_by(|a, b| a.orbit.least_film.total_cmp(&b.orbit.least_film))?;
+    Some(
+        Section::new("oil-films", "Oil films", "Oil films of the bearings")
+            .lead(least_words(input.speed, least))
+            .rows(film_figures(input.period, input.films))
+            .tables([films_table(input.films)])
+            .paragraphs(input.assumptions.iter().map(|words| format!("{}.", number::capital(words)))),
+    )
+}
+
+/// The sentence that matters most: the thinnest film, where, when, against what.
+fn least_words(speed: f64, film: &BearingFilm) -> String {
+    let rpm = number::terminal(number::rpm(speed), 0);
+    let least = 1e6 * film.orbit.least_film;
+    let against = match film.roughness > 0.0 {
+        true => format!(
+            "; the roughness of both surfaces together is {} um",
+            number::short(1e6 * film.roughness, 3)
+        ),
+        false => String::new(),
+    };
+    match film.orbit.outcome {
+        OrbitOutcome::Overloaded => {
+            format!("At {rpm} rpm the load of {} is more than its film carries.", bearing_name(film))
+        }
+        _ => format!(
+            "At {rpm} rpm the thinnest film is {} um, in {} at {} deg of crank angle{against}.",
+            number::short(least, 3),
+            bearing_name(film),
+            number::terminal(film.least_film_angle * 180.0 / PI, 0),
+        ),
+    }
 }
 
 /// The table with what was assumed.
