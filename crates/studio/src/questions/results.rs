@@ -4,14 +4,15 @@ use crate::api::Api;
 use crate::asker::Asker;
 use crate::problem::Problem;
 use crate::questions::reading::{engine, engine_file};
+use lanchester::film::Cavitation;
 use lanchester::mechanism::{
     BearingLoads, BearingPart, BearingRequest, InternalMoments, InternalRequest, LoadRequest, Loads,
     MotionTrace, MountStudy, TorqueRequest, Trace, internal_cases, loads,
 };
 use lanchester::study::compare::{Comparison, Equal, Held};
 use lanchester::{
-    CompareEntry, CompareRequest, ComparedWith, MountSpeeds, TorqueReport, TorqueReportRequest,
-    bearing_report, compare, mounts, power_speeds, torque_report,
+    BearingFilms, CompareEntry, CompareRequest, ComparedWith, MountSpeeds, TorqueReport, TorqueReportRequest,
+    bearing_films, bearing_report, compare, mounts, power_speeds, torque_report,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -103,6 +104,20 @@ struct BearingsAnswer {
     without_counterweights: Option<BearingLoads>,
 }
 
+/// An engine at a speed, and which models of cavitation its films have.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct FilmsQuestion {
+    /// The engine file.
+    text: String,
+    /// Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out.
+    #[serde(default)]
+    speed: Option<f64>,
+    /// Models of cavitation side by side; that of the file, else Guembel's, where it is left out.
+    #[serde(default)]
+    models: Vec<Cavitation>,
+}
+
 /// Engines side by side.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -153,6 +168,7 @@ pub(crate) fn questions(api: Api) -> Api {
         )
         .post("/api/torque", "Torque of gas and inertia: `lanchester torque`.", turning)
         .post("/api/bearings", "Loads of pistons, pins and bearings: `lanchester bearings`.", bearings)
+        .post("/api/films", "Oil films of the bearings: `lanchester bearings --film`.", films)
         .post(
             "/api/mounts",
             "The block on its mounts: `lanchester mounts`, with a `--point` at each mount.",
@@ -210,6 +226,16 @@ fn bearings(asker: &Asker, question: AtSpeed) -> Result<BearingsAnswer, Problem>
     let has_weights = engine.counterweights.iter().any(|weight| weight.unbalance > 0.0);
     let without_counterweights = if has_weights { Some(loads(false)?) } else { None };
     Ok(BearingsAnswer { loads: loads(true)?, without_counterweights })
+}
+
+fn films(asker: &Asker, question: FilmsQuestion) -> Result<BearingFilms, Problem> {
+    let speed = positive(question.speed)?;
+    let engine = engine(&question.text)?;
+    let traces = asker.studio.folder.traces(&engine)?;
+    let part = if engine.gas.is_some() { BearingPart::All } else { BearingPart::Inertia };
+    let request = BearingRequest { speed, part, ..BearingRequest::default() };
+    let loads = bearing_report(&engine, &traces, &request).map_err(Problem::refused)?;
+    bearing_films(&engine, &loads, &question.models).map_err(Problem::refused)
 }
 
 fn mounted(asker: &Asker, question: Mounted) -> Result<MountStudy, Problem> {

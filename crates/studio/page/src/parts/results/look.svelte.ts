@@ -7,6 +7,7 @@ export const SECTIONS = [
   ["motion", "Motion"],
   ["torque", "Torque"],
   ["bearings", "Bearings"],
+  ["films", "Oil films"],
   ["mounts", "Mounts"],
   ["crankshaft", "Inside the crankshaft"],
 ] as const;
