@@ -14,6 +14,11 @@ const CIRCLE: usize = 120;
 /// Line styles of a plot, the first for the sum or the only curve.
 const STYLES: usize = 6;
 
+/// Change of an orbit over the clearance that counts as none, as in the crate `film`.
+const REPEATS: f64 = 1e-3;
+/// What that makes of pressure, friction and the direction of the thinnest film.
+const ALIKE: f64 = 0.01;
+
 /// Films of one bearing by its models of cavitation.
 type OneBearing<'a> = Vec<&'a BearingFilm>;
 
@@ -23,7 +28,7 @@ pub fn film_figures(period: f64, films: &[BearingFilm]) -> Vec<Figure> {
     if bearings.is_empty() {
         return Vec::new();
     }
-    vec![orbits(&bearings), thickness(period, &bearings)]
+    vec![orbits(&alike(&bearings)), thickness(period, &bearings)]
 }
 
 /// Least film of every bearing over speed: by speed [rad/s] the same films in the same order. None for a single speed.
@@ -83,9 +88,37 @@ fn by_bearing(films: &[BearingFilm]) -> Vec<OneBearing<'_>> {
     bearings
 }
 
+/// Bearings whose films do the same at other angles, as cylinders of one kind have them: drawn once, with the names of all.
+fn alike<'a>(bearings: &[OneBearing<'a>]) -> Vec<(String, OneBearing<'a>)> {
+    let mut groups: Vec<(Vec<String>, &OneBearing)> = Vec::new();
+    for films in bearings {
+        let same = |known: &OneBearing| {
+            known.len() == films.len() && known.iter().zip(films).all(|(a, b)| does_the_same(a, b))
+        };
+        let name = bearing_name(films[0]);
+        match groups.iter_mut().find(|(_, known)| same(known)) {
+            Some((names, _)) => names.push(name),
+            None => groups.push((vec![name], films)),
+        }
+    }
+    groups.into_iter().map(|(names, films)| (names.join(", "), films.clone())).collect()
+}
+
+/// Whether two films differ by no more than orbits repeat to.
+fn does_the_same(a: &BearingFilm, b: &BearingFilm) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= ALIKE * a.abs().max(b.abs());
+    let same_bearing = (a.kind, a.bearing) == (b.kind, b.bearing);
+    let apart = (a.orbit.least_film - b.orbit.least_film).abs();
+    same_bearing
+        && apart <= REPEATS * a.bearing.clearance
+        && near(a.orbit.largest_pressure, b.orbit.largest_pressure)
+        && near(a.orbit.friction_power, b.orbit.friction_power)
+        && (a.least_film_in_shell - b.least_film_in_shell).sin().abs() < ALIKE
+}
+
 /// The journal's centre in its shell's frame, inside the circle in which journal and shell would touch.
-fn orbits(bearings: &[OneBearing<'_>]) -> Figure {
-    let panel = |films: &OneBearing| {
+fn orbits(bearings: &[(String, OneBearing<'_>)]) -> Figure {
+    let panel = |(name, films): &(String, OneBearing)| {
         let first = films[0];
         let clearance = first.bearing.clearance;
         let mut curves: Vec<XyCurve> = films
@@ -114,7 +147,7 @@ fn orbits(bearings: &[OneBearing<'_>]) -> Figure {
             points: films.iter().map(|film| thinnest(film)).collect(),
             dots: true,
         });
-        let name = crate::kit::number::capital(&bearing_name(first));
+        let name = crate::kit::number::capital(name);
         let (up, across) = match first.kind {
             BearingKind::Main => (format!("{name}: centre along x"), "centre along y"),
             BearingKind::Crankpin => (format!("{name}: centre towards the piston"), "centre across the rod"),
@@ -250,6 +283,11 @@ mod tests {
         let second = BearingFilm { number: 2, ..film.clone() };
         let figures = film_figures(TAU, &[film.clone(), other, second.clone()]);
         assert_eq!(figures[0].panels.len(), 2);
+        let figures = film_figures(TAU, &[film.clone(), second.clone()]);
+        assert_eq!(figures[0].panels.len(), 1, "both do the same");
+        let wide = JournalBearing::new(0.024, 0.02, 3e-5).expect("plausible");
+        let other = BearingFilm { number: 2, bearing: wide, ..film.clone() };
+        assert_eq!(film_figures(TAU, &[film.clone(), other])[0].panels.len(), 2);
         assert_eq!(figures[1].panels.len(), 1);
         assert!(film_figures(TAU, &[]).is_empty());
         assert!(films_over_speed_figure(&[(1.0, &[film.clone()])]).is_none());
