@@ -1,0 +1,9 @@
+//! Tests of torsional vibration.
+#![allow(clippy::unwrap_used)]
+
+mod closed_forms;
+mod damper;
+mod forced;
+mod published;
+mod refused;
+mod time;
