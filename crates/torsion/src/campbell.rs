@@ -109,10 +109,10 @@ pub struct OrderStar {
     pub sums: Vec<f64>,
 }
 
-/// Stars of these orders: cylinders with the station of their throw, the sign of its ratio taken, and the crank angle at which they fire [rad].
+/// Stars of these orders: cylinders with the station of their throw and the crank angle at which they fire [rad].
 ///
 /// ```text
-/// v_i = e^(-i n (theta_i - theta_1)),    sum_r = |SUM phi_r,i v_i|,    phi_r the shape of mode r over the largest of its throws  (T.10)
+/// v_i = e^(-i n (theta_i - theta_1)),    sum_r = |SUM phi_r,i v_i|,    phi_r the shape of mode r over the largest of its throws  (50.10)
 /// ```
 pub fn order_stars(
     chain: &Chain,
@@ -131,7 +131,9 @@ pub fn order_stars(
             firings.iter().map(|(_, at)| Complex64::cis(-order * (at - first))).collect();
         let sum_of = |mode: &Mode| {
             let pairs = firings.iter().zip(&vectors);
-            let sum: Complex64 = pairs.map(|((station, _), vector)| vector * mode.shape[*station]).sum();
+            // Torques drive each crankshaft in its own sense.
+            let own = |station: usize| mode.shape[station] * chain.stations()[station].ratio.signum();
+            let sum: Complex64 = pairs.map(|((station, _), vector)| vector * own(*station)).sum();
             let scale = largest(mode);
             if scale > 0.0 { sum.norm() / scale } else { 0.0 }
         };

@@ -4,7 +4,7 @@
 //! referred angle phi = angle / rho; inertias, dampings and stiffnesses count rho^2 times at the reference, torques rho times:
 //!
 //! ```text
-//! J phi'' + C phi' + K phi = T        K = SUM k_s rho_s^2 b_s b_s^T,   b_s = e_from - e_to                                      (T.1)
+//! J phi'' + C phi' + K phi = T        K = SUM k_s rho_s^2 b_s b_s^T,   b_s = e_from - e_to                                      (50.1)
 //! ```
 //! A shaft's own twist is rho_s (phi_from - phi_to), its torque k_s times that; both ends turn with it at rest, so rigid turning twists nothing.
 

@@ -4,7 +4,7 @@
 //! master rod) and W the piston pin on its line.
 //!
 //! ```text
-//! J(g) = SUM m_B |P'|^2 + m_A s'^2 - (m_B a^2 + m_A b^2 - I) sigma'^2,    T(g) = -1/2 J'(g) w^2 at constant speed               (T.13)
+//! J(g) = SUM m_B |P'|^2 + m_A s'^2 - (m_B a^2 + m_A b^2 - I) sigma'^2,    T(g) = -1/2 J'(g) w^2 at constant speed               (50.13)
 //! ```
 //! primes by the angle g of the own crankshaft; m_B the big end, m_A the small end with the piston, sigma the rod's angle.
 
@@ -76,7 +76,7 @@ pub fn inertia_orders(samples: &[f64], count: usize) -> (f64, Vec<Complex64>) {
     crate::excitation::orders_of(samples, count)
 }
 
-/// Orders of the torque of the moving masses over the square of the speed of their own crankshaft, as (T.13) says:
+/// Orders of the torque of the moving masses over the square of the speed of their own crankshaft, as (50.13) says:
 /// `T_k = -1/2 i k J_k`.
 pub fn torque_orders(samples: &[f64], count: usize) -> Vec<Complex64> {
     let (_, orders) = inertia_orders(samples, count);

@@ -18,7 +18,7 @@ pub struct BestDamper {
 /// Lanchester's own damper, a ring that viscous friction alone drives.
 ///
 /// ```text
-/// c = 2 J_ring w_n / sqrt(2 (1 + mu)(2 + mu)),    peak 1 + 2/mu,    at w^2 = 2 w_n^2 / (2 + mu)                                (T.7)
+/// c = 2 J_ring w_n / sqrt(2 (1 + mu)(2 + mu)),    peak 1 + 2/mu,    at w^2 = 2 w_n^2 / (2 + mu)                                (50.7)
 /// ```
 ///
 /// # Source
@@ -34,7 +34,7 @@ pub fn best_untuned(mu: f64) -> BestDamper {
 /// A ring on a spring with viscous damping.
 ///
 /// ```text
-/// f = 1/(1 + mu),    zeta = sqrt(3 mu / (8 (1 + mu)^3)),    height of both fixed points sqrt(1 + 2/mu)                          (T.8)
+/// f = 1/(1 + mu),    zeta = sqrt(3 mu / (8 (1 + mu)^3)),    height of both fixed points sqrt(1 + 2/mu)                          (50.8)
 /// ```
 /// Here as there zeta is `c / (2 J_ring w_n)`.
 ///
@@ -52,7 +52,7 @@ pub fn best_tuned(mu: f64) -> BestDamper {
 /// Frequencies over w_n of the two points through which all curves of a tuned damper go, whatever its damping.
 ///
 /// ```text
-/// g^4 - 2 g^2 (1 + f^2 + mu f^2)/(2 + mu) + 2 f^2/(2 + mu) = 0                                                                 (T.9)
+/// g^4 - 2 g^2 (1 + f^2 + mu f^2)/(2 + mu) + 2 f^2/(2 + mu) = 0                                                                 (50.9)
 /// ```
 pub fn fixed_points(mu: f64, tuning: f64) -> [f64; 2] {
     let square = tuning * tuning;

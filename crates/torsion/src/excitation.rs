@@ -1,7 +1,7 @@
 //! Torques on the stations by order, with their phases.
 //!
 //! ```text
-//! T(theta) = T_0 + Re SUM T_k e^(i n_k theta),    n_k = k n_1,   k = 1 ..                                                    (T.5)
+//! T(theta) = T_0 + Re SUM T_k e^(i n_k theta),    n_k = k n_1,   k = 1 ..                                                    (50.5)
 //! ```
 //! theta is the angle of the reference; n_1 is 1/2 for four strokes, 1 for two. Each `T_k` is that of the gas at this speed and that of the masses, which
 //! grows with the square of the speed.

@@ -40,7 +40,7 @@ pub struct HolzerTable {
 /// Holzer's table of the undamped chain at the angular frequency `w` [rad/s]; the first station swings with 1 rad.
 ///
 /// ```text
-/// T_shaft = SUM J w^2 phi over all before it,   phi_next = phi - T_shaft / k,   residual = SUM of all                        (T.4)
+/// T_shaft = SUM J w^2 phi over all before it,   phi_next = phi - T_shaft / k,   residual = SUM of all                        (50.4)
 /// ```
 /// Branches are taken from their ends: where branches meet, their free amplitudes follow from the angle that they share. A branch whose own
 /// frequency with its root held is `w` has no finite amplitude; its table is that of a frequency next to it.

@@ -3,7 +3,7 @@
 //! With g the dynamic stiffness of a station with all that hangs on it, and k that of the shaft to its parent,
 //!
 //! ```text
-//! g = -w^2 J + i w c + SUM over children k g_c / (k + g_c)                                                                     (T.3)
+//! g = -w^2 J + i w c + SUM over children k g_c / (k + g_c)                                                                     (50.3)
 //! phi_root = T_root / g_root,   phi - phi_parent = (T - g phi_parent) / (k + g),   T_parent += T k / (k + g)
 //! ```
 //! Springs in series: nothing is subtracted that is nearly equal, however stiff the shafts are. Written in s = i w it serves damped modes too.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! L_e/D^4 = (L_j + 0.4 D_j)/(D_j^4 - d_j^4) + (L_p + 0.4 D_p)/(D_p^4 - d_p^4) + (r - 0.2 (D_j + D_p))/(L_w B^3),
-//! k = pi G / (32 (L_e/D^4))                                                                                                    (T.14)
+//! k = pi G / (32 (L_e/D^4))                                                                                                    (50.14)
 //! ```
 //! for a throw between the middles of its journals. Here each element gives its own part, so that pieces between any two planes follow: a journal or pin
 //! its length and 0.2 of its diameter for each end at a web, a web half of the last term.
@@ -64,7 +64,7 @@ fn round(length: f64, bar: &RoundBar, joints: usize) -> f64 {
     (length + 0.2 * joints as f64 * bar.diameter) / (bar.diameter.powi(4) - bar.bore.powi(4))
 }
 
-/// Half of the last term of (T.14): `r` is the distance of the middles of the two discs that the web joins.
+/// Half of the last term of (50.14): `r` is the distance of the middles of the two discs that the web joins.
 fn web(thickness: f64, discs: [Disc; 2], diameters: [f64; 2]) -> (f64, bool) {
     let apart = (discs[1].centre - discs[0].centre).norm();
     let width = middle_width(discs, apart);

@@ -31,7 +31,7 @@ const RIGID: f64 = 1e-12;
 /// Natural modes of the undamped chain while the reference turns at `speed` [rad/s] (which pendulums feel), rising; rigid turning is left out.
 ///
 /// ```text
-/// (K - w^2 J) phi = 0,    A = J^-1/2 K J^-1/2 symmetric                                                                       (T.2)
+/// (K - w^2 J) phi = 0,    A = J^-1/2 K J^-1/2 symmetric                                                                       (50.2)
 /// ```
 ///
 /// # Errors

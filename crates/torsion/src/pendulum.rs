@@ -3,7 +3,7 @@
 //! N masses m, each on a length l about a pivot at the radius R of a station. With phi the angle of the station, psi that of the pendulum about its pivot,
 //!
 //! ```text
-//! 2 T = N m ((R + l) phi' + l psi')^2,    2 V = N m R l W^2 psi^2                                                                (T.11)
+//! 2 T = N m ((R + l) phi' + l psi')^2,    2 V = N m R l W^2 psi^2                                                                (50.11)
 //! ```
 //! for small swings at the mean speed W. With the angle `chi = psi + phi (R + l)/l` this is an inertia N m l^2 at the ratio (R + l)/l, on a spring
 //! N m R l W^2: a branch like any other, its stiffness growing with the square of the speed. Its order is sqrt(R/l): a torque of that order meets an
@@ -38,7 +38,7 @@ impl Pendulum {
     /// Swing over the angle of the carrier, and inertia that it feels [kg m^2], at an order, without damping.
     ///
     /// ```text
-    /// psi/phi = n^2 (R + l)/(R - n^2 l),    J(n) = N m (R + l)^2 / (1 - n^2 l/R)                                               (T.12)
+    /// psi/phi = n^2 (R + l)/(R - n^2 l),    J(n) = N m (R + l)^2 / (1 - n^2 l/R)                                               (50.12)
     /// ```
     pub fn response(&self, order: f64) -> [f64; 2] {
         let (r, l, square) = (self.pivot_radius, self.length, order * order);

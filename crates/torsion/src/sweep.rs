@@ -108,7 +108,7 @@ pub fn peak(values: &[f64]) -> (usize, f64) {
 /// Forced vibration of `chain` at these speeds of the reference [rad/s].
 ///
 /// ```text
-/// (K + i w C - w^2 J) phi = T,    w = n speed,    T_shaft = (k (1 + i loss) + i w c) rho (phi_from - phi_to)                   (T.6)
+/// (K + i w C - w^2 J) phi = T,    w = n speed,    T_shaft = (k (1 + i loss) + i w c) rho (phi_from - phi_to)                   (50.6)
 /// ```
 /// At every order the power that the torques put in is what dampers take, to rounding: `balance` says how nearly.
 ///

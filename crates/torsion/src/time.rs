@@ -3,7 +3,7 @@
 //! With `theta_i = W t + phi_i` and the load `L` at the end of the chain,
 //!
 //! ```text
-//! J_i(theta_i) phi_i'' = T_i(theta_i) - 1/2 J_i'(theta_i) theta_i'^2 - c_i phi_i' - SUM (k + c d/dt)(phi_i - phi_j) - L           (T.15)
+//! J_i(theta_i) phi_i'' = T_i(theta_i) - 1/2 J_i'(theta_i) theta_i'^2 - c_i phi_i' - SUM (k + c d/dt)(phi_i - phi_j) - L           (50.15)
 //! ```
 //! `T_i` is the torque of the gas; `J_i` is the mean inertia and those orders that the torque of the masses stands for: `J_k = 2 i T_k / n_k`. Loss factors
 //! have no time domain, and pendulums swing as their springs say: both sides of a comparison take the viscous damping of the same loss at one frequency ([`as_viscous`]).

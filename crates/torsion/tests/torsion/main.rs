@@ -3,6 +3,7 @@
 
 mod closed_forms;
 mod damper;
+mod external;
 mod forced;
 mod published;
 mod refused;

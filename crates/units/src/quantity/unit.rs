@@ -184,7 +184,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 101] = {
+pub(super) static UNITS: [Unit; 103] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
