@@ -30,7 +30,7 @@ pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
         (_, Format::Json) => json(&found)?,
         (Some(table), form) => {
             let tables = tables(&found, table)?;
-            let of = |table: &Table| if form == Format::Csv { table.csv() } else { table.noted_text() };
+            let of = |table: &Table| if form == Format::Csv { table.csv() } else { table.text() };
             tables.iter().map(of).collect::<Vec<_>>().join("\n")
         }
         (None, Format::Csv) => torsion_csv(&found),
