@@ -37,7 +37,7 @@ pub struct HolzerTable {
     pub relative_residual: f64,
 }
 
-/// Holzer's table of the undamped chain at the angular frequency `w` [rad/s]; the first station swings with 1 rad.
+/// Holzer's table of the undamped chain at the angular frequency `w` [rad/s]; the first station that swings has 1 rad.
 ///
 /// ```text
 /// T_shaft = SUM J w^2 phi over all before it,   phi_next = phi - T_shaft / k,   residual = SUM of all                        (50.4)
@@ -65,9 +65,10 @@ pub fn holzer(chain: &Chain, w: f64, speed: f64) -> HolzerTable {
     for &station in order.iter().skip(1) {
         angle[station] = share[station] * angle[chain.parent(station).0];
     }
-    let first = order.iter().skip(1).last().copied().unwrap_or(order[0]);
-    let lead = if angle[0] != 0.0 { angle[0] } else { angle[first] };
-    let scale = if lead != 0.0 && lead.is_finite() { 1.0 / lead } else { 1.0 };
+    // A ring without a spring stands still: the first station that swings has 1 rad.
+    let largest = angle.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let lead = angle.iter().copied().find(|value| value.abs() > 1e-12 * largest).unwrap_or(1.0);
+    let scale = if lead.is_finite() { 1.0 / lead } else { 1.0 };
     for value in &mut angle {
         *value *= scale;
     }

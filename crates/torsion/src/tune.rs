@@ -41,9 +41,9 @@ pub struct TuneRequest {
     pub free: TuneFree,
     /// Speeds among which the peak is sought, rising [rad/s]; between them it is refined.
     pub speeds: Vec<f64>,
-    /// Range of the damping [N m s/rad]; `None`: from 1/100 to 10 times the ring's inertia times the lowest natural frequency.
+    /// Range of the damping [N m s/rad]; `None`: from 1/100 to 10 times the ring's inertia times the natural frequency in which it swings most.
     pub damping: Option<[f64; 2]>,
-    /// Range of the stiffness [N m/rad]; `None`: from 1/100 to 10 times the ring's inertia times the lowest natural frequency squared.
+    /// Range of the stiffness [N m/rad]; `None`: from 1/100 to 10 times the ring's inertia times the natural frequency in which it swings most squared.
     pub stiffness: Option<[f64; 2]>,
     /// Points of the curve.
     pub points: usize,
@@ -208,7 +208,11 @@ pub fn tune(
     let ring = if is_ring(own.to) { own.to } else { own.from };
     let inertia = chain.stations()[ring].inertia;
     let locked = locked(chain, shaft, ring)?;
-    let frequency = crate::modes::modes(&locked, 0.0)?.first().map_or(1.0, |mode| mode.frequency);
+    // The mode in which the ring has the largest share: of one mass on a spring the only one, of an engine that of the crankshaft, not of the driveline.
+    let share = |mode: &crate::modes::Mode| inertia * mode.shape[ring].powi(2) / mode.inertia;
+    let all = crate::modes::modes(&locked, 0.0)?;
+    let own_mode = all.iter().max_by(|a, b| share(a).total_cmp(&share(b)));
+    let frequency = own_mode.map_or(1.0, |mode| mode.frequency);
     let range = |given: Option<[f64; 2]>, middle: f64| given.unwrap_or([0.01 * middle, 10.0 * middle]);
     let dampings = range(request.damping, inertia * frequency);
     let stiffnesses = range(request.stiffness, inertia * frequency * frequency);

@@ -50,7 +50,7 @@ fn text_figures_tables_and_limits() {
     assert_eq!(stars.lines().count(), 25);
     let refused = message(&folder, 2, &asked(&["--table", "tuning"]));
     assert!(refused.contains("--tune damper"), "{refused}");
-    six(&folder, &SIX.replace("twist_limit = \"0.5 deg\"", "twist_limit = \"0.001 deg\""));
+    six(&folder, &SIX.replace("twist_limit = \"1.2 deg\"", "twist_limit = \"0.001 deg\""));
     let text = output(&folder, 1, &asked(&[]));
     assert!(text.contains("not kept"), "{text}");
 }
