@@ -209,7 +209,12 @@ pub fn tune(
     let inertia = chain.stations()[ring].inertia;
     let locked = locked(chain, shaft, ring)?;
     // The mode in which the ring has the largest share: of one mass on a spring the only one, of an engine that of the crankshaft, not of the driveline.
-    let share = |mode: &crate::modes::Mode| inertia * mode.shape[ring].powi(2) / mode.inertia;
+    let hub = if ring == own.to { own.from } else { own.to };
+    let share = |mode: &crate::modes::Mode| {
+        let is_together = (mode.shape[ring] - mode.shape[hub]).abs() < 0.01 * mode.shape[ring].abs();
+        // The mode of ring against hub is that of the lock.
+        if is_together { inertia * mode.shape[ring].powi(2) / mode.inertia } else { 0.0 }
+    };
     let all = crate::modes::modes(&locked, 0.0)?;
     let own_mode = all.iter().max_by(|a, b| share(a).total_cmp(&share(b)));
     let frequency = own_mode.map_or(1.0, |mode| mode.frequency);
