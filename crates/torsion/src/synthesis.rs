@@ -4,7 +4,7 @@ use num_complex::Complex64;
 use std::f64::consts::TAU;
 
 /// Samples in a wave of the highest order.
-const DENSITY: usize = 16;
+const DENSITY: usize = 12;
 
 /// Cosines and sines of all orders over a quarter of the period, of which the other three follow by symmetry.
 #[derive(Debug, Clone)]
@@ -105,7 +105,7 @@ mod tests {
         let grid = (0..200_000).map(|j| at(TAU * f64::from(j) / 200_000.0));
         let (top, bottom) = grid.fold((f64::MIN, f64::MAX), |(t, b), x| (t.max(x), b.min(x)));
         let found = Synthesis::new(24).extremes(orders.iter().copied());
-        // A parabola through samples 1/16 of the shortest wave apart.
+        // A parabola through samples 1/12 of the shortest wave apart.
         assert!((found[0] - top).abs() < 1e-3 * top, "{} instead of {top}", found[0]);
         assert!((found[1] - bottom).abs() < 1e-3 * bottom.abs(), "{} instead of {bottom}", found[1]);
     }
