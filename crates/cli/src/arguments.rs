@@ -18,6 +18,7 @@ use crate::options::simulation::{CrosscheckArguments, SimulateArguments};
 use crate::options::stress::StressArguments;
 use crate::options::studio::StudioArguments;
 use crate::options::torque::{BearingsArguments, TorqueArguments};
+use crate::options::torsion::TorsionArguments;
 use crate::options::workshop::WorkshopArguments;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -98,6 +99,13 @@ pub enum Command {
                             lanchester bearings twin.toml --format csv > bearings.csv"
     )]
     Bearings(BearingsArguments),
+    /// Torsional vibration: natural frequencies, every order in true phase over speed, torque and stress of every shaft, damper.
+    #[command(
+        after_help = "Examples:\n  lanchester torsion six.toml\n  lanchester torsion six.toml --speeds '600 rpm .. 3000 rpm by 25 rpm' --format csv > torsion.csv\n  \
+                            lanchester torsion six.toml --tune damper --figures figures\n  \
+                            lanchester torsion six.toml --table holzer\n  lanchester torsion six.toml --check '2000 rpm'"
+    )]
+    Torsion(TorsionArguments),
     /// The block on its mounts: at rest, its six modes, forces at the mounts by order and speed.
     #[command(
         after_help = "Examples:\n  lanchester mounts four.toml\n  lanchester mounts four.toml --speed '3000 rpm' --orders 12 \

@@ -17,4 +17,5 @@ pub(crate) mod simulation;
 pub(crate) mod stress;
 pub(crate) mod studio;
 pub(crate) mod torque;
+pub(crate) mod torsion;
 pub(crate) mod workshop;

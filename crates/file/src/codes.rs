@@ -30,6 +30,7 @@ static FAMILIES: &[(&str, &str)] = &[
     ("15", "tolerances"),
     ("16", "a file of pressures that the engine file names"),
     ("18", "a run in time"),
+    ("19", "torsional vibration"),
 ];
 
 static CODES: &[(&str, &str)] = &[
@@ -113,6 +114,7 @@ static CODES: &[(&str, &str)] = &[
     ("E1801", "a duration, an acceleration or a moment of a run that cannot be read"),
     ("E1802", "nothing that can happen in a run"),
     ("E1803", "a load, a starter or a profile that cannot be"),
+    ("E1901", "a list of stiffnesses that does not fit the crankshaft"),
     ("W0204", "something without effect"),
     ("W0404", "a rod with much inertia"),
     ("W0502", "bores that overlap"),

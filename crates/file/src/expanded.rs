@@ -10,6 +10,7 @@ mod running;
 mod shaft_part;
 mod simulation;
 mod text;
+mod torsion;
 
 pub(crate) use part::shape_entries;
 pub(crate) use shaft_part::shaft_shape;
@@ -67,6 +68,7 @@ pub fn expanded(file: &EngineFile) -> String {
     text.flywheel(engine);
     text.bearings(engine);
     text.simulation(tasks);
+    text.torsion(engine);
     text.tolerances(tasks);
     text.balance(tasks, engine);
     text.text

@@ -23,6 +23,7 @@ mod shaft;
 mod simulation;
 mod sizes;
 mod tolerances;
+mod torsion;
 mod weights;
 
 pub(crate) use firing::fired_after;
@@ -113,6 +114,7 @@ impl<'a> Reader<'a> {
         let bearings = self.bearings(&body);
         let bearing_design = self.bearing_design();
         let simulation = self.simulation(drafts.as_ref().map(|drafts| drafts.cylinders.len()));
+        let torsion = self.torsion(count);
         let tolerances = self.tolerances();
         let balance = self.balance_draft(count, crankshafts.as_ref().map(Vec::len), mounts.as_deref());
         self.check_shares();
@@ -177,6 +179,7 @@ impl<'a> Reader<'a> {
             flywheel: flywheel?,
             bearings: bearings?,
             bearing_design: bearing_design?,
+            torsion: torsion?,
         };
         let origin = origin?;
         for main in parts.crankshafts.iter_mut().filter_map(|c| c.mains.as_mut()).flatten() {

@@ -40,6 +40,7 @@ mod simulation;
 mod stress;
 mod torque_files;
 mod torque_report;
+mod torsion_study;
 
 pub use arrangements::arrangements;
 pub use bearing_films::{
@@ -72,6 +73,7 @@ pub use lanchester_strength as strength;
 pub use lanchester_study as study;
 pub use lanchester_table as table;
 pub use lanchester_task as task;
+pub use lanchester_torsion as torsion;
 pub use lanchester_units as units;
 pub use lanchester_workshop as workshop;
 pub use layouts::*;
@@ -90,4 +92,8 @@ pub use torque_files::{TorqueFileError, give_torques, torque_file_names};
 pub use torque_report::{
     BearingStudy, TORQUE_REPORT_VERSION, TorqueReport, TorqueReportError, TorqueReportRequest,
     bearing_report, bearing_sizes, bearing_study, power_speeds, torque_report,
+};
+pub use torsion_study::{
+    EngineTorsionError, TORSION_SPEEDS, TorsionRequest, engine_chain, engine_excitation, torque_period,
+    torsion,
 };

@@ -10,12 +10,13 @@ use crate::stress::rule::{RuleRequest, crank_rule, has_rule};
 use crate::torque_report::{
     BearingStudy, TorqueReport, TorqueReportRequest, bearing_study, power_speeds, torque_report,
 };
+use crate::torsion_study::{TorsionRequest, has_torsion, torsion};
 use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
 use lanchester_report::{
-    BondGraphResult, CrankRule, Section, SimulationResult, bond_graph_section, mounts_section, rule_section,
-    simulation_section,
+    BondGraphResult, CrankRule, Section, SimulationResult, TorsionResult, bond_graph_section, mounts_section,
+    rule_section, simulation_section, torsion_section,
 };
 
 /// Speeds and highest order of the section on mounts.
@@ -36,6 +37,8 @@ pub struct Running {
     pub films: Option<BearingFilms>,
     /// Strength of the crankshafts whose fillets and material the file gives.
     pub strength: Vec<CrankRule>,
+    /// Torsional vibration, where the file says something of it.
+    pub torsion: Option<TorsionResult>,
     /// The block on its mounts.
     pub mounts: Option<MountStudy>,
     /// The run in time that the file describes.
@@ -49,7 +52,7 @@ pub struct Running {
 /// Whether [`running`] has something to tell of an engine: only then its pressures are needed.
 pub fn is_running(file: &EngineFile) -> bool {
     let EngineFile { engine, tasks } = file;
-    let turns = engine.gas.is_some() || engine.flywheel.is_some() || has_rule(engine);
+    let turns = engine.gas.is_some() || engine.flywheel.is_some() || has_rule(engine) || has_torsion(engine);
     turns
         || engine.bearings.is_some()
         || engine.bearing_design.is_some()
@@ -90,6 +93,9 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
             };
             (0..engine.crankshafts.len()).map(of).collect::<Result<Vec<_>, _>>()
         });
+    let torsion = section(has_torsion(engine), "torsional vibration is", &traces, &mut warnings, |traces| {
+        torsion(file, traces, &TorsionRequest::default()).map_err(|error| error.to_string())
+    });
     let mounts =
         section(engine.is_on_springs(), "the block on its mounts is", &traces, &mut warnings, |traces| {
             mounts(engine, &MountSpeeds::Range(MOUNT_SPEEDS), MOUNT_ORDERS, Some(traces), &[])
@@ -104,7 +110,7 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         bond_graph_report(engine, traces, input, speed)
     });
     let strength = strength.unwrap_or_default();
-    Running { torque, bearings, films, strength, mounts, simulation, graph, warnings }
+    Running { torque, bearings, films, strength, torsion, mounts, simulation, graph, warnings }
 }
 
 /// What the section on torque is called where it is left out.
@@ -135,7 +141,8 @@ impl Running {
         let simulated = self.simulation.as_ref().map(simulation_section);
         let graph = self.graph.as_ref().map(bond_graph_section);
         let strength = rule_section(&self.strength);
-        [torque, bearings, films, strength, mounts, simulated, graph].into_iter().flatten().collect()
+        let torsion = self.torsion.as_ref().map(torsion_section);
+        [torque, bearings, films, torsion, strength, mounts, simulated, graph].into_iter().flatten().collect()
     }
 }
 

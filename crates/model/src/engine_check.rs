@@ -42,6 +42,9 @@ pub(crate) fn faults(parts: &EngineParts) -> Vec<Fault> {
         of_block(block, &mut Part { faults, name: &|| "block".into() });
     }
     of_sizes(parts, faults);
+    if let Some(design) = &parts.torsion {
+        crate::running::torsion_check::of_torsion(design, parts.throws.len(), faults);
+    }
     crate::crank::check::check(parts, faults);
     unique("crankshafts", crankshafts.iter().map(|crankshaft| crankshaft.name.as_str()), faults);
     unique("counterweights", counterweights.iter().map(|weight| weight.name.as_str()), faults);

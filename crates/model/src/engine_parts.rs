@@ -18,6 +18,7 @@ use crate::running::flywheel::Flywheel;
 use crate::running::friction::Friction;
 use crate::running::gas::Gas;
 use crate::running::mount::Mount;
+use crate::running::torsion::TorsionDesign;
 use crate::shaft_part::ShaftWeightPart;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, TAU};
@@ -81,6 +82,9 @@ pub struct EngineParts {
     /// What its main and crankpin bearings are like beyond their sizes, if the file says so.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bearing_design: Option<BearingDesign>,
+    /// Stiffness, damping, dampers and absorbers of its torsional vibration, if the file says something of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torsion: Option<TorsionDesign>,
 }
 
 /// Strokes in a working cycle.

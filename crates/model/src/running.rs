@@ -9,6 +9,8 @@ pub(crate) mod friction;
 pub(crate) mod gas;
 pub(crate) mod mount;
 pub(crate) mod simulation;
+pub(crate) mod torsion;
+pub(crate) mod torsion_check;
 
 pub use bearing_design::*;
 pub use bearings::{Bearings, PlainBearing};
@@ -18,3 +20,4 @@ pub use friction::Friction;
 pub use gas::*;
 pub use mount::*;
 pub use simulation::*;
+pub use torsion::*;

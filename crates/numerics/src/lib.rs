@@ -1,4 +1,4 @@
-//! Numerical methods without physics: initial value problems, located events, dense linear algebra, roots and peaks of one variable.
+//! Numerical methods without physics: initial value problems, located events, dense linear algebra and symmetric eigenvalues, roots and peaks of one variable.
 //!
 //! Two integrators share one [`System`], one [`Settings`] and one [`Outcome`]:
 //! * [`Dop853`], explicit, order 8 with an interpolant of order 7, for smooth problems that are not stiff;
@@ -33,6 +33,7 @@ mod root;
 mod settings;
 mod stages;
 mod step;
+mod symmetric;
 mod system;
 
 pub use dense::{ComplexLu, Lu};
@@ -43,4 +44,5 @@ pub use radau::Radau5;
 pub use root::{Root, bisect};
 pub use settings::{SampleGrid, Settings};
 pub use step::Step;
+pub use symmetric::SymmetricEigen;
 pub use system::{Function, System};

@@ -23,6 +23,7 @@ mod strength;
 mod stress;
 mod study;
 mod torque;
+mod torsion;
 pub mod workshop;
 
 pub use bearings::*;
@@ -42,3 +43,4 @@ pub use strength::*;
 pub use stress::*;
 pub use study::*;
 pub use torque::*;
+pub use torsion::*;

@@ -114,6 +114,11 @@ pub(crate) const FILES: &[(&str, &str)] = embedded![
     "bobweight-example/source.json",
     "bobweight-example/ford-400.toml",
     "bobweight-example/bobweight.json",
+    "torsional-chains/source.json",
+    "torsional-chains/marine-geared-set.toml",
+    "torsional-chains/marine-geared-set.json",
+    "torsional-chains/six-masses.toml",
+    "torsional-chains/six-masses.json",
 ];
 
 /// The synthetic pressure traces, by the names under which engine files ask for them.

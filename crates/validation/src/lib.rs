@@ -32,6 +32,7 @@ mod shape;
 mod source;
 #[cfg(test)]
 mod tests;
+mod torsion;
 mod value;
 mod verdict;
 mod workshop;

@@ -14,7 +14,7 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Workshop sheets: [`WorkshopKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Torsion: [`TorsionKey`]. Workshop sheets: [`WorkshopKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
@@ -22,6 +22,7 @@ use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::shape::ShapeKey;
+use crate::torsion::TorsionKey;
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
 use lanchester::mechanism::{Extremes, LoadSet, Part};
@@ -46,6 +47,8 @@ pub(crate) enum Key {
     Gas(GasKey),
     /// Of the bond graph.
     Graph(GraphKey),
+    /// In torsion.
+    Torsion(TorsionKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -180,6 +183,9 @@ impl Key {
         if let Some(gas) = GasKey::parse(text) {
             return Ok(Key::Gas(gas));
         }
+        if let Some(torsion) = TorsionKey::parse(text) {
+            return Ok(Key::Torsion(torsion));
+        }
         if let Some(graph) = GraphKey::parse(text) {
             return Ok(Key::Graph(graph));
         }
@@ -208,6 +214,7 @@ impl Key {
             Key::Mount(mount) => mount.of(run).map(Value::Number),
             Key::Gas(gas) => gas.of(run).map(Value::Number),
             Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
+            Key::Torsion(torsion) => torsion.of(&run.file()).map(Value::Number),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 29] = [
+const ARROWS: [(&str, &[&str]); 30] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -49,6 +49,7 @@ const ARROWS: [(&str, &[&str]); 29] = [
     ("lanchester-film", &["lanchester-numerics"]),
     ("lanchester-flex", &["lanchester-model", "lanchester-geometry", "lanchester-shape"]),
     ("lanchester-strength", &["lanchester-model"]),
+    ("lanchester-torsion", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),
     (
         "lanchester-report",
@@ -61,6 +62,7 @@ const ARROWS: [(&str, &[&str]); 29] = [
             "lanchester-film",
             "lanchester-flex",
             "lanchester-strength",
+            "lanchester-torsion",
             "lanchester-geometry",
             "lanchester-balance",
             "lanchester-literature",
@@ -80,6 +82,7 @@ const ARROWS: [(&str, &[&str]); 29] = [
             "lanchester-film",
             "lanchester-flex",
             "lanchester-strength",
+            "lanchester-torsion",
             "lanchester-cycle",
             "lanchester-geometry",
             "lanchester-balance",

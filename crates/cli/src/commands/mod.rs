@@ -22,6 +22,7 @@ pub mod simulate;
 pub mod stress;
 pub mod studio;
 pub mod torque;
+pub mod torsion;
 pub mod validate;
 pub mod workshop;
 

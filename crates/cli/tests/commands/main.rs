@@ -19,5 +19,6 @@ mod sensitivity;
 mod simulate;
 mod studio;
 mod torque;
+mod torsion;
 mod workshop;
 mod written_files;

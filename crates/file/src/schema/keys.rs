@@ -14,6 +14,7 @@ mod running;
 mod shaft_part;
 mod simulation;
 mod tolerances;
+mod torsion;
 mod train;
 
 pub(crate) use entry::{key, quantity};
@@ -34,6 +35,7 @@ use running::{BEARINGS, FLYWHEEL, FRICTION};
 use shaft_part::SHAFT_WEIGHT_DESIGN;
 use simulation::{DRIVELINE, GOVERNOR, LOAD, MOST_LINKS, SIMULATION, STARTER};
 use tolerances::TOLERANCES;
+use torsion::{DAMPER, MOST_PENDULUMS, PENDULUM, TORSION};
 use train::{ARTICULATED_ROD, CRANK, CRANKSHAFT, CYLINDER, CYLINDERS, PISTON, ROD, THROW};
 
 /// The whole file.
@@ -220,8 +222,29 @@ pub(crate) static FILE: Table = Table {
             "driveline",
             Kind::Tables(&DRIVELINE, MOST_LINKS),
             Optional,
-            "Inertias behind the flywheel in a run, in order from the engine.",
+            "Inertias behind the flywheel in a run and in torsional vibration, in order from the engine.",
             "[{ inertia = \"0.9 kg m2\", stiffness = \"1200 N m/rad\" }]",
+        ),
+        key(
+            "torsion",
+            Kind::Table(&TORSION),
+            Optional,
+            "Torsional vibration of the crankshaft.",
+            "{ damping = { absolute = \"1.2 N m s/rad\" } }",
+        ),
+        key(
+            "damper",
+            Kind::Table(&DAMPER),
+            Optional,
+            "The damper of torsional vibration at the free end.",
+            "{ type = \"viscous\", ring_inertia = \"0.0045 kg m2\", hub_inertia = \"0.0025 kg m2\", damping = \"6 N m s/rad\" }",
+        ),
+        key(
+            "pendulum",
+            Kind::Tables(&PENDULUM, MOST_PENDULUMS),
+            Optional,
+            "Centrifugal pendulums on the webs of a throw.",
+            "[{ throw = 4, mass = \"0.4 kg\", pivot_radius = \"90 mm\", length = \"10 mm\" }]",
         ),
         key(
             "tolerances",

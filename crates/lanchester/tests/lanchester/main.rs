@@ -19,5 +19,6 @@ mod optima;
 mod pressure;
 mod rigid_run;
 mod scene;
+mod torsion;
 mod web_shapes;
 mod what_fits;

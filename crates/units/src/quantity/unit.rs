@@ -184,7 +184,7 @@ const STANDARD_GRAVITY: f64 = 9.806_65;
 /// 0 degrees Celsius [K].
 const ICE_POINT: f64 = 273.15;
 
-pub(super) static UNITS: [Unit; 101] = {
+pub(super) static UNITS: [Unit; 103] = {
     use Dimension::*;
     [
         unit(Length, "mm", -3, 1.0),
@@ -281,6 +281,8 @@ pub(super) static UNITS: [Unit; 101] = {
         unit(Power, "hp", 0, 550.0 * 0.3048 * POUND * STANDARD_GRAVITY),
         unit(AngularStiffness, "N m/rad", 0, 1.0),
         unit(AngularStiffness, "kN m/rad", 3, 1.0),
+        unit(AngularStiffness, "MN m/rad", 6, 1.0),
+        unit(AngularStiffness, "N m/deg", 0, 180.0 / PI),
         unit(AngularDamping, "N m s/rad", 0, 1.0),
         unit(PerSpeed, "1/rpm", 0, 30.0 / PI),
         unit(PerSpeed, "s/rad", 0, 1.0),

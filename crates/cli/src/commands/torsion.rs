@@ -1,0 +1,94 @@
+//! `lanchester torsion`: torsional vibration of the crankshaft with what it drives.
+
+use crate::commands::{json, open, write_figures};
+use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::files::{print, tell};
+use crate::format::Format;
+use crate::options::torsion::{AimOption, TorsionArguments, TorsionTable, TuneOption};
+use crate::requests::value_list::value_list;
+use crate::trace_files::trace_files;
+use lanchester::report::{
+    Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table, holzer_table,
+    inertia_table, mode_table, shaft_order_table, shaft_table, speed_table, star_table, time_table,
+    torsion_csv, torsion_figures, torsion_text, tuning_table, twist_order_table,
+};
+use lanchester::task::option;
+use lanchester::torsion::{TuneAim, TuneFree};
+use lanchester::{TorsionRequest, torsion};
+
+pub fn run(arguments: &TorsionArguments, colour: bool) -> Result<u8, Failure> {
+    let request = request(arguments)?;
+    let opened = open(&arguments.file, colour)?;
+    let engine = &opened.file.engine;
+    let has_gas = engine.gas.is_some() && !arguments.inertia_only;
+    let traces = if has_gas { trace_files(engine, &arguments.file)? } else { Vec::new() };
+    let found = torsion(&opened.file, &traces, &request).map_err(Failure::refused)?;
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.file, &torsion_figures(&found))?;
+    }
+    let text = match (arguments.table, arguments.format) {
+        (_, Format::Json) => json(&found)?,
+        (Some(table), form) => {
+            let tables = tables(&found, table)?;
+            let of = |table: &Table| if form == Format::Csv { table.csv() } else { table.text() };
+            tables.iter().map(of).collect::<Vec<_>>().join("\n")
+        }
+        (None, Format::Csv) => torsion_csv(&found),
+        (None, Format::Text) => torsion_text(&found),
+    };
+    print(&text)?;
+    if found.is_within() {
+        return Ok(DONE);
+    }
+    tell("a limit of [torsion] is not kept");
+    Ok(NOT_AS_EXPECTED)
+}
+
+fn request(arguments: &TorsionArguments) -> Result<TorsionRequest, Failure> {
+    let speed = |text: &str, name| option::speed(text, name).map_err(Failure::from);
+    let speeds = match &arguments.speeds {
+        Some(list) => value_list(list, "--speeds", |one| speed(one, "--speeds"))?,
+        None => Vec::new(),
+    };
+    Ok(TorsionRequest {
+        speeds,
+        highest_order: arguments.highest_order,
+        without_gas: arguments.inertia_only,
+        tune: arguments.tune.map(|free| match free {
+            TuneOption::Damper => None,
+            TuneOption::Damping => Some(TuneFree::Damping),
+            TuneOption::Stiffness => Some(TuneFree::Stiffness),
+            TuneOption::Both => Some(TuneFree::Both),
+        }),
+        aim: Some(match arguments.aim {
+            AimOption::Twist => TuneAim::Twist,
+            AimOption::Stress => TuneAim::Stress,
+        }),
+        time: arguments.check.as_deref().map(|text| speed(text, "--check")).transpose()?,
+        stiffness: Vec::new(),
+    })
+}
+
+fn tables(found: &TorsionResult, table: TorsionTable) -> Result<Vec<Table>, Failure> {
+    let some = |table: Option<Table>, message: &str, hint: &str| {
+        table.map(|table| vec![table]).ok_or_else(|| Failure::input(message, hint))
+    };
+    Ok(match table {
+        TorsionTable::Inertias => vec![inertia_table(found)],
+        TorsionTable::Shafts => vec![chain_table(found)],
+        TorsionTable::Modes => vec![mode_table(found)],
+        TorsionTable::DampedModes => vec![damped_mode_table(found)],
+        TorsionTable::Holzer => found.holzer.iter().map(|own| holzer_table(found, own)).collect(),
+        TorsionTable::Criticals => vec![critical_table(found)],
+        TorsionTable::Stars => vec![star_table(found)],
+        TorsionTable::Torques => vec![shaft_table(found)],
+        TorsionTable::Orders => vec![shaft_order_table(found)],
+        TorsionTable::Speeds => vec![speed_table(found)],
+        TorsionTable::TwistOrders => vec![twist_order_table(found)],
+        TorsionTable::Damper => some(damper_table(found), "the engine has no damper", "give [damper]")?,
+        TorsionTable::Tuning => some(tuning_table(found), "no damper was tuned", "add `--tune damper`")?,
+        TorsionTable::Time => {
+            some(time_table(found), "no check in time was asked for", "add `--check '2000 rpm'`")?
+        }
+    })
+}

@@ -1,0 +1,10 @@
+//! Torsional vibration of an engine: its chain, its torques, what follows from them.
+
+mod error;
+mod excitation;
+mod study;
+
+pub use error::EngineTorsionError;
+pub use excitation::{engine_excitation, torque_period};
+pub(crate) use study::has_torsion;
+pub use study::{TORSION_SPEEDS, TorsionRequest, engine_chain, torsion};

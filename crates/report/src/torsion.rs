@@ -1,0 +1,14 @@
+//! Torsional vibration: result, tables, figures, words.
+
+mod figures;
+mod result;
+mod section;
+mod tables;
+
+pub use figures::torsion_figures;
+pub use result::*;
+pub use section::{torsion_csv, torsion_section, torsion_text};
+pub use tables::{
+    chain_table, critical_table, damped_mode_table, damper_table, holzer_table, inertia_table, mode_table,
+    shaft_order_table, shaft_table, speed_table, star_table, time_table, tuning_table, twist_order_table,
+};
