@@ -14,7 +14,7 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Workshop sheets: [`WorkshopKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`]. Workshop sheets: [`WorkshopKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
@@ -22,6 +22,7 @@ use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::shape::ShapeKey;
+use crate::stress::{StressKey, StressRun};
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
 use lanchester::mechanism::{Extremes, LoadSet, Part};
@@ -46,6 +47,8 @@ pub(crate) enum Key {
     Gas(GasKey),
     /// Of the bond graph.
     Graph(GraphKey),
+    /// Of a case of static stress.
+    Stress(StressKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -180,6 +183,9 @@ impl Key {
         if let Some(gas) = GasKey::parse(text) {
             return Ok(Key::Gas(gas));
         }
+        if let Some(stress) = StressKey::parse(text) {
+            return Ok(Key::Stress(stress));
+        }
         if let Some(graph) = GraphKey::parse(text) {
             return Ok(Key::Graph(graph));
         }
@@ -208,6 +214,10 @@ impl Key {
             Key::Mount(mount) => mount.of(run).map(Value::Number),
             Key::Gas(gas) => gas.of(run).map(Value::Number),
             Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
+            Key::Stress(stress) => {
+                let found = run.stress.get_or_init(|| StressRun::of(&run.engine, &run.stress_fit));
+                found.as_ref().map(|found| Value::Number(stress.of(found))).map_err(Clone::clone)
+            }
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }
