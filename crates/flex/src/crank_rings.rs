@@ -10,8 +10,8 @@ use crate::sparse::SolveEstimate;
 use crate::statics::{SolveOptions, as_node_forces};
 use crate::{FlexError, Material};
 
-/// Elements through a ring.
-const LAYERS: usize = 2;
+/// Elements through a ring: quadratic ones.
+const LAYERS: usize = 1;
 
 /// Stiffness of the layer that stands for contact, in moduli of the crankshaft over the thickness of the ring: so stiff that the faces go
 /// less into each other than a thousandth of what the bar's surface gives way.

@@ -5,7 +5,7 @@
 //! | `stress.radial`, `stress.tangential` | force on pin 1, away from the axis and across the throw, "-65 kN" |
 //! | `stress.ring thickness`, `stress.ring modulus` | "5 mm", "210 GPa": rings with contact; the journals' surfaces held without them |
 //! | `stress.size` | elements away from fillets, "14 mm" |
-//! | `stress.fillet elements` | elements across a fillet, "4" |
+//! | `stress.fillet elements` | elements across a fillet, "4"; corners are sharp without it, which is enough for displacements and webs |
 //!
 //! | quantity | what it is |
 //! |---|---|
@@ -15,10 +15,11 @@
 //! | `stress web` | largest of the web behind pin 1 away from its fillets: the central one of a twin [Pa] |
 
 use crate::source::NewValue;
-use lanchester::flex::crank_case::{CrankSupport, SurfacePeak};
-use lanchester::flex::crank_mesh::CrankMeshOptions;
+use lanchester::flex::crank_case::{CrankLoad, CrankSupport, PinLoad, SurfacePeak};
+use lanchester::flex::crank_mesh::{CrankMeshOptions, crank_mesh};
+use lanchester::flex::crank_solve::solve_crank;
+use lanchester::flex::statics::SolveOptions;
 use lanchester::model::Engine;
-use lanchester::{GivenForce, StaticRequest, StressLoad, StressMesh, static_stress};
 use std::collections::BTreeMap;
 
 /// Places, with the unit of their values and its SI value.
@@ -72,22 +73,23 @@ impl StressRun {
         let options = CrankMeshOptions {
             size: fit.of("size").unwrap_or(usual.size),
             fillet_elements: fit.of("fillet elements").map_or(usual.fillet_elements, |count| count as usize),
-            ..usual
+            fillets: fit.of("fillet elements").is_some(),
         };
         let support = match (fit.of("ring thickness"), fit.of("ring modulus")) {
             (Some(thickness), Some(modulus)) => CrankSupport::Rings { thickness, modulus },
             (None, None) => CrankSupport::Journals,
             _ => return Err("rings need a thickness and a modulus".to_string()),
         };
-        let force = GivenForce { pin: 1, radial, tangential: fit.of("tangential").unwrap_or(0.0) };
-        let request = StaticRequest {
-            mesh: StressMesh { crankshaft: 0, options },
-            support,
-            load: StressLoad::Given(vec![force]),
-            ..StaticRequest::default()
-        };
-        let found = static_stress(engine, &[], &request, &|_| {}).map_err(|error| error.to_string())?;
-        let result = &found.cases.first().ok_or("the case has no solution")?.result;
+        // Throw 1 points along x, and the crankshaft turns from x to y.
+        if engine.throws[0].angle != 0.0 {
+            return Err("a stress case needs throw 1 at 0 deg".to_string());
+        }
+        let force = [radial, fit.of("tangential").unwrap_or(0.0)];
+        let load = CrankLoad { pins: vec![PinLoad { pin: 1, force }], speed: 0.0 };
+        let crank = crank_mesh(engine, 0, options).map_err(|error| error.to_string())?;
+        let solved = solve_crank(&crank, support, &[load], SolveOptions::default());
+        let solved = solved.map_err(|error| error.to_string())?;
+        let result = solved.first().ok_or("the case has no solution")?;
         let largest = |peaks: &[SurfacePeak], is_own: &dyn Fn(&str) -> bool| {
             let own = peaks.iter().filter(|peak| is_own(&peak.name)).filter_map(|peak| peak.stress);
             own.map(|stress| stress.von_mises).fold(f64::NAN, f64::max)

@@ -64,7 +64,8 @@ fn counterweight_over_journal_and_pin_is_meshed() {
 fn inserts_and_holes_are_regions_of_their_own() {
     let slugs = "inserts = [{ x = \"56 mm\", y = \"0 mm\", radius = \"7 mm\", density = \"18000 kg/m3\" }, \
                  { x = \"58 mm\", y = \"20 mm\", radius = \"5 mm\" }, \
-                 { x = \"58 mm\", y = \"-20 mm\", radius = \"5 mm\", density = \"11000 kg/m3\", face = \"rear\", depth = \"9 mm\" }]";
+                 { x = \"58 mm\", y = \"-20 mm\", radius = \"5 mm\", density = \"11000 kg/m3\", face = \"front\", depth = \"8 mm\" }, \
+                 { x = \"58 mm\", y = \"-20 mm\", radius = \"5 mm\", density = \"11000 kg/m3\", face = \"rear\", depth = \"8 mm\" }]";
     for thickness in ["20 mm", "28 mm"] {
         let crank = meshed(thickness, &engine(&weight("33 mm", thickness, slugs)));
         let densities: Vec<f64> = crank.mesh.materials.iter().map(|material| material.density).collect();
