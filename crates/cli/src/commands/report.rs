@@ -14,8 +14,8 @@ use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
 use lanchester::model::Engine;
 use lanchester::report::{
-    ArrangementsInput, Figure, Provenance, Section, arrangements_report, bending_section, figures,
-    loads_sections, motion_section,
+    ArrangementsInput, Provenance, Section, arrangements_report, bending_section, figures, loads_sections,
+    motion_section,
 };
 use lanchester::task::option;
 use lanchester::{

@@ -68,7 +68,7 @@ pub fn modes_deck(found: &CrankModes, support: CrankSupport, count: usize) -> Re
 
 /// Shapes of modes, each of modal mass 1 kg.
 pub fn modes_vtu(found: &CrankModes) -> Vec<u8> {
-    let shape = |(k, mode): (usize, &lanchester_flex::modes::Mode)| {
+    let shape = |(k, mode): (usize, &Mode)| {
         let name = format!("mode {} {:.1} Hz", k + 1, mode.frequency);
         field(&name, 3, mode.shape.iter().flatten().copied().collect())
     };
