@@ -78,25 +78,18 @@ fn ring_that_is_none_is_refused() {
     assert!(error.to_string().contains("PIN_7"), "{error}");
 }
 
-/// Crankshafts that stand for that of the flexible paper, 65 kN at 7 degrees: what `validate` prints, and rings a hundred times as soft.
+/// Crankshafts that stand for that of the flexible paper, 65 kN at 7 degrees: what `validate` prints.
 #[test]
 fn twin_of_the_flexible_paper_on_rings() {
-    for (name, modulus, wanted) in [
-        ("three-mains", 210e9, Some(0.10e-3)),
-        ("two-mains", 210e9, Some(0.14e-3)),
-        ("two-mains", 2.1e9, None),
-    ] {
+    for (name, wanted) in [("three-mains", 0.10e-3), ("two-mains", 0.14e-3)] {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../validation/flexible-paper");
         let text = std::fs::read_to_string(format!("{folder}/{name}.toml")).unwrap();
         let engine = lanchester_file::read(&text).engine().unwrap();
         let options = CrankMeshOptions { size: 24e-3, fillet_elements: 2, fillets: false };
         let crank = crank_mesh(&engine, 0, options).unwrap();
-        let case = on_rings(&crank, modulus, &[1.0]).remove(0);
+        let case = on_rings(&crank, 210e9, &[1.0]).remove(0);
         let moved = case.largest_displacement;
-        println!("{name} on {modulus:e}: {} mm, {:?}", 1e3 * moved, case.contact);
-        match wanted {
-            Some(wanted) => assert!((moved - wanted).abs() < 0.005e-3, "{name}: {moved}"),
-            None => assert!(moved > 0.2e-3, "{name}: {moved}"),
-        }
+        println!("{name}: {} mm, {:?}", 1e3 * moved, case.contact);
+        assert!((moved - wanted).abs() < 0.005e-3, "{name}: {moved}");
     }
 }
