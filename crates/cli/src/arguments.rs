@@ -351,6 +351,15 @@ pub struct ReportArguments {
     /// printed sheet each, in the place of the file's own; shafts stand at y = +-100 mm.
     #[arg(long, conflicts_with = "figures")]
     pub all_arrangements: bool,
+    /// Also solve the crankshaft as an elastic body, which takes a while, and add chapters on its stress and its natural modes, with pictures.
+    #[arg(long, conflicts_with = "all_arrangements")]
+    pub stress: bool,
+    /// With --stress: size of the elements away from fillets, with its unit.
+    #[arg(long, value_name = "LENGTH", default_value = "14 mm", requires = "stress")]
+    pub stress_size: String,
+    /// With --stress: elements across the 90 deg of a fillet, an even number.
+    #[arg(long, value_name = "N", default_value_t = 4, requires = "stress")]
+    pub stress_fillet_elements: usize,
     /// The page to write, `-` for standard output; default: the engine file's name with `.html` (or
     /// `-arrangements.html`), in this folder. A name that ends in `.txt` gets the same words and tables as plain text, one
     /// that ends in `.csv` all tables, each under a line with its name.

@@ -1,4 +1,4 @@
-//! Times of the solver on a crankshaft: `cargo bench -p lanchester-flex --bench reach -- FILE SIZE_MM FILLET_ELEMENTS`.
+//! Times of the solver on a crankshaft: `cargo bench -p lanchester-flex --bench reach -- FILE SIZE_MM FILLET_ELEMENTS [static]`.
 
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_mesh::{CrankMeshOptions, crank_mesh};
@@ -6,12 +6,23 @@ use lanchester_flex::modes::modes;
 use lanchester_flex::statics::{SolveOptions, StaticSystem, node_stresses};
 use std::time::Instant;
 
+/// Largest memory of this process, where the system tells it.
+fn memory() -> String {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find(|line| line.starts_with("VmHWM"));
+    line.map_or("unknown".to_owned(), |line| line.replace("VmHWM:", "").trim().to_owned())
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> =
         std::env::args().skip(1).filter(|argument| !argument.starts_with("--")).collect();
-    let [file, size, elements] = arguments.as_slice() else {
-        println!("nothing measured: give FILE SIZE_MM FILLET_ELEMENTS");
-        return Ok(());
+    let (file, size, elements, only_static) = match arguments.as_slice() {
+        [file, size, elements] => (file, size, elements, false),
+        [file, size, elements, word] if word == "static" => (file, size, elements, true),
+        _ => {
+            println!("nothing measured: give FILE SIZE_MM FILLET_ELEMENTS [static]");
+            return Ok(());
+        }
     };
     let engine = lanchester_file::read(&std::fs::read_to_string(file)?)
         .engine()
@@ -57,7 +68,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let more = vec![&case; 8];
     system.solve(&more)?;
     println!("eight more load cases {:.3} s", start.elapsed().as_secs_f64());
+    println!("largest memory so far {}", memory());
     drop(system);
+    if only_static {
+        return Ok(());
+    }
     let start = Instant::now();
     let found = modes(mesh, &StaticCase::default(), 16, SolveOptions::default())?;
     println!(
@@ -67,6 +82,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         found.factor_entries as f64,
         found.factor_operations
     );
+    println!("largest memory {}", memory());
     for mode in &found.modes {
         println!("  {:.2} Hz {:?} residual {:.1e}", mode.frequency, mode.kind, mode.residual);
     }

@@ -6,10 +6,10 @@
 
 use crate::FlexError;
 use crate::case::{Spring, StaticCase};
+use crate::contact::ContactReport;
 use crate::crank_mesh::CrankMesh;
 use crate::mesh::{NodeSet, SurfaceFace, surface, surface_areas};
-use crate::sparse::SolveEstimate;
-use crate::statics::{NodeStress, SolveOptions, StaticSolution, StaticSystem, node_stresses};
+use crate::statics::{NodeStress, StaticSolution, node_stresses};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashSet};
 
@@ -26,8 +26,23 @@ pub enum CrankSupport {
         /// Stiffness [N/m].
         stiffness: f64,
     },
+    /// A ring around each journal and each loaded pin, which touches it without friction and lets go where it would have to pull. Those of the
+    /// journals are fixed at their outside; those of the pins take the load there. Turning and axial motion as with `Journals`.
+    Rings {
+        /// Outer less inner radius [m].
+        thickness: f64,
+        /// Young's modulus [Pa]; Poisson's ratio is 0.3.
+        modulus: f64,
+    },
     /// None: loads are balanced by inertia.
     Free,
+}
+
+impl CrankSupport {
+    /// Whether it holds the same way whatever the load, so that solutions can be added up.
+    pub fn is_linear(self) -> bool {
+        !matches!(self, CrankSupport::Rings { .. })
+    }
 }
 
 /// A force on a crankpin, in the frame of the crankshaft.
@@ -80,6 +95,10 @@ pub struct CrankCase {
     pub peaks: Vec<SurfacePeak>,
     /// Peaks of the surfaces of pins and journals, loaded ones too.
     pub surfaces: Vec<SurfacePeak>,
+    /// Peaks of webs: within each the largest stress away from fillets.
+    pub webs: Vec<SurfacePeak>,
+    /// With rings: how they touch.
+    pub contact: Option<ContactReport>,
 }
 
 /// Stiffness that counts as rigid beside a crankshaft [N/m]: a thousand times that of a journal in its webs. Rounding of the mean displacement
@@ -89,7 +108,7 @@ const RIGID: f64 = 1e12;
 /// The supports of a crankshaft as a case without loads.
 ///
 /// # Errors
-/// [`FlexError::Missing`] where the mesh lacks a set; [`FlexError::Number`] for a stiffness that is none.
+/// [`FlexError::Missing`] where the mesh lacks a set; [`FlexError::Number`] for a stiffness that is none; [`FlexError::Nonlinear`] for rings.
 pub fn crank_support(
     crank: &CrankMesh,
     surfaces: &BearingSurfaces,
@@ -105,6 +124,7 @@ pub fn crank_support(
         CrankSupport::Free => {
             return Ok(StaticCase { name: "free".to_owned(), inertia_relief: true, ..case });
         }
+        CrankSupport::Rings { .. } => return Err(FlexError::Nonlinear),
         CrankSupport::Journals => RIGID,
         CrankSupport::Springs { stiffness } => stiffness,
     };
@@ -219,7 +239,13 @@ pub fn load_pin(
     if size == 0.0 {
         return Ok(case);
     }
-    let along = load.force.map(|force| force / size);
+    Ok(press(areas, case, load.force))
+}
+
+/// Adds a force [N] as a pressure over 180 degrees of a surface, by the areas that its nodes carry.
+pub(crate) fn press(areas: &BTreeMap<u32, [f64; 3]>, case: StaticCase, force: [f64; 2]) -> StaticCase {
+    let size = force[0].hypot(force[1]);
+    let along = force.map(|force| force / size);
     // The pressure acts where the surface faces against the force, and pushes inwards.
     let mut forces: Vec<(u32, [f64; 2])> = Vec::new();
     let mut sum = [0.0; 2];
@@ -241,7 +267,7 @@ pub fn load_pin(
         let (p, q) = (scale * p, scale * (q - slip * p));
         case = case.push(&[(node, 1.0)], [p * along[0] - q * along[1], p * along[1] + q * along[0], 0.0]);
     }
-    Ok(case)
+    case
 }
 
 /// What loads a crankshaft.
@@ -269,40 +295,6 @@ pub fn crank_cases(
         load.pins.iter().try_fold(base, |case, pin| load_pin(&surfaces, case, *pin))
     };
     loads.iter().map(case).collect()
-}
-
-/// Solves a crankshaft with one support under several loads.
-///
-/// # Errors
-/// As [`crank_cases`] and [`StaticSystem::new`].
-pub fn solve_crank(
-    crank: &CrankMesh,
-    support: CrankSupport,
-    loads: &[CrankLoad],
-    options: SolveOptions,
-) -> Result<Vec<CrankCase>, FlexError> {
-    solve_crank_watched(crank, support, loads, options, &|_| {})
-}
-
-/// The same; `watch` sees what the factor will cost before it is made.
-///
-/// # Errors
-/// As [`solve_crank`].
-pub fn solve_crank_watched(
-    crank: &CrankMesh,
-    support: CrankSupport,
-    loads: &[CrankLoad],
-    options: SolveOptions,
-    watch: &dyn Fn(&SolveEstimate),
-) -> Result<Vec<CrankCase>, FlexError> {
-    let cases = crank_cases(crank, support, loads)?;
-    // The system needs masses where any case turns.
-    let Some(base) = cases.iter().max_by(|a, b| a.speed.abs().total_cmp(&b.speed.abs())) else {
-        return Ok(Vec::new());
-    };
-    let mut system = StaticSystem::new_watched(&crank.mesh, base, options, watch)?;
-    let solutions = system.solve(&cases.iter().collect::<Vec<_>>())?;
-    Ok(solutions.into_iter().map(|solution| evaluate(crank, solution)).collect())
 }
 
 /// Largest displacement and peaks of a solution.
@@ -340,11 +332,17 @@ pub fn evaluate(crank: &CrankMesh, solution: StaticSolution) -> CrankCase {
         };
         SurfacePeak { name: set.name.clone(), stress: peak(&set.nodes, [mean(0), mean(1)]) }
     });
+    let webs = crank
+        .webs
+        .iter()
+        .map(|web| SurfacePeak { name: web.name.clone(), stress: peak(&web.nodes, [0.0; 2]) });
     CrankCase {
         largest_displacement: largest.1,
         displaced_at: mesh.nodes[largest.0],
         peaks: peaks.collect(),
         surfaces: surfaces.collect(),
+        webs: webs.collect(),
+        contact: None,
         solution,
         stresses,
     }

@@ -55,6 +55,11 @@ pub enum FlexError {
         /// Which motion.
         motion: String,
     },
+    /// Rings where solutions would have to be added up.
+    #[error(
+        "rings hold the crankshaft by contact, which depends on the load: this needs a support that is linear\nhint: support it on its journals, by springs, or at its ends"
+    )]
+    Nonlinear,
     /// A matrix without a Cholesky factor.
     #[error(
         "the stiffness matrix is not positive definite at unknown {unknown}\nhint: a support leaves a motion free, or an element is badly shaped"

@@ -4,8 +4,11 @@
 #![forbid(unsafe_code)]
 
 pub mod case;
+pub mod contact;
 pub mod crank_case;
 pub mod crank_mesh;
+pub mod crank_rings;
+pub mod crank_solve;
 pub mod deck;
 mod eigen;
 pub mod element;
@@ -13,7 +16,9 @@ mod error;
 mod material;
 pub mod mesh;
 pub mod modes;
+pub mod picture;
 pub mod reduction;
+pub mod richardson;
 pub mod sparse;
 pub mod statics;
 pub mod vtu;

@@ -3,7 +3,9 @@
 use crate::case::{NodeForce, StaticCase, rigid_motions};
 use crate::eigen::symmetric_eigen;
 use crate::mesh::Mesh;
-use crate::sparse::{Precision, Quantity, SolveEstimate, SolveReport, Solver, Structure, SymmetricMatrix};
+use crate::sparse::{
+    DenseTerm, Precision, Quantity, SolveEstimate, SolveReport, Solver, Structure, SymmetricMatrix,
+};
 use crate::{FlexError, element};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -57,6 +59,8 @@ pub struct StaticSystem<'a> {
     mesh: &'a Mesh,
     structure: Structure,
     full: SymmetricMatrix,
+    /// The same without terms that change.
+    lasting: Option<SymmetricMatrix>,
     mass: Option<SymmetricMatrix>,
     support: StaticCase,
     kept: Vec<bool>,
@@ -86,11 +90,27 @@ impl<'a> StaticSystem<'a> {
         options: SolveOptions,
         watch: &dyn Fn(&SolveEstimate),
     ) -> Result<StaticSystem<'a>, FlexError> {
+        StaticSystem::new_with(mesh, case, &[], options, watch)
+    }
+
+    /// The same with terms that may change their values later.
+    pub(crate) fn new_with(
+        mesh: &'a Mesh,
+        case: &StaticCase,
+        changing: &[DenseTerm],
+        options: SolveOptions,
+        watch: &dyn Fn(&SolveEstimate),
+    ) -> Result<StaticSystem<'a>, FlexError> {
         mesh.check()?;
         case.check(mesh)?;
         let terms = case.terms();
-        let structure = Structure::new(mesh, &terms);
-        let full = structure.assemble(mesh, Quantity::Stiffness, &terms);
+        let structure = Structure::new(mesh, &[terms.as_slice(), changing].concat());
+        let mut full = structure.assemble(mesh, Quantity::Stiffness, &terms);
+        let mut lasting = None;
+        if !changing.is_empty() {
+            let with = structure.with_terms(&full, changing);
+            lasting = Some(std::mem::replace(&mut full, with));
+        }
         let needs_mass = case.inertia_relief || case.speed != 0.0;
         let mass = needs_mass.then(|| structure.assemble(mesh, Quantity::Mass, &[]));
         let mut kept = vec![true; full.size()];
@@ -103,7 +123,29 @@ impl<'a> StaticSystem<'a> {
             }
         }
         let solver = Solver::new(full.restricted(&kept), options.precision, options.memory, watch)?;
-        Ok(StaticSystem { mesh, structure, full, mass, support: case.clone(), kept, solver })
+        Ok(StaticSystem { mesh, structure, full, lasting, mass, support: case.clone(), kept, solver })
+    }
+
+    /// Gives the terms that may change other values, and factors anew.
+    pub(crate) fn change_terms(&mut self, terms: &[DenseTerm]) -> Result<(), FlexError> {
+        let lasting = self.lasting.as_ref().unwrap_or(&self.full);
+        let full = self.structure.with_terms(lasting, terms);
+        self.solver.replace(full.restricted(&self.kept))?;
+        self.full = full;
+        Ok(())
+    }
+
+    /// Forces that displacements need without the terms that may change [N].
+    pub(crate) fn without_terms(&self, displacements: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let mut product = vec![0.0; self.full.size()];
+        let matrix = self.lasting.as_ref().unwrap_or(&self.full);
+        matrix.multiply(&self.structure.gather(displacements), &mut product);
+        self.structure.scatter(&product)
+    }
+
+    /// Forces of a case on all nodes [N].
+    pub(crate) fn forces(&self, case: &StaticCase) -> Result<Vec<[f64; 3]>, FlexError> {
+        Ok(self.structure.scatter(&self.load(case)?))
     }
 
     /// Solves cases that have the supports of this system.

@@ -28,6 +28,7 @@ pub struct EngineReport<'a> {
     optimum: Option<FoundOptimum>,
     crankshaft: Option<CounterweightCheck>,
     running: Running,
+    more: Vec<Section>,
     /// Warnings of the file, then what was left out and why, each in one line.
     pub warnings: Vec<String>,
     /// How many of them the reader of the file has told of already.
@@ -71,7 +72,22 @@ impl<'a> EngineReport<'a> {
                 warnings.push(warning);
             }
         }
-        Ok(EngineReport { engine, loads, internal, optimum, crankshaft, running, warnings, told })
+        Ok(EngineReport {
+            engine,
+            loads,
+            internal,
+            optimum,
+            crankshaft,
+            running,
+            more: Vec::new(),
+            warnings,
+            told,
+        })
+    }
+
+    /// Adds what takes too long to be part of every report.
+    pub fn add(&mut self, sections: Vec<Section>) {
+        self.more.extend(sections);
     }
 
     /// All that it tells, topic by topic, in the order of reading. A new topic is one more line here.
@@ -82,6 +98,7 @@ impl<'a> EngineReport<'a> {
         sections.extend(bending_section(engine, &self.internal));
         sections.extend(self.crankshaft.as_ref().map(|checked| checked.section(engine)));
         sections.extend(running.sections(engine));
+        sections.extend(self.more.iter().cloned());
         sections.extend([motion_section(loads), engine_section(engine)]);
         sections
     }

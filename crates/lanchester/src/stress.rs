@@ -1,5 +1,6 @@
 //! Stress and modes of a crankshaft: its mesh from the engine file, its loads from the closed form.
 
+pub(crate) mod converge;
 pub(crate) mod deck;
 pub(crate) mod export;
 pub(crate) mod fatigue;
@@ -9,8 +10,9 @@ pub(crate) mod request;
 pub(crate) mod rule;
 pub(crate) mod run;
 
+pub use converge::{converged_modes, converged_stress};
 pub use deck::solve_deck;
-pub use export::{case_deck, case_vtu, modes_deck, modes_vtu};
+pub use export::{case_deck, case_glb, case_stl, case_vtu, modes_deck, modes_glb, modes_vtu};
 pub use fatigue::{FatigueRequest, crank_fatigue};
 pub use reduce::reduced_crank;
 pub use request::{

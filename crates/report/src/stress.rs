@@ -1,13 +1,16 @@
 //! The flexible crankshaft: static stress, natural modes.
 
 pub(crate) mod body;
+pub(crate) mod convergence;
 pub(crate) mod deck;
 pub(crate) mod fatigue;
 pub(crate) mod modes;
+pub(crate) mod picture;
 pub(crate) mod reduced;
 pub(crate) mod statics;
 
 pub use body::{CrankSheet, StressMaterial};
+pub use convergence::{ConvergedNumber, Convergence, ConvergenceMesh};
 pub use deck::{DECK_VERSION, SolvedDeck, SolvedStep, StaticStep, deck_csv, deck_text};
 pub use fatigue::{
     CRANK_FATIGUE_VERSION, CrankFatigue, FatigueAtSpeed, FatigueFactors, FilletFatigue, fatigue_csv,

@@ -6,6 +6,7 @@ use crate::gas_run::GasRun;
 use crate::inputs::inputs;
 use crate::shape::ShapeFit;
 use crate::source::{Change, Edit, KinematicsName, NewValue};
+use crate::stress::{StressFit, StressRun};
 use lanchester::file::workshop::read_sheet;
 use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, loads};
@@ -23,6 +24,9 @@ pub(crate) struct Run {
     pub tasks: Tasks,
     pub loads: Loads,
     pub shape: ShapeFit,
+    pub stress_fit: StressFit,
+    /// Static stress, once it was asked for.
+    pub stress: OnceCell<Result<StressRun, String>>,
     pub kinematics: Kinematics,
     /// Every quantity that went in, in SI units.
     pub inputs: Vec<f64>,
@@ -95,6 +99,8 @@ impl Bench {
             inputs: inputs(&text, &changes),
             power_step: fitting.power_step,
             shape: fitting.shape,
+            stress_fit: fitting.stress,
+            stress: OnceCell::new(),
             kinematics: request.kinematics,
             gas: OnceCell::new(),
         });

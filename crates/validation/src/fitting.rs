@@ -1,5 +1,5 @@
 //! Changes of an engine that no line of its file can say: the arrangements of the twin-cylinder thesis, and the other
-//! published methods ([`MethodFit`]); and the shape of a counterweight ([`ShapeFit`]).
+//! published methods ([`MethodFit`]); the shape of a counterweight ([`ShapeFit`]); and a case of static stress ([`StressFit`]).
 //!
 //! | place in a change | value |
 //! |---|---|
@@ -10,6 +10,7 @@
 use crate::method::MethodFit;
 use crate::shape::ShapeFit;
 use crate::source::NewValue;
+use crate::stress::StressFit;
 use lanchester::literature::{ArrangementOptions, GivenAmounts, SweepOptions, TwinArrangement, arranged};
 use lanchester::mechanism::{LoadRequest, PeakMode};
 use lanchester::model::Engine;
@@ -21,6 +22,7 @@ pub(crate) struct Fitting {
     given: GivenAmounts,
     method: MethodFit,
     pub shape: ShapeFit,
+    pub stress: StressFit,
     /// Step of the speeds among which the largest power is looked for [rpm].
     pub power_step: Option<f64>,
 }
@@ -28,7 +30,10 @@ pub(crate) struct Fitting {
 impl Fitting {
     /// Takes a change that is its own; `false`: it is one of the file.
     pub fn take(&mut self, place: &str, value: &NewValue) -> Result<bool, String> {
-        if self.method.take(place, value)? || self.shape.take(place, value)? {
+        if self.method.take(place, value)?
+            || self.shape.take(place, value)?
+            || self.stress.take(place, value)?
+        {
             return Ok(true);
         }
         if place == "power.step" {

@@ -30,6 +30,7 @@ mod render;
 mod result;
 mod shape;
 mod source;
+mod stress;
 #[cfg(test)]
 mod tests;
 mod torsion;

@@ -14,7 +14,8 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Torsion: [`TorsionKey`]. Workshop sheets: [`WorkshopKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
+//! Torsion: [`TorsionKey`]. Workshop sheets: [`WorkshopKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
@@ -22,6 +23,7 @@ use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
 use crate::shape::ShapeKey;
+use crate::stress::{StressKey, StressRun};
 use crate::torsion::TorsionKey;
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
@@ -49,6 +51,8 @@ pub(crate) enum Key {
     Graph(GraphKey),
     /// In torsion.
     Torsion(TorsionKey),
+    /// Of a case of static stress.
+    Stress(StressKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -186,6 +190,9 @@ impl Key {
         if let Some(torsion) = TorsionKey::parse(text) {
             return Ok(Key::Torsion(torsion));
         }
+        if let Some(stress) = StressKey::parse(text) {
+            return Ok(Key::Stress(stress));
+        }
         if let Some(graph) = GraphKey::parse(text) {
             return Ok(Key::Graph(graph));
         }
@@ -215,6 +222,10 @@ impl Key {
             Key::Gas(gas) => gas.of(run).map(Value::Number),
             Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
             Key::Torsion(torsion) => torsion.of(&run.file()).map(Value::Number),
+            Key::Stress(stress) => {
+                let found = run.stress.get_or_init(|| StressRun::of(&run.engine, &run.stress_fit));
+                found.as_ref().map(|found| Value::Number(stress.of(found))).map_err(Clone::clone)
+            }
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }

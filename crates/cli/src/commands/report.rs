@@ -1,6 +1,8 @@
 //! `lanchester report`: the page, and its figures as files.
 
 use crate::arguments::ReportArguments;
+use crate::commands::figures::write_figures;
+use crate::commands::stress::say;
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
 use crate::files::{Source, print, tell, write_result};
@@ -8,12 +10,18 @@ use crate::format::Format;
 use crate::program::PROGRAM;
 use crate::requests::loads::{internal_request, load_request};
 use crate::trace_files::trace_files;
+use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::mechanism::{LoadRequest, Loads, internal_cases, loads};
+use lanchester::model::Engine;
 use lanchester::report::{
-    ArrangementsInput, Figure, Provenance, arrangements_report, bending_section, figures, loads_sections,
+    ArrangementsInput, Provenance, Section, arrangements_report, bending_section, figures, loads_sections,
     motion_section,
 };
-use lanchester::{EngineReport, arrangements, is_running};
+use lanchester::task::option;
+use lanchester::{
+    EngineReport, ModesRequest, StaticRequest, StressMesh, arrangements, crank_modes, is_running,
+    static_stress,
+};
 use lanchester_files::shown;
 use std::path::{Path, PathBuf};
 
@@ -46,8 +54,11 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
         let traces =
             if is_running(&opened.file) { trace_files(engine, &arguments.file) } else { Ok(Vec::new()) };
         let traces = traces.as_deref().map_err(|failure| failure.message.clone());
-        let report = EngineReport::new(&opened.file, &request, &internal, traces, &opened.warnings)
+        let mut report = EngineReport::new(&opened.file, &request, &internal, traces, &opened.warnings)
             .map_err(refused)?;
+        if arguments.stress {
+            report.add(stress_sections(arguments, engine)?);
+        }
         for warning in &report.warnings[report.told..] {
             tell(format_args!("warning: {warning}"));
         }
@@ -80,21 +91,29 @@ pub fn run(arguments: &ReportArguments, colour: bool) -> Result<u8, Failure> {
     Ok(DONE)
 }
 
+/// Chapters on the crankshaft as an elastic body.
+fn stress_sections(arguments: &ReportArguments, engine: &Engine) -> Result<Vec<Section>, Failure> {
+    let options = CrankMeshOptions {
+        size: option::length(&arguments.stress_size, "--stress-size")?,
+        fillet_elements: arguments.stress_fillet_elements,
+        ..CrankMeshOptions::default()
+    };
+    let mesh = StressMesh { crankshaft: 0, options };
+    let traces = trace_files(engine, &arguments.file)?;
+    let request = StaticRequest { mesh, ..StaticRequest::default() };
+    let stress = static_stress(engine, &traces, &request, &say).map_err(Failure::refused)?;
+    let mesh = StressMesh { options: CrankMeshOptions { fillet_elements: 2, ..options }, ..mesh };
+    let request = ModesRequest { mesh, ..ModesRequest::default() };
+    let modes = crank_modes(engine, &request, &say).map_err(Failure::refused)?;
+    Ok(vec![stress.section(), modes.section()])
+}
+
 fn provenance(source: &Source, loads: &Loads, request: &LoadRequest) -> Provenance {
     lanchester::provenance(PROGRAM, &source.name, &source.text, loads, request)
 }
 
 fn listed(head: &str, written: &[PathBuf]) -> String {
     written.iter().fold(head.to_string(), |list, path| list + &shown(path) + "\n")
-}
-
-fn write_figures(folder: &Path, engine_file: &Path, figures: &[Figure]) -> Result<Vec<PathBuf>, Failure> {
-    let write = |figure: &Figure| {
-        let path = folder.join(format!("{}.svg", figure.id));
-        write_result(&path, engine_file, &figure.svg())?;
-        Ok(path)
-    };
-    figures.iter().map(write).collect()
 }
 
 /// In which form a report is written.

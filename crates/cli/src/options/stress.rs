@@ -20,7 +20,9 @@ pub enum StressCommand {
     #[command(
         after_help = "Examples:\n  lanchester stress static four.toml\n  lanchester stress static four.toml --angle '7 deg' --speed '4000 rpm'\n  \
                             lanchester stress static four.toml --force '1: -65 kN, 10.7 kN' --support clamped-ends\n  \
-                            lanchester stress static four.toml --size '6 mm' --fillet-elements 8 --format csv > fillets.csv"
+                            lanchester stress static four.toml --angle '7 deg' --support rings --ring-thickness '5 mm'\n  \
+                            lanchester stress static four.toml --size '6 mm' --fillet-elements 8 --format csv > fillets.csv\n  \
+                            lanchester stress static four.toml --angle '7 deg' --speed '4000 rpm' --size '12 mm' --fillet-elements 4 --converge"
     )]
     Static(StaticArguments),
     /// Natural frequencies of the crankshaft at rest, their kinds and residuals.
@@ -29,10 +31,11 @@ pub enum StressCommand {
                             lanchester stress modes four.toml --fillet-elements 2 --format csv > modes.csv"
     )]
     Modes(ModesArguments),
-    /// Write the mesh with a case, or with modes, for other programs: CalculiX deck, VTU for ParaView.
+    /// Write the mesh with a case, or with modes, for other programs: CalculiX deck, VTU for ParaView, glTF, STL.
     #[command(
         after_help = "Examples:\n  lanchester stress export four.toml --force '1: -65 kN, 10.7 kN' --output case.inp\n  \
                             lanchester stress export four.toml --angle '7 deg' --output case.vtu\n  \
+                            lanchester stress export four.toml --angle '7 deg' --output case.glb\n  \
                             lanchester stress export four.toml --modes 10 --output modes.vtu"
     )]
     Export(ExportArguments),
@@ -94,6 +97,12 @@ pub struct SupportArguments {
     /// With `--support springs`: stiffness per journal and direction, with its unit, such as `500 kN/mm`.
     #[arg(long, value_name = "STIFFNESS", required_if_eq("support", "springs"))]
     pub stiffness: Option<String>,
+    /// With `--support rings`: thickness of the rings, with its unit; 5 mm unless given.
+    #[arg(long, value_name = "LENGTH")]
+    pub ring_thickness: Option<String>,
+    /// With `--support rings`: Young's modulus of the rings, with its unit; 210 GPa unless given.
+    #[arg(long, value_name = "MODULUS")]
+    pub ring_modulus: Option<String>,
 }
 
 /// Supports.
@@ -105,6 +114,9 @@ pub enum SupportOption {
     Journals,
     /// The same with a spring at each journal.
     Springs,
+    /// A ring around each journal, fixed at its outside, and around each loaded pin, pressed there by the load: contact without friction, which opens
+    /// where it would pull. For static cases alone.
+    Rings,
     /// None: loads balanced by the crankshaft's own inertia.
     Free,
 }
@@ -139,6 +151,12 @@ pub struct StaticArguments {
     /// What loads it.
     #[command(flatten)]
     pub load: LoadArguments,
+    /// Solve on three meshes, of the size asked for, of 1/1.4 and of half of it: every number with the band about what the three tend to.
+    #[arg(long)]
+    pub converge: bool,
+    /// Write pictures as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
     /// Form of the output; CSV is every fillet under every case.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -156,6 +174,12 @@ pub struct ModesArguments {
     /// How many modes, beyond those of a rigid body.
     #[arg(short = 'n', long = "number", value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=500))]
     pub number: u32,
+    /// Solve on three meshes, of the size asked for, of 1/1.4 and of half of it: every frequency with the band about what the three tend to.
+    #[arg(long)]
+    pub converge: bool,
+    /// Write pictures as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
     /// Form of the output.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
@@ -176,7 +200,11 @@ pub struct ExportArguments {
     /// Modes instead of a static case: how many.
     #[arg(long, value_name = "N", conflicts_with_all = ["angle", "force"], value_parser = clap::value_parser!(u32).range(1..=500))]
     pub modes: Option<u32>,
-    /// File to write: `.inp` (CalculiX; N, mm, tonne, s, MPa) or `.vtu` (ParaView; SI).
+    /// By how much displacements are shown in `.glb` (a round number unless given) and `.stl` (0 unless given).
+    #[arg(long, value_name = "FACTOR")]
+    pub deformation: Option<f64>,
+    /// File to write: `.inp` (CalculiX; N, mm, tonne, s, MPa), `.vtu` (ParaView; SI), `.glb` (viewers: stress as colours, deformation and modes as
+    /// animated morph targets; m) or `.stl` (surface alone; mm).
     #[arg(long, short, value_name = "FILE")]
     pub output: PathBuf,
 }

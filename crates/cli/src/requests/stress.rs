@@ -105,8 +105,27 @@ pub fn support(own: &SupportArguments, default: CrankSupport) -> Result<CrankSup
             "add --support springs, or leave out --stiffness",
         ));
     }
+    let rings = [("--ring-thickness", &own.ring_thickness), ("--ring-modulus", &own.ring_modulus)];
+    if let Some((name, _)) = rings.iter().find(|(_, given)| given.is_some())
+        && own.support != Some(SupportOption::Rings)
+    {
+        return Err(Failure::input(
+            format_args!("{name} is that of --support rings"),
+            format_args!("add --support rings, or leave out {name}"),
+        ));
+    }
     Ok(match own.support {
         None => default,
+        Some(SupportOption::Rings) => {
+            let given = |text: &Option<String>, dimension: Dimension, name: &str, usual: f64| match text {
+                Some(text) => option::of_dimension(text, dimension, Bound::Positive, name),
+                None => Ok(usual),
+            };
+            CrankSupport::Rings {
+                thickness: given(&own.ring_thickness, Dimension::Length, "--ring-thickness", 5e-3)?,
+                modulus: given(&own.ring_modulus, Dimension::Pressure, "--ring-modulus", 210e9)?,
+            }
+        }
         Some(SupportOption::ClampedEnds) => CrankSupport::ClampedEnds,
         Some(SupportOption::Journals) => CrankSupport::Journals,
         Some(SupportOption::Free) => CrankSupport::Free,

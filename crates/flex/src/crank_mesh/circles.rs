@@ -212,24 +212,21 @@ fn graded(from: f64, gap: f64, radius: f64, layer: f64, chord: f64) -> Vec<f64> 
         .collect()
 }
 
-/// Chords no longer than `size` and no more than 12 degrees along the edges of an outline.
-pub(super) fn outline_chords(outline: &lanchester_shape::Outline, size: f64) -> Chords {
+/// Chords no longer than `size` and no more than 12 degrees along edges.
+pub(super) fn outline_chords(edges: &[lanchester_shape::Edge], size: f64) -> Chords {
     let mut result = Chords::default();
-    for contour in outline.contours() {
-        // Half the edges where they turn by more than a half circle: points along an edge are exact up to there.
-        let halved = contour
-            .edges()
-            .iter()
-            .flat_map(|edge| if edge.bulge.abs() > 0.9 { edge.halves().to_vec() } else { vec![*edge] });
-        for edge in halved {
-            let turn = 4.0 * edge.bulge.abs().atan();
-            let count = ((edge.length() / size).ceil().max((turn / (PI / 15.0)).ceil()) as usize).max(1);
-            for k in 0..count {
-                let at = |part: f64| edge.at((k as f64 + part) / count as f64).0;
-                let ends = [result.point(at(0.0), SHORT), result.point(at(1.0), SHORT)];
-                if ends[0] != ends[1] {
-                    result.chords.push((ends, at(0.5)));
-                }
+    // Half the edges where they turn by more than a half circle: points along an edge are exact up to there.
+    let halved = edges
+        .iter()
+        .flat_map(|edge| if edge.bulge.abs() > 0.9 { edge.halves().to_vec() } else { vec![*edge] });
+    for edge in halved {
+        let turn = 4.0 * edge.bulge.abs().atan();
+        let count = ((edge.length() / size).ceil().max((turn / (PI / 15.0)).ceil()) as usize).max(1);
+        for k in 0..count {
+            let at = |part: f64| edge.at((k as f64 + part) / count as f64).0;
+            let ends = [result.point(at(0.0), SHORT), result.point(at(1.0), SHORT)];
+            if ends[0] != ends[1] {
+                result.chords.push((ends, at(0.5)));
             }
         }
     }

@@ -2,6 +2,10 @@
 
 /// Growth from layer to layer.
 const GROWTH: f64 = 1.5;
+/// A plane takes the place of a level that is nearer than this [m].
+const NEAR: f64 = 0.4e-3;
+/// Levels nearer than this are one [m].
+const SAME: f64 = 1e-7;
 
 /// Levels from 0 to `length`, both included: `layers` within the fillet radius at an end that has one, growing after to `size`.
 pub(super) fn levels(length: f64, fillets: [f64; 2], layers: usize, size: f64) -> Vec<f64> {
@@ -32,6 +36,35 @@ pub(super) fn levels(length: f64, fillets: [f64; 2], layers: usize, size: f64) -
     }
 }
 
+/// Levels with one at each of these planes that lies between the ends: it takes the place of a level nearby, but none within a fillet.
+pub(super) fn with_planes(mut along: Vec<f64>, planes: Vec<f64>, fillets: [f64; 2]) -> Vec<f64> {
+    let length = along[along.len() - 1];
+    let within = |level: f64| {
+        level < fillets[0] + SAME
+            || level > length - fillets[1] - SAME
+            || level < SAME
+            || level > length - SAME
+    };
+    let mut kept: Vec<f64> = Vec::new();
+    for plane in planes.into_iter().filter(|plane| *plane > SAME && *plane < length - SAME) {
+        if along.iter().any(|level| (level - plane).abs() < SAME) {
+            continue;
+        }
+        let is_free = |level: &f64| {
+            !within(*level)
+                && (level - plane).abs() < NEAR
+                && kept.iter().all(|kept| (kept - level).abs() > SAME)
+        };
+        match along.iter().position(is_free) {
+            Some(near) => along[near] = plane,
+            None => along.push(plane),
+        }
+        kept.push(plane);
+    }
+    along.sort_by(f64::total_cmp);
+    along
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -52,5 +85,16 @@ mod tests {
                 assert!(levels.iter().any(|level| (level - at).abs() < 1e-12), "{at} in {levels:?}");
             }
         }
+    }
+
+    #[test]
+    fn planes_become_levels_and_fillets_keep_theirs() {
+        let plain = levels(0.03, [0.003, 0.003], 3, 0.008);
+        let found = with_planes(plain.clone(), vec![0.0, 0.0022, 0.0119, 0.03, 0.04], [0.003, 0.003]);
+        for level in [0.001, 0.002, 0.0022, 0.003, 0.0119, 0.027] {
+            assert!(found.iter().any(|own| (own - level).abs() < 1e-12), "{level} in {found:?}");
+        }
+        assert!(found.windows(2).all(|pair| pair[1] > pair[0]) && found[found.len() - 1] == 0.03);
+        assert!(found.len() <= plain.len() + 2);
     }
 }

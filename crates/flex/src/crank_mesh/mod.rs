@@ -6,9 +6,17 @@
 //! * The sharp corner at a face is pulled onto the torus of the fillet, and the body with it (eq. 43.9).
 
 mod circles;
+mod extrude;
 mod fillet;
 mod levels;
+mod lines;
 mod net;
+mod options;
+mod plain;
+mod segment;
+mod slugs;
+mod stack;
 mod sweep;
 
-pub use sweep::{CrankMesh, CrankMeshOptions, FilletPlace, crank_mesh};
+pub use options::CrankMeshOptions;
+pub use sweep::{CrankMesh, FilletPlace, WebPlace, crank_mesh};

@@ -1,38 +1,23 @@
 //! From the elements of a crankshaft to its mesh.
 
-use super::circles::{Chords, Polygon, Rings, chords, outline_chords};
+use super::circles::{Chords, chords};
+use super::extrude::Sweep;
 use super::fillet::{Side, Torus};
-use super::levels::levels;
-use super::net::{Net, net};
-use crate::element::ElementKind;
-use crate::mesh::{Element, Mesh, MeshQuality, NodeSet, quality};
+use super::levels::{levels, with_planes};
+use super::net::net;
+use super::options::{CrankMeshOptions, check_options};
+use super::plain::plain_body;
+use super::segment::{Bar, Segment, Stack, TINY, check_fillets, refuse, rings, segments};
+use super::slugs::slugs;
+use super::stack::{Core, StackNet, reaches_over, solids, stack_net};
+use crate::mesh::{Mesh, MeshQuality, NodeSet, quality};
 use crate::{FlexError, LEAST_JACOBIAN, Material};
-use lanchester_geometry::crankshaft::{CrankshaftBody, crankshaft};
-use lanchester_model::{CrankElement, CrankElementForm, Engine};
-use lanchester_shape::{Outline, Point};
+use lanchester_geometry::crankshaft::CrankshaftBody;
+use lanchester_model::{CrankElement, Engine};
+use lanchester_shape::Point;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
-
-/// Points closer than this are at one place [m].
-const TINY: f64 = 1e-7;
-
-/// How fine a crankshaft is meshed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
-pub struct CrankMeshOptions {
-    /// Edge of the elements away from fillets [m].
-    pub size: f64,
-    /// Elements across the 90 degrees of a fillet: an even number, at least 2.
-    pub fillet_elements: usize,
-    /// Whether fillets are meshed; without them their corners are sharp, which is enough for stiffness.
-    pub fillets: bool,
-}
-
-impl Default for CrankMeshOptions {
-    fn default() -> CrankMeshOptions {
-        CrankMeshOptions { size: 8e-3, fillet_elements: 6, fillets: true }
-    }
-}
 
 /// A corner between a bar and a web.
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -63,6 +48,16 @@ impl FilletPlace {
     }
 }
 
+/// A web, away from its fillets.
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct WebPlace {
+    /// "web 2".
+    pub name: String,
+    /// Nodes farther from each face than the radius of the fillet there, on the surface and within; none of a web that is all fillets.
+    #[serde(skip)]
+    pub nodes: Vec<u32>,
+}
+
 /// The mesh of a crankshaft. Sets: `MAIN_1` .. and `PIN_1` .. (the bearing surfaces between the fillets), `FREE_END`, `FLYWHEEL` (the end
 /// faces).
 #[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
@@ -74,114 +69,175 @@ pub struct CrankMesh {
     pub quality: MeshQuality,
     /// Its corners, along z.
     pub corners: Vec<FilletPlace>,
-    /// What of the crankshaft is not meshed.
+    /// Its webs, along z.
+    pub webs: Vec<WebPlace>,
+    /// Mass of the body that is meshed, without fillets; of its nose and flange too, which are not [kg].
+    pub body_mass: f64,
+    /// What of the crankshaft is not meshed, or not as it is.
     pub left_out: Vec<String>,
-}
-
-struct Bar {
-    name: String,
-    set: String,
-    centre: Point,
-    radius: f64,
-    bore: f64,
-    faces: [f64; 2],
-    fillets: [f64; 2],
-    has_web: [bool; 2],
-}
-
-/// Webs between two bars, or at an end of the crankshaft.
-struct Stack {
-    name: String,
-    faces: [f64; 2],
-    bars: [Option<usize>; 2],
-}
-
-enum Segment {
-    Bar(usize),
-    Stack(Stack),
-}
-
-fn refuse(place: &str, message: impl Into<String>, hint: &'static str) -> FlexError {
-    FlexError::Mesh { place: place.to_owned(), message: message.into(), hint }
 }
 
 /// Meshes crankshaft `index` of an engine.
 ///
 /// # Errors
 /// [`FlexError::Crankshaft`] where the file does not say enough; [`FlexError::Mesh`] where fillets do not fit or the shape is not covered
-/// (parts of several materials, counterweights that reach over a journal or pin along the crank); [`FlexError::Inverted`] for a mesh
-/// below [`LEAST_JACOBIAN`].
+/// (counterweights of another density, and those that reach over a journal or pin along the crank and touch it); [`FlexError::Inverted`] for a
+/// mesh below [`LEAST_JACOBIAN`].
 pub fn crank_mesh(engine: &Engine, index: usize, options: CrankMeshOptions) -> Result<CrankMesh, FlexError> {
     check_options(options)?;
-    let body = crankshaft(engine, index)?;
+    let (body, mut left_out) = plain_body(engine, index)?;
     let elements = engine
         .crank_elements(index)
         .map_err(|fault| refuse("crankshaft", fault.to_string(), "complete [crank.body] and [crank]"))?;
-    let mut left_out = Vec::new();
     let (bars, segments) = segments(&elements, options, &mut left_out)?;
     check_fillets(&bars, &segments)?;
     let layers = options.fillet_elements / 2;
     let rings = rings(&bars, layers, options.size);
     let core_chords = chords(&rings);
-    let core = net(&core_chords, options.size).map_err(|at| {
+    let core_net = net(&core_chords, options.size).map_err(|at| {
         let place = format!("({:.2}, {:.2}) mm across the crank", 1e3 * at.x, 1e3 * at.y);
-        refuse(
-            &place,
-            "circles of journals, pins and fillets nearly touch",
-            "change a fillet radius slightly",
-        )
+        near_circles(&bars, at).unwrap_or_else(|| {
+            refuse(
+                &place,
+                "circles of journals, pins and fillets nearly touch",
+                "change a fillet radius slightly",
+            )
+        })
     })?;
+    let mut materials = vec![material(engine, &body, &elements)?];
+    let slugs = slugs(&body, &mut materials)?;
+    if materials.len() > 1 {
+        left_out.push(
+            "elastic constants of inserts (those of the crankshaft, with the density of the insert)"
+                .to_owned(),
+        );
+    }
     let mut sweep = Sweep {
         middles: middles(&core_chords),
-        points: core.points.clone(),
+        points: core_net.points.clone(),
         nodes: HashMap::new(),
-        mesh: Mesh { materials: vec![material(engine, &body, &elements)?], ..Mesh::default() },
+        mesh: Mesh { materials, ..Mesh::default() },
         levels: Vec::new(),
     };
+    let core = Core { bars: &bars, net: &core_net, chords: &core_chords, slugs: &slugs, options };
+    let mut nets: Vec<Option<StackNet>> = Vec::with_capacity(segments.len());
+    let mut known: Vec<String> = Vec::new();
     for segment in &segments {
+        nets.push(match segment {
+            Segment::Bar(_) => None,
+            Segment::Stack(stack) => {
+                let solids = solids(&body, stack, &bars);
+                known.extend(solids.iter().map(|solid| solid.name.clone()));
+                Some(stack_net(&mut sweep, stack, &solids, &core)?)
+            }
+        });
+    }
+    for (place, segment) in segments.iter().enumerate() {
         match segment {
             Segment::Bar(bar) => {
                 let bar = &bars[*bar];
-                check_alone(&body, bar)?;
+                check_beside(&body, bar, &known)?;
                 let [outer, bore] =
                     [bar.radius, bar.bore].map(|radius| core_chords.circle(bar.centre, radius));
                 let own = |at: Point| outer.contains(at) && !bore.contains(at);
-                let triangles = sweep.pick(&core, own);
-                let along = levels(bar.faces[1] - bar.faces[0], bar.fillets, layers, options.size);
-                sweep.extrude(bar.faces[0], &along, |_| triangles.clone());
+                let disc: Vec<([usize; 3], u32)> =
+                    sweep.pick(&core_net, own).into_iter().map(|triangle| (triangle, 0)).collect();
+                let beside: Vec<&StackNet> = [place.checked_sub(1), Some(place + 1)]
+                    .into_iter()
+                    .filter_map(|side| nets.get(side?)?.as_ref())
+                    .collect();
+                let length = bar.faces[1] - bar.faces[0];
+                let planes = beside.iter().flat_map(|net| net.planes()).map(|plane| plane - bar.faces[0]);
+                let along = with_planes(
+                    levels(length, bar.fillets, layers, options.size),
+                    planes.collect(),
+                    bar.fillets,
+                );
+                sweep.extrude(bar.faces[0], &along, |z| {
+                    let more = beside.iter().flat_map(|net| net.filled(z, true));
+                    disc.iter().copied().chain(more).collect()
+                });
             }
             Segment::Stack(stack) => {
-                stack_mesh(&mut sweep, stack, &bars, &core, &core_chords, &body, options)?
+                let Some(net) = &nets[place] else { continue };
+                let radius = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
+                let radii = [radius(0), radius(1)];
+                let planes = net.planes().map(|plane| plane - stack.faces[0]).collect();
+                let thickness = stack.faces[1] - stack.faces[0];
+                let along = with_planes(levels(thickness, radii, layers, options.size), planes, radii);
+                sweep.extrude(stack.faces[0], &along, |z| net.filled(z, false));
             }
         }
     }
     let mut mesh = std::mem::take(&mut sweep.mesh);
+    let webs = webs(&mesh, &bars, &segments);
     let corners = finish(&mut mesh, &bars, &segments);
-    let quality = quality(&mesh)?;
-    if quality.least_jacobian < LEAST_JACOBIAN {
-        return Err(FlexError::Inverted {
-            element: quality.worst_element,
-            at: quality.worst_place,
-            jacobian: quality.least_jacobian,
-            needed: LEAST_JACOBIAN,
-        });
-    }
-    Ok(CrankMesh { mesh, quality, corners, left_out })
+    let quality = match quality(&mesh) {
+        Ok(quality) if quality.least_jacobian >= LEAST_JACOBIAN => quality,
+        Ok(quality) => {
+            return Err(FlexError::Inverted {
+                element: quality.worst_element,
+                at: quality.worst_place,
+                jacobian: quality.least_jacobian,
+                needed: LEAST_JACOBIAN,
+            })
+            .map_err(|error| because(error, &bars));
+        }
+        Err(error) => return Err(because(error, &bars)),
+    };
+    Ok(CrankMesh { mesh, quality, corners, webs, body_mass: body.mass.mass, left_out })
 }
 
-fn check_options(options: CrankMeshOptions) -> Result<(), FlexError> {
-    let refuse = |quantity: &str, needed: &str, got| {
-        let hint = "8 mm and 6 elements are usual";
-        Err(FlexError::Number { quantity: quantity.to_owned(), needed: needed.to_owned(), got, hint })
+/// Says which circles nearly touch where an element is inverted.
+fn because(error: FlexError, bars: &[Bar]) -> FlexError {
+    let FlexError::Inverted { at, .. } = &error else { return error };
+    near_circles(bars, Point::new(at[0], at[1])).unwrap_or(error)
+}
+
+/// Circles of two bars, fillets included, that nearly touch in projection near a point: no triangles with good angles fit between them.
+fn near_circles(bars: &[Bar], at: Point) -> Option<FlexError> {
+    let circles = |bar: &Bar| {
+        let name = bar.name.clone();
+        let fillets = bar.fillets.into_iter().filter(|fillet| *fillet > 0.0);
+        let fillets = fillets.map(|fillet| (format!("the fillet of {name}"), bar.radius + fillet));
+        let own: Vec<(String, f64)> =
+            std::iter::once((bar.name.clone(), bar.radius)).chain(fillets).collect();
+        own
     };
-    if !(1e-4..=1.0).contains(&options.size) {
-        return refuse("size of the elements [m]", "between 0.0001 and 1", options.size);
+    let mut best: Option<(f64, FlexError)> = None;
+    for (k, one) in bars.iter().enumerate() {
+        for two in &bars[..k] {
+            let apart = (one.centre - two.centre).norm();
+            if apart < TINY {
+                continue;
+            }
+            for (first, a) in circles(two) {
+                for (second, b) in circles(one) {
+                    // Beside each other, or one within the other.
+                    for gap in [apart - a - b, (a - b).abs() - apart] {
+                        let near = [(two.centre, a), (one.centre, b)]
+                            .iter()
+                            .map(|(centre, radius)| ((at - *centre).norm() - radius).abs())
+                            .fold(0.0, f64::max);
+                        let is_near = gap.abs() < 0.06 * a.min(b) && near < 0.5 * a.min(b);
+                        if is_near && best.as_ref().is_none_or(|(least, _)| gap.abs() < *least) {
+                            let message = format!(
+                                "the circles of {first} and {second} nearly touch, seen along the crank: they {} by {:.2} mm, and no elements of good shape fit between them",
+                                if gap > 0.0 { "miss each other" } else { "overlap" },
+                                1e3 * gap.abs()
+                            );
+                            let hint = "change a diameter, a fillet or the crank radius so that they overlap, or miss each other, by some millimetres";
+                            best = Some((
+                                gap.abs(),
+                                refuse(&format!("{} and {}", two.name, one.name), message, hint),
+                            ));
+                        }
+                    }
+                }
+            }
+        }
     }
-    let count = options.fillet_elements;
-    if !(2..=40).contains(&count) || count % 2 == 1 {
-        return refuse("elements across a fillet", "an even number from 2 to 40", count as f64);
-    }
-    Ok(())
+    best.map(|(_, error)| error)
 }
 
 /// One material: Young's modulus and Poisson's ratio of the file, or those of steel.
@@ -191,13 +247,16 @@ fn material(
     elements: &[CrankElement],
 ) -> Result<Material, FlexError> {
     let density = elements[0].density;
-    if let Some(part) =
-        body.parts.iter().find(|part| part.part.density() != density || !part.part.inserts().is_empty())
-    {
-        return Err(refuse(&part.name, "has a material of its own", "leave inserts and other densities out"));
-    }
-    if let Some(part) = body.parts.iter().find(|part| !part.part.chamfers().is_empty()) {
-        return Err(refuse(&part.name, "has chamfers, which are not meshed", "leave the chamfers out"));
+    if let Some(part) = body.parts.iter().find(|part| part.part.density() != density) {
+        let message = format!(
+            "has a density of its own ({:.0} kg/m3, the crankshaft {density:.0} kg/m3), and overlaps what it sits on",
+            part.part.density()
+        );
+        return Err(refuse(
+            &part.name,
+            message,
+            "give heavy metal as round inserts of a counterweight, or one density for all",
+        ));
     }
     let given = engine.crank_material.as_ref();
     let steel = Material::steel();
@@ -213,382 +272,46 @@ fn material(
     Ok(material)
 }
 
-fn segments(
-    elements: &[CrankElement],
-    options: CrankMeshOptions,
-    left_out: &mut Vec<String>,
-) -> Result<(Vec<Bar>, Vec<Segment>), FlexError> {
-    let (mut bars, mut segments): (Vec<Bar>, Vec<Segment>) = (Vec::new(), Vec::new());
-    for element in elements {
-        let set = match element.form {
-            CrankElementForm::Journal { journal, .. } => format!("MAIN_{}", journal + 1),
-            CrankElementForm::Pin { throw, .. } => format!("PIN_{}", throw + 1),
-            CrankElementForm::Nose { .. } | CrankElementForm::Flange { .. } => {
-                left_out.push(format!("{} (beyond the end journals)", element.name()));
-                continue;
-            }
-            CrankElementForm::Web { .. } => {
-                let before = bars.len().checked_sub(1);
-                match segments.last_mut() {
-                    Some(Segment::Stack(stack)) => stack.faces[1] = element.faces[1],
-                    _ => segments.push(Segment::Stack(Stack {
-                        name: element.name(),
-                        faces: element.faces,
-                        bars: [before, None],
-                    })),
-                }
-                continue;
-            }
-        };
-        let Some(bar) = element.bar() else { continue };
-        if let Some(Segment::Stack(stack)) = segments.last_mut() {
-            stack.bars[1] = Some(bars.len());
-        }
-        let radius = |fillet: Option<lanchester_model::Fillet>| {
-            if options.fillets { fillet.and_then(|fillet| fillet.radius).unwrap_or(0.0) } else { 0.0 }
-        };
-        if bar.fillets.iter().flatten().any(|fillet| fillet.recess > 0.0) {
-            left_out.push(format!("recess of the fillets of {}", element.name()));
-        }
-        if let CrankElementForm::Pin { oil_hole: Some(_), .. } = element.form {
-            left_out.push(format!("oil hole of {}", element.name()));
-        }
-        segments.push(Segment::Bar(bars.len()));
-        bars.push(Bar {
-            name: element.name(),
-            set,
-            centre: bar.centre,
-            radius: bar.diameter / 2.0,
-            bore: bar.bore / 2.0,
-            faces: element.faces,
-            fillets: bar.fillets.map(radius),
-            has_web: bar.fillets.map(|fillet| fillet.is_some()),
-        });
-    }
-    Ok((bars, segments))
-}
-
-fn check_fillets(bars: &[Bar], segments: &[Segment]) -> Result<(), FlexError> {
-    for bar in bars {
-        let length = bar.faces[1] - bar.faces[0];
-        if bar.fillets[0] + bar.fillets[1] > length * 0.98 {
-            let message = format!(
-                "fillets of {:.2} and {:.2} mm leave nothing of its {:.2} mm",
-                1e3 * bar.fillets[0],
-                1e3 * bar.fillets[1],
-                1e3 * length
-            );
-            return Err(refuse(&bar.name, message, "smaller fillets, or a longer bar"));
-        }
-        if bar.fillets.iter().any(|fillet| *fillet > 0.9 * (bar.radius - bar.bore)) {
-            return Err(refuse(&bar.name, "its fillet is larger than its wall", "a smaller fillet"));
-        }
-    }
-    for segment in segments {
-        let Segment::Stack(stack) = segment else { continue };
-        let radius = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
-        let thickness = stack.faces[1] - stack.faces[0];
-        if radius(0) + radius(1) > 0.9 * thickness {
-            let message = format!("its {:.2} mm are too thin for the fillets at its faces", 1e3 * thickness);
-            return Err(refuse(&stack.name, message, "smaller fillets, or a thicker web"));
-        }
-    }
-    Ok(())
-}
-
-/// Circles about each centre once.
-fn rings(bars: &[Bar], layers: usize, size: f64) -> Vec<Rings> {
-    let mut rings: Vec<Rings> = Vec::new();
-    for bar in bars {
-        let mut add = |radii: Vec<f64>, chord: f64, is_bore: bool| {
-            let own =
-                |rings: &&mut Rings| rings.is_bore == is_bore && (rings.centre - bar.centre).norm() < TINY;
-            match rings.iter_mut().find(own) {
-                Some(rings) => {
-                    rings.chord = rings.chord.min(chord);
-                    for radius in &radii {
-                        if rings.radii.iter().all(|own| (own - radius).abs() > TINY) {
-                            rings.radii.push(*radius);
-                        }
-                    }
-                    rings.radii.sort_by(f64::total_cmp);
-                }
-                None => rings.push(Rings { centre: bar.centre, radii, chord, is_bore }),
-            }
-        };
-        let mut fillets: Vec<f64> = bar.fillets.into_iter().filter(|fillet| *fillet > 0.0).collect();
-        fillets.sort_by(f64::total_cmp);
-        let mut radii = vec![bar.radius];
-        if let Some(fillet) = fillets.first() {
-            radii.extend((1..=layers).map(|k| bar.radius + fillet * k as f64 / layers as f64));
-        }
-        let chord = fillets.first().map_or(size, |fillet| (1.6 * fillet).min(size));
-        radii.extend(fillets.iter().skip(1).map(|fillet| bar.radius + fillet));
-        radii.dedup_by(|a, b| (*a - *b).abs() < TINY);
-        add(radii, chord, false);
-        if bar.bore > 0.0 {
-            add(vec![bar.bore], size, true);
-        }
-    }
-    rings
-}
-
 fn middles(chords: &Chords) -> HashMap<[usize; 2], Point> {
     chords.chords.iter().map(|([a, b], middle)| ([*a.min(b), *a.max(b)], *middle)).collect()
 }
 
-/// A bar's slab must hold nothing else.
-fn check_alone(body: &CrankshaftBody, bar: &Bar) -> Result<(), FlexError> {
-    let middle = |[from, to]: [f64; 2]| (from.max(bar.faces[0]), to.min(bar.faces[1]));
+/// What stands beside a bar must belong to a web next to it.
+fn check_beside(body: &CrankshaftBody, bar: &Bar, known: &[String]) -> Result<(), FlexError> {
     for (name, outline, faces) in body.outlines() {
-        let (from, to) = middle(faces);
-        if to - from > TINY && outline.farthest_point_from(bar.centre) > bar.radius + TINY {
-            let message = format!("{name} reaches over it along the crank");
-            return Err(refuse(&bar.name, message, "make the counterweight no thicker than its web"));
-        }
-    }
-    Ok(())
-}
-
-trait Farthest {
-    fn farthest_point_from(&self, from: Point) -> f64;
-}
-
-impl Farthest for Outline {
-    fn farthest_point_from(&self, from: Point) -> f64 {
-        self.outer().farthest(from).0
-    }
-}
-
-#[allow(clippy::too_many_arguments, reason = "the parts of one mesh, each of another kind")]
-fn stack_mesh(
-    sweep: &mut Sweep,
-    stack: &Stack,
-    bars: &[Bar],
-    core: &Net,
-    core_chords: &Chords,
-    body: &CrankshaftBody,
-    options: CrankMeshOptions,
-) -> Result<(), FlexError> {
-    // Slabs of the stack, each with its outlines.
-    let solids: Vec<(Outline, [f64; 2])> = body
-        .outlines()
-        .filter(|(_, _, faces)| faces[0].max(stack.faces[0]) + TINY < faces[1].min(stack.faces[1]))
-        .map(|(_, outline, faces)| (outline, faces))
-        .collect();
-    let mut planes: Vec<f64> = solids.iter().flat_map(|(_, faces)| *faces).chain(stack.faces).collect();
-    planes.retain(|plane| *plane > stack.faces[0] - TINY && *plane < stack.faces[1] + TINY);
-    planes.sort_by(f64::total_cmp);
-    planes.dedup_by(|a, b| (*a - *b).abs() < TINY);
-    // What the core gives: the discs of both bars out to their outermost ring.
-    let discs: Vec<(Point, f64)> = stack
-        .bars
-        .iter()
-        .flatten()
-        .map(|bar| {
-            // Bars of one axis and radius share their circles.
-            let own = &bars[*bar];
-            let same = |other: &&Bar| {
-                (other.centre - own.centre).norm() < TINY && (other.radius - own.radius).abs() < TINY
-            };
-            let fillets = bars.iter().filter(same).flat_map(|bar| bar.fillets);
-            let outer = own.radius + fillets.fold(0.0, f64::max);
-            (bars[*bar].centre, outer)
-        })
-        .collect();
-    for (outline, _) in &solids {
-        for (centre, radius) in &discs {
-            let room = outline.outer().nearest(*centre).0;
-            if !outline.contains(*centre) && outline.holes().is_empty() || room < radius + 0.2e-3 {
-                let message = format!(
-                    "its outline is {:.2} mm from the middle of a journal or pin, whose fillet reaches {:.2} mm",
-                    1e3 * room,
-                    1e3 * radius
-                );
-                return Err(refuse(&stack.name, message, "a smaller fillet or a larger web"));
-            }
-        }
-    }
-    let polygons: Vec<Polygon> =
-        discs.iter().map(|(centre, radius)| core_chords.circle(*centre, *radius)).collect();
-    let is_core = |at: Point| polygons.iter().any(|polygon| polygon.contains(at));
-    let boundary = |middle: Point| {
-        let place = |(centre, radius): &(Point, f64)| (middle - *centre).norm() - radius;
-        discs.iter().any(|disc| place(disc).abs() < TINY) && discs.iter().all(|disc| place(disc) > -TINY)
-    };
-    let mut outer = Chords::default();
-    let mut names: Vec<usize> = Vec::new();
-    for ([a, b], middle) in core_chords.chords.iter().filter(|(_, middle)| boundary(*middle)) {
-        let ends = [*a, *b].map(|point| {
-            names.iter().position(|name| *name == point).unwrap_or_else(|| {
-                names.push(point);
-                outer.points.push(core_chords.points[point]);
-                names.len() - 1
-            })
-        });
-        outer.chords.push((ends, *middle));
-    }
-    let mut seen: Vec<&Outline> = Vec::new();
-    let mut filled: Vec<Polygon> = Vec::new();
-    for (outline, _) in &solids {
-        let own = outline_chords(outline, options.size);
-        // Holes are bores, circles of the core, with its chords.
-        let mut polygon = outline_chords(
-            &Outline::new(outline.outer().clone(), Vec::new())
-                .map_err(|source| refuse(&stack.name, source.to_string(), "a simpler outline"))?,
-            options.size,
-        )
-        .polygon();
-        for hole in outline.holes() {
-            let bore = stack
-                .bars
-                .iter()
-                .flatten()
-                .map(|bar| &bars[*bar])
-                .find(|bar| hole.contains(bar.centre) && bar.bore > 0.0);
-            let Some(bore) = bore else {
-                return Err(refuse(
-                    &stack.name,
-                    "has a hole that is no bore of its journal or pin",
-                    "leave the hole out",
-                ));
-            };
-            polygon.0.extend(core_chords.circle(bore.centre, bore.bore).0);
-        }
-        filled.push(polygon);
-        if seen.contains(&outline) {
+        let (from, to) = (faces[0].max(bar.faces[0]), faces[1].min(bar.faces[1]));
+        if to - from < TINY || !reaches_over(&outline, bar) {
             continue;
         }
-        seen.push(outline);
-        // Holes of bores are circles of the core already.
-        for ([a, b], middle) in own.chords.iter().filter(|(_, middle)| !is_core(*middle)) {
-            let ends = [*a, *b].map(|point| {
-                let at = own.points[point];
-                let found = outer.points.iter().position(|point| (*point - at).norm() < TINY);
-                found.unwrap_or_else(|| {
-                    outer.points.push(at);
-                    outer.points.len() - 1
-                })
-            });
-            let is_there = |(other, _): &([usize; 2], Point)| *other == ends || *other == [ends[1], ends[0]];
-            if !outer.chords.iter().any(is_there) {
-                outer.chords.push((ends, *middle));
-            }
-        }
+        let (message, hint) = match known.iter().filter(|own| *own == name).count() {
+            0 => (
+                format!("{name} stands over it along the crank and touches no web at either side"),
+                "let the counterweight begin at the face of a web",
+            ),
+            1 => continue,
+            _ => (
+                format!("{name} reaches over its whole length, from web to web"),
+                "let the counterweight of each web end before the other",
+            ),
+        };
+        return Err(refuse(&bar.name, message, hint));
     }
-    let outside = net(&outer, options.size).map_err(|at| {
-        let message = format!("outlines of its slabs cross at ({:.2}, {:.2}) mm", 1e3 * at.x, 1e3 * at.y);
-        refuse(&stack.name, message, "one outline through the whole thickness of a web")
-    })?;
-    // Points of the outer net in the numbers of the sweep.
-    let first = sweep.points.len();
-    let number = |point: usize| if point < names.len() { names[point] } else { first + point - names.len() };
-    sweep.points.extend_from_slice(&outside.points[names.len()..]);
-    for ([a, b], middle) in &outer.chords {
-        let (a, b) = (number(*a), number(*b));
-        sweep.middles.insert([a.min(b), a.max(b)], *middle);
-    }
-    let mut all = sweep.pick(core, is_core);
-    all.extend(
-        outside
-            .triangles
-            .iter()
-            .map(|triangle| triangle.map(number))
-            .filter(|triangle| !is_core(sweep.centre(triangle))),
-    );
-    let radius = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
-    let mut along = levels(
-        stack.faces[1] - stack.faces[0],
-        [radius(0), radius(1)],
-        options.fillet_elements / 2,
-        options.size,
-    );
-    for plane in &planes {
-        let at = plane - stack.faces[0];
-        // A slab's face takes the place of a level that is near.
-        let count = along.len();
-        match along[1..count - 1].iter().position(|level| (level - at).abs() < 0.4e-3) {
-            Some(near) => along[near + 1] = at,
-            None if along.iter().all(|level| (level - at).abs() > TINY) => along.push(at),
-            None => {}
-        }
-    }
-    along.sort_by(f64::total_cmp);
-    let centres: Vec<Point> = all.iter().map(|triangle| sweep.centre(triangle)).collect();
-    sweep.extrude(stack.faces[0], &along, |z| {
-        let there: Vec<&Polygon> = solids
-            .iter()
-            .zip(&filled)
-            .filter(|((_, faces), _)| faces[0] < z && z < faces[1])
-            .map(|(_, polygon)| polygon)
-            .collect();
-        let is_filled = |at: &Point| there.iter().any(|polygon| polygon.contains(*at));
-        all.iter().zip(&centres).filter(|(_, at)| is_filled(at)).map(|(triangle, _)| *triangle).collect()
-    });
     Ok(())
 }
 
-struct Sweep {
-    points: Vec<Point>,
-    /// Middles of arcs by the ends of their chords.
-    middles: HashMap<[usize; 2], Point>,
-    /// Node of a point (both numbers the same) or edge at a level, in half levels.
-    nodes: HashMap<([usize; 2], usize), u32>,
-    mesh: Mesh,
-    /// Levels so far [m].
-    levels: Vec<f64>,
-}
-
-impl Sweep {
-    fn centre(&self, triangle: &[usize; 3]) -> Point {
-        (self.points[triangle[0]] + self.points[triangle[1]] + self.points[triangle[2]]) * (1.0 / 3.0)
-    }
-
-    fn pick(&self, net: &Net, is_in: impl Fn(Point) -> bool) -> Vec<[usize; 3]> {
-        net.triangles.iter().filter(|triangle| is_in(self.centre(triangle))).copied().collect()
-    }
-
-    /// Adds a layer of wedges between each two levels [m] above `from`; the first one is the last one so far.
-    fn extrude(&mut self, from: f64, along: &[f64], triangles: impl Fn(f64) -> Vec<[usize; 3]>) {
-        if self.levels.is_empty() {
-            self.levels.push(from + along[0]);
-        }
-        for pair in along.windows(2) {
-            let low = self.levels.len() - 1;
-            self.levels.push(from + pair[1]);
-            for corners in triangles(from + (pair[0] + pair[1]) / 2.0) {
-                let edges = [[0, 1], [1, 2], [2, 0]].map(|[a, b]: [usize; 2]| {
-                    let (a, b) = (corners[a], corners[b]);
-                    [a.min(b), a.max(b)]
-                });
-                let points = corners.map(|corner| [corner, corner]);
-                let mut nodes = Vec::with_capacity(15);
-                for (keys, level) in [
-                    (points, 2 * low),
-                    (points, 2 * low + 2),
-                    (edges, 2 * low),
-                    (edges, 2 * low + 2),
-                    (points, 2 * low + 1),
-                ] {
-                    nodes.extend(keys.map(|key| self.node(key, level)));
-                }
-                self.mesh.elements.push(Element { kind: ElementKind::Wedge, nodes, material: 0 });
-            }
-        }
-    }
-
-    fn node(&mut self, key: [usize; 2], level: usize) -> u32 {
-        if let Some(node) = self.nodes.get(&(key, level)) {
-            return *node;
-        }
-        let chord = (self.points[key[0]] + self.points[key[1]]) * 0.5;
-        let at = self.middles.get(&key).copied().unwrap_or(chord);
-        let z = (self.levels[level / 2] + self.levels[level.div_ceil(2)]) / 2.0;
-        let node = self.mesh.nodes.len() as u32;
-        self.mesh.nodes.push([at.x, at.y, z]);
-        self.nodes.insert((key, level), node);
-        node
-    }
+/// Nodes of each web between the depths of its fillets.
+fn webs(mesh: &Mesh, bars: &[Bar], segments: &[Segment]) -> Vec<WebPlace> {
+    let stacks = segments.iter().filter_map(|segment| match segment {
+        Segment::Stack(stack) => Some(stack),
+        Segment::Bar(_) => None,
+    });
+    let place = |stack: &Stack| {
+        let depth = |end: usize| stack.bars[end].map_or(0.0, |bar| bars[bar].fillets[1 - end]);
+        let (from, to) = (stack.faces[0] + depth(0), stack.faces[1] - depth(1));
+        let nodes = mesh.pick(|at| at[2] > from + TINY && at[2] < to - TINY);
+        WebPlace { name: stack.name.clone(), nodes }
+    };
+    stacks.map(place).collect()
 }
 
 /// Pulls corners onto their fillets and names the sets.

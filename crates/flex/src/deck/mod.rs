@@ -4,9 +4,11 @@
 //! `GENERATE`, `*MATERIAL`, `*ELASTIC`, `*DENSITY`, `*SOLID SECTION`, `*BOUNDARY`, `*EQUATION` with `SPRING1` and `*SPRING` on a reference node, `*CLOAD`, `*STEP` with `*STATIC` or `*FREQUENCY`,
 //! and outputs, which are passed over. Any other card is an error with its line.
 
+mod contact;
 mod read;
 mod springs;
 mod write;
 
+pub(crate) use contact::with_contact;
 pub use read::{Deck, DeckStep, read_deck};
 pub use write::{Analysis, write_deck};

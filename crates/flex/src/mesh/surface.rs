@@ -74,6 +74,34 @@ pub fn surface_areas(mesh: &Mesh, faces: &[SurfaceFace]) -> BTreeMap<u32, [f64; 
     areas
 }
 
+/// An integration point of a face.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FacePoint {
+    /// Shape functions of its nodes.
+    pub shares: [f64; 8],
+    /// Place [m].
+    pub at: [f64; 3],
+    /// Area that it stands for [m^2].
+    pub area: f64,
+}
+
+/// Integration points of a face whose nodes are at these places [m].
+pub(crate) fn face_points(places: &[[f64; 3]]) -> Vec<FacePoint> {
+    let point = |(at, weight): ([f64; 2], f64)| {
+        let (n, d) = face_shape(places.len(), at);
+        let sum = |weights: &dyn Fn(usize) -> f64| -> [f64; 3] {
+            std::array::from_fn(|axis| {
+                places.iter().enumerate().map(|(k, place)| weights(k) * place[axis]).sum()
+            })
+        };
+        let (a, b) = (sum(&|k| d[k][0]), sum(&|k| d[k][1]));
+        let normal = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+        let area = weight * normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+        FacePoint { shares: n, at: sum(&|k| n[k]), area }
+    };
+    face_rule(places.len()).into_iter().map(point).collect()
+}
+
 /// Integration points of a triangle (6) or a quadrilateral (9).
 fn face_rule(nodes: usize) -> Vec<([f64; 2], f64)> {
     if nodes == 6 {

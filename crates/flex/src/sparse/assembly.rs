@@ -177,6 +177,15 @@ impl Structure {
         SymmetricMatrix { pattern: self.pattern.clone(), values }
     }
 
+    /// A matrix of this structure with further terms, whose nodes were known when it was made.
+    pub fn with_terms(&self, matrix: &SymmetricMatrix, terms: &[DenseTerm]) -> SymmetricMatrix {
+        let mut values = matrix.values.clone();
+        for term in terms {
+            self.add_term(term, &mut values);
+        }
+        SymmetricMatrix { pattern: matrix.pattern.clone(), values }
+    }
+
     /// Places that part the columns into ranges of about as many entries.
     fn bounds(&self) -> Vec<usize> {
         let (count, all) = (self.place.len(), self.pattern.rows.len());

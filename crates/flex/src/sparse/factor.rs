@@ -110,8 +110,8 @@ impl FactorPlan {
             Precision::Single => 4,
             Precision::Double => 8,
         };
-        // The factor, the values cast to its precision, and the matrix with its row numbers.
-        (self.entries * number + self.nonzeros * (number + 12)) as u64
+        // The factor, the values cast to its precision, and the matrix with its row numbers, once with all unknowns and once without those held.
+        (self.entries * number + self.nonzeros * (number + 24)) as u64
     }
 
     /// What it will cost in this precision.

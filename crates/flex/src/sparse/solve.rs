@@ -45,6 +45,27 @@ pub struct Solver {
     matrix: SymmetricMatrix,
     plan: FactorPlan,
     factor: Made,
+    precision: Precision,
+    memory: u64,
+}
+
+/// The factor in this precision; where single precision breaks off, in double.
+fn made(
+    matrix: &SymmetricMatrix,
+    plan: &FactorPlan,
+    precision: Precision,
+    memory: u64,
+) -> Result<Made, FlexError> {
+    Ok(match precision {
+        Precision::Single => match Factor::new(matrix, plan) {
+            Ok(factor) => Made::Single(factor),
+            Err(_) => {
+                plan.check(Precision::Double, memory)?;
+                Made::Double(Factor::new(matrix, plan)?)
+            }
+        },
+        Precision::Double => Made::Double(Factor::new(matrix, plan)?),
+    })
 }
 
 impl Solver {
@@ -62,17 +83,19 @@ impl Solver {
         let plan = FactorPlan::new(&matrix)?;
         watch(&plan.estimate(precision));
         plan.check(precision, memory)?;
-        let factor = match precision {
-            Precision::Single => match Factor::new(&matrix, &plan) {
-                Ok(factor) => Made::Single(factor),
-                Err(_) => {
-                    plan.check(Precision::Double, memory)?;
-                    Made::Double(Factor::new(&matrix, &plan)?)
-                }
-            },
-            Precision::Double => Made::Double(Factor::new(&matrix, &plan)?),
-        };
-        Ok(Solver { matrix, plan, factor })
+        let factor = made(&matrix, &plan, precision, memory)?;
+        Ok(Solver { matrix, plan, factor, precision, memory })
+    }
+
+    /// Factors another matrix with entries at the same places, by the same plan.
+    ///
+    /// # Errors
+    /// [`FlexError::Memory`], [`FlexError::NotDefinite`].
+    pub fn replace(&mut self, matrix: SymmetricMatrix) -> Result<(), FlexError> {
+        assert_eq!(matrix.values.len(), self.matrix.values.len(), "invariant: one pattern, one plan");
+        self.factor = made(&matrix, &self.plan, self.precision, self.memory)?;
+        self.matrix = matrix;
+        Ok(())
     }
 
     /// The matrix.

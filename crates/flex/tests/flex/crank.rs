@@ -1,8 +1,9 @@
 //! The mesh of a crankshaft and its static case.
 
 use lanchester_flex::FlexError;
-use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad, solve_crank};
+use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
+use lanchester_flex::crank_solve::solve_crank;
 use lanchester_flex::mesh::surface;
 use lanchester_flex::sparse::Precision;
 use lanchester_flex::statics::SolveOptions;

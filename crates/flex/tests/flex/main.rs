@@ -6,5 +6,7 @@ mod calculix;
 mod calculix_crank;
 mod crank;
 mod crank_kinds;
+mod crank_parts;
 mod elements;
 mod reduction;
+mod rings;

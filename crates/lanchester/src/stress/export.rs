@@ -1,14 +1,18 @@
-//! A solved case or modes for other programs: decks of CalculiX, VTU of ParaView.
+//! A solved case or modes for other programs: decks of CalculiX, VTU of ParaView, glTF and STL.
 
 use crate::stress::request::StressError;
 use lanchester_flex::case::StaticCase;
 use lanchester_flex::crank_case::{BearingSurfaces, CrankSupport, crank_cases, crank_support};
+use lanchester_flex::crank_rings::{RingsOf, rings_deck};
 use lanchester_flex::deck::{Analysis, write_deck};
+use lanchester_flex::modes::Mode;
+use lanchester_flex::picture::{Morph, colour, glb, shown_factor, stl};
 use lanchester_flex::statics::as_node_forces;
 use lanchester_flex::vtu::{NodeField, write_vtu};
 use lanchester_report::{CrankModes, StaticStress, StressCase};
 
-/// A case as a deck that CalculiX runs unchanged (N, mm, tonne, s, MPa): centrifugal field and inertia relief as forces on nodes.
+/// A case as a deck that CalculiX runs unchanged (N, mm, tonne, s, MPa): centrifugal field and inertia relief as forces on nodes,
+/// rings as contact pairs.
 ///
 /// # Errors
 /// [`StressError::Flex`] where the mesh lacks a set.
@@ -18,6 +22,10 @@ pub fn case_deck(
     support: CrankSupport,
 ) -> Result<String, StressError> {
     let crank = &stress.sheet.crank;
+    if let CrankSupport::Rings { thickness, modulus } = support {
+        let name = format!("{}: {}", stress.sheet.engine, case.name);
+        return Ok(rings_deck(crank, RingsOf { thickness, modulus }, &case.loading, &name)?);
+    }
     let cases = crank_cases(crank, support, std::slice::from_ref(&case.loading))?;
     let mut plain = StaticCase::default();
     if let Some(own) = cases.first() {
@@ -60,12 +68,67 @@ pub fn modes_deck(found: &CrankModes, support: CrankSupport, count: usize) -> Re
 
 /// Shapes of modes, each of modal mass 1 kg.
 pub fn modes_vtu(found: &CrankModes) -> Vec<u8> {
-    let shape = |(k, mode): (usize, &lanchester_flex::modes::Mode)| {
+    let shape = |(k, mode): (usize, &Mode)| {
         let name = format!("mode {} {:.1} Hz", k + 1, mode.frequency);
         field(&name, 3, mode.shape.iter().flatten().copied().collect())
     };
     let fields: Vec<NodeField> = found.modes.modes.iter().enumerate().map(shape).collect();
     write_vtu(&found.sheet.crank.mesh, &fields)
+}
+
+/// Share of the length of the crankshaft by which the largest displacement is shown.
+const SHOWN: f64 = 0.05;
+
+/// The surface under a case as binary glTF: colours from no stress (blue) to the largest in a fillet (red), the deformation as a morph target
+/// with an animation. `factor`: by which displacements are shown; a round one unless given.
+///
+/// # Errors
+/// [`StressError::Flex`] for a surface larger than the format can hold.
+pub fn case_glb(
+    stress: &StaticStress,
+    case: &StressCase,
+    factor: Option<f64>,
+) -> Result<Vec<u8>, StressError> {
+    let (crank, result) = (&stress.sheet.crank, &case.result);
+    let largest = case.worst().and_then(|peak| peak.stress).map_or(1.0, |peak| peak.von_mises);
+    let colours: Vec<[f64; 3]> =
+        result.stresses.iter().map(|own| colour(own.stress.von_mises() / largest)).collect();
+    let displacements = &result.solution.displacements;
+    let factor = factor.unwrap_or_else(|| shown_factor(&crank.mesh, displacements, SHOWN));
+    let name = format!("deformation x {factor}");
+    let morph = Morph { name: &name, displacements, factor, swings: false };
+    let name = format!("{}, von Mises stress, red is {:.0} MPa", stress.sheet.engine, 1e-6 * largest);
+    Ok(glb(&crank.mesh, &name, &colours, &[morph])?)
+}
+
+/// The surface under a case as binary STL [mm], displacements `factor` times.
+///
+/// # Errors
+/// As [`case_glb`].
+pub fn case_stl(stress: &StaticStress, case: &StressCase, factor: f64) -> Result<Vec<u8>, StressError> {
+    Ok(stl(&stress.sheet.crank.mesh, &case.result.solution.displacements, factor)?)
+}
+
+/// The surface with each mode as a morph target that swings in an animation of its own, as binary glTF; colours by the size of the motion in the
+/// first mode.
+///
+/// # Errors
+/// As [`case_glb`].
+pub fn modes_glb(found: &CrankModes, factor: Option<f64>) -> Result<Vec<u8>, StressError> {
+    let (crank, modes) = (&found.sheet.crank, &found.modes.modes);
+    let length = |u: &[f64; 3]| u.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let name = |(k, mode): (usize, &Mode)| format!("mode {} {:.1} Hz", k + 1, mode.frequency);
+    let names: Vec<String> = modes.iter().enumerate().map(name).collect();
+    let morph = |(mode, name)| -> Morph<'_> {
+        let (mode, name): (&Mode, &String) = (mode, name);
+        let factor = factor.unwrap_or_else(|| shown_factor(&crank.mesh, &mode.shape, SHOWN));
+        Morph { name, displacements: &mode.shape, factor, swings: true }
+    };
+    let morphs: Vec<Morph> = modes.iter().zip(&names).map(morph).collect();
+    let first = modes.first().map_or(&[][..], |mode| mode.shape.as_slice());
+    let largest = first.iter().map(length).fold(0.0, f64::max);
+    let colours: Vec<[f64; 3]> = first.iter().map(|u| colour(length(u) / largest)).collect();
+    Ok(glb(&crank.mesh, &format!("{}, natural modes", found.sheet.engine), &colours, &morphs)?)
 }
 
 fn field(name: &str, components: usize, values: Vec<f64>) -> NodeField {

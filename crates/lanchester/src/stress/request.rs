@@ -150,6 +150,12 @@ pub fn support_words(support: CrankSupport) -> String {
             "a spring of {:.4} MN/m at each journal in both directions, flywheel end fixed along and about the axis",
             1e-6 * stiffness
         ),
+        CrankSupport::Rings { thickness, modulus } => format!(
+            "rings {:.3} mm thick of {:.4} GPa around the journals, fixed at their outside, and around the loaded pins, which take the load there; contact \
+             without friction or tension; flywheel end fixed along and about the axis",
+            1e3 * thickness,
+            1e-9 * modulus
+        ),
         CrankSupport::Free => "none: loads balanced by the inertia of the crankshaft (inertia relief)".to_owned(),
     }
 }

@@ -7,12 +7,10 @@ use crate::stress::request::{
 };
 use lanchester_flex::Material;
 use lanchester_flex::case::StaticCase;
-use lanchester_flex::crank_case::{
-    BearingSurfaces, CrankLoad, CrankSupport, crank_support, solve_crank_watched,
-};
+use lanchester_flex::crank_case::{BearingSurfaces, CrankLoad, CrankSupport, crank_support};
 use lanchester_flex::crank_mesh::crank_mesh;
+use lanchester_flex::crank_solve::solve_crank_watched;
 use lanchester_flex::modes::{ModeKind, modes_watched};
-use lanchester_geometry::crankshaft::crankshaft;
 use lanchester_model::{CrankElement, CrankElementForm, Engine, Origin};
 use lanchester_report::{
     CrankModes, CrankSheet, MODES_VERSION, STATIC_STRESS_VERSION, StaticStress, StressCase, StressMaterial,
@@ -52,10 +50,13 @@ pub fn static_stress(
         loading: own.load,
         result,
     });
-    let mut notes = vec![
-        "Loads on a pin act as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; small displacements, linear elastic."
+    let mut notes = vec![match request.support {
+        CrankSupport::Rings { .. } => "Loads on a pin act on the outside of its ring as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; no clearance at \
+                                       rest; small displacements, linear elastic but for the contact."
             .to_owned(),
-    ];
+        _ => "Loads on a pin act as a pressure p0 cos(a) over 180 deg and its whole width between the fillets; small displacements, linear elastic."
+            .to_owned(),
+    }];
     notes.push(match request.load {
         StressLoad::Given(_) => {
             "Forces as given; the centrifugal field of the crankshaft acts where a speed is given.".to_owned()
@@ -77,6 +78,7 @@ pub fn static_stress(
         gas,
         solve,
         cases: cases.collect(),
+        convergence: None,
         notes,
     })
 }
@@ -104,7 +106,7 @@ pub fn crank_modes(
         CrankSupport::Free => "none; its six rigid motions are left out".to_owned(),
         support => support_words(support),
     };
-    Ok(CrankModes { version: MODES_VERSION, sheet, support, modes })
+    Ok(CrankModes { version: MODES_VERSION, sheet, support, modes, convergence: None })
 }
 
 /// Refuses a crankshaft that is not there.
@@ -125,7 +127,6 @@ pub(crate) fn sheet(
 ) -> Result<CrankSheet, StressError> {
     let crank = crank_mesh(engine, mesh.crankshaft, mesh.options)?;
     watch(StressStage::Meshed(crank.mesh.nodes.len(), crank.mesh.elements.len()));
-    let body = crankshaft(engine, mesh.crankshaft).map_err(lanchester_flex::FlexError::from)?;
     let elastic = crank.mesh.materials.first().cloned().unwrap_or_else(Material::steel);
     let given = engine.crank_material.as_ref();
     let modulus = given.and_then(|own| own.youngs_modulus());
@@ -133,7 +134,7 @@ pub(crate) fn sheet(
         engine: engine.name.clone(),
         crankshaft: mesh.crankshaft + 1,
         fillet_mass: elastic.density * crank.corners.iter().map(|corner| corner.volume()).sum::<f64>(),
-        exact_mass: body.mass.mass - end_mass(engine, mesh.crankshaft),
+        exact_mass: crank.body_mass - end_mass(engine, mesh.crankshaft),
         material: StressMaterial {
             elastic,
             origin: modulus.map_or(Origin::Assumed, |modulus| modulus.origin),

@@ -116,6 +116,19 @@ impl Svg {
         self.close();
     }
 
+    /// A path filled with a colour of a scale, "#1a2b3c", with a hair of it around, so that neighbours leave no gap.
+    pub fn fill(&mut self, colour: &str, path: &Path) {
+        if path.data.is_empty() {
+            return;
+        }
+        self.open("path", "");
+        self.body.push_str(&format!(
+            " style=\"fill:{colour};stroke:{colour};stroke-width:0.5\" d=\"{}\"",
+            path.data
+        ));
+        self.close();
+    }
+
     /// A text; `F_x` sets the x as a subscript.
     pub fn text(&mut self, class: &str, at: (f64, f64), anchor: Anchor, text: &str) {
         self.open_text(class, at, anchor);

@@ -1,8 +1,10 @@
 //! Natural modes of a crankshaft: their table.
 
 use super::body::CrankSheet;
+use super::convergence::Convergence;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table, numbers, words};
 use lanchester_flex::modes::{ModeKind, ModeSolution};
 use serde::Serialize;
@@ -21,9 +23,11 @@ pub struct CrankModes {
     pub support: String,
     /// The modes; their shapes are not serialised.
     pub modes: ModeSolution,
+    /// With three meshes: what the frequencies tend to; the modes are those of the finest.
+    pub convergence: Option<Convergence>,
 }
 
-fn kind_words(kind: ModeKind) -> &'static str {
+pub(crate) fn kind_words(kind: ModeKind) -> &'static str {
     match kind {
         ModeKind::Rigid => "rigid body",
         ModeKind::BendingX => "bending in the plane of throw 1",
@@ -64,6 +68,24 @@ impl CrankModes {
         )
     }
 
+    /// The chapter of a report: pictures first.
+    pub fn section(&self) -> Section {
+        let first = self.modes.modes.first();
+        let lead = first.map_or(String::new(), |mode| {
+            format!(
+                "Lowest natural frequency {} Hz: {}.",
+                number::short(mode.frequency, 4),
+                kind_words(mode.kind)
+            )
+        });
+        Section::new("crankshaft-modes", "Modes", "Natural modes of the crankshaft")
+            .lead(lead)
+            .rows(self.figures())
+            .paragraphs(self.words())
+            .tables(self.convergence.as_ref().map(Convergence::table))
+            .tables([self.table()])
+    }
+
     pub(crate) fn words(&self) -> Vec<String> {
         let mut words = vec![format!("Support: {}. At rest: no gyroscopic effect.", self.support)];
         words.extend(self.sheet.words());
@@ -84,8 +106,10 @@ pub fn modes_text(found: &CrankModes) -> String {
     for words in found.words() {
         push_wrapped(&mut out, "", &words);
     }
-    out.push('\n');
-    out.push_str(&found.table().noted_text());
+    for table in found.convergence.as_ref().map(Convergence::table).into_iter().chain([found.table()]) {
+        out.push('\n');
+        out.push_str(&table.noted_text());
+    }
     out
 }
 

@@ -1,8 +1,10 @@
 //! Static stress of a crankshaft: its tables.
 
 use super::body::CrankSheet;
+use super::convergence::Convergence;
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table, csv_number, numbers, push_csv_line, words};
 use lanchester_flex::crank_case::{CrankCase, CrankLoad, SurfacePeak};
 use lanchester_flex::sparse::SolveReport;
@@ -28,6 +30,8 @@ pub struct StaticStress {
     pub solve: SolveReport,
     /// The load cases.
     pub cases: Vec<StressCase>,
+    /// With three meshes: what the numbers tend to; the cases are those of the finest.
+    pub convergence: Option<Convergence>,
     /// What was assumed and left out.
     pub notes: Vec<String>,
 }
@@ -104,9 +108,18 @@ impl StaticStress {
             format!("pin {} {radial} and {tangential} kN", own.pin)
         };
         let forces: Vec<String> = case.forces.iter().map(force).collect();
+        // With three meshes: what the peak tends to, and its band.
+        let studied = self.convergence.as_ref().and_then(|study| {
+            let own = study.numbers.iter().find(|own| own.name.starts_with(&format!("{}:", peak.name)))?;
+            Some(format!(
+                "{} ± {}",
+                number::short(1e-6 * own.found.value, 4),
+                number::short(1e-6 * own.found.band, 2)
+            ))
+        });
         format!(
             "Largest fillet stress {} MPa (von Mises) at {}{safety}: {} (radial and tangential: {}).",
-            number::short(1e-6 * stress.von_mises, 4),
+            studied.unwrap_or_else(|| number::short(1e-6 * stress.von_mises, 4)),
             peak.name,
             case.name,
             forces.join(", "),
@@ -207,28 +220,32 @@ impl StaticStress {
         }
     }
 
-    /// Surfaces of pins and journals between their fillets.
+    /// Surfaces of pins and journals between their fillets, and webs.
     pub(crate) fn surfaces_table(&self) -> Table {
-        let count = self.cases.first().map_or(0, |case| case.result.surfaces.len());
+        let of = |case: &StressCase| -> Vec<SurfacePeak> {
+            case.result.surfaces.iter().chain(&case.result.webs).cloned().collect()
+        };
+        let each: Vec<Vec<SurfacePeak>> = self.cases.iter().map(of).collect();
+        let count = each.first().map_or(0, Vec::len);
         let most = |k: usize| {
-            let of =
-                |case: &StressCase| case.result.surfaces[k].stress.map_or(-1.0, |stress| stress.von_mises);
-            self.cases.iter().enumerate().max_by(|a, b| of(a.1).total_cmp(&of(b.1)))
+            let of = |peaks: &Vec<SurfacePeak>| peaks[k].stress.map_or(-1.0, |stress| stress.von_mises);
+            each.iter().enumerate().max_by(|a, b| of(a.1).total_cmp(&of(b.1)))
         };
         let found: Vec<(String, f64, usize)> = (0..count)
             .filter_map(|k| {
-                let (index, case) = most(k)?;
-                let peak = &case.result.surfaces[k];
+                let (index, peaks) = most(k)?;
+                let peak = &peaks[k];
                 let name = peak.name.replace("PIN_", "pin ").replace("MAIN_", "journal ");
                 Some((name, 1e-6 * peak.stress?.von_mises, index + 1))
             })
             .collect();
         Table::of_columns(
             "stress-surfaces",
-            "Surfaces of pins and journals",
-            "Largest von Mises stress between the fillets, the pressure of the load included.",
+            "Surfaces of pins and journals, webs",
+            "Largest von Mises stress: of pins and journals between the fillets, the pressure of the load included; of webs farther from each face than the \
+             radius of its fillets.",
             vec![
-                words("surface", found.iter().map(|row| row.0.clone())),
+                words("place", found.iter().map(|row| row.0.clone())),
                 numbers("von Mises", "MPa", found.iter().map(|row| row.1), 4),
                 (
                     Column::numbers("case", ""),
@@ -256,6 +273,35 @@ impl StaticStress {
         )
     }
 
+    /// How rings touch, over all cases.
+    fn contact_words(&self) -> Option<String> {
+        let all: Vec<_> = self.cases.iter().filter_map(|case| case.result.contact).collect();
+        let most = |of: &dyn Fn(&lanchester_flex::contact::ContactReport) -> f64| {
+            all.iter().map(of).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let least = all.iter().map(|own| own.closed).fold(f64::INFINITY, f64::min);
+        (!all.is_empty()).then(|| {
+            format!(
+                "Contact: {:.0} to {:.0} % of the rings' area touches; largest pressure {} MPa, where the faces go {} um into each other; at most {} factors for a case.",
+                100.0 * least,
+                100.0 * most(&|own| own.closed),
+                number::short(1e-6 * most(&|own| own.largest_pressure), 4),
+                number::short(1e6 * most(&|own| own.penetration), 2),
+                most(&|own| own.steps as f64),
+            )
+        })
+    }
+
+    /// The chapter of a report: pictures first.
+    pub fn section(&self) -> Section {
+        Section::new("crankshaft-stress", "Stress", "Crankshaft stress")
+            .lead(self.lead())
+            .rows(self.figures())
+            .paragraphs(self.words())
+            .tables(self.convergence.as_ref().map(Convergence::table))
+            .tables([self.cases_table(), self.fillets_table(), self.surfaces_table()])
+    }
+
     /// Words before the tables.
     pub(crate) fn words(&self) -> Vec<String> {
         let mut words = vec![format!("Support: {}.", self.support)];
@@ -265,6 +311,7 @@ impl StaticStress {
         });
         words.extend(self.sheet.words());
         words.push(self.solve_words());
+        words.extend(self.contact_words());
         words.extend(self.notes.iter().cloned());
         words
     }
@@ -279,7 +326,9 @@ pub fn static_stress_text(stress: &StaticStress) -> String {
     for words in stress.words() {
         push_wrapped(&mut out, "", &words);
     }
-    for table in [stress.cases_table(), stress.fillets_table(), stress.surfaces_table()] {
+    let convergence = stress.convergence.as_ref().map(Convergence::table);
+    let tables = [stress.cases_table(), stress.fillets_table(), stress.surfaces_table()];
+    for table in convergence.into_iter().chain(tables) {
         out.push('\n');
         out.push_str(&table.noted_text());
     }
@@ -306,8 +355,9 @@ pub fn static_stress_csv(stress: &StaticStress) -> String {
     ];
     push_csv_line(&mut out, head.map(str::to_owned));
     for case in &stress.cases {
+        let plain = case.result.surfaces.iter().chain(&case.result.webs);
         let corners = case.result.peaks.iter().zip(stress.sheet.crank.corners.iter().map(|c| Some(c.radius)));
-        let surfaces = case.result.surfaces.iter().map(|surface| (surface, None));
+        let surfaces = plain.map(|surface| (surface, None));
         for (peak, radius) in corners.chain(surfaces) {
             let of = |value: &dyn Fn(&lanchester_flex::crank_case::PeakStress) -> f64| {
                 peak.stress.as_ref().map_or(String::new(), |stress| csv_number(value(stress)))

@@ -1,5 +1,6 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
+use crate::commands::figures::write_figures;
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{print, read_bytes, tell, write_result};
@@ -19,8 +20,9 @@ use lanchester::report::{
     reduced_csv, reduced_text, rule_csv, rule_text, static_stress_csv, static_stress_text,
 };
 use lanchester::{
-    ModesRequest, StaticRequest, StressStage, case_deck, case_vtu, crank_fatigue, crank_modes, crank_rule,
-    modes_deck, modes_vtu, reduced_crank, solve_deck, static_stress,
+    ModesRequest, StaticRequest, StressStage, case_deck, case_glb, case_stl, case_vtu, converged_modes,
+    converged_stress, crank_fatigue, crank_modes, crank_rule, modes_deck, modes_glb, modes_vtu,
+    reduced_crank, solve_deck, static_stress,
 };
 use std::path::Path;
 
@@ -43,8 +45,9 @@ pub(crate) fn say(stage: StressStage) {
             tell(format_args!("meshed: {nodes} nodes, {elements} elements"))
         }
         StressStage::Factoring(estimate) => tell(format_args!(
-            "factoring: {} unknowns, {} entries in the factor, {:.2} GiB, {:.1e} operations (some {:.0} s)",
+            "factoring: {} unknowns, {} entries in the matrix, {} in the factor, {:.2} GiB, {:.1e} operations (some {:.0} s)",
             estimate.unknowns,
+            estimate.nonzeros,
             estimate.factor_entries,
             estimate.bytes as f64 / 1_073_741_824.0,
             estimate.operations,
@@ -58,19 +61,28 @@ fn solved(
     own: &MeshArguments,
     load: &LoadArguments,
     held: CrankSupport,
+    converge: bool,
 ) -> Result<StaticStress, Failure> {
     let gas = !load.inertia_only;
     let (load, speeds) = loads(load)?;
     let request =
         StaticRequest { mesh: mesh(own, 6)?, support: held, load, speeds, gas, solve: solve_options(own)? };
     let traces = if request.gas { trace_files(&opened.file.engine, &own.file)? } else { Vec::new() };
-    static_stress(&opened.file.engine, &traces, &request, &say).map_err(Failure::refused)
+    let engine = &opened.file.engine;
+    let found = match converge {
+        true => converged_stress(engine, &traces, &request, &say),
+        false => static_stress(engine, &traces, &request, &say),
+    };
+    found.map_err(Failure::refused)
 }
 
 fn statics(arguments: &StaticArguments, colour: bool) -> Result<u8, Failure> {
     let held = support(&arguments.support, CrankSupport::Journals)?;
     let opened = open(&arguments.mesh.file, colour)?;
-    let found = solved(&opened, &arguments.mesh, &arguments.load, held)?;
+    let found = solved(&opened, &arguments.mesh, &arguments.load, held, arguments.converge)?;
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.mesh.file, &found.figures())?;
+    }
     print(&match arguments.format {
         Format::Text => static_stress_text(&found),
         Format::Json => json(&found)?,
@@ -84,6 +96,7 @@ fn found_modes(
     own: &MeshArguments,
     held: CrankSupport,
     count: u32,
+    converge: bool,
 ) -> Result<CrankModes, Failure> {
     let request = ModesRequest {
         mesh: mesh(own, 2)?,
@@ -91,13 +104,21 @@ fn found_modes(
         count: count as usize,
         solve: solve_options(own)?,
     };
-    crank_modes(&opened.file.engine, &request, &say).map_err(Failure::refused)
+    let engine = &opened.file.engine;
+    let found = match converge {
+        true => converged_modes(engine, &request, &say),
+        false => crank_modes(engine, &request, &say),
+    };
+    found.map_err(Failure::refused)
 }
 
 fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
     let held = support(&arguments.support, CrankSupport::Free)?;
     let opened = open(&arguments.mesh.file, colour)?;
-    let found = found_modes(&opened, &arguments.mesh, held, arguments.number)?;
+    let found = found_modes(&opened, &arguments.mesh, held, arguments.number, arguments.converge)?;
+    if let Some(folder) = &arguments.figures {
+        write_figures(folder, &arguments.mesh.file, &found.figures())?;
+    }
     print(&match arguments.format {
         Format::Text => modes_text(&found),
         Format::Json => json(&found)?,
@@ -109,26 +130,51 @@ fn modes(arguments: &ModesArguments, colour: bool) -> Result<u8, Failure> {
 fn export(arguments: &ExportArguments, colour: bool) -> Result<u8, Failure> {
     let (own, path) = (&arguments.mesh, arguments.output.as_path());
     let form = Form::of(path)?;
+    if let Some(factor) = arguments.deformation {
+        if !factor.is_finite() {
+            return Err(Failure::input(
+                format_args!("--deformation needs a number, got {factor}"),
+                "for example --deformation 100",
+            ));
+        }
+        if matches!(form, Form::Deck | Form::Vtu) {
+            return Err(Failure::input(
+                "--deformation is that of .glb and .stl",
+                "leave it out: other programs scale by themselves",
+            ));
+        }
+    }
     let opened = open(&own.file, colour)?;
     let written = match arguments.modes {
         Some(count) => {
             let held = support(&arguments.support, CrankSupport::Free)?;
-            let found = found_modes(&opened, own, held, count)?;
+            let found = found_modes(&opened, own, held, count, false)?;
             match form {
                 Form::Deck => {
                     modes_deck(&found, held, count as usize).map_err(Failure::refused)?.into_bytes()
                 }
                 Form::Vtu => modes_vtu(&found),
+                Form::Glb => modes_glb(&found, arguments.deformation).map_err(Failure::refused)?,
+                Form::Stl => {
+                    return Err(Failure::input(
+                        "an STL file holds one shape",
+                        "write modes into a .glb or .vtu file",
+                    ));
+                }
             }
         }
         None => {
             let held = support(&arguments.support, CrankSupport::Journals)?;
-            let found = solved(&opened, own, &arguments.load, held)?;
+            let found = solved(&opened, own, &arguments.load, held, false)?;
             let case = found.worst().ok_or_else(|| Failure::own("a solution has a case"))?;
             tell(format_args!("writing the case: {}", case.name));
             match form {
                 Form::Deck => case_deck(&found, case, held).map_err(Failure::refused)?.into_bytes(),
                 Form::Vtu => case_vtu(&found, case),
+                Form::Glb => case_glb(&found, case, arguments.deformation).map_err(Failure::refused)?,
+                Form::Stl => {
+                    case_stl(&found, case, arguments.deformation.unwrap_or(0.0)).map_err(Failure::refused)?
+                }
             }
         }
     };
@@ -224,6 +270,8 @@ fn ends_in(path: &Path, ending: &str) -> Result<(), Failure> {
 enum Form {
     Deck,
     Vtu,
+    Glb,
+    Stl,
 }
 
 impl Form {
@@ -232,9 +280,11 @@ impl Form {
         match ending.as_deref() {
             Some("inp") => Ok(Form::Deck),
             Some("vtu") => Ok(Form::Vtu),
+            Some("glb") => Ok(Form::Glb),
+            Some("stl") => Ok(Form::Stl),
             _ => Err(Failure::input(
                 format_args!(
-                    "--output needs a name that ends in .inp or .vtu, got {}",
+                    "--output needs a name that ends in .inp, .vtu, .glb or .stl, got {}",
                     lanchester_files::shown(path)
                 ),
                 "for example --output case.vtu",

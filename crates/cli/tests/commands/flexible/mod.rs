@@ -63,8 +63,8 @@ fn fillets_of_the_built_in_cases_are_tabulated() {
     }
     let csv =
         output(&folder, 0, &words(&["static", "--angle", "0 deg", "--speed", "4000 rpm", "--format", "csv"]));
-    // Four fillets, a pin, two journals.
-    assert_eq!(csv.lines().count(), 1 + 7, "{csv}");
+    // Four fillets, a pin, two journals, two webs.
+    assert_eq!(csv.lines().count(), 1 + 9, "{csv}");
 }
 
 #[test]
@@ -119,6 +119,72 @@ fn an_exported_deck_gives_the_same_numbers_when_it_is_solved() {
 }
 
 #[test]
+fn rings_say_how_they_touch() {
+    let folder = engine("stress-rings", str::to_owned);
+    let rest = ["static", "--force", "1: -20 kN", "--support", "rings", "--ring-thickness", "4 mm"];
+    let text = output(&folder, 0, &words(&rest)).replace('\n', " ");
+    for words in
+        ["rings 4.000 mm thick of 210 GPa", "Contact: ", "of the rings' area touches", "outside of its ring"]
+    {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let json = output_json(&folder, 0, &words(&[&rest[..], &["--format", "json"]].concat()));
+    let closed = number(&json, "/cases/0/result/contact/closed");
+    assert!(closed > 0.1 && closed < 0.9, "{closed}");
+    output(&folder, 0, &words(&[&["export"], &rest[1..], &["--output", "rings.inp"]].concat()));
+    let deck = fs::read_to_string(folder.join("rings.inp")).unwrap();
+    // Two journals and a pin.
+    assert_eq!(deck.matches("*CONTACT PAIR").count(), 3);
+    let [load, reaction] = ["load", "reaction"].map(|key| number(&json, &format!("/cases/0/{key}/0")));
+    assert!((load + reaction).abs() < 0.01, "{load} {reaction}");
+}
+
+#[test]
+fn three_meshes_give_a_band() {
+    let folder = engine("stress-converge", str::to_owned);
+    let rest = ["static", "--force", "1: -20 kN", "--converge", "--figures", "pictures"];
+    let all = [&["stress", rest[0], "engine.toml", "--size", "30 mm", "--fillet-elements", "2"], &rest[1..]]
+        .concat();
+    let text = output(&folder, 0, &all);
+    for words in ["Convergence", "case 1: energy", "pin 1 at web 1: von Mises", " ± "] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    let picture = fs::read_to_string(folder.join("pictures/stress-contours.svg")).unwrap();
+    assert!(picture.contains("<path style=\"fill:#") && picture.contains("MPa"));
+    let json = output_json(&folder, 0, &[&all[..], &["--format", "json"]].concat());
+    let numbers = json["convergence"]["numbers"].as_array().unwrap();
+    assert_eq!(numbers.len(), 2 + 4);
+    let energy = &numbers[1]["found"];
+    // The fine mesh is softer, and the band about what the meshes tend to holds it.
+    let values: Vec<f64> = (0..3).map(|k| number(energy, &format!("/values/{k}"))).collect();
+    assert!(values[0] < values[2], "{values:?}");
+    let [value, band] = ["/value", "/band"].map(|key| number(energy, key));
+    assert!((value - values[2]).abs() <= band && band < 0.05 * value, "{value} {band} {values:?}");
+    assert_eq!(number(&json, "/cases/0/energy"), values[2]);
+}
+
+#[test]
+fn shapes_for_viewers_are_written() {
+    let folder = engine("stress-shapes", str::to_owned);
+    let force = ["--force", "1: -20 kN"];
+    output(&folder, 0, &words(&[&["export"], &force[..], &["--output", "case.glb"]].concat()));
+    output(
+        &folder,
+        0,
+        &words(&[&["export"], &force[..], &["--output", "case.stl", "--deformation", "100"]].concat()),
+    );
+    output(&folder, 0, &words(&["export", "--modes", "2", "--output", "modes.glb"]));
+    for (name, wanted) in [("case.glb", "deformation x "), ("modes.glb", "mode 2 ")] {
+        let bytes = fs::read(folder.join(name)).unwrap();
+        assert!(bytes.starts_with(b"glTF"), "{name}");
+        assert!(String::from_utf8_lossy(&bytes).contains(wanted), "{name}");
+    }
+    let stl = fs::read(folder.join("case.stl")).unwrap();
+    let count = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
+    assert!(count > 1000 && stl.len() == 84 + 50 * count);
+}
+
+#[test]
 fn modes_and_a_reduced_model_agree_where_both_are_right() {
     let folder = engine("stress-modes", str::to_owned);
     let modes = output_json(&folder, 0, &words(&["modes", "-n", "4", "--format", "json"]));
@@ -147,7 +213,12 @@ fn what_cannot_be_computed_is_refused() {
         (&["static", "--memory", "much"], "--memory needs a size"),
         (&["static", "--stiffness", "1 kN/mm"], "--support springs"),
         (&["modes", "--fillet-elements", "3"], "an even number"),
-        (&["export", "--output", "case.stp"], ".inp or .vtu"),
+        (&["export", "--output", "case.stp"], ".inp, .vtu, .glb or .stl"),
+        (&["export", "--output", "case.inp", "--deformation", "10"], ".glb and .stl"),
+        (&["export", "--modes", "2", "--output", "modes.stl"], "one shape"),
+        (&["modes", "--support", "rings"], "needs a support that is linear"),
+        (&["static", "--ring-thickness", "5 mm"], "--support rings"),
+        (&["static", "--support", "rings", "--ring-modulus", "5 mm"], "--ring-modulus"),
         (&["reduce", "--output", "case.zip"], ".npz"),
     ] {
         let mut all = vec!["stress", rest[0], "engine.toml", "--size", "20 mm"];
