@@ -16,6 +16,7 @@ pub mod modes;
 pub mod reduction;
 pub mod sparse;
 pub mod statics;
+pub mod train;
 pub mod vtu;
 
 pub use error::FlexError;

@@ -8,3 +8,4 @@ mod crank;
 mod crank_kinds;
 mod elements;
 mod reduction;
+mod train;
