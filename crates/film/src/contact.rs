@@ -13,16 +13,30 @@ const INTERVALS: usize = 32;
 
 /// Size of the contact force [N] on the journal, against the eccentricity, at this eccentricity ratio; `roughness` is the composite height sigma [m].
 pub fn contact_force(bearing: &JournalBearing, roughness: f64, ratio: f64) -> f64 {
+    contact_with_slope(bearing, roughness, ratio).0
+}
+
+/// The same with its derivative by the eccentricity ratio [N].
+pub fn contact_with_slope(bearing: &JournalBearing, roughness: f64, ratio: f64) -> (f64, f64) {
     let reach = 4.0 * roughness / bearing.clearance;
     if roughness <= 0.0 || 1.0 - ratio >= reach {
-        return 0.0;
+        return (0.0, 0.0);
     }
     let edge = ((1.0 - reach) / ratio).clamp(-1.0, 1.0).acos();
+    let depth = bearing.clearance / roughness;
+    // Pressure and its derivative, both along the line of centres; at the edge both vanish.
     let pressure = |a: f64| {
-        let over = (4.0 - (1.0 - ratio * a.cos()) * bearing.clearance / roughness).max(0.0);
-        STIFFNESS * 4.4086e-5 * over.powf(6.804) * a.cos()
+        let cos = a.cos();
+        let over = (4.0 - (1.0 - ratio * cos) * depth).max(0.0);
+        let power = STIFFNESS * 4.4086e-5 * over.powf(5.804) * cos;
+        [power * over, power * 6.804 * depth * cos]
     };
     let step = edge / INTERVALS as f64;
-    let inner: f64 = (1..INTERVALS).map(|k| pressure(k as f64 * step)).sum();
-    2.0 * bearing.radius * bearing.length * step * (0.5 * (pressure(0.0) + pressure(edge)) + inner)
+    let (first, last) = (pressure(0.0), pressure(edge));
+    let scale = 2.0 * bearing.radius * bearing.length * step;
+    let sum = |k: usize| {
+        let inner: f64 = (1..INTERVALS).map(|i| pressure(i as f64 * step)[k]).sum();
+        scale * (0.5 * (first[k] + last[k]) + inner)
+    };
+    (sum(0), sum(1))
 }

@@ -34,7 +34,7 @@ mod table;
 
 pub use bearing::{CLEARANCE_RATIO, JournalBearing, JournalMotion, VISCOSITY, check_viscosity};
 pub use cavitation::Cavitation;
-pub use contact::contact_force;
+pub use contact::{contact_force, contact_with_slope};
 pub use error::FilmError;
 pub use grid::FilmGrid;
 pub use long::{long_bearing_force, sommerfeld_load};

@@ -21,6 +21,7 @@ pub mod reduction;
 pub mod richardson;
 pub mod sparse;
 pub mod statics;
+pub mod train;
 pub mod vtu;
 
 pub use error::FlexError;

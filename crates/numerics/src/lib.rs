@@ -1,5 +1,7 @@
 //! Numerical methods without physics: initial value problems, located events, dense linear algebra and symmetric eigenvalues, roots and peaks of one variable.
 //!
+//! * [`Esdirk`], implicit, order 4, L-stable, for large stiff systems that solve their own stages, one step at a time.
+//!
 //! Two integrators share one [`System`], one [`Settings`] and one [`Outcome`]:
 //! * [`Dop853`], explicit, order 8 with an interpolant of order 7, for smooth problems that are not stiff;
 //! * [`Radau5`], implicit, order 5, stiffly accurate, for stiff problems and systems `M y' = f(t, y)` with singular `M` (index 1).
@@ -24,6 +26,7 @@ mod control;
 mod dense;
 mod dop853;
 mod dop853_table;
+mod esdirk;
 mod event;
 mod golden;
 mod outcome;
@@ -38,6 +41,7 @@ mod system;
 
 pub use dense::{ComplexLu, Lu};
 pub use dop853::Dop853;
+pub use esdirk::{Esdirk, StageSystem};
 pub use golden::golden_section;
 pub use outcome::{Outcome, Statistics};
 pub use radau::Radau5;

@@ -47,7 +47,16 @@ const ARROWS: [(&str, &[&str]); 30] = [
     ),
     ("lanchester-multibody", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-film", &["lanchester-numerics"]),
-    ("lanchester-flex", &["lanchester-model", "lanchester-geometry", "lanchester-shape"]),
+    (
+        "lanchester-flex",
+        &[
+            "lanchester-model",
+            "lanchester-geometry",
+            "lanchester-shape",
+            "lanchester-film",
+            "lanchester-numerics",
+        ],
+    ),
     ("lanchester-strength", &["lanchester-model"]),
     ("lanchester-torsion", &["lanchester-model", "lanchester-numerics"]),
     ("lanchester-table", &[]),

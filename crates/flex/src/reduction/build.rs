@@ -208,7 +208,7 @@ impl Parts<'_> {
 }
 
 /// Matrices of the coordinates.
-fn project(
+pub(crate) fn project(
     mesh: &Mesh,
     interfaces: &[Interface],
     structure: &Structure,

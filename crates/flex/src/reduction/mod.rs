@@ -13,6 +13,7 @@ mod interface;
 mod model;
 mod npz;
 
+pub(crate) use build::project;
 pub use build::{Reduction, ReductionOptions, reduce, reduce_watched};
 pub use interface::{Interface, interfaces};
 pub use model::{ReducedMode, ReducedModel};

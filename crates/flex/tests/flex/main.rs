@@ -10,3 +10,4 @@ mod crank_parts;
 mod elements;
 mod reduction;
 mod rings;
+mod train;

@@ -1,0 +1,232 @@
+//! From the mesh of a crankshaft to its body in few coordinates.
+//!
+//! Free natural modes, and the static shapes of a pressure on every bearing surface, of a torque at the flywheel and of the centrifugal field, each balanced by
+//! the inertia of the body as a whole. What is left of them beside the modes is made orthonormal in the mass and diagonal in the stiffness:
+//!
+//! ```text
+//! u = R q_r + V q_e    V^T M V = 1    V^T K V = diag(w^2)    K v_j = f_j - M R (R^T f_j)                     (book, eq. 51.2)
+//! ```
+
+use super::body::CrankBody;
+use super::coupling::{BearingPlace, Coupling, turning};
+use super::stress::StressBasis;
+use crate::FlexError;
+use crate::case::{StaticCase, rigid_motions};
+use crate::crank_case::BearingSurfaces;
+use crate::crank_mesh::CrankMesh;
+use crate::eigen::symmetric_eigen;
+use crate::modes::{ModeKind, modes_watched};
+use crate::reduction::project;
+use crate::sparse::{Quantity, SolveEstimate, Structure, SymmetricMatrix, dot};
+use crate::statics::{SolveOptions, StaticSystem};
+use serde::Serialize;
+use std::f64::consts::FRAC_2_PI;
+
+/// Cases that are solved at once.
+const TOGETHER: usize = 8;
+/// Share of a static shape beside the modes, in its mass, below which it adds nothing.
+const LEFT: f64 = 1e-9;
+
+/// How many coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct BasisOptions {
+    /// Free natural modes beyond the rigid motions.
+    pub modes: usize,
+    /// Share of critical damping of every mode.
+    pub damping: f64,
+    /// Bytes that matrix and factor may take.
+    pub memory: u64,
+}
+
+impl Default for BasisOptions {
+    fn default() -> BasisOptions {
+        BasisOptions { modes: 20, damping: 0.01, memory: 8 << 30 }
+    }
+}
+
+/// A crankshaft in few coordinates, with the stress of each.
+#[derive(Debug, Clone)]
+pub struct CrankBasis {
+    /// The body.
+    pub body: CrankBody,
+    /// Stress at the fillets.
+    pub stress: StressBasis,
+    /// Free natural frequencies that were kept [Hz].
+    pub frequencies: Vec<f64>,
+}
+
+/// Reduces a crankshaft to its modes and the shapes of its bearings; `watch` sees what factors will cost.
+///
+/// # Errors
+/// [`FlexError`] where a surface is missing or the equations have no solution.
+pub fn crank_basis(
+    crank: &CrankMesh,
+    bearings: &[BearingPlace],
+    options: BasisOptions,
+    watch: &dyn Fn(&SolveEstimate),
+) -> Result<CrankBasis, FlexError> {
+    if !(0.0..1.0).contains(&options.damping) {
+        return Err(FlexError::Number {
+            quantity: "share of critical damping".to_owned(),
+            needed: "0 to below 1".to_owned(),
+            got: options.damping,
+            hint: "steel cranks have 0.005 to 0.02",
+        });
+    }
+    let mesh = &crank.mesh;
+    let surfaces = BearingSurfaces::new(crank);
+    let couplings: Vec<Coupling> = bearings
+        .iter()
+        .map(|place| Coupling::new(mesh, surfaces.areas(&place.set)?, place))
+        .collect::<Result<_, _>>()?;
+    let turn = turning(mesh, surfaces.areas("FLYWHEEL")?)?;
+    let solve = SolveOptions { memory: options.memory, ..SolveOptions::default() };
+    let found = modes_watched(mesh, &StaticCase::default(), options.modes + 6, solve, watch)?;
+    let modes: Vec<_> = found.modes.into_iter().filter(|mode| mode.kind != ModeKind::Rigid).collect();
+
+    let base = StaticCase { name: "static shapes".to_owned(), inertia_relief: true, ..StaticCase::default() };
+    let mut cases = Vec::new();
+    for coupling in &couplings {
+        cases.push(coupling.push(base.clone(), [1e3, 0.0]));
+        cases.push(coupling.push(base.clone(), [0.0, 1e3]));
+    }
+    let mut twist = base.clone();
+    for (node, w) in &turn {
+        twist = twist.push(&[(*node, 1.0)], [w[0], w[1], 0.0]);
+    }
+    cases.push(twist);
+    cases.push(StaticCase { speed: 100.0, ..base.clone() });
+    let shapes = cases.len();
+    // What a pressure over one half has beside its cosine: |cos|, by its first orders.
+    for coupling in &couplings {
+        let p = FRAC_2_PI / coupling.projected();
+        cases.push(coupling.press(base.clone(), |_| 1e3 * p));
+        for order in [2.0, 4.0] {
+            let share = if order == 2.0 { 2.0 / 3.0 } else { -2.0 / 15.0 };
+            cases.push(coupling.press(base.clone(), |a| 1e3 * p * share * (order * a).cos()));
+            cases.push(coupling.press(base.clone(), |a| 1e3 * p * share * (order * a).sin()));
+        }
+    }
+    let mut system = StaticSystem::new_watched(mesh, &base, solve, watch)?;
+    let mut solved: Vec<Vec<[f64; 3]>> = Vec::with_capacity(cases.len());
+    for block in cases.chunks(TOGETHER) {
+        let solutions = system.solve(&block.iter().collect::<Vec<_>>())?;
+        solved.extend(solutions.into_iter().map(|solution| solution.displacements));
+    }
+    drop(system);
+    let patterns = solved.split_off(shapes);
+
+    let structure = Structure::new(mesh, &[]);
+    let mass = structure.assemble(mesh, Quantity::Mass, &[]);
+    let stiffness = structure.assemble(mesh, Quantity::Stiffness, &[]);
+    let mut vectors = Orthonormal { mass: &mass, vectors: Vec::new(), images: Vec::new() };
+    // Motion along z first: no force acts along it, so that it is left out.
+    let motions = rigid_motions(mesh);
+    for k in [2, 0, 1, 3, 4, 5] {
+        vectors.add(structure.gather(&motions[k]));
+    }
+    for mode in &modes {
+        vectors.add(structure.gather(&mode.shape));
+    }
+    for shape in &solved {
+        vectors.add(structure.gather(shape));
+    }
+    let all = vectors.vectors;
+    let (rigid, elastic) = (&all[1..6], &all[6..]);
+    // Diagonal stiffness of what deforms.
+    let count = elastic.len();
+    let mut reduced = vec![0.0; count * count];
+    let mut image = vec![0.0; stiffness.size()];
+    for column in 0..count {
+        stiffness.multiply(&elastic[column], &mut image);
+        for row in 0..=column {
+            let value = dot(&elastic[row], &image);
+            (reduced[row * count + column], reduced[column * count + row]) = (value, value);
+        }
+    }
+    let (squares, shapes) = symmetric_eigen(&reduced, count);
+    let mut basis: Vec<Vec<f64>> = rigid.to_vec();
+    for shape in shapes.chunks(count.max(1)) {
+        let mut vector = vec![0.0; stiffness.size()];
+        for (share, own) in shape.iter().zip(elastic) {
+            vector.iter_mut().zip(own).for_each(|(to, from)| *to += share * from);
+        }
+        basis.push(vector);
+    }
+    let stiff: Vec<f64> = [0.0; 5].into_iter().chain(squares).collect();
+    let frequencies = stiff.iter().map(|k| k.max(0.0).sqrt() / std::f64::consts::TAU).collect();
+    let model = project(mesh, &[], &structure, [&stiffness, &mass], &basis, 0, frequencies);
+    let fields: Vec<Vec<[f64; 3]>> = basis.iter().map(|vector| structure.scatter(vector)).collect();
+    let moved: Vec<Vec<[Plane; 2]>> = couplings
+        .iter()
+        .map(|coupling| fields.iter().map(|field| coupling.motion(field)).collect())
+        .collect();
+    let rows = |which: usize| -> Vec<[Vec<f64>; 2]> {
+        let of = |own: &Vec<[Plane; 2]>| [0, 1].map(|k| own.iter().map(|motion| motion[which][k]).collect());
+        moved.iter().map(of).collect()
+    };
+    let turning = fields
+        .iter()
+        .map(|field| {
+            turn.iter()
+                .map(|(node, w)| w[0] * field[*node as usize][0] + w[1] * field[*node as usize][1])
+                .sum()
+        })
+        .collect();
+    let n = basis.len();
+    let mut damping = vec![0.0; n * n];
+    for (k, square) in stiff.iter().enumerate() {
+        damping[k * (n + 1)] = 2.0 * options.damping * square.max(0.0).sqrt();
+    }
+    let across: Vec<[f64; 3]> = mesh.nodes.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+    let body = CrankBody {
+        stiffness: stiff,
+        damping,
+        gyroscopic: model.gyroscopic,
+        centrifugal: model.centrifugal,
+        centrifugal_load: model.centrifugal_load,
+        euler_load: model.euler_load,
+        polar: mass.form(&structure.gather(&across)),
+        rows: rows(0),
+        slopes: rows(1),
+        turning,
+    };
+    let stress = StressBasis::new(crank, &fields, &patterns);
+    Ok(CrankBasis { body, stress, frequencies: modes.iter().map(|mode| mode.frequency).collect() })
+}
+
+type Plane = super::plane::Plane;
+
+/// Vectors orthonormal in the mass, and their images.
+struct Orthonormal<'a> {
+    mass: &'a SymmetricMatrix,
+    vectors: Vec<Vec<f64>>,
+    images: Vec<Vec<f64>>,
+}
+
+impl Orthonormal<'_> {
+    /// Takes what a vector has beside those that are there.
+    fn add(&mut self, mut vector: Vec<f64>) {
+        let mut image = vec![0.0; vector.len()];
+        self.mass.multiply(&vector, &mut image);
+        let before = dot(&vector, &image).sqrt();
+        if before.is_nan() || before <= 0.0 {
+            return;
+        }
+        vector.iter_mut().for_each(|value| *value /= before);
+        for _ in 0..3 {
+            for (own, image) in self.vectors.iter().zip(&self.images) {
+                let share = dot(image, &vector);
+                vector.iter_mut().zip(own).for_each(|(to, from)| *to -= share * from);
+            }
+        }
+        self.mass.multiply(&vector, &mut image);
+        let left = dot(&vector, &image).sqrt();
+        if left.is_nan() || left < LEFT {
+            return;
+        }
+        vector.iter_mut().chain(image.iter_mut()).for_each(|value| *value /= left);
+        self.vectors.push(vector);
+        self.images.push(image);
+    }
+}

@@ -1,0 +1,397 @@
+//! Cycles of a train until they repeat.
+
+use super::assembly::{Assembly, SUMS};
+use super::mixing::Mixing;
+use super::parts::CrankTrain;
+use super::plane::{length, plus};
+use super::snapshot::CycleInstant;
+use crate::FlexError;
+use lanchester_numerics::Esdirk;
+use serde::Serialize;
+
+/// Samples between two forced stops before the cycles repeat.
+const COARSE: usize = 8;
+/// Halvings of the distance between stops after which a step is too short.
+const FINEST: u32 = 24;
+/// Damping of the first cycle over that given: what the start disturbs dies sooner.
+const FIRST_DAMPING: f64 = 20.0;
+/// Cycles of an envelope where they never repeat.
+const ENVELOPE: usize = 5;
+/// Share of the tolerance below which the step is doubled: 2^-4 with a margin.
+const DOUBLED: f64 = 0.04;
+
+/// How a train is run.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+pub struct CycleOptions {
+    /// Instants of a period, a multiple of 8.
+    pub samples: usize,
+    /// Tolerance of a step: of eccentricities over the clearance, of deformations over those under the largest force.
+    pub tolerance: f64,
+    /// Most cycles.
+    pub most_cycles: usize,
+    /// Change of the orbits from cycle to cycle over the clearance that counts as none.
+    pub orbit_change: f64,
+    /// Change of loads and deformation over their largest that counts as none.
+    pub stress_change: f64,
+}
+
+impl Default for CycleOptions {
+    /// Every degree of a four-stroke engine.
+    fn default() -> CycleOptions {
+        CycleOptions {
+            samples: 720,
+            tolerance: 1e-4,
+            most_cycles: 30,
+            orbit_change: 1e-3,
+            stress_change: 5e-3,
+        }
+    }
+}
+
+/// How the cycles ended.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case", tag = "kind")]
+pub enum CycleOutcome {
+    /// They repeat.
+    Periodic,
+    /// They do not within the most that are allowed: five more give the envelope.
+    NotPeriodic,
+    /// A step without solution: a film has no thickness left, or a rod does not reach.
+    Broken {
+        /// Angle of crankshaft 1 [rad], from the first cycle on.
+        theta: f64,
+    },
+}
+
+/// Work and energy over the recorded cycle [J].
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
+pub struct EnergyBalance {
+    /// Work of the gas.
+    pub gas: f64,
+    /// Work of the flywheel on the crankshaft.
+    pub drive: f64,
+    /// Lost in the material's damping.
+    pub damping: f64,
+    /// Taken by the bearings, their springs' energy included.
+    pub bearings: f64,
+    /// Change of kinetic and elastic energy.
+    pub change: f64,
+    /// What is missing: gas + drive - damping - bearings - change.
+    pub missing: f64,
+    /// Sum of the sizes of all powers over time, by which `missing` is judged.
+    pub turnover: f64,
+}
+
+impl EnergyBalance {
+    /// Missing energy over the turnover.
+    pub fn error(&self) -> f64 {
+        if self.turnover > 0.0 { self.missing.abs() / self.turnover } else { self.missing.abs() }
+    }
+}
+
+/// A recorded cycle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordedCycle {
+    /// Its instants.
+    pub instants: Vec<CycleInstant>,
+    /// Its energies.
+    pub energy: EnergyBalance,
+}
+
+/// What cycles of a train gave.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrainCycles {
+    /// How they ended.
+    pub outcome: CycleOutcome,
+    /// Cycles that were run, the recorded ones included.
+    pub cycles: usize,
+    /// Largest change of an orbit from the last cycle but one, over the clearance.
+    pub orbit_change: f64,
+    /// The same of loads and deformation, over their largest.
+    pub stress_change: f64,
+    /// The recorded cycle, or five of them where they do not repeat; none where the run broke.
+    pub recorded: Vec<RecordedCycle>,
+    /// Steps of all cycles, those of the recorded ones included.
+    pub steps: u64,
+    /// Steps that were tried again shorter.
+    pub rejected: u64,
+    /// Newton iterations of all stages.
+    pub iterations: u64,
+}
+
+struct Runner<'a> {
+    train: &'a CrankTrain,
+    assembly: Assembly<'a>,
+    integrator: Esdirk,
+    state: Vec<f64>,
+    slope: Vec<f64>,
+    /// Time of the last good state [s].
+    time: f64,
+    /// Halvings of the distance between coarse stops.
+    level: u32,
+    steps: u64,
+    rejected: u64,
+    iterations: u64,
+}
+
+/// Runs a train until its cycles repeat, and records the last one.
+///
+/// # Errors
+/// As [`CrankTrain::check`]; [`FlexError::Number`] for samples that are no multiple of 8.
+pub fn run_cycles(train: &CrankTrain, options: CycleOptions) -> Result<TrainCycles, FlexError> {
+    run_cycles_watched(train, options, &|_, _, _| {})
+}
+
+/// The same; `watch` hears the number of each cycle that is done, the change of its orbits and that of its loads and deformation.
+///
+/// # Errors
+/// As [`run_cycles`].
+pub fn run_cycles_watched(
+    train: &CrankTrain,
+    options: CycleOptions,
+    watch: &dyn Fn(usize, f64, f64),
+) -> Result<TrainCycles, FlexError> {
+    train.check()?;
+    if options.samples < 4 * COARSE || !options.samples.is_multiple_of(COARSE) {
+        return Err(FlexError::Number {
+            quantity: "instants of a period".to_owned(),
+            needed: format!("a multiple of {COARSE}, at least {}", 4 * COARSE),
+            got: options.samples as f64,
+            hint: "720 are one a degree of a four-stroke engine",
+        });
+    }
+    let assembly = Assembly::new(train, options.tolerance);
+    let state = assembly.start();
+    let mut runner = Runner {
+        train,
+        integrator: Esdirk::new(state.len()),
+        slope: vec![0.0; state.len()],
+        state,
+        assembly,
+        time: 0.0,
+        level: 4,
+        steps: 0,
+        rejected: 0,
+        iterations: 0,
+    };
+    let mut found = TrainCycles {
+        outcome: CycleOutcome::NotPeriodic,
+        cycles: 0,
+        orbit_change: f64::INFINITY,
+        stress_change: f64::INFINITY,
+        recorded: Vec::new(),
+        steps: 0,
+        rejected: 0,
+        iterations: 0,
+    };
+    let mut before: Vec<CycleInstant> = Vec::new();
+    let mut mixing = Mixing::default();
+    let weights = runner.assembly.weights();
+    runner.damp(FIRST_DAMPING);
+    while found.cycles < options.most_cycles {
+        let start = runner.state.clone();
+        let Some(now) = runner.cycle(found.cycles, options.samples, COARSE) else {
+            return Ok(runner.broken(found));
+        };
+        found.cycles += 1;
+        found.compare(&runner, &before, &now.instants, watch);
+        before = now.instants;
+        if found.cycles > 2 && found.repeats(options) {
+            // What is recorded follows without mixing: it must repeat too.
+            let Some(now) = runner.cycle(found.cycles, options.samples, 1) else {
+                return Ok(runner.broken(found));
+            };
+            found.cycles += 1;
+            let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
+            found.compare(&runner, &before, &coarse, watch);
+            before = coarse;
+            if found.repeats(options) {
+                found.outcome = CycleOutcome::Periodic;
+                found.recorded.push(now);
+                return Ok(runner.counted(found));
+            }
+        } else if found.cycles > 1 {
+            let next = mixing.next(&start, &runner.state, &weights);
+            runner.begin(next, found.cycles);
+        }
+        runner.damp(1.0);
+    }
+    for _ in 0..ENVELOPE {
+        let Some(now) = runner.cycle(found.cycles, options.samples, 1) else {
+            return Ok(runner.broken(found));
+        };
+        found.cycles += 1;
+        let coarse: Vec<CycleInstant> = now.instants.iter().step_by(COARSE).cloned().collect();
+        found.compare(&runner, &before, &coarse, watch);
+        before = coarse;
+        found.recorded.push(now);
+    }
+    Ok(runner.counted(found))
+}
+
+impl TrainCycles {
+    fn compare(
+        &mut self,
+        runner: &Runner,
+        before: &[CycleInstant],
+        now: &[CycleInstant],
+        watch: &dyn Fn(usize, f64, f64),
+    ) {
+        if !before.is_empty() {
+            (self.orbit_change, self.stress_change) = runner.change(before, now);
+        }
+        watch(self.cycles, self.orbit_change, self.stress_change);
+    }
+
+    fn repeats(&self, options: CycleOptions) -> bool {
+        self.orbit_change < options.orbit_change && self.stress_change < options.stress_change
+    }
+}
+
+impl Runner<'_> {
+    fn counted(&self, mut found: TrainCycles) -> TrainCycles {
+        (found.steps, found.rejected, found.iterations) = (self.steps, self.rejected, self.iterations);
+        found
+    }
+
+    fn broken(&self, mut found: TrainCycles) -> TrainCycles {
+        found.outcome = CycleOutcome::Broken { theta: self.train.motion.at(self.time).angle };
+        found.recorded.clear();
+        self.counted(found)
+    }
+
+    /// Takes a state at the start of a cycle, where it leaves every film some thickness.
+    fn begin(&mut self, state: Vec<f64>, number: usize) {
+        if self.assembly.has_films(number as f64 * self.train.motion.duration(), &state) {
+            self.state = state;
+        }
+    }
+
+    fn damp(&mut self, factor: f64) {
+        self.assembly.damping = factor;
+        self.integrator.restart();
+    }
+
+    /// One cycle with so many stops; none where it breaks.
+    fn cycle(&mut self, number: usize, samples: usize, every: usize) -> Option<RecordedCycle> {
+        let stops = samples / every;
+        let duration = self.train.motion.duration();
+        let start = number as f64 * duration;
+        let sums = self.assembly.sums();
+        self.state[sums..].fill(0.0);
+        let before = self.assembly.energy(start, &self.state);
+        let mut instants = Vec::with_capacity(stops);
+        for stop in 0..stops {
+            if stop == 0 {
+                // The slope at the start, for the snapshot.
+                let mut slope = std::mem::take(&mut self.slope);
+                let works = lanchester_numerics::StageSystem::slope(
+                    &mut self.assembly,
+                    start,
+                    &self.state,
+                    &mut slope,
+                );
+                self.slope = slope;
+                if !works {
+                    return None;
+                }
+            }
+            let from = start + duration * stop as f64 / stops as f64;
+            let mut own = self.assembly.snapshot(from, &self.state, &self.slope)?;
+            own.theta -= self.train.motion.at(start).angle - self.train.motion.at(0.0).angle;
+            instants.push(own);
+            self.between(start, duration / stops as f64, stop, (COARSE / every).ilog2())?;
+        }
+        let end = start + duration;
+        let energy = self.state[sums..].to_vec();
+        let [gas, drive, damping, bearings, turnover] =
+            <[f64; SUMS]>::try_from(energy.as_slice()).unwrap_or_default();
+        let change = self.assembly.energy(end, &self.state) - before;
+        Some(RecordedCycle {
+            instants,
+            energy: EnergyBalance {
+                gas,
+                drive,
+                damping,
+                bearings: -bearings,
+                change,
+                missing: gas + drive - damping + bearings - change,
+                turnover,
+            },
+        })
+    }
+
+    /// From one stop to the next in halves of halves of their distance.
+    /// The level counts from the distance of the coarse stops, which is `coarser` doublings of this one: so lengths of steps are the same in all cycles.
+    fn between(&mut self, start: f64, distance: f64, stop: usize, coarser: u32) -> Option<()> {
+        let whole = 1u64 << FINEST;
+        let mut at = 0u64;
+        let mut level = self.level.saturating_sub(coarser);
+        while at < whole {
+            // A step begins at a multiple of its length.
+            while !at.is_multiple_of(whole >> level) {
+                level += 1;
+            }
+            let size = whole >> level;
+            let h = distance * (1.0 / (1u64 << level) as f64);
+            let t = start + distance * (stop as f64 + at as f64 / whole as f64);
+            let done = self.integrator.attempt(&mut self.assembly, t, h, &self.state);
+            let error = match done {
+                Some(iterations) => {
+                    self.iterations += u64::from(iterations);
+                    self.assembly.error(t + h, self.integrator.error())
+                }
+                None => f64::INFINITY,
+            };
+            if error.is_nan() || error > 1.0 {
+                self.rejected += 1;
+                level += if error.is_finite() && error < 16.0 { 1 } else { 2 };
+                if level >= FINEST {
+                    return None;
+                }
+                continue;
+            }
+            self.steps += 1;
+            self.slope.copy_from_slice(self.integrator.end_slope());
+            self.integrator.accept(&mut self.state);
+            self.time = t + h;
+            at += size;
+            if error < DOUBLED && level > 0 && at.is_multiple_of(whole >> (level - 1)) {
+                level -= 1;
+            }
+        }
+        self.level = level + coarser;
+        Some(())
+    }
+
+    /// Largest change of orbits over their clearances, and of loads and deformation over their largest.
+    fn change(&self, before: &[CycleInstant], now: &[CycleInstant]) -> (f64, f64) {
+        let (mut orbit, mut load, mut largest) = (0.0f64, 0.0f64, f64::MIN_POSITIVE);
+        let (mut shape, mut most) = (0.0f64, f64::MIN_POSITIVE);
+        let clearance = |index: usize| {
+            let mains = self.train.mains.len();
+            let law = match index.checked_sub(mains) {
+                None => &self.train.mains[index].law,
+                Some(index) => &self.train.cylinders[index].law,
+            };
+            law.clearance()
+        };
+        let undeformed = vec![0.0; self.train.body.size()];
+        for (a, b) in before.iter().zip(now) {
+            let places = |own: &CycleInstant| [own.main_places.clone(), own.pin_places.clone()].concat();
+            for (index, (a, b)) in places(a).into_iter().zip(places(b)).enumerate() {
+                if let Some(clearance) = clearance(index).filter(|c| *c > 0.0) {
+                    orbit = orbit.max(length(plus(a, -1.0, b)) / clearance);
+                }
+            }
+            let forces = |own: &CycleInstant| [own.main_forces.clone(), own.pin_forces.clone()].concat();
+            for (a, b) in forces(a).into_iter().zip(forces(b)) {
+                load = load.max(length(plus(a, -1.0, b)));
+                largest = largest.max(length(b));
+            }
+            shape = shape.max(self.assembly.deformation(&a.coordinates, &b.coordinates));
+            most = most.max(self.assembly.deformation(&b.coordinates, &undeformed));
+        }
+        (orbit, (load / largest).max(shape / most))
+    }
+}

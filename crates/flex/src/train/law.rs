@@ -1,0 +1,200 @@
+//! Laws of bearings: force on the journal from its eccentricity and velocity, with derivatives.
+//!
+//! ```text
+//! contact    d = |e| - c    F = -max(0, k d + s(d) b d') n    d > 0                          (book, eq. 51.8)
+//! bushing    F = -(k e + b e')                                                               (book, eq. 51.9)
+//! film       F = 12 mu (R/c)^3 L f(e/c, v) - F_c n    v = e' - w_m e_z x e                   (book, eq. 51.10)
+//! ```
+//! The damping of a contact fades in over its first depth, `s` from 0 to 1, so that the force has no jump; `F_c` is that of the roughness.
+
+use super::plane::{ONE, Plane, QUARTER, Square, dot, length, plus, product, sum, times};
+use lanchester_film::{FilmTable, JournalBearing, contact_with_slope};
+use std::sync::Arc;
+
+/// Depth over which a contact's damping fades in, over the clearance.
+const FADE: f64 = 0.01;
+
+/// What ties a journal to its bearing.
+#[derive(Debug, Clone, PartialEq)]
+pub enum TrainLaw {
+    /// No clearance and no yield: the centres are one point.
+    Rigid,
+    /// Clearance, then a spring with a damper.
+    Contact {
+        /// Radial clearance [m].
+        clearance: f64,
+        /// Stiffness [N/m].
+        stiffness: f64,
+        /// Damping [N s/m].
+        damping: f64,
+    },
+    /// Springs with dampers about the middle.
+    Bushing {
+        /// Stiffness in the block's frame [N/m].
+        stiffness: Square,
+        /// Damping [N s/m].
+        damping: Square,
+    },
+    /// An oil film by its table.
+    Film {
+        /// The bearing.
+        bearing: JournalBearing,
+        /// Table of the same length over diameter.
+        table: Arc<FilmTable>,
+        /// Viscosity [Pa s].
+        viscosity: f64,
+        /// Composite roughness [m], 0: no contact.
+        roughness: f64,
+    },
+}
+
+/// Force on the journal with its derivatives.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LawForce {
+    pub force: Plane,
+    pub by_place: Square,
+    pub by_velocity: Square,
+}
+
+const NONE: LawForce = LawForce { force: [0.0; 2], by_place: [[0.0; 2]; 2], by_velocity: [[0.0; 2]; 2] };
+
+impl TrainLaw {
+    /// A bushing alike in all directions: stiffness [N/m], damping [N s/m].
+    pub fn bushing(stiffness: f64, damping: f64) -> TrainLaw {
+        let of = |value: f64| sum(value, &ONE, 0.0, &ONE);
+        TrainLaw::Bushing { stiffness: of(stiffness), damping: of(damping) }
+    }
+
+    /// Whether the centres are one point.
+    pub fn is_rigid(&self) -> bool {
+        matches!(self, TrainLaw::Rigid)
+    }
+
+    /// Radial clearance, where there is one [m].
+    pub fn clearance(&self) -> Option<f64> {
+        match self {
+            TrainLaw::Contact { clearance, .. } => Some(*clearance),
+            TrainLaw::Film { bearing, .. } => Some(bearing.clearance),
+            TrainLaw::Rigid | TrainLaw::Bushing { .. } => None,
+        }
+    }
+
+    /// Force at eccentricity `e` [m] and its rate [m/s], with the mean angular speed `entrainment` of both surfaces [rad/s]; none where the film has no
+    /// thickness left.
+    pub(crate) fn force(&self, e: Plane, rate: Plane, entrainment: f64) -> Option<LawForce> {
+        match self {
+            TrainLaw::Rigid => Some(NONE),
+            TrainLaw::Bushing { stiffness, damping } => {
+                let force = plus(times(stiffness, e), 1.0, times(damping, rate));
+                Some(LawForce {
+                    force: force.map(|f| -f),
+                    by_place: sum(-1.0, stiffness, 0.0, &ONE),
+                    by_velocity: sum(-1.0, damping, 0.0, &ONE),
+                })
+            }
+            TrainLaw::Contact { clearance, stiffness, damping } => {
+                Some(contact(*clearance, *stiffness, *damping, e, rate))
+            }
+            TrainLaw::Film { bearing, table, viscosity, roughness } => {
+                let scale = bearing.force_scale(*viscosity);
+                let c = bearing.clearance;
+                let ratio = e.map(|part| part / c);
+                let v = plus(rate, -entrainment, times(&QUARTER, e));
+                let film = table.impedance(ratio, v).ok()?;
+                let by_velocity = sum(scale, &film.by_velocity, 0.0, &ONE);
+                let turning = product(&by_velocity, &QUARTER);
+                let mut own = LawForce {
+                    force: film.force.map(|f| scale * f),
+                    by_place: sum(scale / c, &film.by_eccentricity, -entrainment, &turning),
+                    by_velocity,
+                };
+                let size = length(ratio);
+                let (floor, slope) = contact_with_slope(bearing, *roughness, size);
+                if floor > 0.0 {
+                    let n = ratio.map(|part| part / size);
+                    own.force = plus(own.force, -floor, n);
+                    for i in 0..2 {
+                        for j in 0..2 {
+                            let across = ONE[i][j] - n[i] * n[j];
+                            own.by_place[i][j] -= (slope * n[i] * n[j] + floor / size * across) / c;
+                        }
+                    }
+                }
+                Some(own)
+            }
+        }
+    }
+}
+
+fn contact(clearance: f64, stiffness: f64, damping: f64, e: Plane, rate: Plane) -> LawForce {
+    let size = length(e);
+    let depth = size - clearance;
+    if depth <= 0.0 || size == 0.0 {
+        return NONE;
+    }
+    let n = e.map(|part| part / size);
+    let closing = dot(n, rate);
+    let over = (depth / (FADE * clearance).max(1e-9)).min(1.0);
+    let fade = over * over * (3.0 - 2.0 * over);
+    let fade_slope = if over < 1.0 { 6.0 * over * (1.0 - over) / (FADE * clearance).max(1e-9) } else { 0.0 };
+    let push = stiffness * depth + damping * fade * closing;
+    if push <= 0.0 {
+        return NONE;
+    }
+    let mut own = LawForce { force: n.map(|part| -push * part), ..NONE };
+    for i in 0..2 {
+        for j in 0..2 {
+            let along = (stiffness + damping * fade_slope * closing) * n[j]
+                + damping * fade * (rate[j] - closing * n[j]) / size;
+            own.by_place[i][j] = -n[i] * along - push * (ONE[i][j] - n[i] * n[j]) / size;
+            own.by_velocity[i][j] = -damping * fade * n[i] * n[j];
+        }
+    }
+    own
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lanchester_film::Cavitation;
+
+    #[test]
+    fn derivatives_of_every_law_are_those_of_its_force() {
+        let bearing = JournalBearing::new(0.0275, 0.025, 30e-6).unwrap();
+        let table = Arc::new(FilmTable::new(bearing.slenderness(), Cavitation::Gumbel).unwrap());
+        let laws = [
+            TrainLaw::bushing(2e9, 2e4),
+            TrainLaw::Bushing { stiffness: [[2e8, 1e8], [-3e8, 5e8]], damping: [[1e4, 2e3], [1e3, 4e4]] },
+            TrainLaw::Contact { clearance: 20e-6, stiffness: 5e8, damping: 2e4 },
+            TrainLaw::Contact { clearance: 22.3e-6, stiffness: 5e8, damping: 2e4 },
+            TrainLaw::Film { bearing, table: table.clone(), viscosity: 0.01, roughness: 0.0 },
+            TrainLaw::Film { bearing, table, viscosity: 0.01, roughness: 3e-6 },
+        ];
+        let (e, rate, speed) = ([18e-6, 13.5e-6], [0.02, 0.03], 210.0);
+        for law in laws {
+            let own = law.force(e, rate, speed).unwrap();
+            for k in 0..2 {
+                for (step, wanted, is_place) in
+                    [(1e-11, &own.by_place, true), (1e-7, &own.by_velocity, false)]
+                {
+                    let shifted = |sign: f64| {
+                        let (mut e, mut rate) = (e, rate);
+                        let moved = if is_place { &mut e } else { &mut rate };
+                        moved[k] += sign * step;
+                        law.force(e, rate, speed).unwrap().force
+                    };
+                    let (low, high) = (shifted(-1.0), shifted(1.0));
+                    for row in 0..2 {
+                        let slope = (high[row] - low[row]) / (2.0 * step);
+                        let largest = wanted.iter().flatten().fold(0.0f64, |most, v| most.max(v.abs()));
+                        assert!(
+                            (slope - wanted[row][k]).abs() < 2e-5 * largest,
+                            "{law:?} {row} {k} {is_place}: {slope} {}",
+                            wanted[row][k]
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
