@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Each crate and the workspace crates that it may name as normal dependencies. A crate that is not here may not
 /// exist: a new room needs a decision record and a line.
-const ARROWS: [(&str, &[&str]); 29] = [
+const ARROWS: [(&str, &[&str]); 30] = [
     ("lanchester-numerics", &[]),
     ("lanchester-shape", &[]),
     ("lanchester-units", &[]),
@@ -96,6 +96,7 @@ const ARROWS: [(&str, &[&str]); 29] = [
     ("lanchester-files", &[]),
     ("lanchester-studio", &["lanchester", "lanchester-files"]),
     ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio", "lanchester-validation"]),
+    ("lanchester-python", &["lanchester", "lanchester-files"]),
     (TESTKIT, &["lanchester-file", "lanchester-model"]),
     ("xtask", &[]),
 ];
