@@ -217,7 +217,9 @@ def write(schemas: dict[str, Any]) -> str:
             elif how == "all":
                 body = f'self._all("{raw}", {kind[8:].split("]")[0]})'
             else:
-                body = f'self._{how}("{raw}")'
+                # What may be left out is None, not an empty list.
+                own_how = "get" if how == "list" and kind.endswith("| None") else how
+                body = f'self._{own_how}("{raw}")'
             out += f"\n    @property\n    def {own}(self) -> {kind}:\n" + doc(field_doc(schema, definitions), "        ")
             out += f"        return {body}  # type: ignore[no-any-return]\n" if how != "all" else f"        return {body}\n"
     return out

@@ -72,7 +72,7 @@ def test_ctrl_c_stops_a_search() -> None:
         "engine = lanchester.Engine.template('in-line-4').with_(tolerances={'piston_mass': {'plus_minus': '2 g'}})\n"
         "print('ready', flush=True)\n"
         "try:\n"
-        "    engine.scatter(samples=10**11)\n"
+        "    engine.scatter(samples=10**9)\n"
         "except KeyboardInterrupt:\n"
         "    print('interrupted', flush=True)\n"
     )

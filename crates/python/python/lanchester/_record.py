@@ -271,8 +271,8 @@ class Result(Record):
         """The words and tables that the command line prints; empty where it has none.
 
         >>> from lanchester import Engine
-        >>> print(Engine.template("in-line-4").loads().to_text().splitlines()[0])  # doctest: +ELLIPSIS
-        ... rpm
+        >>> "rpm" in Engine.template("in-line-4").loads().to_text().splitlines()[0]
+        True
         """
         return self._answer.text()
 

@@ -20,7 +20,7 @@ class Diagnostic:
     ...     lanchester.Engine.from_toml('name = "A"')
     ... except lanchester.EngineFileError as error:
     ...     error.diagnostics[0].code
-    'E0201'
+    'E0202'
     """
 
     severity: Literal["error", "warning"]

@@ -2434,7 +2434,7 @@ class CounterweightPattern(Record):
     @property
     def webs(self) -> list[bool] | None:
         """Whether each web has its weight, from the free end, two webs a group; `None`: all have."""
-        return self._list("webs")  # type: ignore[no-any-return]
+        return self._get("webs")  # type: ignore[no-any-return]
 
 
 class CounterweightShape(Record):
@@ -4844,7 +4844,7 @@ class FoundLayout(Record):
     @property
     def firing_order(self) -> list[int] | None:
         """Cylinders by firing; `None` where firing is left out."""
-        return self._list("firing_order")  # type: ignore[no-any-return]
+        return self._get("firing_order")  # type: ignore[no-any-return]
 
     @property
     def layout(self) -> Layout:
