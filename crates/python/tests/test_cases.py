@@ -14,10 +14,10 @@ FOUR = Engine.template("in-line-4")
 
 def test_rows_are_changed_copies(tmp_path: Path) -> None:
     path = tmp_path / "cases.csv"
-    path.write_text("rod.length [mm],piston.mass,cylinder[1].piston.mass,name\n140,,0.36 kg,a\n150,0.32,,b\n\n", encoding="utf-8")
+    path.write_text("rod.length [mm],piston.mass,crank.stroke,name\n140,,8 cm,a\n150,0.32,,b\n\n", encoding="utf-8")
     cases = FOUR.cases(path)
     assert len(cases) == 2
-    assert cases[0].text == FOUR.with_({"rod.length": "140 mm", "cylinder[1].piston.mass": "0.36 kg", "name": "a"}).text
+    assert cases[0].text == FOUR.with_({"rod.length": "140 mm", "crank.stroke": "8 cm", "name": "a"}).text
     assert cases[1].text == FOUR.with_({"rod.length": "150 mm", "piston.mass": 0.32, "name": "b"}).text
     force = "total.peaks.force.max.value"
     found = lanchester.map("loads", cases, force)[force]
