@@ -8,8 +8,8 @@ use crate::command::{cargo, quiet};
 use crate::steps::{Lane, Steps};
 use crate::workspace::{Profile, program, root};
 use crate::{
-    book, browser, claims, documents, engines, generate, hostile, lint, notices, page, supply, test_programs,
-    tidy,
+    book, browser, claims, documents, engines, generate, hostile, lint, notices, page, python, supply,
+    test_programs, tidy,
 };
 use anyhow::{Context, Result};
 use std::process::Command;
@@ -49,7 +49,9 @@ pub fn run(mut steps: Steps) -> Result<()> {
             .step("API documentation, no warning", || {
                 lint::documentation(Profile::Release).map(|()| String::new())
             })
-            .step("commands of the README", documents::commands),
+            .step("commands of the README", documents::commands)
+            // Behind the README's commands, whose optimised crates it shares.
+            .step("Python package: wheel, types, tests, doctests, notebooks", || python::run(&[])),
     ])?;
     // It waits for frames, and has the processors for itself.
     steps.run("studio in a browser", || page::try_in_browser(&program))?;

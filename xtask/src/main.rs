@@ -16,6 +16,7 @@ mod lint;
 mod notices;
 mod packages;
 mod page;
+mod python;
 mod steps;
 mod stress;
 mod supply;
@@ -39,6 +40,9 @@ tasks of the workspace
   cargo xtask generate                          write the generated pages of the book anew
   cargo xtask documents                         run what the README's and the book's pages show and quote
   cargo xtask page                              build the studio's page into the repository
+  cargo xtask python [--dev] [--write]          the Python package: wheel, types, tests, doctests, notebooks, in an environment below the target
+                                                folder; --dev without optimisation, --write writes its generated types
+  cargo xtask wheel                             build the wheel of the Python package into target/wheels
   cargo xtask reports                           open the reports of all examples in a browser
   cargo xtask pictures                          draw the pictures of the studio's guide anew, in a browser
   cargo xtask notices                           write the notices of third parties anew
@@ -83,6 +87,14 @@ fn task(arguments: &[String]) -> Result<()> {
             Ok(())
         }
         Some("page") if rest.is_empty() => page::build(),
+        Some("python") => {
+            println!("{}", python::run(rest)?);
+            Ok(())
+        }
+        Some("wheel") if rest.is_empty() => {
+            println!("{}", python::wheel()?.display());
+            Ok(())
+        }
         Some("reports") if rest.is_empty() => {
             println!("{}", browser::check_reports(&workspace::program(Profile::Dev)?)?);
             Ok(())

@@ -39,7 +39,7 @@ const SHARE: f64 = 1e-5;
 const NEUTRAL: f64 = 1e-6;
 
 /// A periodic motion, or what was found instead.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Periodic {
     /// How Newton ended.
     pub outcome: PeriodicOutcome,
@@ -54,7 +54,7 @@ pub struct Periodic {
 }
 
 /// How the search for a periodic motion ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PeriodicOutcome {
     /// Found: small departures from it die out.

@@ -15,7 +15,7 @@ use lanchester_task::workshop::{BobweightSheet, CylinderParts, PinParts};
 use serde::Serialize;
 
 /// The bobweight of one pin.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Bobweight {
     /// Name of the pin.
     pub pin: String,

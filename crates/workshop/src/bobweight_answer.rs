@@ -13,7 +13,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// A share of the reciprocating masses and what it leaves of the first order.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FactorChoice {
     /// Why it is looked at.
     pub why: String,
@@ -26,7 +26,7 @@ pub struct FactorChoice {
 }
 
 /// Peaks over the cycle at the highest speed of the engine.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ComparedBalance {
     /// How the crank is balanced.
     pub how: String,
@@ -37,7 +37,7 @@ pub struct ComparedBalance {
 }
 
 /// The engine with the weighed parts, its crank balanced in different ways.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BobweightComparison {
     /// Speed [rad/s].
     pub speed: f64,
@@ -50,7 +50,7 @@ pub struct BobweightComparison {
 }
 
 /// A bobweight sheet worked out.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BobweightAnswer {
     /// [`crate::WORKSHOP_VERSION`].
     pub version: u32,

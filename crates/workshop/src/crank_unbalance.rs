@@ -23,7 +23,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// What is known of the crankshaft as a body, bobweights on.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankBody {
     /// Mass with bobweights [kg].
     pub mass: f64,
@@ -36,7 +36,7 @@ pub struct CrankBody {
 }
 
 /// The kinds of unbalance of ISO 21940-2.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum UnbalanceKind {
     /// None.
@@ -65,7 +65,7 @@ impl UnbalanceKind {
 }
 
 /// A single unbalance that stands for all, but for a couple across it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct QuasiStatic {
     /// Its plane [m], from the origin.
     pub z: f64,
@@ -74,13 +74,15 @@ pub struct QuasiStatic {
 }
 
 /// What unbalance does to the crankshaft as a body.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BodyState {
     /// What is known of the body.
     pub body: CrankBody,
     /// Offset of the mass centre [m], in the frame of the crankshaft.
+    #[schemars(with = "[f64; 2]")]
     pub offset: Complex64,
     /// Couple unbalance about the mass centre [kg m^2].
+    #[schemars(with = "[f64; 2]")]
     pub couple: Complex64,
     /// Tilt of the principal axis that is nearest the shaft [rad].
     pub tilt: f64,
@@ -93,7 +95,7 @@ pub struct BodyState {
 }
 
 /// Unbalance of one crankshaft with bobweights.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CrankUnbalance {
     /// [`crate::WORKSHOP_VERSION`].
     pub version: u32,
@@ -108,8 +110,10 @@ pub struct CrankUnbalance {
     /// Counterweights of the file.
     pub counterweights: Vec<PlaneUnbalance>,
     /// Static unbalance [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub static_unbalance: Complex64,
     /// Couple unbalance about the origin [kg m^2].
+    #[schemars(with = "[f64; 2]")]
     pub couple_unbalance: Complex64,
     /// Dynamic unbalance: as two, in the planes asked for.
     pub planes: [PlaneUnbalance; 2],

@@ -12,7 +12,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// Weights that flywheel and damper must carry.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ExternalBalance {
     /// [`crate::WORKSHOP_VERSION`].
     pub version: u32,
@@ -23,8 +23,10 @@ pub struct ExternalBalance {
     /// Share of every counterweight inside that stays.
     pub kept_share: f64,
     /// Static unbalance of the crank with its bobweights, without weights outside [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub static_unbalance: Complex64,
     /// Couple unbalance about the origin [kg m^2].
+    #[schemars(with = "[f64; 2]")]
     pub couple_unbalance: Complex64,
     /// The weights outside that bring both to 0.
     pub weights: [PlaneUnbalance; 2],
@@ -33,7 +35,7 @@ pub struct ExternalBalance {
 }
 
 /// A weight by its mass at a radius: their product is its unbalance.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct RadiusAndMass {
     /// Distance of the centre of gravity from the axis [m].
     pub radius: f64,

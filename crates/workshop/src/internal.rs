@@ -8,7 +8,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// One counterweight that takes slugs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct InternalPlane {
     /// Name of its plane.
     pub name: String,
@@ -19,7 +19,7 @@ pub struct InternalPlane {
 }
 
 /// Weights outside moved inside.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct InternalBalance {
     /// [`crate::WORKSHOP_VERSION`].
     pub version: u32,
@@ -32,8 +32,10 @@ pub struct InternalBalance {
     /// Whether both have room for all that they need.
     pub reached: bool,
     /// Static unbalance that is left where they have not [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub static_left: Complex64,
     /// Couple unbalance about z = 0 that is left [kg m^2].
+    #[schemars(with = "[f64; 2]")]
     pub couple_left: Complex64,
 }
 

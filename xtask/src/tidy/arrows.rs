@@ -108,6 +108,7 @@ const ARROWS: [(&str, &[&str]); 30] = [
     ("lanchester-files", &[]),
     ("lanchester-studio", &["lanchester", "lanchester-files"]),
     ("lanchester-cli", &["lanchester", "lanchester-files", "lanchester-studio", "lanchester-validation"]),
+    ("lanchester-python", &["lanchester", "lanchester-files"]),
     (TESTKIT, &["lanchester-file", "lanchester-model"]),
     ("xtask", &[]),
 ];

@@ -8,7 +8,7 @@ use serde::Serialize;
 pub const RUN_VERSION: u32 = 1;
 
 /// A run with its samples.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Run {
     /// [`RUN_VERSION`].
     pub version: u32,
@@ -31,7 +31,7 @@ pub struct Run {
 }
 
 /// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum RunOutcome {
     /// After its duration.
@@ -74,7 +74,7 @@ pub struct RunState {
 }
 
 /// One vector a quantity, one value a sample.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Samples {
     /// Time [s].
     pub time: Vec<f64>,
@@ -136,7 +136,7 @@ impl Samples {
 }
 
 /// Something that happened.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Happened {
     /// What.
     pub what: Occasion,
@@ -149,7 +149,7 @@ pub struct Happened {
 }
 
 /// What may happen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Occasion {
     /// An event of the list: its place there, from 0.
@@ -168,7 +168,7 @@ pub enum Occasion {
 }
 
 /// Energies at both ends and works between [J].
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct EnergyLedger {
     /// Kinetic energy at the start and at the end.
     pub kinetic: [f64; 2],
@@ -199,7 +199,7 @@ pub struct EnergyLedger {
 }
 
 /// What must be zero but for the errors of the steps.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Audit {
     /// Largest of energy stored less works, over all samples, over the throughput.
     pub energy: f64,
@@ -214,7 +214,7 @@ pub struct Audit {
 }
 
 /// Cost of a run.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct Cost {
     /// Of the integrator.
     pub steps: u64,

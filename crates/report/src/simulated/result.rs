@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 pub const SIMULATION_VERSION: u32 = 1;
 
 /// A simulated run with what its reader must know.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SimulationResult {
     /// [`SIMULATION_VERSION`].
     pub version: u32,
@@ -35,7 +35,7 @@ pub struct SimulationResult {
 }
 
 /// How the search for a periodic motion ended.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PeriodicResult {
     /// Outcome.
     pub outcome: PeriodicOutcome,

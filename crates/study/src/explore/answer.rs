@@ -11,7 +11,7 @@ use crate::explore::space::ChoiceCount;
 use serde::Serialize;
 
 /// What a search found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ExploreAnswer {
     /// [`EXPLORATION_VERSION`].
     pub version: u32,
@@ -46,7 +46,7 @@ pub struct ExploreAnswer {
 }
 
 /// An objective with its name and unit.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct JudgedBy {
     /// The objective.
     pub objective: Objective,
@@ -57,7 +57,7 @@ pub struct JudgedBy {
 }
 
 /// A layout that was found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FoundLayout {
     /// Its number in the list, from 1.
     pub number: usize,
@@ -76,7 +76,7 @@ pub struct FoundLayout {
 }
 
 /// Where an engine stands in a search.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct GivenEngine {
     /// Its objectives as it is; `None` where it does not tell.
     pub values: Vec<Option<f64>>,

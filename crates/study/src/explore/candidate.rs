@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// A layout that is kept: on the front, or among the first of the ranking.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Candidate {
     /// Number of the case in its space; of equal ones the lowest.
     pub case: u128,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// One of the choices that make a layout, in the order of the digits of a case number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Choice {
     /// Distance of neighbouring groups.

@@ -4,7 +4,7 @@ use crate::explore::objective::{Level, Objective};
 use serde::{Deserialize, Serialize};
 
 /// What a layout must hold to be judged.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Constraint {
     /// Every firing interval is even within `tolerance` [rad].

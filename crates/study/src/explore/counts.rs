@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Why a case of the space is no engine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Invalid {
     /// The rod is not longer than the crank radius: a rod ratio of 1 or more.
@@ -26,7 +26,7 @@ impl Invalid {
 }
 
 /// Cases that are no engine for one reason.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct InvalidCount {
     /// The reason.
     pub reason: Invalid,
@@ -35,7 +35,7 @@ pub struct InvalidCount {
 }
 
 /// Cases that broke one constraint.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Broken {
     /// The constraint in words, as in the request.
     pub constraint: String,
@@ -45,7 +45,7 @@ pub struct Broken {
 }
 
 /// What became of the cases looked at: `cases` is the sum of all the others.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Counts {
     /// Cases looked at.
     pub cases: u128,

@@ -21,7 +21,7 @@ use std::f64::consts::TAU;
 pub const EXPLORATION_VERSION: u32 = 1;
 
 /// What to search and how to judge it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ExploreRequest {
     /// Which layouts.
     pub space: Space,
@@ -56,7 +56,7 @@ impl ExploreRequest {
 }
 
 /// A stretch of cases, end excluded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Run {
     /// First case.
     pub from: u128,
@@ -65,7 +65,7 @@ pub struct Run {
 }
 
 /// What is known of a search so far; all of it when [`Exploration::is_complete`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Exploration {
     /// [`EXPLORATION_VERSION`].
     pub version: u32,

@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 const WIDEST_V: f64 = 170.0 * PI / 180.0;
 
 /// A layout: one case of a space.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Layout {
     /// Number of the case.
     pub case: u128,
@@ -38,7 +38,7 @@ pub struct Layout {
 }
 
 /// How two banks stand.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BankPair {
     /// Angle between them [rad].
     pub bank_angle: f64,

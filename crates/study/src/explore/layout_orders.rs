@@ -12,15 +12,19 @@ pub(super) const ROW: usize = 24;
 ///
 /// As in `lanchester_mechanism::OrderLoads`: force and couple are coefficients of `e^{i n theta}` (index 0, forward) and
 /// `e^{-i n theta}` (index 1, backward); the modulus of roll moment and torque is their amplitude.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct LayoutOrders {
     /// Force on the block [N], by order and sense.
+    #[schemars(with = "[[[f64; 2]; 2]; 2]")]
     pub force: [[Complex64; 2]; 2],
     /// Couple about the middle of the crankshaft [N m], by order and sense.
+    #[schemars(with = "[[[f64; 2]; 2]; 2]")]
     pub couple: [[Complex64; 2]; 2],
     /// Roll moment by inertia [N m], by order.
+    #[schemars(with = "[[f64; 2]; 2]")]
     pub roll_moment: [Complex64; 2],
     /// Inertia torque at the crankshaft [N m], by order.
+    #[schemars(with = "[[f64; 2]; 2]")]
     pub shaft_torque: [Complex64; 2],
 }
 

@@ -7,7 +7,7 @@ pub use lanchester_results::Sense;
 
 /// A number of which less is better. Loads are those on the block without gas, at the speed of the parts; the residual
 /// of the layout's own counterweights and balance shafts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Objective {
     /// Largest resultant of the force of an order [N]: major half axis of its ellipse.

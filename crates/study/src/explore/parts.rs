@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 ///
 /// Cylinders are equal and centred. A *group* is what stands at one place along the crank: one cylinder of an in-line
 /// engine, a pair of two banks.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Parts {
     /// Strokes in a working cycle.
     pub strokes: Strokes,

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 const MOST: usize = 1500;
 
 /// A judged case with its objectives.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct JudgedCase {
     /// Its number in the space.
     pub case: u128,

@@ -17,7 +17,7 @@ use num_complex::Complex64;
 use serde::{Deserialize, Serialize};
 
 /// Balance shafts that a layout may have; an empty set is none.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShaftSet {
     /// What the user calls it.
     pub name: String,
@@ -26,7 +26,7 @@ pub struct ShaftSet {
 }
 
 /// A balance shaft whose weights follow from the engine that it serves.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct ShaftDesign {
     /// Speed over that of the crank: 1 or 2.
     pub order: u32,
@@ -41,7 +41,7 @@ pub struct ShaftDesign {
 }
 
 /// What the weights of a shaft remove, and the planes in which they stand [m], from the middle of the crankshaft.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Removes {
     /// The force, by one weight.

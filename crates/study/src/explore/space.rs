@@ -21,7 +21,7 @@ const MOST_ANGLES: usize = 4096;
 pub(crate) const SAME_ANGLE: f64 = 1e-9;
 
 /// All layouts that are looked at: every combination of one value of each choice.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Space {
     /// What all of them are made of.
     pub parts: Parts,
@@ -46,7 +46,7 @@ pub struct Space {
 }
 
 /// Banks of cylinders.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Banks {
     /// One bank.
@@ -67,7 +67,7 @@ pub enum Banks {
 /// The weight of a web stands opposite the throws of its group and has half of `rotating` times the rotating unbalance
 /// (crank and big ends) and `reciprocating` times the reciprocating mass times crank radius of the group: 1 and 0 on all
 /// webs balance each throw in itself, 0.5 and 0 half of it, 1 and 0.5 are a balance factor of 50 %.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct CounterweightPattern {
     /// What the user calls it.
     pub name: String,
@@ -80,7 +80,7 @@ pub struct CounterweightPattern {
 }
 
 /// A choice and how many values it has.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct ChoiceCount {
     /// The choice.
     pub choice: Choice,

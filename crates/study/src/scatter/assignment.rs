@@ -26,7 +26,7 @@ const WIDTH: usize = 8;
 type Vector = [f64; WIDTH];
 
 /// A rod on the scales.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct WeighedRod {
     /// Mass at its big end [kg].
     pub big_end_mass: f64,
@@ -35,7 +35,7 @@ pub struct WeighedRod {
 }
 
 /// Parts on the bench, and the engine that they go into.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct AssignmentRequest {
     /// The engine; the masses of its own pistons and rods play no part.
     pub engine: Engine,
@@ -50,7 +50,7 @@ pub struct AssignmentRequest {
 }
 
 /// Where the parts go.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Assignment {
     /// Number of the piston (from 1) of each cylinder.
     pub pistons: Vec<usize>,

@@ -7,7 +7,7 @@ use lanchester_task::Tolerance;
 use serde::Serialize;
 
 /// A residual load whose scatter is asked for: a size, 0 being best.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Output {
     /// Largest resultant of the force of order 1 or 2 [N].
@@ -84,7 +84,7 @@ impl Output {
 }
 
 /// A limit that an output should keep.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Limit {
     /// Which output.
     pub output: Output,
@@ -93,7 +93,7 @@ pub struct Limit {
 }
 
 /// What to draw and what to tell.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ScatterRequest {
     /// The nominal engine: one crankshaft, plain rods.
     pub engine: Engine,

@@ -7,7 +7,7 @@ use serde::Serialize;
 pub const SCATTER_VERSION: u32 = 1;
 
 /// Scatter of all outputs.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Scatter {
     /// [`SCATTER_VERSION`].
     pub version: u32,
@@ -22,7 +22,7 @@ pub struct Scatter {
 }
 
 /// Scatter of one output.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct OutputScatter {
     /// Which.
     pub output: Output,
@@ -49,7 +49,7 @@ pub struct OutputScatter {
 }
 
 /// A percentile.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Percentile {
     /// Share of the samples, from 0 to 1.
     pub share: f64,
@@ -58,7 +58,7 @@ pub struct Percentile {
 }
 
 /// How an output stands to a limit.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Capability {
     /// The limit.
     pub limit: f64,
@@ -71,7 +71,7 @@ pub struct Capability {
 }
 
 /// What one tolerance adds to the scatter.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Contribution {
     /// Place of the tolerance in the request, from 0.
     pub tolerance: usize,
@@ -83,7 +83,7 @@ pub struct Contribution {
 }
 
 /// A deviation that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Deviation {
     /// Place of its tolerance in the list, from 0.
     pub tolerance: usize,

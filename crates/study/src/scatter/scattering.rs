@@ -54,7 +54,7 @@ pub struct Scattering {
 }
 
 /// What is kept of a stretch of samples: sums and counts, whose size does not grow with it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Tally {
     /// First sample, and the one behind the last.
     from: u64,

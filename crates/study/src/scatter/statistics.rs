@@ -16,7 +16,7 @@ const OCTAVES: [u64; 2] = [40, 4];
 pub(crate) const MOST_KEPT: u64 = 100_000;
 
 /// Counts by cell, as far as the highest that has one; written as pairs of a cell and its count.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(into = "Vec<(u64, u64)>", from = "Vec<(u64, u64)>")]
 struct Cells(Vec<u64>);
 
@@ -49,7 +49,7 @@ impl From<Vec<(u64, u64)>> for Cells {
 }
 
 /// Smallest and largest value.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 struct Ends {
     least: f64,
     most: f64,
@@ -58,7 +58,7 @@ struct Ends {
 }
 
 /// What is known of one output.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub(crate) struct Statistics {
     step: f64,
     lowest_cell: u64,

@@ -55,7 +55,7 @@ impl Default for ScatterOptions {
 }
 
 /// What halving one tolerance would do.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Tightened {
     /// Place of the tolerance in the list, from 0.
     pub tolerance: usize,
@@ -64,7 +64,7 @@ pub struct Tightened {
 }
 
 /// A limit, and whether the production keeps it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct LimitVerdict {
     /// On what.
     pub output: Output,
@@ -76,7 +76,7 @@ pub struct LimitVerdict {
 }
 
 /// Scatter of an engine by the tolerances of its file.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ScatterStudy {
     /// [`SCATTER_STUDY_VERSION`].
     pub version: u32,

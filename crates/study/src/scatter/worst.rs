@@ -11,7 +11,7 @@ use serde::Serialize;
 const STARTS: u64 = 16;
 
 /// The worst case of one output.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct WorstCase {
     /// Which.
     pub output: Output,

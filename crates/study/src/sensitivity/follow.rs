@@ -10,7 +10,7 @@ use lanchester_model::{Counterweight, EngineParts};
 use serde::Serialize;
 
 /// What counterweights do while throws and masses vary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Weights {
     /// They stay as they are: those of a crankshaft that is made.

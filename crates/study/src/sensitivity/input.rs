@@ -9,7 +9,7 @@ use lanchester_task::Varied;
 use serde::Serialize;
 
 /// A quantity of one part, or of all parts together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 pub struct Input {
     /// Which quantity.
     pub quantity: Quantity,

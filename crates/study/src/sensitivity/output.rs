@@ -8,7 +8,7 @@ use lanchester_results::{self as results, Counted, Place, Quantity};
 use serde::Serialize;
 
 /// A load or a result of loads.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Target {
     /// Resultant inertia force on the block [N].
@@ -39,7 +39,7 @@ pub enum Target {
 }
 
 /// Which number of a load over the cycle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Size {
     /// Largest size over the continuous angle; of what has no angle the size itself.
@@ -51,7 +51,7 @@ pub enum Size {
 }
 
 /// A number that depends on the inputs.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Output {
     /// Of what.
     pub target: Target,

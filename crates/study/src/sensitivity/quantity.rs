@@ -7,7 +7,7 @@ use lanchester_task::Varied;
 use serde::Serialize;
 
 /// An axis of the frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Axis {
     /// Up.
@@ -38,7 +38,7 @@ impl Axis {
 }
 
 /// One of the three directions in which a mount yields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Direction {
     /// The mount's own first one.
@@ -64,7 +64,7 @@ impl Direction {
 }
 
 /// A number of the engine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// Speed of crankshaft 1 [rad/s]. The pressures over the angle stay.
@@ -136,7 +136,7 @@ pub enum Quantity {
 }
 
 /// How a quantity is measured, and what a small change of it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Measure {
     /// A mass [kg].

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-6;
 /// A size that is zero grows whichever way the input goes, and of two equal peaks one may grow while the other falls: there the derivatives
 /// on both sides differ. Infinite (`null` in JSON) where the output leaps: a peak between jumps of several pressures at one angle, which part
 /// when the input goes however little.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Slope {
     /// For a larger input.
     pub up: f64,

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 /// Indices of one output by one input, with their standard errors.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Index {
     /// Share of the variance that would vanish if this input alone were known (Saltelli et al. 2010).
     pub first: f64,
@@ -22,7 +22,7 @@ pub struct Index {
 }
 
 /// Variance-based sensitivities.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Sobol {
     /// Draws of each of the two tables; the engine is computed `inputs + 2` times for each.
     pub samples: u64,

@@ -45,7 +45,7 @@ impl Default for SensitivityRequest {
 }
 
 /// An input, and how far it goes.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct VariedInput {
     /// Which.
     #[serde(flatten)]
@@ -57,7 +57,7 @@ pub struct VariedInput {
 }
 
 /// An output with an input at one end of its range and at the other.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Effect {
     /// Derivative at the nominal engine.
     pub slope: Slope,
@@ -68,7 +68,7 @@ pub struct Effect {
 }
 
 /// Sensitivities of one output.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct OutputSensitivity {
     /// Which.
     #[serde(flatten)]
@@ -84,7 +84,7 @@ pub struct OutputSensitivity {
 }
 
 /// Sensitivities of an engine.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Sensitivity {
     /// [`SENSITIVITY_VERSION`].
     pub version: u32,

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// The weighed parts of one cylinder [kg].
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, schemars::JsonSchema)]
 pub struct CylinderParts {
     /// Big end of the rod.
     pub big_end: f64,
@@ -47,7 +47,7 @@ impl CylinderParts {
 }
 
 /// One crankpin of a sheet.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PinParts {
     /// What it is called.
     pub name: String,
@@ -60,7 +60,7 @@ pub struct PinParts {
 }
 
 /// What bobweights are made up for.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct BobweightSheet {
     /// Share of the rotating masses that is balanced.
     pub rotating_share: f64,

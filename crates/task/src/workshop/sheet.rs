@@ -10,7 +10,7 @@ use super::{BobweightSheet, External, SlugRoom};
 use serde::Serialize;
 
 /// A workshop sheet. Tables that it leaves out are `None` or empty.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Sheet {
     /// What is balanced.
     pub name: String,
@@ -37,7 +37,7 @@ pub struct Sheet {
 }
 
 /// The rotor and how it is looked at.
-#[derive(Debug, Clone, PartialEq, Serialize, Default)]
+#[derive(Debug, Clone, PartialEq, Serialize, Default, schemars::JsonSchema)]
 pub struct Rotor {
     /// Mass [kg].
     pub mass: Option<f64>,
@@ -64,7 +64,7 @@ pub struct Rotor {
 }
 
 /// A sense of rotation seen from the end from which angles are counted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sense {
     /// As the hands of a clock.
@@ -74,7 +74,7 @@ pub enum Sense {
 }
 
 /// What a positive phase means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PhaseConvention {
     /// From the pulse of the keyphasor to the next positive peak of the vibration: the peak lags the pulse.
@@ -84,7 +84,7 @@ pub enum PhaseConvention {
 }
 
 /// A plane where weight may be added or removed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Plane {
     /// Its name.
     pub name: String,
@@ -101,7 +101,7 @@ pub struct Plane {
 }
 
 /// Angles on the rotor that may be used.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum Allowed {
     /// Every angle.
@@ -116,7 +116,7 @@ pub enum Allowed {
 }
 
 /// Whether weight is put on or taken off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Action {
     /// Put on.
@@ -126,7 +126,7 @@ pub enum Action {
 }
 
 /// How holes are drilled in a plane.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Drill {
     /// Along which line.
     pub direction: DrillDirection,
@@ -174,7 +174,7 @@ pub enum Surface {
 }
 
 /// A vibration sensor.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Sensor {
     /// Its name.
     pub name: String,
@@ -187,7 +187,7 @@ pub struct Sensor {
 }
 
 /// How an amplitude is given.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Detector {
     /// The peak.
@@ -199,7 +199,7 @@ pub enum Detector {
 }
 
 /// An amplitude, as the sensor's detector gives it [SI unit].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Vibration {
     /// What is measured.
     pub quantity: VibrationQuantity,
@@ -208,7 +208,7 @@ pub struct Vibration {
 }
 
 /// What a sensor measures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum VibrationQuantity {
     /// Displacement [m].
@@ -220,7 +220,7 @@ pub enum VibrationQuantity {
 }
 
 /// A measured run.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Run {
     /// Its name.
     pub name: String,
@@ -233,7 +233,7 @@ pub struct Run {
 }
 
 /// What a sensor showed in a run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Reading {
     /// Place of the sensor in [`Sheet::sensors`].
     pub sensor: usize,
@@ -244,7 +244,7 @@ pub struct Reading {
 }
 
 /// A weight that was put on or taken off for a run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PlacedWeight {
     /// Place of the plane in [`Sheet::planes`].
     pub plane: usize,
@@ -259,7 +259,7 @@ pub struct PlacedWeight {
 }
 
 /// Unbalance that a balancing machine shows, at its place on the rotor (the heavy spot).
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Display {
     /// What it stands for.
     pub kind: DisplayKind,
@@ -270,7 +270,7 @@ pub struct Display {
 }
 
 /// What a displayed unbalance stands for. A sheet's displays add up.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum DisplayKind {
     /// One unbalance in one plane: a static unbalance, or one plane's part of a dynamic one.

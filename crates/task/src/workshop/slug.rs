@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 /// A weight outside the crankcase that is to come off.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct External {
     /// What carries it.
     pub name: String,
@@ -16,7 +16,7 @@ pub struct External {
 }
 
 /// Heavy-metal slugs that may be set into the counterweights.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SlugRoom {
     /// Diameter [m].
     pub diameter: f64,

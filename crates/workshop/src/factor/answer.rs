@@ -7,7 +7,7 @@ use lanchester_model::{Engine, Rotation};
 use serde::Serialize;
 
 /// Balance factors of an engine.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FactorAnswer {
     /// [`crate::WORKSHOP_VERSION`].
     pub version: u32,

@@ -22,7 +22,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// What is known of the counterweight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind", content = "value")]
 pub enum FactorGiven {
     /// As the engine file has it.
@@ -64,7 +64,7 @@ impl Default for FactorRequest {
 }
 
 /// Balance factors of one throw.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ThrowFactor {
     /// Number of the throw, from 1.
     pub throw: usize,
@@ -75,6 +75,7 @@ pub struct ThrowFactor {
     /// Oil [kg] at the crank radius.
     pub oil: f64,
     /// Counterweight in the frame of the throw [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub counterweight: Complex64,
     /// Its part opposite the throw [kg m].
     pub opposite: f64,

@@ -20,20 +20,23 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// What a common factor does to the first order of a force [kg m] or couple [kg m^2], over `w^2`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FactorEffect {
     /// `A`: forward part at the factor 0.
+    #[schemars(with = "[f64; 2]")]
     pub forward: Complex64,
     /// `G`: what the factor 1 takes from it.
+    #[schemars(with = "[f64; 2]")]
     pub per_share: Complex64,
     /// `B`: backward part, which no factor changes.
+    #[schemars(with = "[f64; 2]")]
     pub backward: Complex64,
     /// Sum of the amounts behind these sums: what is far below it is rounding.
     pub size: f64,
 }
 
 /// A factor at which the first order swings in one plane.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct OnePlane {
     /// Share of the reciprocating masses.
     pub share: f64,
@@ -86,7 +89,7 @@ impl FactorEffect {
 }
 
 /// What one factor for all throws of a crankshaft does.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct CommonFactor {
     /// To the force of the whole crankshaft [kg m].
     pub force: FactorEffect,

@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const NOTHING: f64 = 1e-9;
 
 /// Which way a first-order force turns.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Sense {
     /// With the crank.
@@ -41,11 +41,13 @@ impl Sense {
 }
 
 /// A first-order force over the square of the speed, as an ellipse.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PrimaryEllipse {
     /// Part that turns with the crank [kg m], in the frame of the throw.
+    #[schemars(with = "[f64; 2]")]
     pub forward: Complex64,
     /// Part that turns against the crank [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub backward: Complex64,
     /// Longer half axis [kg m]: times `w^2` the peak of the force [N].
     pub major: f64,

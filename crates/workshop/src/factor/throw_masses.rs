@@ -21,20 +21,22 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// First order of the pistons of one cylinder, over the square of its crankshaft's speed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct FirstOrder {
     /// Index of the cylinder.
     pub cylinder: usize,
     /// Part that turns with the crank, in the frame of the throw [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub forward: Complex64,
     /// Part that turns against it [kg m]: the force is `backward e^{-i psi}`, psi the angle of the throw.
+    #[schemars(with = "[f64; 2]")]
     pub backward: Complex64,
     /// Plane of the cylinder [m].
     pub z: f64,
 }
 
 /// The masses of one throw.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ThrowMasses {
     /// Index of the throw.
     pub throw: usize,
@@ -49,6 +51,7 @@ pub struct ThrowMasses {
     /// First order of every piston on the throw.
     pub pistons: Vec<FirstOrder>,
     /// Counterweights in the throw's own plane and in the planes of its webs, in the frame of the throw [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub counterweight: Complex64,
     /// Direction of the cylinders [rad]: of their sum, or of the first where they cancel; 0 without cylinders.
     pub axis: f64,

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// Holes for the correction of a sheet.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Drilling {
     /// [`WORKSHOP_VERSION`](crate::WORKSHOP_VERSION).
     pub version: u32,
@@ -29,15 +29,17 @@ pub struct Drilling {
 }
 
 /// Holes of one plane.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct DrilledPlane {
     /// Name of the plane.
     pub plane: String,
     /// Unbalance to remove [kg m]: its argument is the angle on the rotor.
+    #[schemars(with = "[f64; 2]")]
     pub wanted: Complex64,
     /// The holes, by angle.
     pub holes: Vec<Hole>,
     /// What they leave to remove [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub left: Complex64,
     /// What may be left [kg m]: the plane's share of the grade; without one, what a step of depth makes.
     pub tolerance: f64,

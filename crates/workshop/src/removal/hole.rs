@@ -8,7 +8,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 
 /// A hole to drill.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Hole {
     /// Angle on the rotor [rad], within [0, 2 pi).
     pub angle: f64,

@@ -21,7 +21,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 const DENSEST: f64 = 22_600.0;
 
 /// Slugs that may be set into one counterweight.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Slug {
     /// Diameter [m].
     pub diameter: f64,
@@ -132,9 +132,10 @@ impl Slug {
 }
 
 /// Slugs for one counterweight.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SlugPlan {
     /// Unbalance that is wanted, in the frame of the crankshaft [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub wanted: Complex64,
     /// What the slugs are cut from.
     pub slug: Slug,
@@ -145,6 +146,7 @@ pub struct SlugPlan {
     /// Direction of every slug, in the frame of the crankshaft [rad].
     pub directions: Vec<f64>,
     /// Unbalance gained [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub gained: Complex64,
     /// Mass that the counterweight gains [kg].
     pub added_mass: f64,

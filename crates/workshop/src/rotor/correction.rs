@@ -14,7 +14,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// What to do about the unbalance of a rotor.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Correction {
     /// [`WORKSHOP_VERSION`](crate::WORKSHOP_VERSION).
     pub version: u32,
@@ -38,7 +38,7 @@ pub struct Correction {
 }
 
 /// What measured runs say.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct RunFindings {
     /// Every run, with what the runs before it predicted.
     pub log: Vec<RunEntry>,
@@ -51,7 +51,7 @@ pub struct RunFindings {
 }
 
 /// Effect of a weight in one plane on one sensor at one speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Influence {
     /// Name of the plane.
     pub plane: String,
@@ -61,6 +61,7 @@ pub struct Influence {
     pub speed: f64,
     /// Peak velocity per unbalance [m/s per kg m]; its argument is the angle by which the peak of the velocity leads the
     /// passing of the heavy spot at the sensor, whatever the conventions of the sheet.
+    #[schemars(with = "[f64; 2]")]
     pub response: Complex64,
     /// Its standard deviation [same unit]; `None` where the runs leave no freedom.
     pub deviation: Option<f64>,
@@ -71,7 +72,7 @@ pub struct Influence {
 }
 
 /// A sensor at one speed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SensorPrediction {
     /// Name of the sensor.
     pub sensor: String,
@@ -89,22 +90,24 @@ pub struct SensorPrediction {
 }
 
 /// What to add or remove in one plane.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PlaneCorrection {
     /// Name of the plane.
     pub plane: String,
     /// Whether weight is added or removed.
     pub action: Action,
     /// Unbalance to put on [kg m]: its argument is the angle on the rotor at which weight would be added.
+    #[schemars(with = "[f64; 2]")]
     pub unbalance: Complex64,
     /// What to do at which allowed angles.
     pub placements: Vec<Placement>,
     /// What these leave undone, as an unbalance to put on [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub left: Complex64,
 }
 
 /// A weight to add or remove at an allowed angle.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Placement {
     /// Angle on the rotor [rad], within [0, 2 pi).
     pub angle: f64,
@@ -115,7 +118,7 @@ pub struct Placement {
 }
 
 /// What to do next.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "kind")]
 pub enum NextStep {
     /// Run with a trial weight in each of these planes, one after the other.

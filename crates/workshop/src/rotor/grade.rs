@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// What a balance quality grade allows.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Grade {
     /// [`WORKSHOP_VERSION`](crate::WORKSHOP_VERSION).
     pub version: u32,
@@ -24,6 +24,7 @@ pub struct Grade {
     /// Permissible residual unbalance of the whole rotor, U_per [kg m].
     pub permissible: f64,
     /// Resultant of the measured unbalances [kg m]; `None` where none are measured.
+    #[schemars(with = "Option<[f64; 2]>")]
     pub resultant: Option<Complex64>,
     /// The share of each bearing; empty where supports or centre of mass are not given.
     pub bearings: Vec<GradedBearing>,
@@ -35,20 +36,21 @@ pub struct Grade {
 }
 
 /// What a bearing may carry.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct GradedBearing {
     /// Where along the shaft, z [m].
     pub z: f64,
     /// Permissible residual unbalance in its plane [kg m].
     pub permissible: f64,
     /// The measured unbalances moved to both bearings: this bearing's part [kg m].
+    #[schemars(with = "Option<[f64; 2]>")]
     pub measured: Option<Complex64>,
     /// Whether it is kept.
     pub kept: Option<bool>,
 }
 
 /// What may be left in a correction plane.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct GradedPlane {
     /// Name of the plane.
     pub name: String,
@@ -57,6 +59,7 @@ pub struct GradedPlane {
     /// With no more than this in every plane, at whatever angles, no bearing exceeds its share [kg m].
     pub permissible: f64,
     /// The measured unbalances moved to the planes: this plane's part [kg m]. Only where there are one or two planes.
+    #[schemars(with = "Option<[f64; 2]>")]
     pub measured: Option<Complex64>,
     /// Whether it is kept. Keeping all is enough, though more than is needed, for the bearings to keep theirs.
     pub kept: Option<bool>,

@@ -11,7 +11,7 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// A plane across the shaft with a name.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Plane {
     /// What it is called.
     pub name: String,
@@ -20,13 +20,14 @@ pub struct Plane {
 }
 
 /// An unbalance in a plane.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct PlaneUnbalance {
     /// Name of the plane or of what brings the unbalance.
     pub name: String,
     /// Plane [m], from the origin.
     pub z: f64,
     /// Unbalance in the frame of the crankshaft [kg m].
+    #[schemars(with = "[f64; 2]")]
     pub unbalance: Complex64,
 }
 

@@ -18,7 +18,7 @@ pub const CONTRADICTION: f64 = 0.1;
 pub(crate) const ILL_CONDITIONED: f64 = 20.0;
 
 /// A doubt about the data, with what to do.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Remark {
     /// Which doubt.
     pub kind: RemarkKind,
@@ -29,7 +29,7 @@ pub struct Remark {
 }
 
 /// Kinds of doubts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RemarkKind {
     /// A trial weight that changes too little.

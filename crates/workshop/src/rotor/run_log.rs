@@ -7,20 +7,21 @@ use num_complex::Complex64;
 use serde::Serialize;
 
 /// A run of the log.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct RunEntry {
     /// Name of the run.
     pub name: String,
     /// Speed [rad/s].
     pub speed: f64,
     /// What was on the rotor beyond its first state: name of the plane, unbalance on the rotor's circle [kg m].
+    #[schemars(with = "Vec<(String, [f64; 2])>")]
     pub weights: Vec<(String, Complex64)>,
     /// Its sensors.
     pub sensors: Vec<SensorEntry>,
 }
 
 /// A sensor in a run of the log.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct SensorEntry {
     /// Name of the sensor.
     pub sensor: String,
@@ -33,7 +34,7 @@ pub struct SensorEntry {
 }
 
 /// A vibration as the instrument shows it, and as a vector to be drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct ShownVibration {
     /// What the sensor measures.
     pub quantity: VibrationQuantity,

@@ -1,0 +1,37 @@
+"""Lanchester: shaking forces and moments of piston engines from one engine file.
+
+>>> import lanchester
+>>> twin = lanchester.Engine.template("twin-360")
+>>> found = twin.balance(minimise="force", counterweights="throws")
+>>> found.outcome.kind
+'optimal'
+"""
+
+from __future__ import annotations
+
+from . import results
+from ._native import VERSION as __version__
+from ._record import Picture, Record, Records, Result
+from .engine import Engine, Variants, adopt, compare, map
+from .errors import Diagnostic, EngineFileError, InternalError, LanchesterError, RequestError
+from .table import Table
+
+__all__ = [
+    "Diagnostic",
+    "Engine",
+    "EngineFileError",
+    "InternalError",
+    "LanchesterError",
+    "Picture",
+    "Record",
+    "Records",
+    "RequestError",
+    "Result",
+    "Table",
+    "Variants",
+    "__version__",
+    "adopt",
+    "compare",
+    "map",
+    "results",
+]

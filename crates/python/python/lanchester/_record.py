@@ -1,0 +1,371 @@
+"""What all results have in common: fields by name, tables, pictures, JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from .errors import RequestError
+from .table import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as MatplotlibFigure
+
+    from ._native import Answer
+    from .engine import Engine
+
+FloatArray = npt.NDArray[np.float64]
+R = TypeVar("R", bound="Record")
+
+
+class _Lazy(dict[str, Any]):
+    """Fields of an answer, each converted when it is first looked at."""
+
+    def __init__(self, answer: Answer) -> None:
+        self.answer = answer
+
+    def __missing__(self, name: str) -> Any:
+        try:
+            value = self.answer.field(name)
+        except AttributeError:
+            # What has nothing to say is left out of a result, as it is of its JSON.
+            value = None
+        self[name] = value
+        return value
+
+
+class Record:
+    """A structure of a result: its fields are attributes, with units in their descriptions; SI units and radians throughout.
+
+    Arrays are read-only NumPy arrays; complex numbers are rows of real and imaginary part.
+
+    >>> from lanchester import Engine
+    >>> peak = Engine.template("in-line-4").loads().total.peaks.force.max
+    >>> peak.value > 0
+    True
+    """
+
+    __slots__ = ("_values",)
+    _FIELDS: tuple[str, ...] = ()
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values = values
+
+    def _get(self, name: str) -> Any:
+        if isinstance(self._values, _Lazy):
+            return self._values[name]
+        return self._values.get(name)
+
+    def _array(self, name: str) -> Any:
+        value = self._get(name)
+        return np.asarray(value, dtype=np.float64) if isinstance(value, list) else value
+
+    def _rows(self, name: str) -> Any:
+        value = self._get(name)
+        return None if value is None else [np.asarray(row, dtype=np.float64) for row in value]
+
+    def _list(self, name: str) -> Any:
+        value = self._get(name)
+        return [] if value is None else value
+
+    def _of(self, name: str, kind: Callable[[Any], R]) -> Any:
+        value = self._get(name)
+        return None if value is None else kind(value)
+
+    def _all(self, name: str, kind: type[R]) -> Records[R]:
+        value = self._get(name)
+        return Records([] if value is None else value, kind)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All fields as plain values: dictionaries, lists, numbers and texts.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").loads().total.orders[1].to_dict()["order"]
+        1.0
+        """
+        plain: dict[str, Any] = _plain(dict(self._values))
+        return plain
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"{name}={_short(getattr(self, name))}" for name in self._FIELDS[:8])
+        more = ", ..." if len(self._FIELDS) > 8 else ""
+        return f"{type(self).__name__}({shown}{more})"
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__()})
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, dict):
+        return {key: _plain(below) for key, below in value.items()}
+    if isinstance(value, list):
+        return [_plain(below) for below in value]
+    return value
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"<array {'x'.join(map(str, value.shape))}>" if value.size > 3 else repr(value.tolist())
+    if isinstance(value, Records):
+        return f"<{len(value)} {value.kind.__name__}>"
+    if isinstance(value, Record):
+        return f"{type(value).__name__}(...)"
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+class Records(Sequence[R], Generic[R]):
+    """Structures of one kind in their order; :meth:`column` is one field of all of them.
+
+    >>> from lanchester import Engine
+    >>> orders = Engine.template("in-line-4").loads().total.orders
+    >>> orders.column("order")[:3]
+    array([0., 1., 2.])
+    """
+
+    __slots__ = ("_all", "kind")
+
+    def __init__(self, values: Sequence[Mapping[str, Any]], kind: type[R]) -> None:
+        self._all = values
+        self.kind = kind
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    @overload
+    def __getitem__(self, place: int) -> R: ...
+    @overload
+    def __getitem__(self, place: slice) -> Records[R]: ...
+    def __getitem__(self, place: int | slice) -> R | Records[R]:
+        if isinstance(place, slice):
+            return Records(self._all[place], self.kind)
+        return self.kind(self._all[place])
+
+    def __iter__(self) -> Iterator[R]:
+        return (self.kind(values) for values in self._all)
+
+    def column(self, name: str) -> Any:
+        """One field of all: an array where it is a number or an array, else a list.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").loads().cylinders.column("cylinder")
+        [1, 2, 3, 4]
+        """
+        if not hasattr(self.kind, name):
+            raise AttributeError(f"{self.kind.__name__} has no `{name}`; it has {', '.join(self.kind._FIELDS)}")
+        values = [getattr(own, name) for own in self]
+        if values and all(isinstance(value, (float, np.ndarray)) for value in values):
+            return np.asarray(values, dtype=np.float64)
+        return values
+
+    def to_table(self) -> Table:
+        """The fields that are numbers, texts or truth values as a table.
+
+        >>> from lanchester import Engine
+        >>> "order" in Engine.template("in-line-4").loads().total.orders.to_table().columns
+        True
+        """
+        columns: dict[str, Any] = {}
+        for name in self.kind._FIELDS:
+            values = self.column(name)
+            if isinstance(values, np.ndarray) and values.ndim == 2 and values.shape[1] == 2:
+                columns[f"{name}_re"], columns[f"{name}_im"] = values[:, 0], values[:, 1]
+            elif isinstance(values, np.ndarray) and values.ndim == 1:
+                columns[name] = values
+            elif all(value is None or isinstance(value, (str, int, float, bool)) for value in values):
+                columns[name] = values
+        return Table(self.kind.__name__, self.kind.__name__, columns, {})
+
+    def to_dataframe(self) -> Any:
+        """The same as a pandas DataFrame, which needs pandas.
+
+        >>> from lanchester import Engine
+        >>> frame = Engine.template("in-line-4").loads().total.orders.to_dataframe()
+        >>> len(frame) == len(Engine.template("in-line-4").loads().total.orders)
+        True
+        """
+        return self.to_table().to_dataframe()
+
+    def __repr__(self) -> str:
+        return f"[{', '.join(repr(own) for own in self)}]" if len(self) <= 3 else f"<{len(self)} {self.kind.__name__}>"
+
+
+class Picture:
+    """A drawing as SVG, as the report has it. A notebook shows it.
+
+    >>> from lanchester import Engine
+    >>> picture = Engine.template("in-line-4").loads().figures[0]
+    >>> picture.svg.startswith("<svg")
+    True
+    """
+
+    __slots__ = ("name", "svg", "title")
+
+    def __init__(self, name: str, title: str, svg: str) -> None:
+        self.name = name
+        self.title = title
+        self.svg = svg
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"Picture({self.name!r}, {self.title!r})"
+
+
+class Result(Record):
+    """The answer to a question. It is what the command line prints with ``--format json``, field by field.
+
+    >>> from lanchester import Engine
+    >>> loads = Engine.template("in-line-4").loads()
+    >>> [table.name for table in loads.tables][:2]
+    ['findings', 'peaks']
+    """
+
+    __slots__ = ("_engines",)
+    _engines: tuple[Engine, ...]
+
+    @classmethod
+    def _made(cls: type[Q], answer: Answer, engines: tuple[Engine, ...]) -> Q:
+        made = cls(_Lazy(answer))
+        made._engines = engines
+        return made
+
+    @property
+    def _answer(self) -> Answer:
+        if isinstance(self._values, _Lazy):
+            return self._values.answer
+        raise RequestError(
+            f"this {type(self).__name__} is a part of another result",
+            "ask the result that it is a part of for tables and pictures",
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """All fields as plain values.
+
+        >>> from lanchester import Engine
+        >>> sorted(Engine.template("in-line-4").loads().to_dict())[:3]
+        ['cylinders', 'diagnosis', 'engine']
+        """
+        if not isinstance(self._values, _Lazy):
+            return super().to_dict()
+        found: dict[str, Any] = json.loads(self.to_json())
+        return found
+
+    def to_json(self) -> str:
+        """The JSON that the command line prints.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").loads().to_json()[:1]
+        '{'
+        """
+        return self._answer.json()
+
+    def to_text(self) -> str:
+        """The words and tables that the command line prints; empty where it has none.
+
+        >>> from lanchester import Engine
+        >>> "rpm" in Engine.template("in-line-4").loads().to_text().splitlines()[0]
+        True
+        """
+        return self._answer.text()
+
+    def pick(self, path: str) -> Any:
+        """What is at a path; nothing else is converted.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").loads().pick("total.orders[1].order")
+        1.0
+        """
+        return self._answer.pick(path)
+
+    @property
+    def tables(self) -> list[Table]:
+        """The tables of the report.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").loads().tables[1].name
+        'peaks'
+        """
+        return [Table._of(*parts) for parts in self._answer.tables()]
+
+    def table(self, name: str) -> Table:
+        """One of the tables by its name.
+
+        >>> from lanchester import Engine
+        >>> len(Engine.template("in-line-4").loads().table("peaks").columns) > 1
+        True
+        """
+        tables = self.tables
+        for table in tables:
+            if table.name == name:
+                return table
+        names = ", ".join(table.name for table in tables) or "no table at all"
+        raise RequestError(f'there is no table "{name}" in {type(self).__name__}', f"there is {names}")
+
+    def to_dataframe(self, name: str | None = None) -> Any:
+        """One of the tables as a pandas DataFrame, the first one where no name is given. It needs pandas.
+
+        >>> from lanchester import Engine
+        >>> frame = Engine.template("in-line-4").loads().to_dataframe("peaks")
+        >>> len(frame) > 3
+        True
+        """
+        if name is None:
+            tables = self.tables
+            if not tables:
+                raise RequestError(f"{type(self).__name__} has no table", "its fields are attributes")
+            return tables[0].to_dataframe()
+        return self.table(name).to_dataframe()
+
+    @property
+    def figures(self) -> list[Picture]:
+        """The pictures of the report.
+
+        >>> from lanchester import Engine
+        >>> len(Engine.template("in-line-4").loads().figures) > 2
+        True
+        """
+        return [Picture(*parts) for parts in self._answer.figures()]
+
+    def plot(self) -> MatplotlibFigure:
+        """What matters most as a figure of Matplotlib, which must be installed.
+
+        >>> from lanchester import Engine
+        >>> figure = Engine.template("in-line-4").loads().plot()
+        >>> len(figure.axes) > 0
+        True
+        """
+        from . import plots
+
+        return plots.plot(self)
+
+    def adopt(self, number: int | None = None) -> Engine:
+        """The engine with what was found: the weights of a balance, the shapes of counterweights, layout `number` of a search, from 0.
+
+        >>> from lanchester import Engine
+        >>> twin = Engine.template("twin-360")
+        >>> twin.balance(minimise="force", counterweights="throws").adopt() != twin
+        True
+        """
+        from .engine import adopt
+
+        return adopt(self, number)
+
+    def _repr_html_(self) -> str:
+        pictures = [picture.svg for picture in self.figures[:2]]
+        tables = [table._repr_html_() for table in self.tables[: 1 if pictures else 2]]
+        return "\n".join([*pictures, *tables]) or f"<pre>{_escaped(self.to_text() or repr(self))}</pre>"
+
+
+Q = TypeVar("Q", bound=Result)
+
+
+def _escaped(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

@@ -1,0 +1,1079 @@
+"""The engine, and every question about it.
+
+Quantities are floats in SI units (m, kg, s, rad, rad/s, N, Pa) or texts with units such as ``"80 mm"``, ``"4000 rpm"``, ``"50 %"``, wherever the engine file
+accepts them. Indices count from 0 as everywhere in Python; cylinders and throws are numbered from 1 as in the engine file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any, Literal, TypeVar, overload
+
+from . import _native
+from ._record import Picture, Result
+from .errors import Diagnostic, RequestError
+from .results import (
+    Arrangements,
+    Balance,
+    Bearings,
+    BearingFilms,
+    Bending,
+    BondGraph,
+    Comparison,
+    CounterweightCheck,
+    CounterweightDesigns,
+    CrankFatigue,
+    CrankModes,
+    CrankRule,
+    CrossCheck,
+    Exploration,
+    FactorAnswer,
+    Inertias,
+    Loads,
+    MountStudy,
+    RobustAnswer,
+    ScatterStudy,
+    Sensitivity,
+    SimulationResult,
+    StaticStress,
+    TorqueReport,
+)
+
+__all__ = ["Engine", "Quantity", "Variants", "adopt", "compare", "map"]
+
+Quantity = float | str
+"""A float in SI units, or a text with a unit."""
+
+Q = TypeVar("Q", bound=Result)
+Limits = str | Sequence[str]
+Quantities = Quantity | Sequence[Quantity]
+
+
+class Engine:
+    """An engine: what an engine file says, checked.
+
+    Engines do not change; :meth:`with_` makes changed copies.
+
+    >>> from lanchester import Engine
+    >>> engine = Engine.template("in-line-4")
+    >>> engine.cylinders
+    4
+    """
+
+    __slots__ = ("_native",)
+
+    def __init__(self, native: _native.Engine) -> None:
+        self._native = native
+
+    # Where engines come from.
+
+    @staticmethod
+    def read(path: str | PathLike[str]) -> Engine:
+        """The engine of a file. Files that it names are read from its folder.
+
+        >>> from lanchester import Engine
+        >>> import pathlib, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = Engine.template("single").save(pathlib.Path(folder) / "single.toml")
+        ...     Engine.read(path).cylinders
+        1
+        """
+        return Engine(_native.Engine.read(path))
+
+    @staticmethod
+    def from_toml(text: str, *, folder: str | PathLike[str] | None = None) -> Engine:
+        """The engine of a text; `folder` is where files are that it names.
+
+        >>> from lanchester import Engine
+        >>> Engine.from_toml(Engine.template("single").text).cylinders
+        1
+        """
+        return Engine(_native.Engine.of_text(text, "<text>", folder))
+
+    @staticmethod
+    def from_dict(values: Mapping[str, Any], *, folder: str | PathLike[str] | None = None) -> Engine:
+        """The engine of plain values: the keys of the engine file, as dictionaries, lists, numbers and texts.
+
+        Numbers are SI where the file has a unit. It is checked as a file is, and mistakes are shown in the file that the values make.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.from_dict({
+        ...     "name": "single", "speed": "6000 rpm",
+        ...     "layout": {"type": "in-line", "cylinders": 1},
+        ...     "crank": {"stroke": 0.06}, "piston": {"mass": 0.3}, "rod": {"length": 0.1, "mass": 0.25},
+        ... })
+        >>> print(engine.text.splitlines()[4])
+        stroke = "60 mm"
+        """
+        return Engine(_native.Engine.of_values(dict(values), folder))
+
+    @staticmethod
+    def template(name: str) -> Engine:
+        """An engine of the gallery.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("v6-60").cylinders
+        6
+        """
+        return Engine(_native.Engine.template(name))
+
+    @staticmethod
+    def templates() -> dict[str, str]:
+        """The gallery: names with titles.
+
+        >>> from lanchester import Engine
+        >>> "in-line-4" in Engine.templates()
+        True
+        """
+        return dict(_native.Engine.templates())
+
+    # What it is.
+
+    @property
+    def name(self) -> str:
+        """Its name.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").with_(name="mine").name
+        'mine'
+        """
+        return self._native.name
+
+    @property
+    def text(self) -> str:
+        """The text of its file.
+
+        >>> from lanchester import Engine
+        >>> "[crank]" in Engine.template("in-line-4").text
+        True
+        """
+        return self._native.text
+
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """What in its file is probably not meant.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").warnings
+        []
+        """
+        return self._native.warnings()
+
+    @property
+    def cylinders(self) -> int:
+        """Number of its cylinders.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("v8-crossplane").cylinders
+        8
+        """
+        return self._native.summary()[2]
+
+    @property
+    def speed_range(self) -> tuple[float, float]:
+        """Lowest and highest speed of crankshaft 1 [rad/s].
+
+        >>> from lanchester import Engine
+        >>> lowest, highest = Engine.template("in-line-4").speed_range
+        >>> lowest <= highest
+        True
+        """
+        lowest, highest, _, _ = self._native.summary()
+        return lowest, highest
+
+    @property
+    def drawing(self) -> Picture:
+        """Its drawing.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").drawing.svg[:4]
+        '<svg'
+        """
+        return Picture("drawing", self.name, self._native.summary()[3])
+
+    def expanded(self) -> str:
+        """The general form of its file: every throw and cylinder by itself.
+
+        >>> from lanchester import Engine
+        >>> Engine.template("in-line-4").expanded().count("[[cylinder]]")
+        4
+        """
+        return self._native.expanded()
+
+    def save(self, path: str | PathLike[str], *, overwrite: bool = False) -> Path:
+        """Writes its file; a file that is there is left alone unless `overwrite` says otherwise.
+
+        >>> from lanchester import Engine
+        >>> import pathlib, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = Engine.template("single").save(pathlib.Path(folder) / "single.toml")
+        ...     path.name
+        'single.toml'
+        """
+        place = Path(path)
+        try:
+            with place.open("w" if overwrite else "x", encoding="utf-8", newline="") as file:
+                file.write(self.text)
+        except FileExistsError:
+            raise RequestError(f"{place} exists and is not overwritten", "choose another name, or add overwrite=True") from None
+        return place
+
+    def with_(self, changes: Mapping[str, Any] | None = None, /, **tables: Any) -> Engine:
+        """A copy with other values of keys of the engine file; comments and order are preserved.
+
+        Keywords are keys and tables of the file, `changes` has paths such as ``"cylinder[1].piston.mass"`` (indices from 0). A dictionary
+        changes the keys that it names, ``None`` takes a key out, a list of dictionaries replaces a list of tables.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("in-line-4")
+        >>> longer = engine.with_(rod={"length": 0.16}, speed="5000 rpm")
+        >>> lighter = engine.with_({"piston.mass": "0.3 kg"})
+        >>> round(longer.speed_range[1], 3)
+        523.599
+        """
+        return Engine(self._native.with_changes({**(changes or {}), **tables}))
+
+    def variants(self, columns: Mapping[str, Any]) -> Variants:
+        """Copies with other numbers: for every path an array of SI numbers, one for each copy. They are made when they are looked at.
+
+        >>> from lanchester import Engine
+        >>> import numpy as np
+        >>> rods = Engine.template("in-line-4").variants({"rod.length": np.linspace(0.13, 0.17, 5)})
+        >>> len(rods)
+        5
+        """
+        return Variants(self, columns)
+
+    def cases(self, table: str | PathLike[str] | Mapping[str, Any]) -> Variants:
+        """Copies by a table as engineers keep it: a CSV file, or a pandas DataFrame; a row a copy, a column a key of the engine file.
+
+        A head may have a unit behind the key, ``rod.length [mm]``; without one a number is SI, and a text has its unit. An empty cell leaves the key as it is.
+
+        >>> from lanchester import Engine
+        >>> import pathlib, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     path = pathlib.Path(folder) / "cases.csv"
+        ...     _ = path.write_text("rod.length [mm],piston.mass\\n140,0.3 kg\\n150,\\n")
+        ...     len(Engine.template("in-line-4").cases(path))
+        2
+        """
+        from .cases import columns
+
+        return Variants(self, columns(table))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Engine) and self._native == other._native
+
+    def __hash__(self) -> int:
+        return hash(self._native)
+
+    def __reduce__(self) -> tuple[Any, tuple[str]]:
+        return Engine.from_toml, (self.text,)
+
+    def __repr__(self) -> str:
+        lowest, highest, cylinders, _ = self._native.summary()
+        return f"<Engine {self.name!r}: {cylinders} cylinders, {lowest:.1f} to {highest:.1f} rad/s>"
+
+    def _repr_html_(self) -> str:
+        return self.drawing.svg
+
+    def _ask(self, name: str, kind: type[Q], options: dict[str, Any]) -> Q:
+        return kind._made(self._native.ask(name, options), (self,))
+
+    # What shakes it.
+
+    def loads(
+        self,
+        speed: Quantity | None = None,
+        *,
+        about: Sequence[Quantity] | None = None,
+        series: str = "exact",
+        orders: int | None = None,
+        samples: int | None = None,
+        grid: int | None = None,
+    ) -> Loads:
+        """Shaking forces, couples, roll moment and shaft torque of inertia, over the cycle and by order.
+
+        `speed` of crankshaft 1 [rad/s], the highest where it is left out; `about`: point of the couples [m]; `series`: ``"exact"``,
+        ``"orders:N"`` or ``"power:N:P"``, a truncation of the literature; `orders`: highest order listed; `samples`: angles of a trace in one
+        revolution; `grid`: take extremes on a grid of so many angles instead of the continuous cycle.
+
+        >>> from lanchester import Engine
+        >>> loads = Engine.template("in-line-4").loads("6000 rpm")
+        >>> first, second = loads.total.orders[1], loads.total.orders[2]
+        >>> bool(abs(first.force_forward).max() < 1e-9 * abs(second.force_forward).max())
+        True
+        """
+        options = {"speed": speed, "about": about, "series": series, "orders": orders, "samples": samples, "grid": grid}
+        return self._ask("loads", Loads, options)
+
+    def bending(
+        self,
+        speed: Quantity | None = None,
+        *,
+        series: str = "exact",
+        reciprocating_share: Quantity | None = None,
+        samples: int | None = None,
+    ) -> Bending:
+        """Shear forces and bending moments inside the crankshafts, and what the main bearings carry of them.
+
+        >>> from lanchester import Engine
+        >>> len(Engine.template("in-line-4").bending().cases) > 0
+        True
+        """
+        options = {"speed": speed, "series": series, "reciprocating_share": reciprocating_share, "samples": samples}
+        return self._ask("bending", Bending, options)
+
+    def torque(
+        self,
+        speed: Quantity | None = None,
+        *,
+        speeds: Quantities = (),
+        lever: Literal["exact", "sine"] = "exact",
+        orders: int | None = None,
+        samples: int | None = None,
+        fmep: Quantity | None = None,
+        flywheel: Quantity | None = None,
+        crankshaft_inertia: Quantity | None = None,
+        fluctuation: Quantity | None = None,
+    ) -> TorqueReport:
+        """Torque of gas and inertia: over the cycle, by order, work, firing, fluctuation of the speed, flywheel, power.
+
+        `speeds` [rad/s] make a power curve; `fmep` [Pa]; `flywheel` and `crankshaft_inertia` [kg m^2]; `fluctuation` [1] that a flywheel is to keep.
+
+        >>> from lanchester import Engine
+        >>> torque = Engine.template("in-line-4").torque("3000 rpm")
+        >>> len(torque.tables) > 2
+        True
+        """
+        options = {
+            "speed": speed,
+            "speeds": speeds,
+            "lever": lever,
+            "orders": orders,
+            "samples": samples,
+            "fmep": fmep,
+            "flywheel": flywheel,
+            "crankshaft_inertia": crankshaft_inertia,
+            "fluctuation": fluctuation,
+        }
+        return self._ask("torque", TorqueReport, options)
+
+    def bearings(
+        self,
+        speed: Quantity | None = None,
+        *,
+        part: Literal["all", "gas", "inertia"] | None = None,
+        samples: int | None = None,
+    ) -> Bearings:
+        """What pistons, pins and main bearings carry over the cycle, with counterweights and without.
+
+        >>> from lanchester import Engine
+        >>> bearings = Engine.template("in-line-4").bearings("4000 rpm")
+        >>> len(bearings.mains) > 0
+        True
+        """
+        return self._ask("bearings", Bearings, {"speed": speed, "part": part, "samples": samples})
+
+    def films(
+        self,
+        speed: Quantity | None = None,
+        *,
+        part: Literal["all", "gas", "inertia"] | None = None,
+        samples: int | None = None,
+        cavitation: Limits = (),
+    ) -> BearingFilms:
+        """Oil films of the main and crankpin bearings: orbit, smallest film, largest pressure. The file gives width, clearance and oil.
+
+        `cavitation`: ``"reynolds"``, ``"gumbel"``, ``"full"``, or several.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("in-line-4").films()
+        ... except lanchester.RequestError as error:
+        ...     error.code
+        'BearingFilmsError.NoSizes'
+        """
+        options = {"speed": speed, "part": part, "samples": samples, "cavitation": cavitation}
+        return self._ask("films", BearingFilms, options)
+
+    def mounts(
+        self,
+        speeds: Quantities = (),
+        *,
+        steps: int | None = None,
+        orders: int | None = None,
+        gas: bool = True,
+        points: Sequence[Sequence[Quantity]] = (),
+    ) -> MountStudy:
+        """The block on its mounts: at rest, its rigid-body modes, forces by order over the speeds, motion of `points` [m].
+
+        `speeds` [rad/s]; without them `steps` speeds over the range of the engine.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("in-line-4").mounts()
+        ... except lanchester.RequestError as error:
+        ...     "mount" in error.message
+        True
+        """
+        options = {"speeds": speeds, "steps": steps, "orders": orders, "gas": gas, "points": points}
+        return self._ask("mounts", MountStudy, options)
+
+    def inertias(self) -> Inertias:
+        """Inertia of everything that turns, each with its origin.
+
+        >>> from lanchester import Engine
+        >>> len(Engine.template("in-line-4").inertias().bodies) > 0
+        True
+        """
+        return self._ask("inertias", Inertias, {})
+
+    # What is done about it.
+
+    def balance(
+        self,
+        *,
+        minimise: Limits = (),
+        limit: Limits = (),
+        counterweights: Literal["none", "file", "throws", "webs"] | None = None,
+        shaft: Limits = (),
+        give_up: Limits = (),
+        cancel: Limits = (),
+        budget: str | None = None,
+        min_unbalance: str | None = None,
+        max_unbalance: str | None = None,
+        weight_step: str | None = None,
+        equal_parts: bool = False,
+        optional: bool = False,
+        max_optional: int | None = None,
+        speed: Limits = (),
+        gap: Quantity | None = None,
+        max_nodes: int | None = None,
+        time_limit: Quantity | None = None,
+    ) -> Balance:
+        """The best counterweights and balance shafts that the devices allow, with the proof that nothing is better.
+
+        Without arguments it is what the section ``[balance]`` of the file asks. `minimise`: objectives in order of priority, such as ``"force"`` or
+        ``"couple"``; `limit`: ``"force = 100 N"``; `shaft`: ``"-1 @ 0 mm, 100 mm @ -30 mm, 30 mm"`` (ratio @ x, y of the axis @ planes); `cancel`:
+        ``"couple order 1"``. ``result.adopt()`` is the engine with what was found. That limits cannot be met is an outcome, not an exception.
+
+        >>> from lanchester import Engine
+        >>> twin = Engine.template("twin-360")
+        >>> found = twin.balance(minimise="force", counterweights="throws")
+        >>> found.outcome.kind
+        'optimal'
+        >>> before, after = twin.loads(), found.adopt().loads()
+        >>> after.total.peaks.force.max.value < before.total.peaks.force.max.value
+        True
+        """
+        options = {
+            "minimise": minimise,
+            "limit": limit,
+            "counterweights": counterweights,
+            "shaft": shaft,
+            "give_up": give_up,
+            "cancel": cancel,
+            "budget": budget,
+            "min_unbalance": min_unbalance,
+            "max_unbalance": max_unbalance,
+            "weight_step": weight_step,
+            "equal_parts": equal_parts,
+            "optional": optional,
+            "max_optional": max_optional,
+            "speed": speed,
+            "gap": gap,
+            "max_nodes": max_nodes,
+            "time_limit": time_limit,
+        }
+        return self._ask("balance", Balance, options)
+
+    def robust_balance(
+        self,
+        *,
+        engines: int | None = None,
+        worst_share: Quantity | None = None,
+        seed: int | None = None,
+        minimise: Limits = (),
+        limit: Limits = (),
+        counterweights: Literal["none", "file", "throws", "webs"] | None = None,
+        shaft: Limits = (),
+    ) -> RobustAnswer:
+        """The best weights for engines drawn within the tolerances of the file: their worst, or the mean of a share of the worst ones.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("twin-360").with_(tolerances={"piston_mass": {"plus_minus": "4 g"}})
+        >>> found = engine.robust_balance(engines=20, minimise="force", counterweights="throws")
+        >>> found.to_text() != ""
+        True
+        """
+        options = {
+            "engines": engines,
+            "worst_share": worst_share,
+            "seed": seed,
+            "minimise": minimise,
+            "limit": limit,
+            "counterweights": counterweights,
+            "shaft": shaft,
+        }
+        return self._ask("robust_balance", RobustAnswer, options)
+
+    def arrangements(
+        self,
+        *,
+        minimise: Literal["force", "couple", "mount force"] | None = None,
+        limit: Limits = (),
+        max_shafts: int | None = None,
+        drive: Literal["gears", "chain"] | None = None,
+        mount_spacing: Quantity | None = None,
+    ) -> Arrangements:
+        """Which arrangement: crank weights and up to four shafts of either order, each with its best weights, a drive and a place.
+
+        >>> from lanchester import Engine
+        >>> found = Engine.template("twin-360").arrangements(minimise="force", max_shafts=1)
+        >>> len(found.spacings[0].arrangements) > 1
+        True
+        """
+        options = {
+            "minimise": minimise,
+            "limit": limit,
+            "max_shafts": max_shafts,
+            "drive": drive,
+            "mount_spacing": mount_spacing,
+        }
+        return self._ask("arrangements", Arrangements, options)
+
+    def counterweight(self, weight: Limits = (), *, unbalance: Quantity | None = None) -> CounterweightDesigns:
+        """The best shape for every counterweight on a web, with proof. The file has a section ``[counterweight_design]``.
+
+        `weight`: names of counterweights; `unbalance` [kg m] where it is not that of the weight. ``result.adopt()`` is the engine with the shapes.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("single").counterweight()
+        ... except lanchester.RequestError as error:
+        ...     print(error.message)
+        the shapes to search are not given
+        """
+        return self._ask("counterweight_design", CounterweightDesigns, {"weight": weight, "unbalance": unbalance})
+
+    def counterweight_check(self) -> CounterweightCheck:
+        """Crankshaft and counterweights as parts, and their clearances over the cycle.
+
+        >>> from lanchester import Engine
+        >>> import lanchester
+        >>> try:
+        ...     Engine.template("in-line-4").counterweight_check()
+        ... except lanchester.RequestError as error:
+        ...     error.code
+        'CounterweightError.NoPart'
+        """
+        return self._ask("counterweight_check", CounterweightCheck, {})
+
+    def workshop(self, *, oil: Quantity | None = None, angle: Quantity | None = None) -> FactorAnswer:
+        """Balance factors by every definition. `oil`: mass of the oil in a hollow pin [kg]; `angle`: that of the primary ellipse [rad].
+
+        >>> from lanchester import Engine
+        >>> len(Engine.template("v6-60").workshop().tables) > 0
+        True
+        """
+        return self._ask("balance_factor", FactorAnswer, {"oil": oil, "angle": angle})
+
+    # Many engines.
+
+    def explore(
+        self,
+        *,
+        minimise: Limits = (),
+        limit: Limits = (),
+        even_firing: Quantity | None = None,
+        cylinders: int | None = None,
+        in_line: bool = False,
+        bank_angle: Quantities = (),
+        split_angle: Quantities = (),
+        stagger: Quantities = (),
+        spacing: Quantities = (),
+        rod_ratio: float | Sequence[float] = (),
+        throw_angles: Quantities = (),
+        counterweights: Limits = (),
+        without_firing: bool = False,
+        bearing_room: Quantity | None = None,
+        pin_overlap: Quantity | None = None,
+        web_distance: Quantity | None = None,
+        web_thickness: Quantity | None = None,
+        pin_diameter: Quantity | None = None,
+        ends: Quantity | None = None,
+        speed: Quantity | None = None,
+        max_cases: int | None = None,
+        max_on_front: int | None = None,
+    ) -> Exploration:
+        """All layouts that the parts of this engine can make: the Pareto-optimal ones, and what became of all others.
+
+        Angles [rad] and lengths [m] are lists of what is looked at; `throw_angles` may be ``"every 30 deg"``; `even_firing`: the tolerance of even
+        intervals [rad]. ``result.adopt(n)`` is layout `n` of the front, from 0, as an engine.
+
+        >>> from lanchester import Engine
+        >>> found = Engine.template("in-line-4").explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing=1e-6)
+        >>> len(found.front) > 0
+        True
+        """
+        options = {
+            "minimise": minimise,
+            "limit": limit,
+            "even_firing": even_firing,
+            "cylinders": cylinders,
+            "in_line": in_line,
+            "bank_angle": bank_angle,
+            "split_angle": split_angle,
+            "stagger": stagger,
+            "spacing": spacing,
+            "rod_ratio": rod_ratio,
+            "throw_angles": throw_angles,
+            "counterweights": counterweights,
+            "without_firing": without_firing,
+            "bearing_room": bearing_room,
+            "pin_overlap": pin_overlap,
+            "web_distance": web_distance,
+            "web_thickness": web_thickness,
+            "pin_diameter": pin_diameter,
+            "ends": ends,
+            "speed": speed,
+            "max_cases": max_cases,
+            "max_on_front": max_on_front,
+        }
+        return self._ask("explore", Exploration, options)
+
+    def scatter(
+        self,
+        *,
+        samples: int | None = None,
+        seed: int | None = None,
+        speed: Quantity | None = None,
+        orders_only: bool = False,
+        limit: Limits = (),
+        capability: float | None = None,
+    ) -> ScatterStudy:
+        """What the tolerances of the file make of forces and couples: scatter, guaranteed upper bound, capability, which to tighten.
+
+        >>> from lanchester import Engine
+        >>> engine = Engine.template("in-line-4").with_(tolerances={"piston_mass": {"plus_minus": "2 g"}})
+        >>> found = engine.scatter(samples=2000)
+        >>> found.scatter.outputs[0].most <= found.worst_cases[0].bound
+        True
+        """
+        options = {
+            "samples": samples,
+            "seed": seed,
+            "speed": speed,
+            "orders_only": orders_only,
+            "limit": limit,
+            "capability": capability,
+        }
+        return self._ask("scatter", ScatterStudy, options)
+
+    def sensitivity(
+        self,
+        *,
+        output: Limits = (),
+        vary: Limits = (),
+        only: bool = False,
+        each: bool = False,
+        speed: Quantity | None = None,
+        weights: Literal["fixed", "follow"] = "fixed",
+        sobol: int | None = None,
+        seed: int | None = None,
+    ) -> Sensitivity:
+        """What matters most: exact derivatives, one input at a time over its range, shares of the variance.
+
+        `vary`: ``"rod length = 10 %"``; `only`: nothing else varies; `each`: every part by itself; `sobol`: draws for the shares of the variance.
+
+        >>> from lanchester import Engine
+        >>> found = Engine.template("in-line-4").sensitivity(vary="rod length = 10 %", only=True)
+        >>> len(found.inputs)
+        1
+        """
+        options = {
+            "output": output,
+            "vary": vary,
+            "only": only,
+            "each": each,
+            "speed": speed,
+            "weights": weights,
+            "sobol": sobol,
+            "seed": seed,
+        }
+        return self._ask("sensitivity", Sensitivity, options)
+
+    # Second opinions.
+
+    def simulate(
+        self,
+        *,
+        speed: Quantity | None = None,
+        revolutions: float | None = None,
+        duration: Quantity | None = None,
+        periodic: bool = False,
+        imposed: bool | None = None,
+        on_mounts: bool | None = None,
+        gravity: bool | None = None,
+        gas: bool | None = None,
+        load: Quantity | None = None,
+        load_on_block: bool = False,
+        misfire: int | Sequence[int] = (),
+        step: Quantity | None = None,
+        tolerance: float | None = None,
+        long: bool = False,
+    ) -> SimulationResult:
+        """The rigid crank train in time, on its mounts, at free or imposed speed. What is left out is as the file says.
+
+        `speed` at the start [rad/s]; `duration` [s]; `load` [N m] or ``"none"``; `misfire`: numbers of cylinders from 1; `step` between samples [rad].
+
+        >>> from lanchester import Engine
+        >>> run = Engine.template("single").simulate(revolutions=1, imposed=True, gravity=False)
+        >>> run.run.outcome.kind
+        'complete'
+        """
+        options = {
+            "speed": speed,
+            "revolutions": revolutions,
+            "duration": duration,
+            "periodic": periodic,
+            "imposed": imposed,
+            "on_mounts": on_mounts,
+            "gravity": gravity,
+            "gas": gas,
+            "load": load,
+            "load_on_block": load_on_block,
+            "misfire": misfire,
+            "step": step,
+            "tolerance": tolerance,
+            "long": long,
+        }
+        return self._ask("simulate", SimulationResult, options)
+
+    def crosscheck(
+        self,
+        *,
+        speed: Quantity | None = None,
+        condition: Limits = (),
+        orders: int | None = None,
+        bar: float | None = None,
+    ) -> CrossCheck:
+        """The closed form against a simulation of the same engine as rigid bodies and its bond graph.
+
+        `condition`: ``"a"`` like for like, ``"b"`` free speed, ``"c"`` moving block, ``"d"`` all free; all where it is left out.
+
+        >>> from lanchester import Engine
+        >>> check = Engine.template("single").crosscheck(condition="a")
+        >>> len(check.conditions)
+        1
+        """
+        options = {"speed": speed, "condition": condition, "orders": orders, "bar": bar}
+        return self._ask("crosscheck", CrossCheck, options)
+
+    def bondgraph(
+        self,
+        *,
+        speed: Quantity | None = None,
+        gas: bool = True,
+        gravity: bool = True,
+        imposed: bool | None = None,
+    ) -> BondGraph:
+        """The bond graph of the engine: graph file, causality, equations, Modelica.
+
+        >>> from lanchester import Engine
+        >>> "[" in Engine.template("single").bondgraph().graph
+        True
+        """
+        options = {"speed": speed, "gas": gas, "gravity": gravity, "imposed": imposed}
+        return self._ask("bondgraph", BondGraph, options)
+
+    # The crankshaft as a body.
+
+    def stress(
+        self,
+        *,
+        speed: Quantities = (),
+        angle: Quantity | None = None,
+        gas: bool = True,
+        support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
+        stiffness: Quantity | None = None,
+        crankshaft: int = 0,
+        size: Quantity | None = None,
+        fillet_elements: int | None = None,
+        memory: int | None = None,
+        double: bool = False,
+    ) -> StaticStress:
+        """Static stress of the crankshaft by finite elements: every fillet, pin and journal. The file has a section ``[crank.body]``.
+
+        `angle` [rad], else the angles of the largest forces; `size` of the elements [m]; `memory` [byte].
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("single").stress()
+        ... except lanchester.RequestError as error:
+        ...     "crank.body" in str(error)
+        True
+        """
+        options = {
+            "speed": speed,
+            "angle": angle,
+            "gas": gas,
+            "support": support,
+            "stiffness": stiffness,
+            "crankshaft": crankshaft,
+            "size": size,
+            "fillet_elements": fillet_elements,
+            "memory": memory,
+            "double": double,
+        }
+        return self._ask("stress_static", StaticStress, options)
+
+    def modes(
+        self,
+        count: int | None = None,
+        *,
+        support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
+        stiffness: Quantity | None = None,
+        crankshaft: int = 0,
+        size: Quantity | None = None,
+        fillet_elements: int | None = None,
+        memory: int | None = None,
+    ) -> CrankModes:
+        """Natural frequencies of the crankshaft at rest. The file has a section ``[crank.body]``.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("single").modes()
+        ... except lanchester.RequestError as error:
+        ...     "crank.body" in str(error)
+        True
+        """
+        options = {
+            "count": count,
+            "support": support,
+            "stiffness": stiffness,
+            "crankshaft": crankshaft,
+            "size": size,
+            "fillet_elements": fillet_elements,
+            "memory": memory,
+        }
+        return self._ask("stress_modes", CrankModes, options)
+
+    def fatigue(
+        self,
+        *,
+        speed: Quantities = (),
+        gas: bool = True,
+        surface_factor: float | None = None,
+        size_factor: float | None = None,
+        gradient_factor: float | None = None,
+        instants: int | None = None,
+        support: Literal["clamped-ends", "journals", "springs", "free"] | None = None,
+        stiffness: Quantity | None = None,
+        crankshaft: int = 0,
+        size: Quantity | None = None,
+        fillet_elements: int | None = None,
+        memory: int | None = None,
+    ) -> CrankFatigue:
+        """Safety of every fillet over the cycle by finite elements and Findley's criterion.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("single").fatigue()
+        ... except lanchester.RequestError as error:
+        ...     error.code
+        'StressError.NoFatigueLimit'
+        """
+        options = {
+            "speed": speed,
+            "gas": gas,
+            "surface_factor": surface_factor,
+            "size_factor": size_factor,
+            "gradient_factor": gradient_factor,
+            "instants": instants,
+            "support": support,
+            "stiffness": stiffness,
+            "crankshaft": crankshaft,
+            "size": size,
+            "fillet_elements": fillet_elements,
+            "memory": memory,
+        }
+        return self._ask("stress_fatigue", CrankFatigue, options)
+
+    def strength(
+        self,
+        *,
+        speed: Quantities = (),
+        gas: bool = True,
+        torsional_vibration: Quantities = (),
+        crankshaft: int = 0,
+    ) -> CrankRule:
+        """Strength by the formulas of IACS UR M53, throw by throw.
+
+        `torsional_vibration`: amplitude of the torque [N m], one for all throws or one for each.
+
+        >>> import lanchester
+        >>> try:
+        ...     lanchester.Engine.template("single").strength()
+        ... except lanchester.RequestError as error:
+        ...     error.message != ""
+        True
+        """
+        options = {
+            "speed": speed,
+            "gas": gas,
+            "torsional_vibration": torsional_vibration,
+            "crankshaft": crankshaft,
+        }
+        return self._ask("stress_rule", CrankRule, options)
+
+
+class Variants(Sequence[Engine]):
+    """Copies of an engine with other values, made when they are looked at.
+
+    >>> from lanchester import Engine
+    >>> rods = Engine.template("single").variants({"rod.length": [0.1, 0.12]})
+    >>> rods[1].text != rods[0].text
+    True
+    """
+
+    __slots__ = ("columns", "engine")
+
+    engine: Engine
+    """The engine."""
+    columns: dict[str, Any]
+    """By path one value for each copy: SI numbers or texts with units."""
+
+    def __init__(self, engine: Engine, columns: Mapping[str, Any]) -> None:
+        if not columns:
+            raise RequestError("variants need a key that varies", 'write variants({"rod.length": [0.14, 0.15]})')
+        self.engine = engine
+        self.columns = {path: list(values) if not hasattr(values, "__len__") else values for path, values in columns.items()}
+        lengths = {path: len(values) for path, values in self.columns.items()}
+        if len(set(lengths.values())) > 1:
+            named = ", ".join(f"`{path}` has {count}" for path, count in lengths.items())
+            raise RequestError(f"every key needs one value for each engine: {named}", "give arrays of one length")
+
+    def __len__(self) -> int:
+        return len(next(iter(self.columns.values())))
+
+    @overload
+    def __getitem__(self, place: int) -> Engine: ...
+    @overload
+    def __getitem__(self, place: slice) -> Variants: ...
+    def __getitem__(self, place: int | slice) -> Engine | Variants:
+        if isinstance(place, slice):
+            return Variants(self.engine, {path: values[place] for path, values in self.columns.items()})
+        row = {path: values[place] for path, values in self.columns.items()}
+        return self.engine.with_({path: value for path, value in row.items() if value is not None})
+
+    def __iter__(self) -> Iterator[Engine]:
+        return (self[place] for place in range(len(self)))
+
+
+_KINDS: dict[str, tuple[str, type[Result]]] = {
+    "loads": ("loads", Loads),
+    "bending": ("bending", Bending),
+    "torque": ("torque", TorqueReport),
+    "bearings": ("bearings", Bearings),
+    "mounts": ("mounts", MountStudy),
+    "inertias": ("inertias", Inertias),
+    "balance": ("balance", Balance),
+    "workshop": ("balance_factor", FactorAnswer),
+    "sensitivity": ("sensitivity", Sensitivity),
+    "simulate": ("simulate", SimulationResult),
+    "crosscheck": ("crosscheck", CrossCheck),
+}
+
+
+def map(
+    question: str,
+    engines: Sequence[Engine],
+    pick: str | Sequence[str] | None = None,
+    **options: Any,
+) -> Any:
+    """One question about many engines in one call, on all processors.
+
+    `question` is the name of a method of :class:`Engine`, `options` are its arguments. Without `pick` it returns the results; with paths of numbers
+    in them, such as ``"total.peaks.force.max.value"``, a dictionary of arrays, one for each path: of 1e5 engines nothing else is kept.
+
+    >>> import lanchester
+    >>> import numpy as np
+    >>> rods = lanchester.Engine.template("in-line-4").variants({"rod.length": np.linspace(0.13, 0.17, 5)})
+    >>> found = lanchester.map("loads", rods, "total.peaks.force.max.value")
+    >>> bool(np.all(np.diff(found["total.peaks.force.max.value"]) < 0))
+    True
+    """
+    if question not in _KINDS:
+        raise RequestError(f'`map` knows no question "{question}"', f"it knows {', '.join(_KINDS)}")
+    name, kind = _KINDS[question]
+    known = set(getattr(Engine, question).__kwdefaults__ or {}) | set(getattr(Engine, question).__annotations__)
+    unknown = [option for option in options if option not in known]
+    if unknown:
+        raise RequestError(f"`{question}` has no argument `{unknown[0]}`", f"it has {', '.join(sorted(known - {'return'}))}")
+    if isinstance(engines, Variants):
+        natives, columns = [engines.engine._native], engines.columns
+    else:
+        natives, columns = [engine._native for engine in engines], None
+    paths = [pick] if isinstance(pick, str) else pick
+    found = _native.map(name, natives, options, columns, None if paths is None else list(paths))
+    if paths is not None:
+        return found
+    if isinstance(engines, Variants):
+        return [kind._made(answer, (engines.engine,)) for answer in found]
+    return [kind._made(answer, (engine,)) for answer, engine in zip(found, engines, strict=True)]
+
+
+def compare(
+    engines: Sequence[Engine],
+    *,
+    equal: Literal["displacement", "power"] | None = None,
+    hold: Literal["speed", "piston-speed"] | None = None,
+    speed: Quantity | None = None,
+    reference: int = 0,
+    share: Quantity | None = None,
+    mount_spacing: Quantity | None = None,
+    fluctuation: Quantity | None = None,
+    arrangements: int | Sequence[int] = (),
+    optimum: bool = False,
+) -> Comparison:
+    """Engines side by side: as they are, or as similar engines of one displacement or one power.
+
+    `reference`: index of the engine that the others are compared with; `arrangements`: numbers 1 to 9 of the twin thesis; `optimum`: each with its best weights too.
+
+    >>> import lanchester
+    >>> engines = [lanchester.Engine.template(name) for name in ("in-line-4", "boxer-4")]
+    >>> found = lanchester.compare(engines)
+    >>> len(found.table("comparison")) > 1
+    True
+    """
+    options = {
+        "equal": equal,
+        "hold": hold,
+        "speed": speed,
+        "reference": reference,
+        "share": share,
+        "mount_spacing": mount_spacing,
+        "fluctuation": fluctuation,
+        "arrangements": arrangements,
+        "optimum": optimum,
+    }
+    answer = _native.ask_all("compare", [engine._native for engine in engines], options)
+    return Comparison._made(answer, tuple(engines))
+
+
+def adopt(result: Result, number: int | None = None) -> Engine:
+    """The engine with what a result found: the weights of a balance, the shapes of counterweights, layout `number` of a search.
+
+    >>> import lanchester
+    >>> twin = lanchester.Engine.template("twin-360")
+    >>> lanchester.adopt(twin.balance(minimise="force", counterweights="throws")) != twin
+    True
+    """
+    found = result._answer.adopted(number)
+    if found is None:
+        raise RequestError(f"{type(result).__name__} finds nothing that an engine could adopt", "`balance`, `counterweight` and `explore` do")
+    return Engine(found)

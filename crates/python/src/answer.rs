@@ -1,0 +1,265 @@
+//! The answer to a question: the result of the facade itself, of which Python sees what it asks for.
+
+use crate::failure::Failure;
+use crate::guard::caught;
+use crate::native_engine::NativeEngine;
+use crate::prepared::Prepared;
+use crate::select::{Leaf, NoValue, Select, Step, steps};
+use crate::to_python::{Converted, ToPython};
+use lanchester::model::Engine;
+use lanchester::report::{Cell, Figure, Table};
+use pyo3::exceptions::PyAttributeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use serde::Serialize;
+use std::sync::Arc;
+
+/// How a result is shown: the same words, tables and pictures as in every front end.
+pub struct Shown<T> {
+    /// The text of the command line.
+    pub text: fn(&T, &Engine) -> String,
+    /// Its tables.
+    pub tables: fn(&T, &Engine) -> Vec<Table>,
+    /// Its pictures.
+    pub figures: fn(&T, &Engine) -> Vec<Figure>,
+    /// The engine with what was found; a number chooses where there is a choice.
+    pub adopted: Option<fn(&T, &Prepared, Option<usize>) -> Result<Arc<Prepared>, Failure>>,
+}
+
+impl<T> Default for Shown<T> {
+    fn default() -> Self {
+        Shown {
+            text: |_, _| String::new(),
+            tables: |_, _| Vec::new(),
+            figures: |_, _| Vec::new(),
+            adopted: None,
+        }
+    }
+}
+
+/// A result whose type is forgotten.
+trait Told: Send + Sync {
+    fn json(&self) -> Result<String, String>;
+    fn convert(&self, py: Python<'_>, path: &[Step]) -> Result<Converted, NoValue>;
+    fn number(&self, path: &[Step]) -> Result<f64, NoValue>;
+    fn text(&self) -> String;
+    fn tables(&self) -> Vec<Table>;
+    fn figures(&self) -> Vec<Figure>;
+    fn adopted(&self, number: Option<usize>) -> Result<Option<Arc<Prepared>>, Failure>;
+}
+
+struct Typed<T> {
+    value: T,
+    engine: Arc<Prepared>,
+    shown: Shown<T>,
+}
+
+#[derive(Clone, Copy)]
+struct AsPython<'py>(Python<'py>);
+
+impl Leaf for AsPython<'_> {
+    type Ok = Converted;
+
+    fn leaf<T: Serialize + ?Sized>(self, value: &T) -> Result<Converted, String> {
+        value.serialize(ToPython { py: self.0 }).map_err(|error| error.to_string())
+    }
+}
+
+#[derive(Clone, Copy)]
+struct AsNumber;
+
+impl Leaf for AsNumber {
+    type Ok = f64;
+
+    fn leaf<T: Serialize + ?Sized>(self, value: &T) -> Result<f64, String> {
+        match serde_json::to_value(value).map_err(|error| error.to_string())? {
+            serde_json::Value::Number(number) => number.as_f64().ok_or_else(|| "no number".into()),
+            serde_json::Value::Bool(flag) => Ok(f64::from(u8::from(flag))),
+            // What is not known, and numbers that are none.
+            serde_json::Value::Null => Ok(f64::NAN),
+            serde_json::Value::String(_) => Err("it is a text, no number".into()),
+            serde_json::Value::Array(list) => {
+                Err(format!("it is a list of {}: an index such as [0] leads to a number", list.len()))
+            }
+            serde_json::Value::Object(keys) => {
+                let names: Vec<&str> = keys.keys().map(String::as_str).collect();
+                Err(format!("it is no number; below it there are {}", names.join(", ")))
+            }
+        }
+    }
+}
+
+impl<T: Serialize + Send + Sync> Told for Typed<T> {
+    fn json(&self) -> Result<String, String> {
+        serde_json::to_string_pretty(&self.value).map(|text| text + "\n").map_err(|error| error.to_string())
+    }
+
+    fn convert(&self, py: Python<'_>, path: &[Step]) -> Result<Converted, NoValue> {
+        Select { path, leaf: AsPython(py) }.of(&self.value)
+    }
+
+    fn number(&self, path: &[Step]) -> Result<f64, NoValue> {
+        Select { path, leaf: AsNumber }.of(&self.value)
+    }
+
+    fn text(&self) -> String {
+        (self.shown.text)(&self.value, self.engine.engine())
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        (self.shown.tables)(&self.value, self.engine.engine())
+    }
+
+    fn figures(&self) -> Vec<Figure> {
+        (self.shown.figures)(&self.value, self.engine.engine())
+    }
+
+    fn adopted(&self, number: Option<usize>) -> Result<Option<Arc<Prepared>>, Failure> {
+        self.shown.adopted.map(|adopted| adopted(&self.value, &self.engine, number)).transpose()
+    }
+}
+
+/// An answer as Rust holds it.
+pub struct Data(Box<dyn Told>);
+
+impl Data {
+    /// A result of an engine.
+    pub fn new<T: Serialize + Send + Sync + 'static>(
+        value: T,
+        engine: &Arc<Prepared>,
+        shown: Shown<T>,
+    ) -> Data {
+        Data(Box::new(Typed { value, engine: engine.clone(), shown }))
+    }
+
+    /// The number at the end of a path.
+    ///
+    /// # Errors
+    /// [`NoValue`] where the path leads to none.
+    pub fn number(&self, path: &[Step]) -> Result<f64, NoValue> {
+        self.0.number(path)
+    }
+}
+
+/// The result of a question, held by Rust. `lanchester.results` gives it its type.
+#[pyclass(frozen, module = "lanchester._native")]
+pub struct Answer {
+    data: Data,
+}
+
+impl From<Data> for Answer {
+    fn from(data: Data) -> Answer {
+        Answer { data }
+    }
+}
+
+#[pymethods]
+impl Answer {
+    /// The field of this name, converted.
+    fn field(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        let path = [Step::Key(name.to_owned())];
+        self.at(py, &path)
+    }
+
+    /// What is at a path such as `total.orders[1].force_forward`.
+    fn pick(&self, py: Python<'_>, path: &str) -> PyResult<Py<PyAny>> {
+        let steps = steps(path).ok_or_else(|| {
+            let message = format!("`{path}` is no path");
+            Failure::option(message, "paths are written like `total.orders[1].order`")
+        })?;
+        self.at(py, &steps)
+    }
+
+    /// All of it as dictionaries and arrays.
+    fn values(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        self.at(py, &[])
+    }
+
+    /// The JSON of the command line.
+    fn json(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(py.detach(|| caught(|| self.data.0.json().map_err(Failure::Internal)))?)
+    }
+
+    /// The text of the command line.
+    fn text(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(py.detach(|| caught(|| Ok(self.data.0.text())))?)
+    }
+
+    /// The tables, each as (name, title, columns): columns are (header, unit, values).
+    fn tables(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        let tables = py.detach(|| caught(|| Ok(self.data.0.tables())))?;
+        let list = PyList::empty(py);
+        for table in tables {
+            let columns = PyList::empty(py);
+            for (place, column) in table.columns.iter().enumerate() {
+                let cells = table.rows.iter().filter_map(|row| row.get(place));
+                columns.append((&column.header, column.unit, cells_of(py, cells)?))?;
+            }
+            list.append((table.id, &table.title, columns, &table.note, &table.remark))?;
+        }
+        Ok(list.into_any().unbind())
+    }
+
+    /// The pictures, each as (name, title, SVG).
+    fn figures(&self, py: Python<'_>) -> PyResult<Vec<(String, String, String)>> {
+        let figures = py.detach(|| {
+            caught(|| {
+                let figures = self.data.0.figures();
+                Ok(figures
+                    .into_iter()
+                    .map(|own| {
+                        let svg = own.svg();
+                        (own.id, own.title, svg)
+                    })
+                    .collect())
+            })
+        })?;
+        Ok(figures)
+    }
+
+    /// The engine with what was found, or `None` where this result finds nothing.
+    #[pyo3(signature = (number=None))]
+    fn adopted(&self, py: Python<'_>, number: Option<usize>) -> PyResult<Option<NativeEngine>> {
+        let found = py.detach(|| caught(|| self.data.0.adopted(number)))?;
+        Ok(found.map(NativeEngine::from))
+    }
+}
+
+impl Answer {
+    fn at(&self, py: Python<'_>, path: &[Step]) -> PyResult<Py<PyAny>> {
+        let found = self.data.0.convert(py, path);
+        found.map_err(|error| PyAttributeError::new_err(error.to_string()))?.object(py)
+    }
+}
+
+/// A column: an array where it is all numbers, NaN where there is none, else a list.
+fn cells_of<'c>(py: Python<'_>, cells: impl Iterator<Item = &'c Cell>) -> PyResult<Py<PyAny>> {
+    let cells: Vec<&Cell> = cells.collect();
+    if cells.iter().any(|cell| matches!(cell, Cell::Text(_))) || cells.is_empty() {
+        let list = PyList::empty(py);
+        for cell in cells {
+            match cell {
+                Cell::Text(text) => list.append(text)?,
+                Cell::Number { value, .. } => list.append(value)?,
+                Cell::Empty => list.append(py.None())?,
+            }
+        }
+        return Ok(list.into_any().unbind());
+    }
+    let numbers = cells.into_iter().map(|cell| match cell {
+        Cell::Number { value, .. } => *value,
+        _ => f64::NAN,
+    });
+    let numbers: Vec<f64> = numbers.collect();
+    Converted::Floats(vec![numbers.len()], numbers).object(py)
+}
+
+/// The schemas of all results: definitions, and the name of that of every question.
+#[pyfunction]
+pub fn schemas(py: Python<'_>) -> PyResult<Py<PyAny>> {
+    let (definitions, names) = crate::questions::schemas();
+    let found = PyDict::new(py);
+    found.set_item("definitions", definitions.to_string())?;
+    found.set_item("questions", names)?;
+    Ok(found.into_any().unbind())
+}

@@ -1,0 +1,45 @@
+//! The module `lanchester._native`: the facade for Python.
+//!
+//! A front end alone: it reads what Python gives, calls the facade without the interpreter's lock, and hands back results of which Python
+//! converts what it looks at. Units end here; no physics begins.
+//!
+//! Where to start: [`questions`](crate::questions) has a file for every kind of question, `to_python.rs` turns any serialisable result
+//! into Python values. The classes that users see are in `python/lanchester`.
+#![forbid(unsafe_code)]
+
+mod answer;
+mod failure;
+mod from_python;
+mod guard;
+mod map;
+mod native_engine;
+mod options;
+mod prepared;
+mod questions;
+mod select;
+mod to_python;
+
+use pyo3::prelude::*;
+
+/// The functions and classes behind the package `lanchester`.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    use super::answer::Answer;
+    #[pymodule_export]
+    use super::answer::schemas;
+    #[pymodule_export]
+    use super::map::map;
+    #[pymodule_export]
+    use super::native_engine::NativeEngine;
+    #[pymodule_export]
+    use super::native_engine::ask_all;
+    #[pymodule_export]
+    use super::native_engine::kernel_time;
+    #[pymodule_export]
+    use super::native_engine::panics;
+
+    /// The version of the package.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,196 @@
+//! The engine as Python holds it.
+
+use crate::answer::Answer;
+use crate::failure::{Failure, diagnostics};
+use crate::from_python::{self, Changes};
+use crate::guard::{Watch, unlocked, waited_for};
+use crate::options::Options;
+use crate::prepared::Prepared;
+use crate::questions::{How, question};
+use lanchester::file::{expanded, template, templates};
+use lanchester::model::Engine;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// An engine file that was read.
+#[pyclass(frozen, name = "Engine", module = "lanchester._native")]
+pub struct NativeEngine {
+    /// It.
+    pub prepared: Arc<Prepared>,
+}
+
+impl From<Arc<Prepared>> for NativeEngine {
+    fn from(prepared: Arc<Prepared>) -> NativeEngine {
+        NativeEngine { prepared }
+    }
+}
+
+#[pymethods]
+impl NativeEngine {
+    /// Reads a file.
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<NativeEngine> {
+        Ok(Arc::new(unlocked(py, || Prepared::read(&path))?).into())
+    }
+
+    /// Reads a text.
+    #[staticmethod]
+    #[pyo3(signature = (text, name, folder=None))]
+    fn of_text(
+        py: Python<'_>,
+        text: String,
+        name: String,
+        folder: Option<PathBuf>,
+    ) -> PyResult<NativeEngine> {
+        Ok(Arc::new(unlocked(py, || Prepared::of_text(text, name, folder))?).into())
+    }
+
+    /// Makes one of plain values, numbers being SI.
+    #[staticmethod]
+    #[pyo3(signature = (values, folder=None))]
+    fn of_values(
+        py: Python<'_>,
+        values: &Bound<'_, PyDict>,
+        folder: Option<PathBuf>,
+    ) -> PyResult<NativeEngine> {
+        let text = from_python::file_text(values)?;
+        NativeEngine::of_text(py, text, "<engine from values>".into(), folder)
+    }
+
+    /// The names of the gallery with their titles.
+    #[staticmethod]
+    fn templates() -> Vec<(&'static str, &'static str)> {
+        templates().iter().map(|own| (own.name, own.title)).collect()
+    }
+
+    /// One of the gallery.
+    #[staticmethod]
+    fn template(py: Python<'_>, name: &str) -> PyResult<NativeEngine> {
+        let found = template(name).ok_or_else(|| {
+            let near = lanchester::file::nearest_template(name)
+                .map(|near| format!("did you mean \"{}\"? ", near.name));
+            Failure::option(
+                format_args!("the gallery has no engine \"{name}\""),
+                format_args!("{}`Engine.templates()` lists all", near.unwrap_or_default()),
+            )
+        })?;
+        NativeEngine::of_text(py, found.text.to_owned(), format!("{name}.toml"), None)
+    }
+
+    /// A copy with other values of keys.
+    fn with_changes(&self, py: Python<'_>, changes: &Bound<'_, PyDict>) -> PyResult<NativeEngine> {
+        let changes = Changes::read(changes)?;
+        let own = &self.prepared;
+        Ok(unlocked(py, || own.with_text(changes.apply(&own.text)?))?.into())
+    }
+
+    /// Its text.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.prepared.text
+    }
+
+    /// What messages call its file.
+    #[getter]
+    fn file_name(&self) -> &str {
+        &self.prepared.name
+    }
+
+    /// Its name.
+    #[getter]
+    fn name(&self) -> &str {
+        &self.prepared.engine().name
+    }
+
+    /// The general form of its file.
+    fn expanded(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(unlocked(py, || Ok(expanded(&self.prepared.file)))?)
+    }
+
+    /// Warnings of its reader.
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        diagnostics(py, &self.prepared.text, &self.prepared.warnings)
+    }
+
+    /// Lowest and highest speed [rad/s], number of cylinders, and a drawing as SVG.
+    fn summary(&self, py: Python<'_>) -> PyResult<(f64, f64, usize, String)> {
+        let engine: &Engine = self.prepared.engine();
+        let drawing = unlocked(py, || Ok(lanchester::report::drawing(engine).svg()))?;
+        Ok((engine.speed.lowest, engine.speed.highest, engine.cylinders.len(), drawing))
+    }
+
+    /// Whether it is the same file.
+    fn __eq__(&self, other: &NativeEngine) -> bool {
+        let (one, other) = (&self.prepared, &other.prepared);
+        Arc::ptr_eq(one, other) || (one.text == other.text && one.folder == other.folder)
+    }
+
+    /// Of its text.
+    fn __hash__(&self) -> u64 {
+        lanchester::fnv1a(self.prepared.text.as_bytes())
+    }
+
+    /// The answer to a question of this name about this engine.
+    fn ask(&self, py: Python<'_>, name: &str, options: Bound<'_, PyDict>) -> PyResult<Answer> {
+        answer(py, name, &[self.prepared.clone()], options)
+    }
+}
+
+/// The answer to a question about several engines.
+#[pyfunction]
+pub fn ask_all(
+    py: Python<'_>,
+    name: &str,
+    engines: Vec<PyRef<'_, NativeEngine>>,
+    options: Bound<'_, PyDict>,
+) -> PyResult<Answer> {
+    let engines: Vec<Arc<Prepared>> = engines.iter().map(|engine| engine.prepared.clone()).collect();
+    answer(py, name, &engines, options)
+}
+
+fn answer(
+    py: Python<'_>,
+    name: &str,
+    engines: &[Arc<Prepared>],
+    options: Bound<'_, PyDict>,
+) -> PyResult<Answer> {
+    let question = question(name)?;
+    let run = (question.read)(&Options::new(options))?;
+    let found = match question.how {
+        How::Short => unlocked(py, || run(engines, &Watch::default()))?,
+        How::Long => {
+            let engines = engines.to_vec();
+            waited_for(py, move |watch| run(&engines, watch))?
+        }
+    };
+    Ok(found.into())
+}
+
+/// Seconds of one answer without Python: what the cost of a call is compared with.
+#[pyfunction]
+pub fn kernel_time(
+    py: Python<'_>,
+    engine: PyRef<'_, NativeEngine>,
+    name: &str,
+    options: Bound<'_, PyDict>,
+    repeats: u32,
+) -> PyResult<f64> {
+    let run = (question(name)?.read)(&Options::new(options))?;
+    let engines = [engine.prepared.clone()];
+    Ok(unlocked(py, || {
+        let began = Instant::now();
+        for _ in 0..repeats {
+            std::hint::black_box(run(&engines, &Watch::default())?);
+        }
+        Ok(began.elapsed().as_secs_f64() / f64::from(repeats.max(1)))
+    })?)
+}
+
+/// Panics where a computation would, for the test that no panic crosses.
+#[pyfunction]
+pub fn panics(py: Python<'_>) -> PyResult<()> {
+    Ok(unlocked(py, || -> Result<(), Failure> { panic!("a panic for the test") })?)
+}

@@ -1,0 +1,329 @@
+//! What is asked, as Python gives it: numbers in SI units or texts with units.
+
+use crate::failure::Failure;
+use lanchester::task::option;
+use lanchester::units::{self, BadQuantity, Dimension};
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyList, PyString, PyTuple};
+
+/// The arguments of one question by name; one that is `None` is not given.
+pub struct Options<'py> {
+    given: Bound<'py, PyDict>,
+}
+
+/// How a text with a unit is read.
+pub type Read = fn(&str, &str) -> Result<f64, BadQuantity>;
+
+impl<'py> Options<'py> {
+    /// The arguments of a call.
+    pub fn new(given: Bound<'py, PyDict>) -> Options<'py> {
+        Options { given }
+    }
+
+    fn get(&self, name: &str) -> Result<Option<Bound<'py, PyAny>>, Failure> {
+        Ok(self.given.get_item(name)?.filter(|value| !value.is_none()))
+    }
+
+    /// A quantity: a number in SI units, or a text that `read` reads. `due` says what it is: "a speed".
+    fn quantity(
+        &self,
+        name: &str,
+        value: &Bound<'py, PyAny>,
+        due: &str,
+        unit: &str,
+        read: Read,
+    ) -> Result<f64, Failure> {
+        if let Ok(text) = value.cast::<PyString>() {
+            return Ok(read(&text.to_cow()?, name)?);
+        }
+        match number(value) {
+            Some(number) if number.is_finite() => Ok(number),
+            Some(number) => Err(Failure::option(
+                format_args!("`{name}` needs a finite number [{unit}], got {number}"),
+                format_args!("leave `{name}` out, or give {due}"),
+            )),
+            None => Err(Failure::option(
+                format_args!(
+                    "`{name}` needs {due} as a text with its unit or a number [{unit}], got {}",
+                    kind(value)
+                ),
+                format_args!("write a text such as {name}=\"...\" with a unit, or a float in SI units"),
+            )),
+        }
+    }
+
+    fn of(&self, name: &str, due: &str, unit: &str, read: Read) -> Result<Option<f64>, Failure> {
+        self.get(name)?.map(|value| self.quantity(name, &value, due, unit, read)).transpose()
+    }
+
+    /// A speed above 0 [rad/s].
+    pub fn speed(&self, name: &str) -> Result<Option<f64>, Failure> {
+        let speed = self.of(name, "a speed", "rad/s", option::speed)?;
+        match speed {
+            Some(speed) if speed <= 0.0 => Err(Failure::option(
+                format_args!("`{name}` needs a speed above 0, got {speed} rad/s"),
+                "leave it out for the highest speed of the engine",
+            )),
+            speed => Ok(speed),
+        }
+    }
+
+    /// A speed that may be 0 [rad/s].
+    pub fn start_speed(&self, name: &str) -> Result<Option<f64>, Failure> {
+        match self.of(name, "a speed", "rad/s", option::speed)? {
+            Some(speed) if speed < 0.0 => Err(Failure::option(
+                format_args!("`{name}` needs a speed of 0 or more, got {speed} rad/s"),
+                "`rotation = \"reverse\"` in the engine file turns the crank the other way",
+            )),
+            speed => Ok(speed),
+        }
+    }
+
+    /// Speeds above 0 [rad/s]: a list, or one.
+    pub fn speeds(&self, name: &str) -> Result<Vec<f64>, Failure> {
+        let speeds = self.list_of(name, "a speed", "rad/s", option::speed)?;
+        match speeds.iter().find(|speed| **speed <= 0.0) {
+            Some(speed) => Err(Failure::option(
+                format_args!("`{name}` needs speeds above 0, got {speed} rad/s"),
+                "leave it out for the speeds of the engine",
+            )),
+            None => Ok(speeds),
+        }
+    }
+
+    /// A length [m].
+    pub fn length(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "a length", "m", option::length)
+    }
+
+    /// An angle [rad].
+    pub fn angle(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "an angle", "rad", option::angle)
+    }
+
+    /// A mass [kg].
+    pub fn mass(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "a mass", "kg", option::mass)
+    }
+
+    /// An inertia [kg m^2].
+    pub fn inertia(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "an inertia", "kg m^2", option::inertia)
+    }
+
+    /// A torque [N m].
+    pub fn torque(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "a torque", "N m", option::torque)
+    }
+
+    /// A pressure [Pa].
+    pub fn pressure(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "a pressure", "Pa", option::pressure)
+    }
+
+    /// A time [s].
+    pub fn time(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "a time", "s", option::time)
+    }
+
+    /// A stiffness [N/m].
+    pub fn stiffness(&self, name: &str) -> Result<Option<f64>, Failure> {
+        fn read(text: &str, option: &str) -> Result<f64, BadQuantity> {
+            option::of_dimension(text, Dimension::Stiffness, units::Bound::Positive, option)
+        }
+        self.of(name, "a stiffness", "N/m", read)
+    }
+
+    /// An unbalance [kg m].
+    pub fn unbalance(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "an unbalance", "kg m", option::unbalance)
+    }
+
+    /// A share [1], which a text may give as `"50 %"`.
+    pub fn share(&self, name: &str) -> Result<Option<f64>, Failure> {
+        self.of(name, "a share", "1", option::share)
+    }
+
+    /// Lengths [m]: a list, or one.
+    pub fn lengths(&self, name: &str) -> Result<Vec<f64>, Failure> {
+        self.list_of(name, "a length", "m", option::length)
+    }
+
+    /// Angles [rad]: a list, or one.
+    pub fn angles(&self, name: &str) -> Result<Vec<f64>, Failure> {
+        self.list_of(name, "an angle", "rad", option::angle)
+    }
+
+    /// Torques [N m]: a list, or one.
+    pub fn torques(&self, name: &str) -> Result<Vec<f64>, Failure> {
+        self.list_of(name, "a torque", "N m", option::torque)
+    }
+
+    fn list_of(&self, name: &str, due: &str, unit: &str, read: Read) -> Result<Vec<f64>, Failure> {
+        self.entries(name)?.iter().map(|value| self.quantity(name, value, due, unit, read)).collect()
+    }
+
+    /// A point [m]: x, y and z.
+    pub fn point(&self, name: &str) -> Result<Option<[f64; 3]>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        self.point_of(name, &value).map(Some)
+    }
+
+    /// Points [m].
+    pub fn points(&self, name: &str) -> Result<Vec<[f64; 3]>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(Vec::new()) };
+        iterated(&value, name)?.iter().map(|point| self.point_of(name, point)).collect()
+    }
+
+    fn point_of(&self, name: &str, value: &Bound<'py, PyAny>) -> Result<[f64; 3], Failure> {
+        let parts = iterated(value, name)?;
+        let read: Vec<f64> = parts
+            .iter()
+            .map(|part| self.quantity(name, part, "a length", "m", option::length))
+            .collect::<Result<_, _>>()?;
+        <[f64; 3]>::try_from(read).map_err(|read| {
+            Failure::option(
+                format_args!("`{name}` needs three coordinates x, y, z, got {}", read.len()),
+                format_args!("write it like {name}=(0.0, 0.0, 0.12) in metres"),
+            )
+        })
+    }
+
+    /// A number without a unit.
+    pub fn number(&self, name: &str) -> Result<Option<f64>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        match number(&value) {
+            Some(number) if number.is_finite() => Ok(Some(number)),
+            _ => Err(Failure::option(
+                format_args!("`{name}` needs a finite number, got {}", kind(&value)),
+                format_args!("leave `{name}` out for its usual value"),
+            )),
+        }
+    }
+
+    /// Numbers without a unit: a list, or one.
+    pub fn numbers(&self, name: &str) -> Result<Vec<f64>, Failure> {
+        let entries = self.entries(name)?;
+        let read = entries.iter().map(|value| match number(value) {
+            Some(number) if number.is_finite() => Ok(number),
+            _ => Err(Failure::option(
+                format_args!("`{name}` needs finite numbers, got {}", kind(value)),
+                format_args!("leave `{name}` out for its usual value"),
+            )),
+        });
+        read.collect()
+    }
+
+    /// A whole number within bounds.
+    pub fn whole(&self, name: &str, least: u64, most: u64) -> Result<Option<u64>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        whole(&value, name, least, most).map(Some)
+    }
+
+    /// Whole numbers within bounds: a list, or one.
+    pub fn wholes(&self, name: &str, least: u64, most: u64) -> Result<Vec<u64>, Failure> {
+        self.entries(name)?.iter().map(|value| whole(value, name, least, most)).collect()
+    }
+
+    /// True or false.
+    pub fn flag(&self, name: &str) -> Result<Option<bool>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        match value.cast::<PyBool>() {
+            Ok(flag) => Ok(Some(flag.is_true())),
+            Err(_) => Err(Failure::option(
+                format_args!("`{name}` needs True or False, got {}", kind(&value)),
+                format_args!("write {name}=True"),
+            )),
+        }
+    }
+
+    /// A text.
+    pub fn text(&self, name: &str) -> Result<Option<String>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(None) };
+        text(&value, name).map(Some)
+    }
+
+    /// Texts: a list, or one.
+    pub fn texts(&self, name: &str) -> Result<Vec<String>, Failure> {
+        self.entries(name)?.iter().map(|value| text(value, name)).collect()
+    }
+
+    /// One of a few words.
+    pub fn word<T: Copy>(&self, name: &str, words: &[(&str, T)]) -> Result<Option<T>, Failure> {
+        let Some(given) = self.text(name)? else { return Ok(None) };
+        one_of(&given, name, words).map(Some)
+    }
+
+    /// A list of some of a few words.
+    pub fn words<T: Copy>(&self, name: &str, words: &[(&str, T)]) -> Result<Vec<T>, Failure> {
+        self.texts(name)?.iter().map(|given| one_of(given, name, words)).collect()
+    }
+
+    /// The entries of a list or an array; a value alone is a list of one.
+    fn entries(&self, name: &str) -> Result<Vec<Bound<'py, PyAny>>, Failure> {
+        let Some(value) = self.get(name)? else { return Ok(Vec::new()) };
+        let alone = value.is_instance_of::<PyString>() || number(&value).is_some();
+        if alone { Ok(vec![value]) } else { iterated(&value, name) }
+    }
+}
+
+fn one_of<T: Copy>(given: &str, name: &str, words: &[(&str, T)]) -> Result<T, Failure> {
+    words.iter().find(|(word, _)| *word == given).map(|(_, value)| *value).ok_or_else(|| {
+        let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
+        Failure::option(
+            format_args!("unknown value \"{given}\" for `{name}`"),
+            format_args!("one of {}", known.join(", ")),
+        )
+    })
+}
+
+fn iterated<'py>(value: &Bound<'py, PyAny>, name: &str) -> Result<Vec<Bound<'py, PyAny>>, Failure> {
+    let is_list = value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>();
+    if !is_list && (value.is_instance_of::<PyString>() || value.is_instance_of::<PyDict>()) {
+        return Err(Failure::option(
+            format_args!("`{name}` needs a list, got {}", kind(value)),
+            format_args!("write {name}=[...]"),
+        ));
+    }
+    let entries = value.try_iter().map_err(|_| {
+        Failure::option(
+            format_args!("`{name}` needs a list, got {}", kind(value)),
+            format_args!("write {name}=[...]"),
+        )
+    })?;
+    Ok(entries.collect::<PyResult<_>>()?)
+}
+
+/// A number of Python or NumPy; no truth value and no text.
+pub fn number(value: &Bound<'_, PyAny>) -> Option<f64> {
+    if value.is_instance_of::<PyBool>() || value.is_instance_of::<PyString>() {
+        return None;
+    }
+    value.extract::<f64>().ok()
+}
+
+fn whole(value: &Bound<'_, PyAny>, name: &str, least: u64, most: u64) -> Result<u64, Failure> {
+    let is_flag = value.is_instance_of::<PyBool>();
+    let read = value.extract::<u64>().ok().filter(|number| !is_flag && (least..=most).contains(number));
+    read.ok_or_else(|| {
+        let got = value.str().map_or_else(|_| kind(value), |text| text.to_string());
+        Failure::option(
+            format_args!("`{name}` needs a whole number from {least} to {most}, got {got}"),
+            format_args!("leave `{name}` out for its usual value"),
+        )
+    })
+}
+
+fn text(value: &Bound<'_, PyAny>, name: &str) -> Result<String, Failure> {
+    value.extract::<String>().map_err(|_| {
+        Failure::option(
+            format_args!("`{name}` needs a text, got {}", kind(value)),
+            format_args!("write {name}=\"...\""),
+        )
+    })
+}
+
+/// The type of a value, for messages.
+pub fn kind(value: &Bound<'_, PyAny>) -> String {
+    value.get_type().name().map_or_else(|_| "something else".into(), |name| format!("`{name}`"))
+}

@@ -1,0 +1,95 @@
+//! All questions by name: how the arguments are read, what computes the answer, of which type it is.
+
+mod balancing;
+mod crankshaft;
+mod in_time;
+mod layouts;
+mod loads;
+mod studies;
+mod turning;
+mod workshop;
+
+use crate::answer::Data;
+use crate::failure::Failure;
+use crate::guard::Watch;
+use crate::options::Options;
+use crate::prepared::Prepared;
+use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Computes the answer about engines: most questions are about the first alone.
+pub type Run = Box<dyn Fn(&[Arc<Prepared>], &Watch) -> Result<Data, Failure> + Send + Sync>;
+
+/// How long an answer takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum How {
+    /// Milliseconds at most: it is computed where it is asked.
+    Short,
+    /// It may be longer: Ctrl-C is heard meanwhile.
+    Long,
+}
+
+/// A question.
+pub struct Question {
+    /// Its name.
+    pub name: &'static str,
+    /// How long it takes.
+    pub how: How,
+    /// Reads its arguments.
+    pub read: fn(&Options<'_>) -> Result<Run, Failure>,
+    /// The type of its answer.
+    schema: fn(&mut SchemaGenerator) -> Schema,
+}
+
+impl Question {
+    /// A question whose answer is a `T`.
+    const fn of<T: JsonSchema>(
+        name: &'static str,
+        how: How,
+        read: fn(&Options<'_>) -> Result<Run, Failure>,
+    ) -> Question {
+        Question { name, how, read, schema: SchemaGenerator::subschema_for::<T> }
+    }
+}
+
+fn all() -> impl Iterator<Item = &'static Question> {
+    let lists: [&'static [Question]; 8] = [
+        &loads::QUESTIONS,
+        &turning::QUESTIONS,
+        &balancing::QUESTIONS,
+        &studies::QUESTIONS,
+        &layouts::QUESTIONS,
+        &in_time::QUESTIONS,
+        &crankshaft::QUESTIONS,
+        &workshop::QUESTIONS,
+    ];
+    lists.into_iter().flatten()
+}
+
+/// The question of this name.
+///
+/// # Errors
+/// Where there is none: the package is not of one piece.
+pub fn question(name: &str) -> Result<&'static Question, Failure> {
+    all().find(|question| question.name == name).ok_or_else(|| {
+        let names: Vec<&str> = all().map(|question| question.name).collect();
+        Failure::option(
+            format_args!("there is no question \"{name}\""),
+            format_args!("one of {}", names.join(", ")),
+        )
+    })
+}
+
+/// The schemas of all answers, and for every question the name of the schema of its answer.
+pub fn schemas() -> (Value, BTreeMap<&'static str, String>) {
+    let mut generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    let mut names = BTreeMap::new();
+    for question in all() {
+        let schema = (question.schema)(&mut generator);
+        let name = schema.get("$ref").and_then(Value::as_str).and_then(|path| path.rsplit('/').next());
+        names.insert(question.name, name.unwrap_or_default().to_owned());
+    }
+    (Value::Object(generator.take_definitions(true)), names)
+}

@@ -1,0 +1,202 @@
+//! The crankshaft as a body: counterweights as parts, stress, modes, strength.
+
+use super::{How, Question, Run};
+use crate::answer::{Data, Shown};
+use crate::failure::Failure;
+use crate::options::Options;
+use crate::prepared::Prepared;
+use lanchester::flex::crank_case::CrankSupport;
+use lanchester::flex::crank_mesh::CrankMeshOptions;
+use lanchester::flex::sparse::Precision;
+use lanchester::flex::statics::SolveOptions;
+use lanchester::geometry::{Design, DesignOutcome};
+use lanchester::report::{
+    CrankFatigue, CrankModes, CrankRule, FatigueFactors, StaticStress, clearances_table,
+    counterweight_parts_table, crank_sections_table, drawing, fatigue_text, modes_text, rule_text,
+    shaft_weight_parts_table, static_stress_text,
+};
+use lanchester::{
+    CounterweightCheck, CounterweightDesigns, CounterweightRequest, FatigueRequest, ModesRequest,
+    RuleRequest, StaticRequest, StressLoad, StressMesh, check_counterweights, crank_fatigue, crank_modes,
+    crank_rule, design_counterweights, static_stress, with_counterweights,
+};
+use std::sync::Arc;
+
+pub(super) const QUESTIONS: [Question; 6] = [
+    Question::of::<CounterweightDesigns>("counterweight_design", How::Long, read_design),
+    Question::of::<CounterweightCheck>("counterweight_check", How::Long, read_check),
+    Question::of::<StaticStress>("stress_static", How::Long, read_static),
+    Question::of::<CrankModes>("stress_modes", How::Long, read_modes),
+    Question::of::<CrankFatigue>("stress_fatigue", How::Long, read_fatigue),
+    Question::of::<CrankRule>("stress_rule", How::Long, read_rule),
+];
+
+fn read_design(options: &Options<'_>) -> Result<Run, Failure> {
+    let (weights, unbalance) = (options.texts("weight")?, options.unbalance("unbalance")?);
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let Some(task) = own.file.tasks.shape_task else {
+            return Err(Failure::option(
+                "the shapes to search are not given",
+                "add a section [counterweight_design] with density, web_radius, rectangle_height, shoulder_height, arc_radius, \
+                 arc_angle and thickness to the engine file",
+            ));
+        };
+        let request = CounterweightRequest { weights: weights.clone(), unbalance, task, evolution: None };
+        let found = design_counterweights(own.engine(), &request).map_err(Failure::refused)?;
+        Ok(Data::new(found, own, Shown { adopted: Some(adopted), ..Shown::default() }))
+    }))
+}
+
+fn adopted(found: &CounterweightDesigns, own: &Prepared, _: Option<usize>) -> Result<Arc<Prepared>, Failure> {
+    let designs = found.weights.iter().filter_map(|weight| match &weight.outcome {
+        DesignOutcome::Found(best) => Some((weight.index, best.design)),
+        DesignOutcome::Infeasible(_) => None,
+    });
+    let designs: Vec<(usize, Design)> = designs.collect();
+    if designs.is_empty() {
+        return Err(Failure::option(
+            "no shape of these ranges has the unbalance",
+            "`weights[0].outcome` tells what is in the way: widen a range or relax a limit",
+        ));
+    }
+    let fitted = with_counterweights(own.engine(), &designs, found.task.density).map_err(Failure::refused)?;
+    own.fitted(&fitted)
+}
+
+fn read_check(_: &Options<'_>) -> Result<Run, Failure> {
+    Ok(Box::new(|engines, _| {
+        let own = &engines[0];
+        let found = check_counterweights(own.engine()).map_err(Failure::refused)?;
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |_, _| String::new(),
+                tables: |found, engine| {
+                    let mut tables = Vec::new();
+                    tables.extend(counterweight_parts_table(engine));
+                    tables.extend(shaft_weight_parts_table(engine));
+                    tables.extend(found.crankshafts.iter().map(crank_sections_table));
+                    tables.extend(found.clearances.as_ref().map(|found| clearances_table(found, true)));
+                    tables
+                },
+                figures: |_, engine| vec![drawing(engine)],
+                adopted: None,
+            },
+        ))
+    }))
+}
+
+fn mesh(options: &Options<'_>, fillet_elements: u64) -> Result<StressMesh, Failure> {
+    let size = options.length("size")?.unwrap_or(8e-3);
+    let fillet_elements = options.whole("fillet_elements", 2, 64)?.unwrap_or(fillet_elements) as usize;
+    let crankshaft = options.whole("crankshaft", 0, 100)?.unwrap_or(0) as usize;
+    let options = CrankMeshOptions { size, fillet_elements, ..CrankMeshOptions::default() };
+    Ok(StressMesh { crankshaft, options })
+}
+
+fn solve(options: &Options<'_>) -> Result<SolveOptions, Failure> {
+    let double = options.flag("double")?.unwrap_or(false);
+    let precision = if double { Precision::Double } else { Precision::Single };
+    let memory = options.whole("memory", 1 << 20, 1 << 50)?.unwrap_or(8 << 30);
+    Ok(SolveOptions { precision, memory, ..SolveOptions::default() })
+}
+
+fn support(options: &Options<'_>, usual: CrankSupport) -> Result<CrankSupport, Failure> {
+    let words = [
+        ("clamped-ends", Some(CrankSupport::ClampedEnds)),
+        ("journals", Some(CrankSupport::Journals)),
+        ("free", Some(CrankSupport::Free)),
+        ("springs", None),
+    ];
+    let stiffness = options.stiffness("stiffness")?;
+    match (options.word("support", &words)?, stiffness) {
+        (None, None) => Ok(usual),
+        (Some(Some(support)), None) => Ok(support),
+        (Some(None), Some(stiffness)) => Ok(CrankSupport::Springs { stiffness }),
+        (Some(None), None) => Err(Failure::option(
+            "`support=\"springs\"` needs the stiffness of each journal and direction",
+            "give stiffness=\"500 kN/mm\"",
+        )),
+        (_, Some(_)) => Err(Failure::option(
+            "`stiffness` is that of `support=\"springs\"`",
+            "add support=\"springs\", or leave `stiffness` out",
+        )),
+    }
+}
+
+fn read_static(options: &Options<'_>) -> Result<Run, Failure> {
+    let request = StaticRequest {
+        mesh: mesh(options, 6)?,
+        support: support(options, CrankSupport::Journals)?,
+        load: options.angle("angle")?.map_or(StressLoad::Extremes, StressLoad::Angle),
+        speeds: options.speeds("speed")?,
+        gas: options.flag("gas")?.unwrap_or(true),
+        solve: solve(options)?,
+    };
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let traces = if request.gas { own.traces()? } else { &[] };
+        let found = static_stress(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
+        Ok(Data::new(found, own, Shown { text: |found, _| static_stress_text(found), ..Shown::default() }))
+    }))
+}
+
+fn read_modes(options: &Options<'_>) -> Result<Run, Failure> {
+    let request = ModesRequest {
+        mesh: mesh(options, 2)?,
+        support: support(options, CrankSupport::Free)?,
+        count: options.whole("count", 1, 500)?.unwrap_or(10) as usize,
+        solve: solve(options)?,
+    };
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let found = crank_modes(own.engine(), &request, &|_| ()).map_err(Failure::refused)?;
+        Ok(Data::new(found, own, Shown { text: |found, _| modes_text(found), ..Shown::default() }))
+    }))
+}
+
+fn read_fatigue(options: &Options<'_>) -> Result<Run, Failure> {
+    let factor = |name: &str| match options.number(name)? {
+        Some(value) if value <= 0.0 => Err(Failure::option(
+            format_args!("`{name}` needs a number above 0, got {value}"),
+            "1 leaves things as they are",
+        )),
+        value => Ok(value.unwrap_or(1.0)),
+    };
+    let request = FatigueRequest {
+        mesh: mesh(options, 6)?,
+        support: support(options, CrankSupport::Journals)?,
+        speeds: options.speeds("speed")?,
+        gas: options.flag("gas")?.unwrap_or(true),
+        factors: FatigueFactors {
+            surface: factor("surface_factor")?,
+            size: factor("size_factor")?,
+            gradient: factor("gradient_factor")?,
+        },
+        instants: options.whole("instants", 8, 3600)?.unwrap_or(72) as usize,
+        solve: solve(options)?,
+    };
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let traces = if request.gas { own.traces()? } else { &[] };
+        let found = crank_fatigue(own.engine(), traces, &request, &|_| ()).map_err(Failure::refused)?;
+        Ok(Data::new(found, own, Shown { text: |found, _| fatigue_text(found), ..Shown::default() }))
+    }))
+}
+
+fn read_rule(options: &Options<'_>) -> Result<Run, Failure> {
+    let request = RuleRequest {
+        crankshaft: options.whole("crankshaft", 0, 100)?.unwrap_or(0) as usize,
+        speeds: options.speeds("speed")?,
+        gas: options.flag("gas")?.unwrap_or(true),
+        vibration: options.torques("torsional_vibration")?,
+    };
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let traces = if request.gas { own.traces()? } else { &[] };
+        let found = crank_rule(own.engine(), traces, &request).map_err(Failure::refused)?;
+        Ok(Data::new(found, own, Shown { text: |found, _| rule_text(found), ..Shown::default() }))
+    }))
+}

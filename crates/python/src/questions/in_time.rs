@@ -1,0 +1,192 @@
+//! The crank train in time, and the closed form against runs and bond graph.
+
+use super::{How, Question, Run};
+use crate::answer::{Data, Shown};
+use crate::failure::Failure;
+use crate::options::Options;
+use lanchester::bondgraph::{
+    Graph, Notation, causality_text, equations, equations_latex, equations_text, graph_file, modelica,
+};
+use lanchester::multibody::{LoadLaw, ReactsOn};
+use lanchester::report::{
+    Condition, CrossCheck, SimulationResult, crosscheck_text, simulation_figures, simulation_text,
+};
+use lanchester::{
+    BondGraphRequest, CrossCheckRequest, RunLength, SimulateRequest, crosscheck, engine_bond_graph,
+    simulate_watched,
+};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+pub(super) const QUESTIONS: [Question; 3] = [
+    Question::of::<SimulationResult>("simulate", How::Long, read_simulate),
+    Question::of::<CrossCheck>("crosscheck", How::Long, read_crosscheck),
+    Question::of::<BondGraph>("bondgraph", How::Long, read_bondgraph),
+];
+
+fn read_simulate(options: &Options<'_>) -> Result<Run, Failure> {
+    let positive = |value: Option<f64>, name: &str, of: &str| match value {
+        Some(value) if value <= 0.0 => Err(Failure::option(
+            format_args!("`{name}` needs {of} above 0, got {value}"),
+            format_args!("leave `{name}` out for ten revolutions"),
+        )),
+        value => Ok(value),
+    };
+    let turns = positive(options.number("revolutions")?, "revolutions", "a number")?;
+    let time = positive(options.time("duration")?, "duration", "a time")?;
+    let periodic = options.flag("periodic")?.unwrap_or(false);
+    let length = match (periodic, turns, time) {
+        (false, None, None) => None,
+        (true, None, None) => Some(RunLength::Periodic),
+        (false, Some(turns), None) => Some(RunLength::Revolutions(turns)),
+        (false, None, Some(time)) => Some(RunLength::Time(time)),
+        _ => {
+            return Err(Failure::option(
+                "`revolutions`, `duration` and `periodic` each say how long a run is, and more than one is given",
+                "give one of them",
+            ));
+        }
+    };
+    let load = match options.text("load") {
+        Ok(Some(text)) if text.trim() == "none" => Some(LoadLaw::None),
+        _ => options.torque("load")?.map(LoadLaw::Constant),
+    };
+    let misfire = options.wholes("misfire", 1, 10_000)?;
+    let request = SimulateRequest {
+        speed: options.start_speed("speed")?,
+        length,
+        imposed: options.flag("imposed")?,
+        on_mounts: options.flag("on_mounts")?,
+        gravity: options.flag("gravity")?,
+        gas: options.flag("gas")?,
+        load,
+        reacts_on: options.flag("load_on_block")?.unwrap_or(false).then_some(ReactsOn::Block),
+        misfire: misfire.iter().map(|number| *number as usize - 1).collect(),
+        step: options.angle("step")?,
+        tolerance: options.number("tolerance")?,
+        long: options.flag("long")?.unwrap_or(false),
+    };
+    Ok(Box::new(move |engines, watch| {
+        let own = &engines[0];
+        let count = own.engine().cylinders.len();
+        if let Some(number) = request.misfire.iter().find(|number| **number >= count) {
+            return Err(Failure::option(
+                format_args!("`misfire` needs numbers of cylinders, from 1 to {count}, got {}", number + 1),
+                "cylinders are numbered as in the file",
+            ));
+        }
+        let in_file = own.file.tasks.simulation.as_ref().and_then(|input| input.gas);
+        let traces = match request.gas.or(in_file) {
+            Some(false) => &[],
+            _ => own.traces()?,
+        };
+        let found = simulate_watched(&own.file, traces, &request, &|_| watch.goes_on());
+        Ok(Data::new(
+            found.map_err(Failure::refused)?,
+            own,
+            Shown {
+                text: |found, _| simulation_text(found),
+                figures: |found, _| simulation_figures(found),
+                ..Shown::default()
+            },
+        ))
+    }))
+}
+
+fn read_crosscheck(options: &Options<'_>) -> Result<Run, Failure> {
+    let conditions = [
+        ("a", Condition::LikeForLike),
+        ("b", Condition::FreeSpeed),
+        ("c", Condition::MovingBlock),
+        ("d", Condition::AllFree),
+    ];
+    let bar = options.number("bar")?;
+    if let Some(bar) = bar.filter(|bar| *bar <= 0.0) {
+        return Err(Failure::option(
+            format_args!("`bar` needs a share above 0, got {bar}"),
+            "write it like 1e-10",
+        ));
+    }
+    let request = CrossCheckRequest {
+        speed: options.speed("speed")?,
+        conditions: options.words("condition", &conditions)?,
+        max_order: options.whole("orders", 1, 100)?.map_or(4, |order| order as u32),
+        bar,
+        simulation: None,
+    };
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let request = CrossCheckRequest { simulation: own.file.tasks.simulation.clone(), ..request.clone() };
+        let found = crosscheck(own.engine(), own.traces()?, &request).map_err(Failure::refused)?;
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| crosscheck_text(found),
+                tables: |found, _| found.conditions.iter().map(|condition| condition.table()).collect(),
+                ..Shown::default()
+            },
+        ))
+    }))
+}
+
+/// The bond graph of an engine: its file, its causality and its equations.
+#[derive(Debug, Serialize, JsonSchema)]
+struct BondGraph {
+    /// Name of the engine.
+    engine: String,
+    /// The graph file.
+    graph: String,
+    /// What the engine file does not say and was assumed.
+    notes: Vec<String>,
+    /// The causality, step by step, in words.
+    causality: String,
+    /// The equations as text.
+    equations: String,
+    /// The equations as LaTeX.
+    latex: String,
+    /// The graph as a model of Modelica.
+    modelica: String,
+}
+
+fn read_bondgraph(options: &Options<'_>) -> Result<Run, Failure> {
+    let speed = options.speed("speed")?;
+    let gas = options.flag("gas")?.unwrap_or(true);
+    let gravity = options.flag("gravity")?.unwrap_or(true);
+    let imposed = options.flag("imposed")?;
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let request = BondGraphRequest {
+            speed,
+            gas,
+            gravity,
+            imposed,
+            simulation: own.file.tasks.simulation.as_deref().cloned().unwrap_or_default(),
+            ..BondGraphRequest::default()
+        };
+        let traces = if gas { own.traces()? } else { &[] };
+        let found = engine_bond_graph(own.engine(), traces, &request).map_err(Failure::refused)?;
+        let file = graph_file(&found.description);
+        let mistakes =
+            |diagnostics| Failure::Mistakes { name: "bond graph".into(), text: file.clone(), diagnostics };
+        let graph = Graph::new(&found.description).map_err(mistakes)?;
+        let solved = equations(&graph).map_err(mistakes)?;
+        let answer = BondGraph {
+            engine: own.engine().name.clone(),
+            notes: found.notes,
+            causality: causality_text(&graph, &solved.causality),
+            equations: equations_text(&solved.shown(Notation::Text)),
+            latex: equations_latex(&solved.shown(Notation::Latex)),
+            modelica: modelica(&solved),
+            graph: file.clone(),
+        };
+        Ok(Data::new(
+            answer,
+            own,
+            Shown {
+                text: |found, _| format!("{}\n{}", found.causality, found.equations),
+                ..Shown::default()
+            },
+        ))
+    }))
+}

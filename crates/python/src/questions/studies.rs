@@ -1,0 +1,207 @@
+//! Questions about many engines: side by side, what matters most, what production makes of them.
+
+use super::{How, Question, Run};
+use crate::answer::{Data, Shown};
+use crate::failure::Failure;
+use crate::guard::Watch;
+use crate::options::Options;
+use lanchester::literature::TwinArrangement;
+use lanchester::mechanism::OuterTorque;
+use lanchester::report::{
+    comparison_figure, comparison_table, comparison_text, relative_table, scatter_figure,
+    scatter_limit_table, scatter_table, scatter_text, sensitivity_tables, sensitivity_text, tolerance_table,
+    tornado_figure,
+};
+use lanchester::run::{Study, stretch};
+use lanchester::study::compare::{Comparison, Equal, Held};
+use lanchester::study::scatter::{ScatterOptions, ScatterStudy, Scattering, scatter_study_of};
+use lanchester::study::sensitivity::{
+    Amount, Measure, Output, Quantity, Sensitivity, SensitivityRequest, Weights, sensitivity,
+};
+use lanchester::task::option;
+use lanchester::{CompareEntry, CompareRequest, ComparedWith, SampleStudy, compare, operating_point};
+
+pub(super) const QUESTIONS: [Question; 3] = [
+    Question::of::<Comparison>("compare", How::Long, read_compare),
+    Question::of::<Sensitivity>("sensitivity", How::Long, read_sensitivity),
+    Question::of::<ScatterStudy>("scatter", How::Long, read_scatter),
+];
+
+/// Blocks of a study for each thread between two looks whether somebody waits.
+const BLOCKS_PER_THREAD: u64 = 4;
+
+/// What is kept of a whole study, unless nobody waits any more.
+pub(super) fn run_study<S: Study>(study: &S, watch: &Watch) -> Result<S::Kept, Failure> {
+    let blocks = study.blocks();
+    let batch = BLOCKS_PER_THREAD * rayon::current_num_threads() as u64;
+    let mut kept = study.nothing();
+    let mut next = 0;
+    while next < blocks && watch.goes_on() {
+        let end = blocks.min(next + batch);
+        let (more, _) = stretch(study, next..end).map_err(Failure::refused)?;
+        kept = study.join(kept, more).map_err(Failure::refused)?;
+        next = end;
+    }
+    Ok(kept)
+}
+
+fn read_compare(options: &Options<'_>) -> Result<Run, Failure> {
+    let equal = [("displacement", Equal::Displacement), ("power", Equal::Power)];
+    let held = [("speed", Held::Speed), ("piston-speed", Held::PistonSpeed)];
+    let request = CompareRequest {
+        equal: options.word("equal", &equal)?.unwrap_or(Equal::AsTheyAre),
+        held: options.word("hold", &held)?.unwrap_or(Held::Speed),
+        speed: options.speed("speed")?,
+        reference: options.whole("reference", 0, 10_000)?.unwrap_or(0) as usize,
+        share: options.share("share")?.unwrap_or(1.0),
+        mount_spacing: options.length("mount_spacing")?,
+        fluctuation: options.share("fluctuation")?,
+    };
+    let numbers = options.wholes("arrangements", 1, 9)?;
+    let arrangements = numbers.into_iter().filter_map(|number| TwinArrangement::from_number(number as usize));
+    let mut with: Vec<ComparedWith> = arrangements.map(ComparedWith::Arrangement).collect();
+    if with.is_empty() {
+        with.push(ComparedWith::OwnDevices);
+    }
+    if options.flag("optimum")?.unwrap_or(false) {
+        with.push(ComparedWith::Optimum);
+    }
+    Ok(Box::new(move |engines, _| {
+        let mut entries = Vec::with_capacity(engines.len() * with.len());
+        for own in engines {
+            let traces = own.traces()?;
+            entries.extend(with.iter().map(|&with| CompareEntry {
+                file: own.file.clone(),
+                traces: traces.to_vec(),
+                with,
+            }));
+        }
+        let first = engines
+            .first()
+            .ok_or_else(|| Failure::option("no engine is given", "write lanchester.compare([one, other])"))?;
+        let found = compare(&entries, &request).map_err(Failure::refused)?;
+        Ok(Data::new(
+            found,
+            first,
+            Shown {
+                text: |found, _| comparison_text(found),
+                tables: |found, _| {
+                    [Some(comparison_table(found)), relative_table(found)].into_iter().flatten().collect()
+                },
+                figures: |found, _| vec![comparison_figure(found)],
+                adopted: None,
+            },
+        ))
+    }))
+}
+
+/// `rod length = 10 %`: a quantity, and how far it goes.
+fn amount(text: &str) -> Result<(Quantity, Amount), Failure> {
+    let Some((name, value)) = text.split_once('=') else {
+        return Err(Failure::option(
+            format_args!("`vary` needs a quantity and how far it goes, got \"{text}\""),
+            "for example vary=\"rod length = 10 %\"",
+        ));
+    };
+    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+    let Some(quantity) = Quantity::all().find(|quantity| quantity.name() == name) else {
+        let names: Vec<&str> = Quantity::all().map(Quantity::name).collect();
+        return Err(Failure::option(
+            format_args!("`vary` knows no quantity \"{name}\""),
+            format_args!("it knows {}", names.join(", ")),
+        ));
+    };
+    if value.trim_end().ends_with('%') {
+        return Ok((quantity, Amount::Share(option::share(value, &name)?)));
+    }
+    let read = match quantity.measure() {
+        Measure::Mass | Measure::BodyMass => option::mass,
+        Measure::Length | Measure::Place => option::length,
+        Measure::Angle => option::angle,
+        Measure::Unbalance => option::unbalance,
+        Measure::Inertia | Measure::BodyInertia => option::inertia,
+        Measure::Speed => option::speed,
+        Measure::Factor => option::share,
+    };
+    Ok((quantity, Amount::Absolute(read(value, &name)?)))
+}
+
+fn read_sensitivity(options: &Options<'_>) -> Result<Run, Failure> {
+    let speed = options.speed("speed")?;
+    let names = options.texts("output")?;
+    let amounts =
+        options.texts("vary")?.iter().map(|text| amount(text)).collect::<Result<Vec<_>, Failure>>()?;
+    let each = options.flag("each")?.unwrap_or(false);
+    let only = options.flag("only")?.unwrap_or(false);
+    let seed = options.whole("seed", 0, u64::MAX)?.unwrap_or(1);
+    let sobol = options.whole("sobol", 2, 1 << 32)?.map(|draws| [draws, seed]);
+    let weights = [("fixed", Weights::Fixed), ("follow", Weights::Follow)];
+    let weights = options.word("weights", &weights)?.unwrap_or(Weights::Fixed);
+    Ok(Box::new(move |engines, _| {
+        let own = &engines[0];
+        let engine = own.engine();
+        let named = |text: &String| Output::named(text, engine).map_err(Failure::refused);
+        let outputs = names.iter().map(named).collect::<Result<Vec<Output>, Failure>>()?;
+        let outputs = if outputs.is_empty() { Output::peaks() } else { outputs };
+        let needs = Output::needs_of(&outputs);
+        let traces = if needs.gas { own.traces()? } else { &[] };
+        let speed = speed.unwrap_or(engine.speed.highest);
+        let (mut point, _) = operating_point(engine, traces, speed, needs).map_err(Failure::refused)?;
+        point.outer = OuterTorque::of(own.file.tasks.simulation.as_deref()).map_err(Failure::refused)?;
+        point.weights = weights;
+        let request = SensitivityRequest { outputs, each, amounts: amounts.clone(), only, sobol };
+        let found = sensitivity(&point, &request).map_err(Failure::refused)?;
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| sensitivity_text(found),
+                tables: |found, _| sensitivity_tables(found),
+                figures: |found, _| vec![tornado_figure(found)],
+                adopted: None,
+            },
+        ))
+    }))
+}
+
+fn read_scatter(options: &Options<'_>) -> Result<Run, Failure> {
+    let usual = ScatterOptions::default();
+    let limits = options.texts("limit")?;
+    let scatter = ScatterOptions {
+        speed: options.speed("speed")?,
+        samples: options.whole("samples", 1, 1 << 40)?.unwrap_or(usual.samples),
+        seed: options.whole("seed", 0, u64::MAX)?.unwrap_or(usual.seed),
+        peaks: !options.flag("orders_only")?.unwrap_or(false),
+        limits: Vec::new(),
+        capability: options.number("capability")?.unwrap_or(usual.capability),
+    };
+    Ok(Box::new(move |engines, watch| {
+        let own = &engines[0];
+        let limit = |text: &String| option::limit(text, own.engine(), "limit");
+        let limits = limits.iter().map(limit).collect::<Result<Vec<_>, _>>()?;
+        let asked = ScatterOptions { limits, ..scatter.clone() };
+        let request = asked.request(own.engine(), &own.file.tasks.tolerances).map_err(Failure::refused)?;
+        let scattering = Scattering::new(request).map_err(Failure::refused)?;
+        let study = SampleStudy { scattering, keeps_samples: false };
+        let tally = run_study(&study, watch)?;
+        let found =
+            scatter_study_of(&study.scattering, &tally, asked.capability).map_err(Failure::refused)?;
+        let found = found.ok_or_else(|| Failure::Internal("no sample was drawn".into()))?;
+        Ok(Data::new(
+            found,
+            own,
+            Shown {
+                text: |found, _| scatter_text(found),
+                tables: |found, _| {
+                    let limits = scatter_limit_table(found);
+                    [Some(scatter_table(found)), limits, Some(tolerance_table(found))]
+                        .into_iter()
+                        .flatten()
+                        .collect()
+                },
+                figures: |found, _| vec![scatter_figure(found)],
+                adopted: None,
+            },
+        ))
+    }))
+}

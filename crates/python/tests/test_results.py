@@ -1,0 +1,196 @@
+"""Results: typed, whole, the same as the command line's."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import lanchester
+from lanchester import Engine, Record, Records, RequestError, Result, results
+
+ROOT = Path(__file__).parents[3]
+EXAMPLES = ROOT / "examples"
+
+
+def asked() -> dict[str, Result]:
+    """One result of every kind that an engine of the gallery or an example gives in a moment."""
+    four, single, twin = Engine.template("in-line-4"), Engine.template("single"), Engine.template("twin-360")
+    mounted = Engine.read(EXAMPLES / "in-line-4-mounts.toml")
+    production = Engine.read(EXAMPLES / "in-line-4-production.toml")
+    weights = Engine.read(EXAMPLES / "in-line-3-counterweights.toml")
+    return {
+        "loads": four.loads(),
+        "bending": four.bending(),
+        "inertias": four.inertias(),
+        "torque": mounted.torque(speeds=["1000 rpm", "2000 rpm", "3000 rpm"]),
+        "bearings": mounted.bearings(),
+        "mounts": mounted.mounts(steps=3, points=[(0.0, 0.0, 0.1)]),
+        "balance": twin.balance(minimise="force", counterweights="throws"),
+        "arrangements": twin.arrangements(max_shafts=1),
+        "counterweight": weights.counterweight(),
+        "counterweight_check": weights.counterweight_check(),
+        "workshop": Engine.template("v6-60").workshop(),
+        "explore": four.explore(minimise=["force order 2", "couple order 1"], throw_angles="every 90 deg", even_firing="0.001 deg"),
+        "scatter": production.scatter(samples=2000),
+        "sensitivity": four.sensitivity(vary="rod length = 10 %", only=True),
+        "simulate": single.simulate(revolutions=1, imposed=True),
+        "crosscheck": single.crosscheck(condition="a"),
+        "bondgraph": single.bondgraph(),
+        "compare": lanchester.compare([four, twin]),
+    }
+
+
+@pytest.fixture(scope="module")
+def all_results() -> dict[str, Result]:
+    return asked()
+
+
+def walk(record: Record, values: dict[str, Any], path: str, seen: set[str]) -> None:
+    """Every key of the JSON is a typed field that gives what the JSON has."""
+    names = {name.removesuffix("_"): name for name in record._FIELDS}
+    for key, value in values.items():
+        name = names.get(key.replace("-", "_"))
+        assert name is not None, f"{path}: {type(record).__name__} has no field for `{key}`"
+        compare(getattr(record, name), value, f"{path}.{key}", seen)
+    seen.add(type(record).__name__)
+
+
+def compare(found: Any, value: Any, path: str, seen: set[str]) -> None:
+    if isinstance(found, Record):
+        walk(found, value, path, seen)
+    elif isinstance(found, Records):
+        assert len(found) == len(value), path
+        for place, (own, below) in enumerate(zip(found, value, strict=True)):
+            walk(own, below, f"{path}[{place}]", seen)
+    elif isinstance(found, np.ndarray):
+        assert found.dtype == np.float64 and not (found.size and found.flags.writeable), path
+        np.testing.assert_array_equal(found, np.array(value, dtype=np.float64).reshape(found.shape), err_msg=path)
+    elif isinstance(found, float) and value is None:
+        assert not np.isfinite(found), path
+    else:
+        assert plain(found) == value, path
+
+
+def plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    if isinstance(value, (list, tuple)):
+        return [plain(own) for own in value]
+    if isinstance(value, dict):
+        return {key: plain(own) for key, own in value.items()}
+    return value
+
+
+def test_every_field_of_every_result_is_typed_and_is_that_of_its_json(all_results: dict[str, Result]) -> None:
+    seen: set[str] = set()
+    for name, result in all_results.items():
+        walk(result, json.loads(result.to_json()), name, seen)
+    assert len(seen) > 80, f"{len(seen)} structures were looked at"
+
+
+def test_every_result_has_words_tables_or_pictures(all_results: dict[str, Result]) -> None:
+    for name, result in all_results.items():
+        assert result.to_text() or result.tables or result.figures or name in ("counterweight", "inertias"), name
+        assert repr(result).startswith(type(result).__name__), name
+        assert result._repr_html_(), name
+
+
+def test_every_structure_is_exported_and_described() -> None:
+    for name in results.__all__:
+        kind = getattr(results, name)
+        assert kind.__doc__, name
+        for field in kind._FIELDS:
+            assert getattr(kind, field).__doc__, f"{name}.{field}"
+
+
+PROGRAM = os.environ.get("LANCHESTER_PROGRAM")
+COMMANDS: list[tuple[str, list[str], Any]] = [
+    ("in-line-4.toml", ["loads", "--speed", "3000 rpm"], lambda engine: engine.loads("3000 rpm")),
+    ("in-line-4.toml", ["loads", "--series", "power:4:5", "--grid", "360"], lambda engine: engine.loads(series="power:4:5", grid=360)),
+    ("in-line-4-mounts.toml", ["torque"], lambda engine: engine.torque()),
+    ("in-line-4-mounts.toml", ["bearings"], lambda engine: engine.bearings()),
+    ("in-line-4-mounts.toml", ["mounts", "--steps", "5"], lambda engine: engine.mounts(steps=5)),
+    ("in-line-3.toml", ["balance", "--minimise", "couple", "--limit", "force = 100 N"], lambda engine: engine.balance(minimise="couple", limit="force = 100 N")),
+    ("twin-in-line-in-phase.toml", ["balance"], lambda engine: engine.balance()),
+    ("in-line-4-production.toml", ["scatter", "--samples", "3000"], lambda engine: engine.scatter(samples=3000)),
+    ("in-line-4.toml", ["sensitivity"], lambda engine: engine.sensitivity()),
+    ("in-line-4.toml", ["crosscheck", "--condition", "a"], lambda engine: engine.crosscheck(condition="a")),
+    ("v6-60.toml", ["explore", "--even-firing"], lambda engine: engine.explore(even_firing="0.001 deg")),
+]
+
+
+@pytest.mark.parametrize(("file", "command", "ask"), COMMANDS, ids=[" ".join([*command[1], command[0]]) for command in COMMANDS])
+def test_json_is_that_of_the_command_line(file: str, command: list[str], ask: Any) -> None:
+    if PROGRAM is None:
+        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+    path = EXAMPLES / file
+    line = [PROGRAM, command[0], str(path), *command[1:], "--format", "json"]
+    printed = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
+    assert printed.returncode in (0, 1), printed.stderr
+    assert json.loads(ask(Engine.read(path)).to_json()) == json.loads(printed.stdout)
+
+
+def test_paths_lead_to_single_values() -> None:
+    loads = Engine.template("in-line-4").loads()
+    assert loads.pick("total.orders[2].order") == 2.0
+    assert loads.pick("total.trace.theta").shape == (720,)
+    for wrong, words in [("total.orders.order", "index"), ("total.nothing", "there are"), ("total.orders[99]", "list of")]:
+        with pytest.raises(AttributeError, match=words):
+            loads.pick(wrong)
+    with pytest.raises(RequestError, match="no path"):
+        loads.pick("total..orders")
+
+
+def test_tables_go_to_pandas_arrow_and_duckdb() -> None:
+    import duckdb
+
+    table = Engine.template("in-line-4").loads().table("peaks")
+    frame = table.to_dataframe()
+    assert list(frame.columns) == table.to_arrow().column_names and len(frame) == len(table)
+    assert any("[N" in name for name in frame.columns)
+    connection = duckdb.connect()
+    connection.register("peaks", table.to_arrow())
+    [(count,)] = connection.execute("select count(*) from peaks").fetchall()
+    assert count == len(table)
+    with pytest.raises(RequestError, match="there is no table"):
+        Engine.template("in-line-4").loads().table("nothing")
+
+
+def test_every_plot_is_drawn(all_results: dict[str, Result], tmp_path: Path) -> None:
+    from lanchester import plots
+
+    drawn = 0
+    for name, result in all_results.items():
+        if any(isinstance(result, kind) for kind in plots._DRAWN):
+            figure = result.plot()
+            figure.savefig(tmp_path / f"{name}.png", dpi=40)
+            assert figure.axes and any(axes.has_data() for axes in figure.axes), name
+            drawn += 1
+        else:
+            with pytest.raises(RequestError, match="no plot"):
+                result.plot()
+    assert drawn == len(plots._DRAWN)
+
+
+def test_infeasible_limits_are_an_outcome() -> None:
+    found = Engine.template("twin-360").balance(minimise="couple", limit="force = 0.001 N", counterweights="throws")
+    assert found.outcome.kind == "infeasible" and found.outcome.reason
+    with pytest.raises(RequestError, match="no weights"):
+        found.adopt()
+
+
+def test_what_is_found_can_be_adopted() -> None:
+    weights = Engine.read(EXAMPLES / "in-line-3-counterweights.toml")
+    assert weights.counterweight().adopt().counterweight_check().is_kept
+    search = Engine.template("in-line-4").explore(minimise=["force order 2"], throw_angles="every 90 deg", even_firing="0.001 deg")
+    assert search.adopt(0).cylinders == 4
+    with pytest.raises(RequestError, match="counted from 0"):
+        search.adopt(10_000)
+    with pytest.raises(RequestError, match="finds nothing"):
+        Engine.template("single").loads().adopt()

@@ -1,0 +1,146 @@
+//! The Python package: its wheel, and its types, tests, doctests and notebooks, in an environment of their own below the target folder.
+//!
+//! The wheel is built in the profile of the program and with the same features of the crates that both have, so that the commands of the README
+//! have compiled all but its own crate before ([decision 52](../../docs/decisions/0052-python-package.md)).
+
+use crate::command::{cargo, exists, in_view, quiet};
+use crate::workspace::{root, scratch, target};
+use anyhow::{Context, Result, bail, ensure};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What wheel, tests and notebooks need from PyPI. The oldest versions that are known to do; numpy's types need 2.
+const PACKAGES: [&str; 11] = [
+    "maturin>=1.16,<2",
+    "numpy>=2",
+    "pytest>=9",
+    "mypy>=2",
+    "matplotlib>=3.10",
+    "pandas>=2.2",
+    "pyarrow>=18",
+    "duckdb>=1.1",
+    "nbclient>=0.10",
+    "nbformat>=5.10",
+    "ipykernel>=6",
+];
+
+/// Packages that the package's tree has and the program's has not: what a Python module is made with.
+const OWN: [&str; 6] =
+    ["lanchester-python", "pyo3", "pyo3-build-config", "pyo3-ffi", "pyo3-macros", "pyo3-macros-backend"];
+
+/// Everything that CI runs.
+pub fn run(arguments: &[String]) -> Result<String> {
+    let (mut dev, mut write) = (false, false);
+    for argument in arguments {
+        match argument.as_str() {
+            "--dev" => dev = true,
+            "--write" => write = true,
+            other => bail!("`python` knows --dev and --write, got `{other}`"),
+        }
+    }
+    shares_features()?;
+    let python = environment()?;
+    let wheel = build(&python, dev)?;
+    let install =
+        ["-m", "pip", "install", "--quiet", "--force-reinstall", "--no-deps", "--disable-pip-version-check"];
+    quiet(Command::new(&python).args(install).arg(&wheel))?;
+    types(&python, write)?;
+    let tests = quiet(
+        Command::new(&python)
+            .args([
+                "-m",
+                "pytest",
+                "--quiet",
+                "crates/python/tests",
+                "--doctest-modules",
+                "--pyargs",
+                "lanchester",
+            ])
+            .current_dir(root()),
+    )?;
+    let sources =
+        ["-m", "mypy", "crates/python/python/lanchester", "crates/python/tests", "crates/python/generate.py"];
+    quiet(Command::new(&python).args(sources).current_dir(root()))?;
+    quiet(
+        Command::new(&python)
+            .args(["-m", "mypy.stubtest", "lanchester._native"])
+            .current_dir(scratch("stubs")?),
+    )?;
+    let notebooks =
+        quiet(Command::new(&python).arg("crates/python/notebooks/execute.py").current_dir(root()))?;
+    let last =
+        |text: &str| text.lines().rfind(|line| !line.trim().is_empty()).unwrap_or_default().trim().to_owned();
+    Ok(format!("{}; {}", last(&tests), last(&notebooks)))
+}
+
+/// Builds the wheel into the folder `wheels` of the target folder.
+pub fn wheel() -> Result<PathBuf> {
+    build(&environment()?, false)
+}
+
+/// The interpreter of the environment, with all that is needed installed.
+fn environment() -> Result<PathBuf> {
+    ensure!(exists("python3"), "python3 is missing: install Python 3.10 or newer, and run again");
+    let folder = target()?.join("xtask").join("python");
+    let interpreter = if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" };
+    let (python, holds) = (folder.join(interpreter), folder.join("packages.txt"));
+    let wanted = PACKAGES.join("\n");
+    if python.exists() && std::fs::read_to_string(&holds).is_ok_and(|has| has == wanted) {
+        return Ok(python);
+    }
+    quiet(Command::new("python3").args(["-m", "venv", "--clear"]).arg(&folder))
+        .context("no environment for Python can be made; on Debian and Ubuntu install python3-venv")?;
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
+    quiet(Command::new(&python).args(install).args(PACKAGES))?;
+    std::fs::write(&holds, wanted)?;
+    Ok(python)
+}
+
+fn build(python: &Path, dev: bool) -> Result<PathBuf> {
+    let folder = target()?.join("wheels");
+    let fresh = scratch("wheel")?;
+    let profile = if dev { "dev" } else { "release" };
+    let mut command = Command::new(python);
+    command.args(["-m", "maturin", "build", "--quiet", "--profile", profile, "--interpreter"]).arg(python);
+    quiet(command.arg("--out").arg(&fresh).current_dir(root()))?;
+    let built = std::fs::read_dir(&fresh)?.next().context("maturin has built no wheel")??;
+    std::fs::create_dir_all(&folder)?;
+    let wheel = folder.join(built.file_name());
+    std::fs::copy(built.path(), &wheel)?;
+    Ok(wheel)
+}
+
+/// The types of results are those of the Rust types, or become so.
+fn types(python: &Path, write: bool) -> Result<()> {
+    let place = root().join("crates/python/python/lanchester/results.py");
+    let fresh = quiet(Command::new(python).arg("crates/python/generate.py").current_dir(root()))?;
+    if std::fs::read_to_string(&place).is_ok_and(|held| held == fresh) {
+        return Ok(());
+    }
+    ensure!(write, "the types of the Python package are stale; run `cargo xtask python --write`");
+    std::fs::write(&place, fresh)?;
+    bail!("the types of the Python package are written; run again to build a wheel with them")
+}
+
+/// Fails where a crate of the package's tree has other features than in the program's: everything above it would be compiled twice.
+fn shares_features() -> Result<()> {
+    let tree = |package: &str| {
+        let arguments =
+            ["tree", "--edges", "normal,build", "--prefix", "none", "--format", "{p} [{f}]", "-p", package];
+        let text = quiet(cargo().args(arguments).current_dir(root()))?;
+        let lines = text.lines().map(|line| line.trim_end_matches(" (*)").to_owned());
+        Ok::<BTreeSet<String>, anyhow::Error>(lines.filter(|line| !line.is_empty()).collect())
+    };
+    let (package, program) = (tree("lanchester-python")?, tree("lanchester-cli")?);
+    let is_own = |line: &String| OWN.iter().any(|own| line.starts_with(&format!("{own} ")));
+    let other =
+        package.difference(&program).filter(|line| !is_own(line) && !line.starts_with("target-lexicon "));
+    let other: Vec<&String> = other.collect();
+    ensure!(
+        other.is_empty(),
+        "the Python package gives these crates other features than the program does, so that both compile all that is above them: \
+         {other:?}; name the program's features in crates/python/Cargo.toml"
+    );
+    Ok(())
+}
