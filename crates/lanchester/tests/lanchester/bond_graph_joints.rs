@@ -2,8 +2,8 @@
 //! knuckle pins. What they differ by is compliance alone, because it falls by ten as the joints stiffen by ten.
 
 use lanchester::bondgraph::{
-    CompliantJoints, Curve, EngineDrive, EngineJoints, EngineRequest, Graph, Simulation, SimulationRequest,
-    Unit, engine_graph, equations,
+    CompliantJoints, Curve, EngineDrive, EngineJoints, EngineRequest, Graph, Method, Simulation,
+    SimulationRequest, Unit, engine_graph, equations,
 };
 use lanchester::file::{read, template};
 use lanchester::model::Engine;
@@ -55,7 +55,11 @@ fn run(engine: &Engine, stiffness: f64, gas: Option<&Curve>) -> Simulation {
     };
     let description = engine_graph(engine, &request).unwrap_or_else(|error| panic!("{error}"));
     let found = equations(&Graph::new(&description).expect("units fit")).expect("no conflict");
-    let run = found.simulate(&SimulationRequest { tolerance: 1e-9, ..found.request() });
+    let run = found.simulate(&SimulationRequest {
+        tolerance: 1e-9,
+        method: Some(Method::Explicit),
+        ..found.request()
+    });
     assert!(run.complete, "{}", run.ended);
     run
 }
