@@ -302,6 +302,10 @@ fn left_out(
             "`gas = \"states\"` without [gas] that acts",
             request.gas && input.gas_states && found.gas_states.is_none(),
         ),
+        (
+            "`axial_inertia` of the rods",
+            moves && engine.cylinders.iter().any(|own| own.rod.axial_inertia != 0.0),
+        ),
         ("`guidance`", input.guidance.is_some()),
         ("`main_stiffness`", !input.main_stiffness.is_empty()),
         ("`driveline_torque` of [block]", driveline_torque),

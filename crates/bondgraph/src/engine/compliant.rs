@@ -166,7 +166,6 @@ impl Builder<'_> {
                 self.turning_field(&format!("rod_turn{k}_carried"), &coenergy, &spin);
             }
             EngineBlock::Space | EngineBlock::Held => {
-                self.axial_turn(index);
                 let l = self.own("l", index);
                 let arm = Arm {
                     at: [format!("dx{k}"), format!("dy{k}"), "0".into()],

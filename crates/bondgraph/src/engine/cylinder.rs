@@ -162,7 +162,6 @@ impl Builder<'_> {
                 self.element(&store, "I", &[("inertia", &inertia), ("domain", "translation")]);
                 self.bond(&format!("{name}_motion.{}", first + port), &store);
             }
-            self.axial_turn(index);
             return;
         }
         let rate = format!("(dx{k}*dy_rate{k} - dy{k}*dx_rate{k})/{l}^2");
@@ -173,22 +172,6 @@ impl Builder<'_> {
         let first = self.follower(&format!("{name}_motion"), &[row]);
         self.element(&name, "I", &[("inertia", &inertia), ("domain", "rotation")]);
         self.bond(&format!("{name}_motion.{first}"), &name);
-    }
-
-    /// The rod's turn about itself: it has no spin of its own there, only that of the block.
-    pub(crate) fn axial_turn(&mut self, index: usize) {
-        let inertia = self.engine.cylinders[index].rod.axial_inertia;
-        if inertia == 0.0 {
-            return;
-        }
-        let k = index + 1;
-        let l = self.own("l", index);
-        let (motion, store) = (format!("rod_axial{k}_motion"), format!("rod_axial{k}"));
-        self.element(&motion, "MTF", &[("matrix", &format!("dx{k}/{l}; dy{k}/{l}"))]);
-        self.element(&store, "I", &[("inertia", &quantity(inertia, "kg m2")), ("domain", "rotation")]);
-        self.bond("wx", &format!("{motion}.1"));
-        self.bond("wy", &format!("{motion}.2"));
-        self.bond(&format!("{motion}.3"), &store);
     }
 
     /// Whether something acts along the cylinder.

@@ -55,7 +55,7 @@ impl Group {
             (text[end..].is_empty() || text[end..].starts_with('_')).then(|| text[..end].parse().ok())?
         };
         let numbered = |stem: &str| name.strip_prefix(stem).and_then(digits);
-        const OF_CYLINDERS: [&str; 22] = [
+        const OF_CYLINDERS: [&str; 21] = [
             "piston",
             "piston_turn",
             "crankpin",
@@ -64,7 +64,6 @@ impl Group {
             "lateral",
             "tilt",
             "rod_turn",
-            "rod_axial",
             "rod",
             "slide",
             "stroke",

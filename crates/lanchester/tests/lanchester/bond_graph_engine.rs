@@ -246,19 +246,6 @@ fn single(extra: &str) -> Engine {
     engine(&text)
 }
 
-/// A rod's moment of inertia about itself, many times that of a real one, turns with the block alone.
-#[test]
-fn xcheck_axial_inertia_of_a_rod() {
-    let text = |axial: &str| format!("axial_inertia = \"{axial} kg m2\"\n{BLOCK}{}", mounts());
-    let slender = Case::new(single(&text("0")), EngineBlock::Space);
-    let thick = Case::new(single(&text("0.002")), EngineBlock::Space);
-    thick.check();
-    let [a, b] =
-        [&slender, &thick].map(|case| case.multibody().samples.spin.last().copied().expect("samples"));
-    let off = (0..3).map(|k| (a[k] - b[k]).abs()).fold(0.0, f64::max);
-    assert!(off > 1e-6, "it matters: {off:e} rad/s");
-}
-
 /// Largest difference of the gas as states, turned until it repeats, from the cycle that is computed without any mechanism, over the peak.
 fn gas_states_off(engine: &Engine, turns: f64) -> f64 {
     let speed = engine.speed.highest;
