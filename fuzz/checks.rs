@@ -94,6 +94,9 @@ pub fn graph(data: &[u8]) {
     };
     let Ok(found) = equations(&graph) else { return };
     assert!(drawing(&graph, &found.causality).starts_with("<svg") && modelica(&found).starts_with("model "));
+    if let Ok(linear) = found.linear() {
+        assert!(linear.a.iter().flatten().all(|entry| entry.is_finite()), "A of\n{text}");
+    }
     let asked = SimulationRequest { samples: 3, audit: true, most_evaluations: 3000, ..found.request() };
     let run = found.simulate(&asked);
     let states = found.causality.states.len();
@@ -107,7 +110,7 @@ pub fn graph(data: &[u8]) {
 }
 
 /// Shipped graphs.
-const GRAPHS: [&str; 7] = [
+const GRAPHS: [&str; 14] = [
     include_str!("../examples/bond-graphs/mass-spring-damper.toml"),
     include_str!("../examples/bond-graphs/dc-motor.toml"),
     include_str!("../examples/bond-graphs/two-tanks.toml"),
@@ -115,14 +118,24 @@ const GRAPHS: [&str; 7] = [
     include_str!("../examples/bond-graphs/slider-crank.toml"),
     include_str!("../examples/bond-graphs/slider-crank-elastic.toml"),
     include_str!("../examples/bond-graphs/torsion-chain.toml"),
+    include_str!("../examples/bond-graphs/gear-train.toml"),
+    include_str!("../examples/bond-graphs/hydraulic-press.toml"),
+    include_str!("../examples/bond-graphs/thermal-chain.toml"),
+    include_str!("../examples/bond-graphs/double-pendulum.toml"),
+    include_str!("../examples/bond-graphs/double-pendulum-stiff.toml"),
+    include_str!("../examples/bond-graphs/prismatic-pair.toml"),
+    include_str!("../examples/bond-graphs/single-cylinder.toml"),
 ];
-const GRAPH_ADDITIONS: [&str; 6] = [
+const GRAPH_ADDITIONS: [&str; 9] = [
     "\n[tables.more]\npoints = [[0, 1], [2, 3], [4, 1]]\nperiodic = true\n",
     "\n[tables.more]\npieces = [[0, 1, 2, 3, 4], [1, 0, 0, 0, 0]]\nend = 2\ny_unit = \"N m\"\n",
     "\n[elements.more]\nkind = \"Gas\"\ngas_constant = \"287 J/kg/K\"\nheat_capacity = \"720 J/kg/K\"\nvolume = \"1 l\"\n",
     "\n[elements.other]\nkind = \"R\"\nflow = [\"e1 - e2\", \"e2 - e1\"]\n",
     "\n[elements.field]\nkind = \"I\"\ncoenergy = \"2 kg*f1*f2\"\n",
     "\n[signals.level]\nintegral_of = \"1 - level\"\nstart = \"0 s\"\n",
+    "\n[[event]]\nwhen = \"t - 0.1 s\"\nset = { \"mass.momentum\" = \"-mass.momentum\" }\n",
+    "\n[relax]\npiston = { stiffness = \"1e8 N/m\", damping = \"100 N s/m\" }\n",
+    "\n[[use]]\ngraph = \"part.toml\"\nas = \"own\"\n",
 ];
 
 /// Worked sheets.

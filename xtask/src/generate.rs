@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Pages and pictures of the book, and the picture of the README.
-const WRITTEN: [Written; 22] = [
+const WRITTEN: [Written; 29] = [
     Written {
         file: "crates/studio/page/src/api/types.ts",
         head: "",
@@ -96,6 +96,13 @@ const WRITTEN: [Written; 22] = [
     },
     drawn("docs/src/images/bond-graph-slider-crank.svg", &DRAWN_SLIDER),
     drawn("docs/src/images/bond-graph-prismatic-pair.svg", &DRAWN_PAIR),
+    graph_run("docs/src/images/bond-graph-pressures.svg", &RUN_UP, "bond-graph-pressures.svg"),
+    graph_run("docs/src/images/bond-graph-loops.svg", &RUN_UP, "bond-graph-loops.svg"),
+    graph_run("docs/src/images/bond-graph-speed.svg", &RUN_UP, "bond-graph-speed.svg"),
+    graph_run("docs/src/images/bond-graph-block-without.svg", &ROCKING_WITHOUT, "bond-graph-block.svg"),
+    graph_run("docs/src/images/bond-graph-block-with.svg", &ROCKING_WITH, "bond-graph-block.svg"),
+    graph_run("docs/src/images/bond-graph-second-order.svg", &SHAFT_FORCES, "bond-graph-second-order.svg"),
+    graph_run("docs/src/images/bond-graph-shafts.svg", &SHAFT_FORCES, "bond-graph-shafts.svg"),
     simulated("docs/src/images/simulated-speed.svg", "simulated-speed.svg"),
     simulated("docs/src/images/simulated-energy.svg", "simulated-energy.svg"),
     story("docs/src/images/balanced-twin.svg", "twin.toml"),
@@ -127,6 +134,54 @@ const fn drawn(file: &'static str, arguments: &'static [&'static str]) -> Writte
 
 const DRAWN_SLIDER: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/slider-crank.toml"];
 const DRAWN_PAIR: [&str; 3] = ["bondgraph", "draw", "examples/bond-graphs/prismatic-pair.toml"];
+
+/// Curves of the bond graphs of a thesis, as the guide's page on it asks for them.
+const fn graph_run(file: &'static str, arguments: &'static [&'static str], figure: &'static str) -> Written {
+    Written { file, head: "", input: None, arguments, figure: Some(figure) }
+}
+
+const RUN_UP: [&str; 11] = [
+    "bondgraph",
+    "simulate",
+    "examples/three-cylinder.toml",
+    "--block",
+    "fixed",
+    "--speed",
+    "1000 rpm",
+    "--for",
+    "5 s",
+    "--samples",
+    "24000",
+];
+const ROCKING_WITH: [&str; 8] = [
+    "bondgraph",
+    "simulate",
+    "examples/three-cylinder.toml",
+    "--imposed",
+    "--for",
+    "1.5 s",
+    "--samples",
+    "9000",
+];
+const ROCKING_WITHOUT: [&str; 9] = [
+    "bondgraph",
+    "simulate",
+    "examples/three-cylinder.toml",
+    "--imposed",
+    "--for",
+    "1.5 s",
+    "--samples",
+    "9000",
+    "--without-shafts",
+];
+const SHAFT_FORCES: [&str; 6] = [
+    "bondgraph",
+    "simulate",
+    "validation/three-four-cylinder-thesis/four-cylinder.toml",
+    "--block",
+    "held",
+    "--no-gravity",
+];
 
 /// The story of the guide's page on simulation.
 const fn simulated(file: &'static str, figure: &'static str) -> Written {

@@ -2,13 +2,18 @@
 //!
 //! Each bond has one end that sets its effort and another that sets its flow; the causal stroke stands where the effort arrives.
 //! Sources come first, then laws that have one form alone, then stores in integral causality in the order of the description, then
-//! what is left; after each, junctions and two-ports hand on what follows. Source: Karnopp, Margolis, Rosenberg, *System Dynamics*,
+//! what is left; after each, junctions and two-ports hand on what follows. Where a choice ends in a conflict that the other choice does
+//! not have, the other is taken. Source: Karnopp, Margolis, Rosenberg, *System Dynamics*,
 //! 5th edition, section 3.4; van Dijk, Breedveld, Journal of the Franklin Institute 328 (1991), 747-764.
 
+pub(crate) mod loops;
+
 use crate::description::Text;
+use crate::expression::Var;
 use crate::graph::{Element, Graph, Kind, Law};
 use crate::mistake::Mistakes;
 use lanchester_diagnostic::Diagnostic;
+use loops::{AlgebraicLoop, loops};
 use serde::Serialize;
 
 /// Which stores are assigned first.
@@ -33,14 +38,20 @@ pub struct Causality {
     pub states: Vec<String>,
     /// Stores that follow others.
     pub followers: Vec<Follower>,
-    /// Resistors and bonds whose causality was free: each is a sign of an algebraic loop.
+    /// Resistors and bonds whose causality was free: each is a sign of an algebraic loop, but loops of junctions, two-ports and signals
+    /// have none.
     pub free: Vec<String>,
+    /// Algebraic loops.
+    pub loops: Vec<AlgebraicLoop>,
     /// Bonds of the ports of stores that follow.
     #[serde(skip)]
     pub(crate) following_bonds: Vec<usize>,
     /// Bonds whose causality was free.
     #[serde(skip)]
     pub(crate) free_bonds: Vec<usize>,
+    /// Variables that cut all loops.
+    #[serde(skip)]
+    pub(crate) cuts: Vec<Var>,
 }
 
 /// One step of the procedure.
@@ -61,6 +72,7 @@ pub struct Follower {
     pub path: Vec<String>,
 }
 
+#[derive(Clone)]
 struct Procedure<'a> {
     graph: &'a Graph,
     /// Whether the stroke is at the head.
@@ -70,6 +82,9 @@ struct Procedure<'a> {
     broken: Vec<bool>,
     settled: Vec<usize>,
     mistakes: Mistakes,
+    steps: Vec<Step>,
+    /// Bonds whose causality was free.
+    free: Vec<usize>,
 }
 
 /// Assigns causality.
@@ -85,88 +100,12 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
         broken: vec![false; graph.elements.len()],
         settled: Vec::new(),
         mistakes: Mistakes::default(),
+        steps: Vec::new(),
+        free: Vec::new(),
     };
-    let mut steps = Vec::new();
-    let (mut states, mut following_bonds, mut free_bonds) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, element) in graph.elements.iter().enumerate() {
-        match element.kind {
-            Kind::Se => steps.push(procedure.assign(index, 0, false, "is a source of effort")),
-            Kind::Sf => steps.push(procedure.assign(index, 0, true, "is a source of flow")),
-            _ => {}
-        }
-    }
-    for (index, element) in graph.elements.iter().enumerate() {
-        match &element.law {
-            Law::Resistor { effort: None, .. } => {
-                steps.push(procedure.assign(index, 0, true, "gives its flow by its effort alone"));
-            }
-            Law::Resistor { flow: None, .. } => {
-                steps.push(procedure.assign(index, 0, false, "gives its effort by its flow alone"));
-            }
-            Law::Resistors { gives_flows, laws } => {
-                let what = if *gives_flows {
-                    "gives its flows by its efforts"
-                } else {
-                    "gives its efforts by its flows"
-                };
-                for port in 0..laws.len() {
-                    steps.push(procedure.assign(index, port, *gives_flows, what));
-                }
-            }
-            Law::Matrix(rows) => {
-                let columns = rows[0].len();
-                for port in 0..columns + rows.len() {
-                    let what = "multiplies flows by its matrix, efforts by the transposed";
-                    steps.push(procedure.assign(index, port, port >= columns, what));
-                }
-            }
-            Law::Store(ports) => {
-                for (port, law) in ports.iter().enumerate() {
-                    if law.only_follows() {
-                        let what = "gives its momenta by its flows alone";
-                        steps.push(procedure.assign(index, port, false, what));
-                    } else if law.inverse.is_none() {
-                        let what = "has a law that cannot be turned round";
-                        steps.push(procedure.assign(index, port, law.flow.is_some(), what));
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
-    for (index, element) in graph.elements.iter().enumerate() {
-        let Law::Store(ports) = &element.law else { continue };
-        for (port, law) in ports.iter().enumerate() {
-            if law.inverse.is_some() && procedure.strokes[element.ports[port]].is_none() {
-                let integral = preference == Preference::Integral;
-                let what = if integral { "becomes a state" } else { "is made to follow" };
-                steps.push(procedure.assign(index, port, law.flow.is_some() == integral, what));
-            }
-        }
-    }
-    for (index, element) in graph.elements.iter().enumerate() {
-        if matches!(element.law, Law::Resistor { .. }) && procedure.strokes[element.ports[0]].is_none() {
-            free_bonds.push(element.ports[0]);
-            steps.push(procedure.assign(
-                index,
-                0,
-                false,
-                "is free: it is given its flow, within an algebraic loop",
-            ));
-        }
-    }
-    for bond in 0..count {
-        if procedure.strokes[bond].is_none() {
-            free_bonds.push(bond);
-            let head = graph.bonds[bond].to;
-            let port = graph.elements[head].ports.iter().position(|b| *b == bond).unwrap_or(0);
-            steps.push(procedure.assign(head, port, true, "has a free bond, within an algebraic loop"));
-        }
-    }
-    for index in 0..graph.elements.len() {
-        procedure.hand_on(index, &mut Vec::new());
-    }
-    let mut followers = Vec::new();
+    procedure.forced();
+    let procedure = procedure.stores(preference).what_is_free();
+    let (mut states, mut followers, mut following_bonds) = (Vec::new(), Vec::new(), Vec::new());
     for (index, element) in graph.elements.iter().enumerate() {
         let Law::Store(ports) = &element.law else { continue };
         for (port, law) in ports.iter().enumerate() {
@@ -184,33 +123,184 @@ pub fn causality(graph: &Graph, preference: Preference) -> Result<Causality, Vec
     if procedure.mistakes.any() {
         return Err(procedure.mistakes.into_diagnostics(&graph.source));
     }
+    let Procedure { strokes, steps, free: free_bonds, .. } = procedure;
+    let stroke_at_head: Vec<bool> = strokes.into_iter().map(|stroke| stroke.unwrap_or(true)).collect();
+    let (loops, cuts) = loops(graph, &stroke_at_head, &following_bonds, &free_bonds);
     Ok(Causality {
-        stroke_at_head: procedure.strokes.into_iter().map(|stroke| stroke.unwrap_or(true)).collect(),
-        steps: steps.into_iter().flatten().collect(),
+        stroke_at_head,
+        steps,
         states,
         followers,
         free: free_bonds.iter().map(|bond| graph.bond_name(*bond)).collect(),
+        loops,
         following_bonds,
         free_bonds,
+        cuts,
     })
 }
 
+/// Choices that are tried where a bond is free, before the conflict is told.
+const MOST_TRIES: usize = 500;
+
 impl Procedure<'_> {
+    /// Sources, and laws that have one form alone.
+    fn forced(&mut self) {
+        let graph = self.graph;
+        for (index, element) in graph.elements.iter().enumerate() {
+            match element.kind {
+                Kind::Se => self.assign(index, 0, false, "is a source of effort"),
+                Kind::Sf => self.assign(index, 0, true, "is a source of flow"),
+                _ => {}
+            }
+        }
+        for (index, element) in graph.elements.iter().enumerate() {
+            match &element.law {
+                Law::Resistor { effort: None, .. } => {
+                    self.assign(index, 0, true, "gives its flow by its effort alone");
+                }
+                Law::Resistor { flow: None, .. } => {
+                    self.assign(index, 0, false, "gives its effort by its flow alone");
+                }
+                Law::Resistors { gives_flows, laws } => {
+                    let what = if *gives_flows {
+                        "gives its flows by its efforts"
+                    } else {
+                        "gives its efforts by its flows"
+                    };
+                    for port in 0..laws.len() {
+                        self.assign(index, port, *gives_flows, what);
+                    }
+                }
+                Law::Matrix(rows) => {
+                    let columns = rows[0].len();
+                    for port in 0..columns + rows.len() {
+                        let what = "multiplies flows by its matrix, efforts by the transposed";
+                        self.assign(index, port, port >= columns, what);
+                    }
+                }
+                Law::Store(ports) => {
+                    for (port, law) in ports.iter().enumerate() {
+                        if law.only_follows() {
+                            let what = "gives its momenta by its flows alone";
+                            self.assign(index, port, false, what);
+                        } else if law.inverse.is_none() {
+                            let what = "has a law that cannot be turned round";
+                            self.assign(index, port, law.flow.is_some(), what);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Stores in the preferred causality, in the other where that alone is free of conflict.
+    fn stores(mut self, preference: Preference) -> Self {
+        let integral = preference == Preference::Integral;
+        let [what, instead] = if integral {
+            ["becomes a state", "cannot be a state without a conflict, and follows"]
+        } else {
+            ["is made to follow", "cannot follow without a conflict, and becomes a state"]
+        };
+        let graph = self.graph;
+        for (index, element) in graph.elements.iter().enumerate() {
+            let Law::Store(ports) = &element.law else { continue };
+            for (port, law) in ports.iter().enumerate() {
+                if law.inverse.is_none() || self.strokes[element.ports[port]].is_some() {
+                    continue;
+                }
+                let stroke_here = law.flow.is_some() == integral;
+                let before = self.clone();
+                self.assign(index, port, stroke_here, what);
+                if self.mistakes.count() > before.mistakes.count() {
+                    let count = before.mistakes.count();
+                    let mut other = before;
+                    other.assign(index, port, !stroke_here, instead);
+                    if other.mistakes.count() == count {
+                        self = other;
+                    }
+                }
+            }
+        }
+        self
+    }
+
+    /// Resistors and bonds that nothing has settled: the first choice, and where it ends in a conflict the others.
+    fn what_is_free(self) -> Self {
+        let count = self.mistakes.count();
+        let mut first = self.clone();
+        while let Some(choice) = first.next_free() {
+            first.pick(choice, false);
+        }
+        first.hand_on_all();
+        if first.mistakes.count() == count {
+            return first;
+        }
+        let mut waiting = vec![self];
+        for _ in 0..MOST_TRIES {
+            let Some(mut at) = waiting.pop() else { break };
+            let Some(choice) = at.next_free() else {
+                at.hand_on_all();
+                if at.mistakes.count() == count {
+                    return at;
+                }
+                continue;
+            };
+            for other in [true, false] {
+                let mut next = at.clone();
+                next.pick(choice, other);
+                if next.mistakes.count() == count {
+                    waiting.push(next);
+                }
+            }
+        }
+        first
+    }
+
+    /// The next resistor, or bond, that nothing has settled: element and port.
+    fn next_free(&self) -> Option<(usize, usize)> {
+        let graph = self.graph;
+        let is_free = |element: &Element| {
+            matches!(element.law, Law::Resistor { .. }) && self.strokes[element.ports[0]].is_none()
+        };
+        if let Some(element) = graph.elements.iter().position(is_free) {
+            return Some((element, 0));
+        }
+        let bond = self.strokes.iter().position(Option::is_none)?;
+        let head = graph.bonds[bond].to;
+        Some((head, graph.elements[head].ports.iter().position(|own| *own == bond).unwrap_or(0)))
+    }
+
+    /// Settles a free bond by the first choice or the other.
+    fn pick(&mut self, (element, port): (usize, usize), other: bool) {
+        self.free.push(self.graph.elements[element].ports[port]);
+        let is_resistor = matches!(self.graph.elements[element].law, Law::Resistor { .. });
+        let why = match (is_resistor, other) {
+            (true, false) => "is free: it is given its flow, within an algebraic loop",
+            (true, true) => "is free: it is given its effort, within an algebraic loop",
+            (false, _) => "has a free bond, within an algebraic loop",
+        };
+        self.assign(element, port, is_resistor == other, why);
+    }
+
+    fn hand_on_all(&mut self) {
+        for index in 0..self.graph.elements.len() {
+            self.hand_on(index, &mut Vec::new());
+        }
+    }
+
     /// Whether the stroke of a bond stands at an element.
     fn at(&self, bond: usize, element: usize) -> Option<bool> {
         self.strokes[bond].map(|at_head| at_head == (self.graph.bonds[bond].to == element))
     }
 
     /// Settles a bond by choice and what follows; a step, if the bond was not settled before.
-    fn assign(&mut self, element: usize, port: usize, stroke_here: bool, why: &str) -> Option<Step> {
+    fn assign(&mut self, element: usize, port: usize, stroke_here: bool, why: &str) {
         let bond = self.graph.elements[element].ports[port];
         let name = &self.graph.elements[element].name;
         match self.at(bond, element) {
-            Some(here) if here == stroke_here => return None,
-            Some(_) => {
-                self.refuse_forced(element, bond, stroke_here, why);
-                return None;
-            }
+            Some(here) if here == stroke_here => return,
+            Some(_) => return self.refuse_forced(element, bond, stroke_here, why),
             None => {}
         }
         self.settled.clear();
@@ -221,7 +311,7 @@ impl Procedure<'_> {
         }
         let bonds = self.settled.iter().map(|bond| self.graph.bond_name(*bond)).collect();
         let written = &self.graph.elements[element].written;
-        Some(Step { text: format!("{name} ({written}) {why}"), bonds })
+        self.steps.push(Step { text: format!("{name} ({written}) {why}"), bonds });
     }
 
     fn set(

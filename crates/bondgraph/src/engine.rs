@@ -56,6 +56,8 @@ use words::{number, quantity};
 /// # Errors
 /// [`EngineGraphError`] where the engine lacks what the graph needs.
 pub fn engine_graph(engine: &Engine, request: &EngineRequest) -> Result<Description, EngineGraphError> {
+    let still = EngineRequest { start: EngineStart::default(), ..request.clone() };
+    let request = if request.block == EngineBlock::Held { &still } else { request };
     let numbers = Numbers::new(engine, request)?;
     let mut builder = Builder {
         engine,
@@ -190,6 +192,7 @@ impl Builder<'_> {
                 self.signal("cos_roll", "cos(roll)");
                 self.signal("sin_roll", "sin(roll)");
             }
+            EngineBlock::Held => self.held(),
             EngineBlock::Space => {
                 for (axis, k) in [("x", 0), ("y", 1), ("z", 2)] {
                     self.translation(axis, k);
@@ -203,6 +206,23 @@ impl Builder<'_> {
         }
         self.element("crank", "1", &[("domain", "rotation")]);
         self.integral("theta", "crank.flow", &quantity(self.request.start_angle, "rad"));
+    }
+
+    /// Six flows that are nought, about the origin.
+    fn held(&mut self) {
+        for (letter, domain, unit) in [("v", "translation", "m/s"), ("w", "rotation", "rad/s")] {
+            for axis in ["x", "y", "z"] {
+                let (junction, source) = (format!("{letter}{axis}"), format!("hold_{letter}{axis}"));
+                self.element(&junction, "1", &[("domain", domain)]);
+                self.element(&source, "Sf", &[("flow", &quantity(0.0, unit))]);
+                self.bond(&source, &junction);
+            }
+        }
+        for row in 1..=3 {
+            for column in 1..=3 {
+                self.signal(&format!("r{row}{column}"), if row == column { "1" } else { "0" });
+            }
+        }
     }
 
     /// One direction of the block's translation.

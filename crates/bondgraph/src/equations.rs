@@ -238,11 +238,9 @@ impl Resolver<'_> {
             let name = format!("{}.{}", graph.bond_name(*bond), if capacitor { "flow" } else { "effort" });
             self.unknown(var, name, *bond, true);
         }
-        for bond in &causality.free_bonds {
-            let number = *bond as u32;
-            // The free resistor was given its flow: its effort cuts the loop.
-            let name = format!("{}.effort", graph.bond_name(*bond));
-            self.unknown(Var::Effort(number), name, *bond, false);
+        for cut in &causality.cuts {
+            let (name, bond) = self.named(*cut);
+            self.unknown(*cut, name, bond, false);
         }
         let mut known: Vec<(Var, u32)> = self.unknown_of.iter().map(|(var, index)| (*var, *index)).collect();
         known.sort_by_key(|(_, index)| *index);
@@ -387,15 +385,21 @@ impl Resolver<'_> {
                 let mut sum = self.pool.constant(0.0);
                 if wants_effort {
                     for (row, entries) in rows.iter().enumerate() {
-                        let there = self.resolve(Var::Effort(element.ports[columns + row] as u32));
                         let entry = self.expand(entries[port]);
+                        if self.pool.is_zero(entry) {
+                            continue;
+                        }
+                        let there = self.resolve(Var::Effort(element.ports[columns + row] as u32));
                         let term = self.pool.product(entry, there);
                         sum = self.pool.sum(sum, term);
                     }
                 } else {
                     for (column, entry) in rows[port - columns].iter().enumerate() {
-                        let there = self.resolve(Var::Flow(element.ports[column] as u32));
                         let entry = self.expand(*entry);
+                        if self.pool.is_zero(entry) {
+                            continue;
+                        }
+                        let there = self.resolve(Var::Flow(element.ports[column] as u32));
                         let term = self.pool.product(entry, there);
                         sum = self.pool.sum(sum, term);
                     }

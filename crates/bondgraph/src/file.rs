@@ -4,6 +4,7 @@ use crate::curve::Curve;
 use crate::description::{Description, Entry, Happening, Text, Use};
 use crate::mistake::Mistakes;
 use crate::unit::Unit;
+use std::cell::RefCell;
 use std::ops::Range;
 use toml_spanner::{Item, Table, Value};
 
@@ -18,8 +19,11 @@ pub fn is_graph_file(text: &str) -> bool {
     })
 }
 
-/// Reads the text; mistakes of form are noted, what can be read is.
-pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
+/// Gives the text of another file by its name.
+pub(crate) type LookUp<'a> = &'a dyn Fn(&str) -> Option<String>;
+
+/// Reads the text; mistakes of form are noted, what can be read is. `look_up` gives the files of its tables.
+pub(crate) fn read(text: &str, look_up: LookUp<'_>, mistakes: &mut Mistakes) -> Description {
     let mut description = Description::new("graph");
     if text.len() > LONGEST {
         let message = format!("the file has {} bytes, more than the {LONGEST} that it may have", text.len());
@@ -41,7 +45,7 @@ pub(crate) fn read(text: &str, mistakes: &mut Mistakes) -> Description {
             ("elements", Value::Table(table)) => description.elements = entries(table, mistakes),
             ("signals", Value::Table(table)) => description.signals = entries(table, mistakes),
             ("simulation", Value::Table(table)) => description.simulation = texts(table, mistakes),
-            ("tables", Value::Table(table)) => description.tables = curves(table, mistakes),
+            ("tables", Value::Table(table)) => description.tables = curves(table, look_up, mistakes),
             ("use", Value::Array(list)) => description.uses = list.iter().filter_map(|item| used(item, mistakes)).collect(),
             ("relax", Value::Table(table)) => description.relax = entries(table, mistakes),
             ("event", Value::Array(list)) => {
@@ -97,10 +101,15 @@ fn span(item: &Item<'_>) -> Range<usize> {
     item.span().range()
 }
 
-/// Names of the graphs that a file uses.
+/// Names of the graphs that a file uses, and of the files of its tables.
 pub fn used_graphs(text: &str) -> Vec<String> {
-    let description = read(text, &mut Mistakes::default());
-    description.uses.into_iter().map(|used| used.graph.text).collect()
+    let asked = RefCell::new(Vec::new());
+    let look_up = |name: &str| {
+        asked.borrow_mut().push(name.to_owned());
+        None
+    };
+    let description = read(text, &look_up, &mut Mistakes::default());
+    description.uses.into_iter().map(|used| used.graph.text).chain(asked.into_inner()).collect()
 }
 
 /// One `[[use]]`: `graph`, `as` and `parameters`.
@@ -164,8 +173,8 @@ fn happening(item: &Item<'_>, mistakes: &mut Mistakes) -> Option<Happening> {
     Some(found)
 }
 
-/// Tables: straight lines through `points`, or `pieces` of cubics up to `end`.
-fn curves(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Curve)> {
+/// Tables: straight lines through `points`, which may stand in a `file` of their own, or `pieces` of cubics up to `end`.
+fn curves(table: &Table<'_>, look_up: LookUp<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Curve)> {
     let mut found = Vec::new();
     for (key, item) in table {
         let name = Text { text: key.name.to_owned(), span: key.span.range() };
@@ -179,6 +188,21 @@ fn curves(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Curve)> {
         for (key, item) in table {
             let unit = item.as_str().and_then(Unit::of_text);
             let good = match (key.name, item.value()) {
+                ("file", Value::String(_)) => {
+                    let file = item.as_str().unwrap_or_default();
+                    let content = look_up(file);
+                    rows = content.as_deref().and_then(two_columns);
+                    if rows.is_none() {
+                        let message = match content {
+                            None => format!("there is no file `{file}`"),
+                            Some(_) => format!("`{file}` is no table of two columns of numbers"),
+                        };
+                        let hint = "give its place from the folder of this file; every line is x,y, a line of names may be the first";
+                        mistakes.push("E1702", &span(item), message, hint);
+                        continue;
+                    }
+                    true
+                }
                 ("points", Value::Array(_)) => {
                     rows = numbers(item, 2);
                     rows.is_some()
@@ -203,7 +227,7 @@ fn curves(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Curve)> {
             };
             if !good {
                 let message = format!("table `{}` has no `{}` of this form", name.text, key.name);
-                let hint = "it has points = [[x, y], ...] or pieces = [[start, c0, c1, c2, c3], ...] with end, \
+                let hint = "it has points = [[x, y], ...], file = \"points.csv\" or pieces = [[start, c0, c1, c2, c3], ...] with end, \
                             periodic = true, x_unit and y_unit as SI units";
                 mistakes.push("E1702", &span(item), message, hint);
             }
@@ -231,6 +255,22 @@ fn curves(table: &Table<'_>, mistakes: &mut Mistakes) -> Vec<(Text, Curve)> {
         }
     }
     found
+}
+
+/// Lines `x,y`; commas, semicolons or tabs part them, a first line of names and lines that begin with # are passed over.
+fn two_columns(text: &str) -> Option<Vec<Vec<f64>>> {
+    let mut rows = Vec::new();
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    for (index, line) in lines.enumerate() {
+        let row: Result<Vec<f64>, _> = line.split([',', ';', '\t']).map(|part| part.trim().parse()).collect();
+        match row {
+            Ok(row) if row.len() == 2 => rows.push(row),
+            Err(_) if index == 0 => {}
+            _ => return None,
+        }
+    }
+    Some(rows)
 }
 
 /// Rows of so many finite numbers.

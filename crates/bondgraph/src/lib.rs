@@ -38,6 +38,7 @@ mod run;
 mod subgraph;
 mod unit;
 
+pub use causality::loops::AlgebraicLoop;
 pub use causality::{Causality, Follower, Preference, Step, causality};
 pub use curve::Curve;
 pub use description::{Description, Entry, Happening, Text, Use};

@@ -7,7 +7,7 @@ use std::ops::Range;
 const MOST: usize = 100;
 
 /// Mistakes of one graph.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Mistakes {
     found: Vec<(&'static str, Range<usize>, String, String)>,
 }
@@ -34,6 +34,10 @@ impl Mistakes {
 
     pub(crate) fn any(&self) -> bool {
         !self.found.is_empty()
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.found.len()
     }
 
     /// The mistakes in the order of their places.

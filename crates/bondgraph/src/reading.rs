@@ -33,7 +33,7 @@ impl Graph {
     /// As [`Graph::read`]; a mistake in a used graph is shown where it is used.
     pub fn read_with(text: &str, look_up: &dyn Fn(&str) -> Option<String>) -> Result<Graph, Vec<Diagnostic>> {
         let mut mistakes = Mistakes::default();
-        let mut description = file::read(text, &mut mistakes);
+        let mut description = file::read(text, look_up, &mut mistakes);
         crate::subgraph::assemble(&mut description, look_up, 0, &mut mistakes);
         crate::relax::relax(&mut description, &mut mistakes);
         let graph = check::check(&description, &mut mistakes);

@@ -41,7 +41,7 @@ pub(crate) fn assemble(
             continue;
         };
         let mut own = Mistakes::default();
-        let mut other = crate::file::read(&text, &mut own);
+        let mut other = crate::file::read(&text, look_up, &mut own);
         assemble(&mut other, look_up, depth + 1, &mut own);
         for (code, message, hint) in own.said() {
             mistakes.push(code, &used.graph.span, format!("in `{name}`: {message}"), hint);

@@ -155,12 +155,13 @@ pub fn engine_bond_graph(
     if let Some(step) = input.step {
         found.samples = (found.duration * reference / step).ceil().clamp(1.0, 1e6) as usize;
     }
-    if request.gas_as_states {
+    let as_states = request.gas_as_states || (input.gas_states && with_gas);
+    if as_states {
         found.gas_states = Some(GasStates::of(engine)?);
     }
     let mut mean = 0.0;
     if let Some(report) = &report {
-        if !request.gas_as_states {
+        if !as_states {
             found.pressures = gauge_pressures(&report.cylinders);
             notes.push(format!("Gas: pressures at {:.0} rpm, whatever the speed.", reference * 30.0 / PI));
         }
@@ -296,6 +297,14 @@ fn left_out(
         (
             "`block = \"equilibrium\"` of `start`",
             moves && input.start_block == Some(StartOfBlock::Equilibrium),
+        ),
+        (
+            "`gas = \"states\"` without [gas] that acts",
+            request.gas && input.gas_states && found.gas_states.is_none(),
+        ),
+        (
+            "`axial_inertia` of the rods",
+            moves && engine.cylinders.iter().any(|own| own.rod.axial_inertia != 0.0),
         ),
         ("`guidance`", input.guidance.is_some()),
         ("`main_stiffness`", !input.main_stiffness.is_empty()),

@@ -49,6 +49,7 @@ pub fn bond_graph_report(
         drawing: placed(&graph, &equations.causality),
         causality: equations.causality.clone(),
         equations: equations.shown(Notation::Text),
+        formulas: equations.shown(Notation::Latex),
         run: equations.simulate(&asked),
     })
 }

@@ -231,6 +231,7 @@ fn unused(
         ("`imposed`", !input.imposed.is_empty() && !has_profile),
         ("`block` of `start`", input.start_block.is_some() && !moves),
         ("`driveline_torque` of [block]", driveline_torque),
+        ("`gas = \"states\"`, which the bond graph alone has", input.gas_states),
     ]
     .into_iter()
     .filter_map(|(key, is_unused)| is_unused.then_some(key))

@@ -26,7 +26,9 @@ impl Frame {
         let (junctions, axes): (&[&str], &[&str]) = match block {
             EngineBlock::Fixed => (&["crank"], &["x", "y"]),
             EngineBlock::Plane => (&["vx", "vy", "wz", "crank"], &["x", "y"]),
-            EngineBlock::Space => (&["vx", "vy", "vz", "wx", "wy", "wz", "crank"], &["x", "y", "z"]),
+            EngineBlock::Space | EngineBlock::Held => {
+                (&["vx", "vy", "vz", "wx", "wy", "wz", "crank"], &["x", "y", "z"])
+            }
         };
         Frame { block, junctions: junctions.to_vec(), axes: axes.to_vec() }
     }
@@ -47,7 +49,7 @@ impl Frame {
                 let (a, b) = (product("cos_roll", cos[row]), product("sin_roll", sin[row]));
                 combination(&[(1.0, &a), (sign, &b)])
             }
-            EngineBlock::Space => {
+            EngineBlock::Space | EngineBlock::Held => {
                 let parts: Vec<String> = (0..3)
                     .map(|column| product(&format!("r{}{}", row + 1, column + 1), vector[column]))
                     .collect();
@@ -70,7 +72,7 @@ impl Frame {
                         entries.push(if is_point && column == row { "1" } else { "0" }.to_owned());
                     }
                 }
-                if self.block == EngineBlock::Space {
+                if self.block.is_spatial() {
                     entries.push(self.turned(row, ["0", &minus_z, y]));
                     entries.push(self.turned(row, [z, "0", &minus_x]));
                 }

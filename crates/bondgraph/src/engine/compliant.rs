@@ -165,7 +165,7 @@ impl Builder<'_> {
                 let coenergy = format!("{inertia}*(f1^2/2 + f1*f2)");
                 self.turning_field(&format!("rod_turn{k}_carried"), &coenergy, &spin);
             }
-            EngineBlock::Space => {
+            EngineBlock::Space | EngineBlock::Held => {
                 let l = self.own("l", index);
                 let arm = Arm {
                     at: [format!("dx{k}"), format!("dy{k}"), "0".into()],

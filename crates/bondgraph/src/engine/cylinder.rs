@@ -149,7 +149,7 @@ impl Builder<'_> {
         let k = index + 1;
         let name = format!("rod_turn{k}");
         let (inertia, l) = (self.own("rod_inertia", index), self.own("l", index));
-        if self.frame.block == EngineBlock::Space {
+        if self.frame.block.is_spatial() {
             let arm = Arm {
                 at: [format!("dx{k}"), format!("dy{k}"), "0".into()],
                 rate: [format!("dx_rate{k}"), format!("dy_rate{k}")],

@@ -87,6 +87,9 @@ impl Builder<'_> {
         self.bond(&name("crankcase"), &name("stroke"));
         self.bond(&name("mass"), &format!("gas{k}.2"));
         self.bond(&name("heat"), &format!("gas{k}.3"));
+        if gas.losses.is_none() {
+            self.signal(&name("volume"), &format!("{} - gas{k}.1.displacement", quantity(volume, "m3")));
+        }
         self.valve("intake", k, &gas.intake, true);
         self.valve("exhaust", k, &gas.exhaust, false);
         if let Some(release) = &gas.release {

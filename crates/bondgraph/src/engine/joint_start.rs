@@ -159,7 +159,7 @@ impl Builder<'_> {
 
     /// Acceleration of the block's centre [m/s^2], its part in the plane, and angular acceleration [rad/s^2], in its axes.
     fn block_acceleration(&self, ideal: &HashMap<String, f64>) -> ([f64; 2], [f64; 3]) {
-        if !self.moves() {
+        if !self.moves() || self.request.block == EngineBlock::Held {
             return ([0.0; 2], [0.0; 3]);
         }
         let effort = |name: &str| ideal.get(name).copied();

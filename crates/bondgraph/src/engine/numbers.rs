@@ -78,7 +78,7 @@ impl Numbers {
             }
             numbers.cylinders.push(cylinder);
         }
-        if request.block != EngineBlock::Fixed {
+        if !matches!(request.block, EngineBlock::Fixed | EngineBlock::Held) {
             numbers.block(engine, request)?;
         }
         Ok(numbers)

@@ -19,7 +19,7 @@ pub struct EngineRequest {
     pub mounts: bool,
     /// Joints of the crank train.
     pub joints: EngineJoints,
-    /// Pose and motion of the block at the start.
+    /// Pose and motion of the block at the start; a block that is held still has none.
     pub start: EngineStart,
     /// Acceleration of gravity [m/s^2]; 0: off.
     pub gravity: f64,
@@ -109,6 +109,15 @@ pub enum EngineBlock {
     Plane,
     /// In space.
     Space,
+    /// In space, held still by sources of flow: what they exert is the opposite of the loads of the crank train on it.
+    Held,
+}
+
+impl EngineBlock {
+    /// Whether it has six flows.
+    pub(crate) fn is_spatial(self) -> bool {
+        matches!(self, EngineBlock::Space | EngineBlock::Held)
+    }
 }
 
 /// Pose and motion of the block at the start.

@@ -114,7 +114,7 @@ impl Builder<'_> {
         let row = match self.frame.block {
             EngineBlock::Fixed => vec![number(ratio)],
             EngineBlock::Plane => vec!["0".into(), "0".into(), "1".into(), number(ratio)],
-            EngineBlock::Space => {
+            EngineBlock::Space | EngineBlock::Held => {
                 let mut row = vec!["0".to_owned(); 5];
                 row.extend(["1".into(), number(ratio)]);
                 row
@@ -211,7 +211,7 @@ impl Builder<'_> {
 
     /// Springs and dampers of the mounts, along directions that stand still.
     pub(crate) fn mounts(&mut self) {
-        if !self.moves() || !self.request.mounts {
+        if !self.has_mounts() {
             return;
         }
         let engine = self.engine;
@@ -301,9 +301,14 @@ impl Builder<'_> {
         row
     }
 
+    /// Whether mounts act: not on a block that stands still anyhow.
+    fn has_mounts(&self) -> bool {
+        self.moves() && self.request.block != EngineBlock::Held && self.request.mounts
+    }
+
     /// Refuses mounts that have no exact form in time.
     pub(crate) fn check_mounts(&self) -> Result<(), EngineGraphError> {
-        if !self.moves() || !self.request.mounts {
+        if !self.has_mounts() {
             return Ok(());
         }
         let bad = self.engine.mounts.iter().find(|mount| {

@@ -1,6 +1,7 @@
 //! Results as text for people, and samples as CSV.
 
 use crate::causality::Causality;
+use crate::causality::loops::AlgebraicLoop;
 use crate::graph::Graph;
 use crate::linear::Linear;
 use crate::output::shown::ShownEquations;
@@ -22,10 +23,11 @@ pub fn causality_text(graph: &Graph, causality: &Causality) -> String {
         let through = rest.split_last().map_or(String::new(), |(_, through)| through.join(", "));
         let _ = writeln!(out, "{} follows {first} through {through}: not a state", follower.element);
     }
-    if causality.free.is_empty() {
+    if causality.loops.is_empty() {
         out += "No algebraic loop.\n";
-    } else {
-        let _ = writeln!(out, "Algebraic loop, cut at: {}", causality.free.join(", "));
+    }
+    for AlgebraicLoop { elements, cut_at } in &causality.loops {
+        let _ = writeln!(out, "Algebraic loop of {}, cut at {}", elements.join(", "), cut_at.join(" and "));
     }
     out
 }

@@ -1,7 +1,8 @@
 //! Simulation: the equations integrated, events located, energy through every bond audited.
 
 use crate::equations::Equations;
-use crate::graph::Kind;
+use crate::expression::Var;
+use crate::graph::{Element, Kind, Law};
 use crate::run::audit::{Audit, audit};
 use crate::run::compiled::Compiled;
 use lanchester_numerics::{Dop853, Outcome, Radau5, SampleGrid, Settings, Statistics, Step};
@@ -17,6 +18,9 @@ const FINE: f64 = 1e-9;
 
 /// Tolerances below this reach a kink by steps of their own: the interpolant would be less accurate.
 const STEP_AGAIN: f64 = 3e-8;
+
+/// A ratio that is so many times as large as at the start has no bound.
+const GROWN: f64 = 1e6;
 
 /// Evaluations of the pass that measures sizes.
 const ROUGH: u64 = 6000;
@@ -360,7 +364,7 @@ impl Equations {
                     break;
                 }
                 other => {
-                    pass.ended = self.in_words(other, t, &y);
+                    pass.ended = self.in_words(other, t, &y) + &self.grown_moduli(compiled, t, &y);
                     break;
                 }
             }
@@ -377,6 +381,43 @@ impl Equations {
         };
         pass.end = (t, y);
         pass
+    }
+
+    /// Ratios of transformers and gyrators that have grown beyond measure since the start, in words; empty where none has.
+    fn grown_moduli(&self, compiled: &mut Compiled, t: f64, y: &[f64]) -> String {
+        let (pool, bonds) = (&self.graph.pool, self.graph.bonds.len());
+        let signals = self.graph.signals.len();
+        let start: Vec<f64> = self.states.iter().map(|state| state.start).collect();
+        let mut moduli = |t: f64, y: &[f64]| -> Vec<f64> {
+            let variables = compiled.variables(t, y, signals);
+            let of = |var: Var| match var {
+                Var::Time => t,
+                Var::Parameter(index) => self.graph.parameters[index as usize].value,
+                Var::Effort(bond) => variables[bond as usize],
+                Var::Flow(bond) => variables[bonds + bond as usize],
+                Var::Signal(signal) => {
+                    let is_state = |state: &crate::equations::State| {
+                        state.name == self.graph.signals[signal as usize].name
+                    };
+                    match self.states.iter().position(is_state) {
+                        Some(state) => y[state],
+                        None => variables[2 * bonds + signal as usize],
+                    }
+                }
+                _ => 0.0,
+            };
+            let ratio = |element: &Element| match element.law {
+                Law::Ratio(ratio) => pool.evaluate(ratio, &of),
+                _ => 0.0,
+            };
+            self.graph.elements.iter().map(ratio).collect()
+        };
+        let (now, first) = (moduli(t, y), moduli(0.0, &start));
+        let grown: Vec<String> = (self.graph.elements.iter().zip(now.iter().zip(&first)))
+            .filter(|(_, (now, first))| !(now.abs() <= GROWN * first.abs().max(1e-3)))
+            .map(|(element, (now, _))| format!("`{}` is {now:.3e}", element.name))
+            .collect();
+        if grown.is_empty() { String::new() } else { format!("; the ratio of {} there", grown.join(", ")) }
     }
 
     fn in_words(&self, outcome: Outcome, t: f64, y: &[f64]) -> String {

@@ -167,3 +167,17 @@ fn prop_mutated_graphs_are_refused_or_run() {
     }
     assert!(good > 200 && bad > 200, "{good} good, {bad} bad, {conflicts} conflicts");
 }
+
+/// A lever whose ratio has a pole after a second: the run ends there and names it.
+#[test]
+fn a_modulus_that_becomes_infinite_is_named() {
+    let text = "[elements]\npush = { kind = \"Se\", effort = \"1 N\" }\na = { kind = \"1\", domain = \"translation\" }\n\
+                mass = { kind = \"I\", inertia = \"1 kg\" }\nlever = { kind = \"MTF\", ratio = \"1/sqrt(1 - t/(1 s))\" }\n\
+                b = { kind = \"1\", domain = \"translation\" }\noil = { kind = \"R\", resistance = \"1e-3 N s/m\" }\n[bonds]\n\
+                list = [\"push > a\", \"a > mass\", \"a > lever.1\", \"lever.2 > b\", \"b > oil\"]\n[simulation]\nduration = \"2 s\"\n";
+    let found = equations(&Graph::read(text).expect("good")).expect("no conflict");
+    let run = found.simulate(&found.request());
+    assert!(!run.complete && run.ended.contains("the ratio of `lever` is"), "{}", run.ended);
+    let last = run.time.last().copied().expect("samples so far");
+    assert!((0.9..1.0).contains(&last), "{last} s");
+}

@@ -1,4 +1,4 @@
-//! Our equations against those that a Modelica compiler makes of the exported text.
+//! Our equations against those that a Modelica compiler makes of the exported text, and against those of BondGraphTools.
 
 use lanchester_bondgraph::{EngineRequest, Equations, Graph, engine_graph, equations, modelica};
 use lanchester_file::read;
@@ -72,4 +72,62 @@ fn ext_rumoca_three_cylinder() {
         include_str!("../../../../validation/external/rumoca/three-cylinder.mo"),
         include_str!("../../../../validation/external/rumoca/three-cylinder.json"),
     );
+}
+
+/// State equations of every linear graph of the course that has one-ports and plain two-ports alone.
+#[test]
+fn ext_bondgraphtools_linear_graphs() {
+    let table: Value =
+        serde_json::from_str(include_str!("../../../../validation/external/bondgraphtools/matrices.json"))
+            .expect("stored matrices");
+    let names = |value: &Value| -> Vec<String> {
+        value.as_array().expect("a list").iter().map(|v| v.as_str().expect("a name").to_owned()).collect()
+    };
+    let rows = |value: &Value| -> Vec<Vec<f64>> {
+        let row = |row: &Value| {
+            row.as_array().expect("a row").iter().map(|v| v.as_f64().expect("a number")).collect()
+        };
+        value.as_array().expect("rows").iter().map(row).collect()
+    };
+    macro_rules! shipped {
+        ($($name:literal),*) => {
+            [$(($name, include_str!(concat!("../../../../examples/bond-graphs/", $name, ".toml")))),*]
+        };
+    }
+    for (name, text) in shipped![
+        "mass-spring-damper",
+        "dc-motor",
+        "two-tanks",
+        "torsion-chain",
+        "gear-train",
+        "hydraulic-press"
+    ] {
+        let graph = Graph::read(text).expect("a shipped graph");
+        let linear = equations(&graph).expect("no conflict").linear().expect("linear");
+        let theirs = &table["graphs"][name];
+        let states = names(&theirs["states"]);
+        let place = |own: &String| {
+            let store = own.split('.').next().unwrap_or_default();
+            states.iter().position(|state| state == store).unwrap_or_else(|| panic!("{name}: no {own}"))
+        };
+        let order: Vec<usize> = linear.states.iter().map(place).collect();
+        assert_eq!(order.len(), states.len(), "{name}: as many states");
+        let inputs: Vec<usize> = names(&theirs["inputs"])
+            .iter()
+            .map(|input| {
+                let is_it = |own: &String| own.split('.').next() == Some(input);
+                linear.inputs.iter().position(is_it).unwrap_or_else(|| panic!("{name}: no {input}"))
+            })
+            .collect();
+        let (a, b) = (rows(&theirs["a"]), rows(&theirs["b"]));
+        for (ours, row) in order.iter().enumerate() {
+            // Numbers of different units stand in one row: each entry is held against itself.
+            let mut pairs: Vec<(f64, f64)> =
+                order.iter().enumerate().map(|(k, column)| (linear.a[ours][k], a[*row][*column])).collect();
+            pairs.extend(inputs.iter().enumerate().map(|(k, own)| (linear.b[ours][*own], b[*row][k])));
+            for (ours, theirs) in pairs {
+                assert!((ours - theirs).abs() <= 1e-8 * theirs.abs(), "{name}: {ours} here, {theirs} there");
+            }
+        }
+    }
 }

@@ -81,6 +81,39 @@ fn bad_tables_are_refused() {
     }
 }
 
+/// The same torque from a file of two columns, looked up by its name.
+#[test]
+fn a_table_may_stand_in_a_file() {
+    let text = "[tables.torque]\nfile = \"torque.csv\"\nperiodic = true\nx_unit = \"rad\"\ny_unit = \"N m\"\n\
+                [elements]\nmotor = { kind = \"MSe\", effort = \"table(torque, theta)\" }\n\
+                shaft = { kind = \"1\", domain = \"rotation\" }\nwheel = { kind = \"I\", inertia = \"0.5 kg m2\", flow = \"1 rad/s\" }\n\
+                [signals]\ntheta = { integral_of = \"shaft.flow\", start = \"0 rad\" }\n[bonds]\n\
+                list = [\"motor > shaft\", \"shaft > wheel\"]\n";
+    assert_eq!(used_graphs(text), ["torque.csv"]);
+    let read = |csv: &str| {
+        let csv = csv.to_owned();
+        Graph::read_with(text, &move |name| (name == "torque.csv").then(|| csv.clone()))
+    };
+    let graph =
+        read("angle;torque\n# degrees of no sense\n0;0\n1;2\n3;0\n").unwrap_or_else(|e| panic!("{e:#?}"));
+    let inline = text.replace("file = \"torque.csv\"", "points = [[0, 0], [1, 2], [3, 0]]");
+    let inline = Graph::read(&inline).unwrap_or_else(|mistakes| panic!("{mistakes:#?}"));
+    assert_eq!(shown(&graph), shown(&inline));
+    for (csv, words) in [
+        ("0,0\n1,x\n", "no table of two columns"),
+        ("0,0,1\n", "two columns"),
+        ("1,0\n0,1\n", "is no function"),
+    ] {
+        let mistakes = read(csv).expect_err(csv);
+        assert!(
+            mistakes.iter().any(|m| m.message.contains(words) && m.hint.is_some()),
+            "{csv}: {mistakes:?}"
+        );
+    }
+    let mistakes = Graph::read(text).expect_err("nothing is at hand");
+    assert!(mistakes.iter().any(|m| m.message.contains("there is no file `torque.csv`")), "{mistakes:?}");
+}
+
 const SPRING: &str = "[parameters]\nk = \"100 N/m\"\nm = \"2 kg\"\n[elements]\nmove = { kind = \"1\", domain = \"translation\" }\n\
                       mass = { kind = \"I\", inertia = \"m\" }\n\
                            spring = { kind = \"C\", stiffness = \"k*(1 + 0*spring_at/(1 m))\", displacement = \"0.1 m\" }\n\

@@ -11,4 +11,6 @@ mod gas;
 mod graph_file;
 mod joints;
 mod output;
+mod printed;
 mod shipped;
+mod textbook;

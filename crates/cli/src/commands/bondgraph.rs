@@ -1,6 +1,6 @@
 //! `lanchester bondgraph`: a graph's causality, equations, poles, simulation, audit, drawing and exports.
 
-use crate::commands::json;
+use crate::commands::{json, write_figures};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
 use crate::files::{Source, print, read_bytes, read_source, tell};
 use crate::format::Format;
@@ -16,6 +16,7 @@ use lanchester::bondgraph::{
     moving_drawing, simulation_csv, simulation_text, used_graphs,
 };
 use lanchester::file::{Diagnostic, read, render};
+use lanchester::report::bond_graph_figures;
 use lanchester::task::option;
 use lanchester::{BondGraphRequest, engine_bond_graph};
 use std::collections::BTreeMap;
@@ -45,6 +46,12 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
             format!("it has {}", ACTIONS.join(", ")),
         ));
     }
+    if arguments.figures.is_some() && action != "simulate" {
+        return Err(Failure::input(
+            "--figures shows a run",
+            "use it with `bondgraph simulate`; `bondgraph draw` draws the graph",
+        ));
+    }
     if arguments.format == Format::Csv && action != "simulate" {
         return Err(Failure::input(
             "only the samples of `bondgraph simulate` have a CSV form",
@@ -57,7 +64,7 @@ pub fn run(arguments: &BondgraphArguments, colour: bool) -> Result<u8, Failure> 
         if arguments.engine != EngineOptions::default() {
             return Err(Failure::input(
                 "a graph file says itself how it starts, what drives it and what moves",
-                "leave out --speed, --block, --joints and what belongs to it, --imposed, --load, --load-on-block, --gas-states, --inertia-only and --no-gravity",
+                "leave out --speed, --block, --joints and what belongs to it, --imposed, --load, --load-on-block, --gas-states, --inertia-only, --without-shafts and --no-gravity",
             ));
         }
         (None, Graph::read_with(&source.text, &parts(Path::new(file), &source.text)?).map_err(refuse)?)
@@ -92,7 +99,7 @@ fn parts(file: &Path, text: &str) -> Result<impl Fn(&str) -> Option<String> + us
         }
         let bytes = read_bytes(
             &folder.join(&name),
-            "[[use]] names it: give its place from the folder of the graph file",
+            "[[use]] names it, or a table: give its place from the folder of the graph file",
         )?;
         let Ok(text) = String::from_utf8(bytes) else {
             return Err(Failure::input(format!("{name} is not UTF-8 text"), "save the graph file in UTF-8"));
@@ -116,8 +123,11 @@ fn of_engine(
     }
     let mut engine_file = reading.file.ok_or_else(Failure::diagnosed)?;
     read_torques(&mut engine_file, file)?;
-    let engine = &engine_file.engine;
     let options = &arguments.engine;
+    if options.without_shafts {
+        engine_file.engine = engine_file.engine.without_shafts();
+    }
+    let engine = &engine_file.engine;
     let load = match options.load.as_deref().map(str::trim) {
         None => None,
         Some("none") => Some(LoadTorque::None),
@@ -129,6 +139,7 @@ fn of_engine(
             EngineBlockOption::Fixed => EngineBlock::Fixed,
             EngineBlockOption::Plane => EngineBlock::Plane,
             EngineBlockOption::Space => EngineBlock::Space,
+            EngineBlockOption::Held => EngineBlock::Held,
         }),
         joints: joints(options)?,
         imposed: options.imposed.then_some(true),
@@ -221,6 +232,9 @@ fn show(
         })?,
         "simulate" | "audit" => {
             let run = found.simulate(&request(arguments, found, action == "audit")?);
+            if let (Some(folder), Some(file)) = (&arguments.figures, arguments.words.last()) {
+                write_figures(folder, Path::new(file), &bond_graph_figures(&run))?;
+            }
             print(&match (arguments.format, action) {
                 (Format::Json, _) => json(&run)?,
                 (Format::Csv, _) => simulation_csv(&run),

@@ -2,6 +2,7 @@
 
 use crate::format::Format;
 use clap::{Args, ValueEnum};
+use std::path::PathBuf;
 
 /// `bondgraph`
 #[derive(Debug, Args)]
@@ -34,6 +35,9 @@ pub struct BondgraphArguments {
     /// `draw`: bonds as wide as the power through them, over the simulation, in ten seconds.
     #[arg(long)]
     pub moving: bool,
+    /// `simulate`: write the curves of the run as SVG files into this folder.
+    #[arg(long, value_name = "FOLDER")]
+    pub figures: Option<PathBuf>,
     /// What the graph of an engine file holds.
     #[command(flatten)]
     pub engine: EngineOptions,
@@ -79,6 +83,9 @@ pub struct EngineOptions {
     /// Of an engine file: leave out its gas.
     #[arg(long)]
     pub inertia_only: bool,
+    /// Of an engine file: leave out its balance shafts, to see what they do.
+    #[arg(long)]
+    pub without_shafts: bool,
     /// Of an engine file: leave out the weight.
     #[arg(long)]
     pub no_gravity: bool,
@@ -93,6 +100,8 @@ pub enum EngineBlockOption {
     Plane,
     /// In space.
     Space,
+    /// In space, held still: what `hold_vx` to `hold_wz` exert is the opposite of the loads on it, about the origin.
+    Held,
 }
 
 /// Joints of a crank train.

@@ -60,8 +60,13 @@ fn an_engine_file_is_a_graph() {
     let states = ["bondgraph", "simulate", &engine, "--block", "fixed", "--gas-states", "--for", "0.06 s"];
     let run = output_json(&folder, 0, &[&states[..], &["--format", "json"]].concat());
     assert_eq!(run["complete"], true);
-    let notes = lanchester(&folder, &states).stderr;
-    assert!(String::from_utf8(notes).unwrap().contains("note: Load: "));
+    // Without a load in the file it is the mean torque of the engine, and that is said.
+    let notes = |arguments: &[&str]| String::from_utf8(lanchester(&folder, arguments).stderr).unwrap();
+    assert!(!notes(&states).contains("note: Load: "), "the file says its load");
+    let text = std::fs::read_to_string(&engine).unwrap();
+    std::fs::write(folder.join("no-load.toml"), text.split("[load]").next().unwrap()).unwrap();
+    let states = states.map(|own| if own == engine { "no-load.toml" } else { own });
+    assert!(notes(&states).contains("note: Load: "));
 }
 
 #[test]

@@ -93,7 +93,12 @@ impl File {
             None => {}
         }
         if let Some(gas) = input.gas {
-            self.entry("gas", if gas { "\"given\"" } else { "\"off\"" });
+            let word = match (gas, input.gas_states) {
+                (true, true) => "\"states\"",
+                (true, false) => "\"given\"",
+                (false, _) => "\"off\"",
+            };
+            self.entry("gas", word);
         }
         if let Some(step) = input.step {
             self.entry("step", &quantity(step, Dimension::Angle));

@@ -88,7 +88,7 @@ impl<'a> Reader<'a> {
         let gravity = self.text_of(section, "gravity", gravity);
         let block = optional(section.word("block"))
             .map(|word| word.map(|w| if w == "mounts" { BlockKind::Mounts } else { BlockKind::Fixed }));
-        let gas = optional(section.word("gas")).map(|word| word.map(|word| word == "given"));
+        let gas = optional(section.word("gas"));
         let step = optional(section.number("step"));
         let tolerance = self.step_tolerance(section);
         let guidance = optional(section.word("guidance")).map(|word| {
@@ -122,7 +122,8 @@ impl<'a> Reader<'a> {
             duration: duration?,
             block: block?,
             gravity: gravity?,
-            gas: gas?,
+            gas: gas?.map(|word| word != "off"),
+            gas_states: gas? == Some("states"),
             step: step?,
             tolerance: tolerance?,
             guidance: guidance?,

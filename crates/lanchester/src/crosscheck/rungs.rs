@@ -103,7 +103,6 @@ impl Pair<'_> {
         })
     }
 
-    /// Reactions of the simulation at `theta`, speed imposed, block fixed.
     /// Condition A: every component over the cycle and by order.
     fn like_for_like(&self) -> Result<Vec<CrossRow>, CrossCheckError> {
         let bar = self.request.bar.unwrap_or(LIKE_FOR_LIKE);
@@ -158,6 +157,7 @@ impl Pair<'_> {
         let whole = parts[2][0];
         let kinds = [("force", "N"), ("couple", "N m"), ("roll moment", "N m"), ("shaft torque", "N m")];
         let mut rows = Vec::new();
+        let mut scales = kinds.map(|(name, unit)| (name, unit, 0.0));
         for (kind, (name, unit)) in kinds.into_iter().enumerate() {
             let largest =
                 |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind].norm()).fold(0.0, f64::max);
@@ -165,6 +165,7 @@ impl Pair<'_> {
                 on_block.iter().zip(&by_closed).map(|(a, b)| (a[kind] - b[kind]).norm()).fold(0.0, f64::max);
             let of_parts = CANCELLED * whole * if kind == 0 { 1.0 } else { reach };
             let scale = largest(&by_closed).max(of_parts);
+            scales[kind].2 = scale;
             let values = [largest(&by_closed), largest(&on_block), off, scale];
             rows.push(CrossRow::held(name, unit, None, values, bar));
             let pick = |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind]).collect::<Vec<_>>();
@@ -186,6 +187,8 @@ impl Pair<'_> {
             let scale = closed.max(CANCELLED * whole);
             rows.push(CrossRow::held(name, "N", None, [closed, multibody, off, scale], bar));
         }
+        rows.extend(crate::crosscheck::graph_states::load_rows(self, &bearings.theta, &on_block, scales)?);
+        rows.extend(crate::crosscheck::graph_joints::joint_rows(self));
         rows.extend(crate::crosscheck::graph_states::gas_row(self)?);
         Ok(rows)
     }

@@ -302,7 +302,8 @@ fn xcheck_gas_states_with_walls_against_the_cycle() {
 /// Starter from a low speed, a load behind a driveline with a ratio, torque over the angle: all that the file's run may hold.
 #[test]
 fn xcheck_starter_driveline_and_load_against_the_simulation() {
-    let text = include_str!("../../../../examples/three-cylinder.toml").to_owned()
+    let whole = include_str!("../../../../examples/three-cylinder.toml");
+    let text = whole.split("[load]").next().expect("what comes before its load").to_owned()
         + r#"
 [simulation]
 start = { speed = "150 rpm", block = "as drawn" }

@@ -1,8 +1,9 @@
 //! The chapter of the report on the engine as a bond graph.
 
-use lanchester::bond_graph_report;
+use lanchester::bondgraph::{EngineBlock, Graph, equations};
 use lanchester::file::read;
-use lanchester::report::bond_graph_section;
+use lanchester::report::{bond_graph_figures, bond_graph_section};
+use lanchester::{BondGraphRequest, bond_graph_report, engine_bond_graph};
 
 #[test]
 fn the_chapter_shows_drawing_causality_equations_energy_and_curves() {
@@ -34,4 +35,36 @@ fn the_chapter_shows_drawing_causality_equations_energy_and_curves() {
     }
     assert!(html.contains("causal stroke") && html.len() < 2_000_000, "{} bytes", html.len());
     assert!(serde_json::to_string(&found).is_ok());
+    let ids: Vec<String> = bond_graph_figures(&found.run).into_iter().map(|figure| figure.id).collect();
+    let parts = ["pressures", "speed", "block", "second-order", "shafts"];
+    assert_eq!(ids, parts.map(|part| format!("bond-graph-{part}")));
+}
+
+/// With the gas as states its loops are drawn too; a graph that is no engine shows states and powers.
+#[test]
+fn a_run_has_its_figures() {
+    let text = include_str!("../../../../examples/three-cylinder.toml");
+    let file = read(text).file.expect("the example has no mistakes");
+    let request = BondGraphRequest {
+        simulation: *file.tasks.simulation.expect("it says how it runs"),
+        block: Some(EngineBlock::Fixed),
+        ..BondGraphRequest::default()
+    };
+    let graph = engine_bond_graph(&file.engine, &[], &request).expect("it has what it needs");
+    assert!(graph.notes.iter().all(|note| !note.contains("Left out")), "{:?}", graph.notes);
+    let found = equations(&Graph::new(&graph.description).expect("units fit")).expect("no conflict");
+    let figures = bond_graph_figures(&found.simulate(&found.request()));
+    let ids: Vec<&str> = figures.iter().map(|figure| figure.id.as_str()).collect();
+    assert_eq!(
+        ids,
+        ["bond-graph-pressures", "bond-graph-loops", "bond-graph-speed", "bond-graph-second-order"]
+    );
+    assert_eq!(figures[1].panels.len(), 3, "a loop for each cylinder");
+    assert!(figures.iter().all(|figure| !figure.svg().contains("NaN")));
+    let motor = Graph::read(include_str!("../../../../examples/bond-graphs/dc-motor.toml")).expect("shipped");
+    let found = equations(&motor).expect("no conflict");
+    let figures = bond_graph_figures(&found.simulate(&found.request()));
+    assert_eq!(figures.len(), 1);
+    // Flux linkage, angular momentum, power.
+    assert_eq!(figures[0].panels.len(), 3);
 }

@@ -4,6 +4,7 @@
 
 mod bearing_films;
 mod bond_graph_engine;
+mod bond_graph_joints;
 mod chamber;
 #[path = "../../../../fuzz/checks.rs"]
 mod checks;

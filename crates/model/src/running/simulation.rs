@@ -25,6 +25,8 @@ pub struct SimulationInput {
     pub gravity: Option<f64>,
     /// Whether the gas of the file acts.
     pub gas: Option<bool>,
+    /// Whether the gas acts as states of volume, mass and energy: in the bond graph alone, elsewhere by its pressures.
+    pub gas_states: bool,
     /// Crank angle between two samples [rad].
     pub step: Option<f64>,
     /// Relative tolerance of every step.

@@ -7,7 +7,7 @@ use crate::kit::number;
 use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table};
 use crate::simulated::figure::{curve, figure, panel};
-use lanchester_bondgraph::{Audit, Causality, Equation, Kind, Placed, ShownEquations, Simulation};
+use lanchester_bondgraph::{Audit, Causality, Equation, Kind, Placed, ShownEquations, Simulation, mathml};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -33,6 +33,8 @@ pub struct BondGraphResult {
     pub causality: Causality,
     /// Its equations as plain text.
     pub equations: ShownEquations,
+    /// The same in LaTeX, in the same order.
+    pub formulas: ShownEquations,
     /// A run of one working cycle with the energy through every bond.
     pub run: Simulation,
 }
@@ -61,13 +63,15 @@ pub fn bond_graph_section(result: &BondGraphResult) -> Section {
 
 fn causality_words(result: &BondGraphResult) -> String {
     let Placed { elements, bonds, .. } = &result.drawing;
-    let Causality { states, followers, free, .. } = &result.causality;
-    let loops = match free.len() {
-        0 => "No bond has a free causality: there is no algebraic loop.".to_owned(),
-        count => format!(
-            "Causality is free at {count} places, each the sign of an algebraic loop: {}.",
-            free.join(", ")
-        ),
+    let Causality { states, followers, loops, .. } = &result.causality;
+    let loops = match loops.as_slice() {
+        [] => "There is no algebraic loop.".to_owned(),
+        loops => {
+            let each = loops.iter().map(|own| {
+                format!("through {}, cut at {}", own.elements.join(", "), own.cut_at.join(" and "))
+            });
+            format!("Algebraic loops: {}.", each.collect::<Vec<_>>().join("; "))
+        }
     };
     format!(
         "{} elements and {} bonds. {} stores are in integral causality and {} follow others. {loops}",
@@ -121,49 +125,60 @@ fn causality_tables(result: &BondGraphResult) -> Vec<Table> {
     tables
 }
 
+/// Equations as text, and the same in LaTeX.
+type Pairs = Vec<(Equation, Equation)>;
+
 /// Laws of the elements that are drawn, junctions, and state equations; long ones are left out and counted.
 fn equation_tables(result: &BondGraphResult) -> Vec<Table> {
-    let shown = &result.equations;
+    let (shown, formulas) = (&result.equations, &result.formulas);
     let kept = kept(&result.drawing);
     let names: Vec<&str> = kept.iter().flat_map(|kept| kept.elements.iter().copied()).collect();
-    let is_drawn = |equation: &&Equation| names.is_empty() || names.contains(&equation.of.as_str());
-    let elements: Vec<&Equation> = shown.elements.iter().filter(is_drawn).collect();
-    let junctions: Vec<&Equation> = shown.junctions.iter().filter(is_drawn).collect();
-    let own = |list: &[Equation]| -> Vec<Equation> { list.to_vec() };
-    let (common, rates) = (own(&shown.common), own(&shown.rates));
-    let first_signals: Vec<&Equation> =
-        shown.signals.iter().filter(|equation| !ends_with_other_number(&equation.of)).collect();
+    let is_drawn = |equation: &Equation| names.is_empty() || names.contains(&equation.of.as_str());
+    let pairs = |texts: &[Equation], formulas: &[Equation], is_kept: &dyn Fn(&Equation) -> bool| -> Pairs {
+        let both = texts.iter().cloned().zip(formulas.iter().cloned());
+        both.filter(|(text, _)| is_kept(text)).collect()
+    };
+    let all = |_: &Equation| true;
+    let is_first = |equation: &Equation| !ends_with_other_number(&equation.of);
     [
-        ("bond-graph-laws", "Laws of the elements", elements),
-        ("bond-graph-junctions", "Laws of the junctions", junctions),
-        ("bond-graph-signals", "Signals", first_signals),
-        ("bond-graph-common", "Common parts of the state equations", common.iter().collect()),
-        ("bond-graph-equations", "State equations", rates.iter().collect()),
+        ("bond-graph-laws", "Laws of the elements", pairs(&shown.elements, &formulas.elements, &is_drawn)),
+        (
+            "bond-graph-junctions",
+            "Laws of the junctions",
+            pairs(&shown.junctions, &formulas.junctions, &is_drawn),
+        ),
+        ("bond-graph-signals", "Signals", pairs(&shown.signals, &formulas.signals, &is_first)),
+        (
+            "bond-graph-common",
+            "Common parts of the state equations",
+            pairs(&shown.common, &formulas.common, &all),
+        ),
+        ("bond-graph-equations", "State equations", pairs(&shown.rates, &formulas.rates, &all)),
     ]
     .into_iter()
-    .filter_map(|(id, title, equations)| {
-        let (short, long): (Vec<&Equation>, Vec<&Equation>) =
-            equations.into_iter().partition(|equation| equation.right.len() <= LONGEST);
-        let rows: Vec<Vec<Cell>> = short
-            .into_iter()
-            .map(|equation| {
-                vec![
-                    Cell::text(&equation.of),
-                    Cell::text(format!("{} = {}", equation.left, equation.right)),
-                    Cell::text(&equation.unit),
-                ]
-            })
-            .collect();
-        if rows.is_empty() {
-            return None;
-        }
-        let mut table = words_table(id, title, "", &["of", "equation", "unit"], rows);
-        if !long.is_empty() {
-            table.remark = format!("{} of more than {LONGEST} letters are left out.", long.len());
-        }
-        Some(table)
-    })
+    .filter_map(|(id, title, equations)| equation_table(id, title, equations))
     .collect()
+}
+
+fn equation_table(id: &'static str, title: &str, equations: Pairs) -> Option<Table> {
+    let (short, long): (Pairs, Pairs) =
+        equations.into_iter().partition(|(equation, _)| equation.right.len() <= LONGEST);
+    let row = |(text, formula): (Equation, Equation)| {
+        let formula = Cell::Formula {
+            text: format!("{} = {}", text.left, text.right),
+            mathml: mathml(&format!("{} = {}", formula.left, formula.right)),
+        };
+        vec![Cell::text(&text.of), formula, Cell::text(&text.unit)]
+    };
+    if short.is_empty() {
+        return None;
+    }
+    let rows = short.into_iter().map(row).collect();
+    let mut table = words_table(id, title, "", &["of", "equation", "unit"], rows);
+    if !long.is_empty() {
+        table.remark = format!("{} of more than {LONGEST} letters are left out.", long.len());
+    }
+    Some(table)
 }
 
 /// Whether a name ends with the number of another cylinder than the first.

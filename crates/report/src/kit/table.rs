@@ -45,6 +45,13 @@ pub enum Cell {
         /// Decimals in print.
         decimals: usize,
     },
+    /// A formula: as plain text, and as MathML for pages.
+    Formula {
+        /// In the terminal and in CSV.
+        text: String,
+        /// One MathML element, its names escaped.
+        mathml: String,
+    },
     /// Nothing to say.
     Empty,
 }
@@ -100,6 +107,7 @@ impl Cell {
         match self {
             Cell::Text(text) => text.clone(),
             Cell::Number { value, decimals } => number::terminal(*value, *decimals),
+            Cell::Formula { text, .. } => text.clone(),
             Cell::Empty => String::new(),
         }
     }
@@ -244,6 +252,7 @@ impl Table {
                     Cell::Text(text) if k == 0 => push_rich(&mut out, text),
                     Cell::Text(text) => out.push_str(&escape(text)),
                     Cell::Number { value, decimals } => out.push_str(&number::fixed(*value, *decimals)),
+                    Cell::Formula { mathml, .. } => out.push_str(mathml),
                     Cell::Empty => {}
                 }
                 out.push_str(close);
@@ -268,6 +277,7 @@ impl Table {
                 row.iter().map(|cell| match cell {
                     Cell::Text(text) => text.clone(),
                     Cell::Number { value, .. } => csv_number(*value),
+                    Cell::Formula { text, .. } => text.clone(),
                     Cell::Empty => String::new(),
                 }),
             );

@@ -65,7 +65,11 @@ impl Condition {
 
     /// What the multibody simulation is held against.
     pub fn held_against(self) -> &'static str {
-        if self == Condition::AllFree { "bond graph or closed form" } else { "closed form" }
+        match self {
+            Condition::LikeForLike => "closed form or bond graph",
+            Condition::AllFree => "bond graph or closed form",
+            Condition::FreeSpeed | Condition::MovingBlock => "closed form",
+        }
     }
 }
 

@@ -71,9 +71,10 @@ pub(super) static SIMULATION: Table = Table {
         ),
         key(
             "gas",
-            Kind::Choice(&["given", "off"]),
+            Kind::Choice(&["given", "states", "off"]),
             Optional,
-            "Whether the pressures of [gas] act (default) or not.",
+            "Whether the pressures of [gas] act (default) or not; `\"states\"`: the bond graph has volume, mass and energy of the gas as states, other \
+             runs take the pressures.",
             "\"given\"",
         ),
         quantity("step", Angle, Positive, "Crank angle between two samples; default 1 deg.", "\"1 deg\""),

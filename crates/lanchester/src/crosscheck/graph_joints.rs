@@ -1,0 +1,146 @@
+//! Forces that ideal joints of the bond graph do not show, from compliant ones, held against the reactions of the multibody simulation.
+//!
+//! A body of mass m on a joint of stiffness k follows the load F of rigid joints but for
+//!
+//! ```text
+//! m q'' = m F''/k = F'' / w_n^2        so that of order n of F the share (n w/w_n)^2 is missing
+//! ```
+//! and but for the deflection itself, which moves the pins by F/k: both fall with 1/k. A step of the pressure makes every joint ring, whatever
+//! its stiffness; it has died away after some periods.
+
+use crate::bond_graph::gauge_pressures;
+use crate::crosscheck::pair::Pair;
+use lanchester_bondgraph::{
+    CompliantJoints, EngineDrive, EngineJoints, EngineRequest, Graph, Method, Simulation as GraphRun,
+    SimulationRequest, engine_graph, equations,
+};
+use lanchester_mechanism::PeriodicCurve;
+use lanchester_report::CrossRow;
+use std::f64::consts::TAU;
+
+/// Share by which forces of compliant joints may differ from those of rigid ones.
+const BAR: f64 = 1e-2;
+/// Natural frequency of the heaviest part of the mechanism on its joints over the speed.
+const STIFF: f64 = 400.0;
+const DAMPING: f64 = 0.7;
+const STEPS: f64 = 1e-7;
+/// Samples of a revolution.
+const SAMPLES: f64 = 90.0;
+/// How long a joint rings behind a step of the pressure [rad]: `exp(-0.7 400 x)` is 1e-6 there.
+const RINGS: f64 = 0.05;
+/// A step of the pressure is more than this share of its largest within so small an angle [rad].
+const STEP: [f64; 2] = [8e-3, 1e-3];
+
+/// Side thrust, piston pins, lower pins; none where the bodies cannot move by themselves.
+pub(crate) fn joint_rows(pair: &Pair<'_>) -> Vec<CrossRow> {
+    let Some(run) = compliant_run(pair) else { return Vec::new() };
+    let shares = pair.train.main_shares(&[]);
+    let theta = run.values("theta").unwrap_or_default();
+    let steps: Vec<Vec<f64>> =
+        pair.gas.unwrap_or_default().iter().map(|gas| steps_of(&gas.cylinder)).collect();
+    let joints: Vec<[Joint<'_>; 6]> = (1..=pair.engine.cylinders.len()).map(|k| joints_of(&run, k)).collect();
+    let mut kinds = [[0.0f64; 3]; 3];
+    for (sample, theta) in theta.iter().enumerate().skip(1) {
+        let theirs = pair.reactions(*theta, &shares);
+        for (index, theirs) in theirs.cylinders.iter().enumerate() {
+            let behind = |step: &f64| {
+                let own = pair.train.own_angle(index, *theta);
+                (own - step).rem_euclid(pair.gas.map_or(TAU, |gas| gas[index].cylinder.period()))
+            };
+            if *theta < RINGS || steps.get(index).is_some_and(|own| own.iter().any(|at| behind(at) < RINGS)) {
+                continue;
+            }
+            let [along, across, x, y, upper, under] = joints[index].map(|own| own.at(sample));
+            let axis = pair.train.cylinders[index].axis;
+            let pin = [along * axis.re - across * axis.im, along * axis.im + across * axis.re];
+            let (lower, side) = ([x, y], upper + under);
+            let pairs = [
+                ([side, 0.0], [theirs.side_thrust, 0.0]),
+                (pin, [theirs.piston_pin.force[0], theirs.piston_pin.force[1]]),
+                (lower, [theirs.lower_pin.force[0], theirs.lower_pin.force[1]]),
+            ];
+            for (kind, (ours, theirs)) in kinds.iter_mut().zip(pairs) {
+                let size = |force: [f64; 2]| force[0].hypot(force[1]);
+                let off = size([ours[0] - theirs[0], ours[1] - theirs[1]]);
+                kind[0] = kind[0].max(size(ours));
+                kind[1] = kind[1].max(size(theirs));
+                kind[2] = if off.is_nan() { f64::INFINITY } else { kind[2].max(off) };
+            }
+        }
+    }
+    let names = ["side thrust", "piston pins", "crankpins and knuckle pins"];
+    let largest = kinds.iter().fold(0.0f64, |most, kind| most.max(kind[1]));
+    let rows = names.into_iter().zip(kinds).map(|(name, [ours, theirs, off])| {
+        let scale = theirs.max(0.1 * largest);
+        let name = format!("{name}, bond graph with compliant joints");
+        let mut row = CrossRow::held(&name, "N", None, [ours, theirs, off, scale], BAR);
+        (row.closed_form, row.bond_graph) = (None, row.closed_form);
+        row.reason = Some("ideal joints of the bond graph have no pins and walls".into());
+        row
+    });
+    rows.collect()
+}
+
+/// Spring and damper of a joint at the samples.
+#[derive(Clone, Copy)]
+struct Joint<'a> {
+    spring: &'a [f64],
+    damper: &'a [f64],
+}
+
+impl Joint<'_> {
+    fn at(&self, sample: usize) -> f64 {
+        // Without a spring there is no joint; a damper may be absent.
+        self.spring.get(sample).unwrap_or(&f64::NAN) + self.damper.get(sample).unwrap_or(&0.0)
+    }
+}
+
+/// Piston pin along and across the cylinder, lower pin along x and y, both contacts of the skirt.
+fn joints_of(run: &GraphRun, k: usize) -> [Joint<'_>; 6] {
+    ["pin{}_along", "pin{}_across", "crankpin{}_x", "crankpin{}_y", "contact{}_1", "contact{}_2"].map(
+        |name| {
+            let name = name.replace("{}", &k.to_string());
+            let of = |part: &str| run.values(&format!("{name}_{part}.effort")).unwrap_or_default();
+            Joint { spring: of("spring"), damper: of("damper") }
+        },
+    )
+}
+
+/// One cycle at imposed speed, block fixed, as in condition A.
+fn compliant_run(pair: &Pair<'_>) -> Option<GraphRun> {
+    let mass = |index: usize| {
+        let cylinder = &pair.engine.cylinders[index];
+        cylinder.piston_mass + cylinder.rod.mass()
+    };
+    let heaviest = (0..pair.engine.cylinders.len()).map(mass).fold(0.0, f64::max);
+    let stiffness = heaviest * (STIFF * pair.speed).powi(2);
+    let mut request = EngineRequest::free(pair.speed, 1.0);
+    request.drive = EngineDrive::Imposed;
+    request.joints = EngineJoints::Compliant(CompliantJoints {
+        stiffness,
+        skirt_stiffness: 0.5 * stiffness,
+        damping_ratio: DAMPING,
+        ..CompliantJoints::default()
+    });
+    request.pressures = pair.gas.map(gauge_pressures).unwrap_or_default();
+    let turns = if pair.gas.is_some() { f64::from(pair.engine.strokes.revolutions()) } else { 1.0 };
+    let count = (turns * SAMPLES).round();
+    let duration = turns * TAU / pair.speed;
+    let places: Vec<f64> = (1..=count as usize).map(|k| duration * k as f64 / count).collect();
+    let graph = Graph::new(&engine_graph(pair.engine, &request).ok()?).ok()?;
+    let found = equations(&graph).ok()?;
+    // Steps are held by stability, but a factor of hundreds of states at each would cost far more.
+    let method = Some(Method::Explicit);
+    let asked = SimulationRequest { duration, tolerance: STEPS, method, ..found.request() };
+    let run = found.simulate_at(&asked, &places);
+    run.complete.then_some(run)
+}
+
+/// Where a pressure makes a step [rad].
+fn steps_of(pressure: &PeriodicCurve) -> Vec<f64> {
+    let [share, width] = STEP;
+    let knots = pressure.knots();
+    let largest = knots.iter().map(|knot| pressure.at(*knot).abs()).fold(0.0, f64::max);
+    let is_step = |knot: &f64| (pressure.at(*knot) - pressure.at(knot - width)).abs() > share * largest;
+    knots.iter().copied().filter(is_step).collect()
+}
