@@ -1,6 +1,7 @@
 //! How far the rungs agree, load by load, and why where they do not.
 
 pub(crate) mod graph;
+pub(crate) mod graph_loads;
 pub(crate) mod graph_states;
 pub(crate) mod mounts;
 pub(crate) mod orders;
