@@ -6,8 +6,8 @@ use crate::gas_run::GasRun;
 use crate::inputs::inputs;
 use crate::shape::ShapeFit;
 use crate::source::{Change, Edit, KinematicsName, NewValue};
-use lanchester::file::read;
 use lanchester::file::workshop::read_sheet;
+use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, loads};
 use lanchester::model::Engine;
 use lanchester::task::workshop::Sheet;
@@ -18,6 +18,8 @@ use std::rc::Rc;
 /// An engine and its loads.
 pub(crate) struct Run {
     pub engine: Engine,
+    /// The engine with what its file asks of it.
+    pub file: EngineFile,
     pub loads: Loads,
     pub shape: ShapeFit,
     pub kinematics: Kinematics,
@@ -71,7 +73,7 @@ impl Bench {
             return Ok(run.clone());
         }
         let reading = read(&text);
-        let Some(engine) = reading.engine() else {
+        let Some(EngineFile { engine, tasks }) = reading.file else {
             let messages: Vec<_> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
             return Err(messages.join("; "));
         };
@@ -81,6 +83,7 @@ impl Bench {
         }
         let loads = loads(&engine, &request).map_err(|error| error.to_string())?;
         let run = Rc::new(Run {
+            file: EngineFile { engine: engine.clone(), tasks },
             engine,
             loads,
             inputs: inputs(&text, &changes),

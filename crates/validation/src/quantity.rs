@@ -14,13 +14,14 @@
 //!
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
-//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Workshop sheets: [`WorkshopKey`].
+//! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Runs in time: [`RunKey`]. Workshop sheets: [`WorkshopKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
+use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
 use crate::value::Value;
 use crate::workshop::WorkshopKey;
@@ -46,6 +47,8 @@ pub(crate) enum Key {
     Gas(GasKey),
     /// Of the bond graph.
     Graph(GraphKey),
+    /// Of a run in time.
+    Run(RunKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -183,6 +186,9 @@ impl Key {
         if let Some(graph) = GraphKey::parse(text) {
             return Ok(Key::Graph(graph));
         }
+        if let Some(run) = RunKey::parse(text) {
+            return Ok(Key::Run(run));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -208,6 +214,7 @@ impl Key {
             Key::Mount(mount) => mount.of(run).map(Value::Number),
             Key::Gas(gas) => gas.of(run).map(Value::Number),
             Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
+            Key::Run(key) => key.of(run).map(Value::Number),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }
