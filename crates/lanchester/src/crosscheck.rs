@@ -2,6 +2,7 @@
 
 pub(crate) mod graph;
 pub(crate) mod graph_joints;
+pub(crate) mod graph_loads;
 pub(crate) mod graph_states;
 pub(crate) mod mounts;
 pub(crate) mod orders;

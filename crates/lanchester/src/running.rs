@@ -1,6 +1,7 @@
 //! What a report tells of the running engine: torque with gas, bearings, the block on its mounts.
 
 use crate::bearing_films::{BearingFilms, bearing_films};
+use crate::crosscheck::{CrossCheckRequest, crosscheck};
 use crate::graph_report::{bond_graph_report, has_graph};
 use crate::mounted::{MountSpeeds, mounts};
 use crate::pressure::measured::TraceFile;
@@ -15,8 +16,8 @@ use lanchester_file::EngineFile;
 use lanchester_mechanism::{MountStudy, TorqueRequest};
 use lanchester_model::Engine;
 use lanchester_report::{
-    BondGraphResult, CrankRule, Section, SimulationResult, TorsionResult, bond_graph_section, mounts_section,
-    rule_section, simulation_section, torsion_section,
+    BondGraphResult, CrankRule, CrossCheck, Section, SimulationResult, TorsionResult, bond_graph_section,
+    crosscheck_section, mounts_section, rule_section, simulation_section, torsion_section,
 };
 
 /// Speeds and highest order of the section on mounts.
@@ -43,6 +44,8 @@ pub struct Running {
     pub mounts: Option<MountStudy>,
     /// The run in time that the file describes.
     pub simulation: Option<SimulationResult>,
+    /// How far closed form and bond graph agree with the simulation, where the file describes a run.
+    pub crosscheck: Option<CrossCheck>,
     /// The engine as a bond graph.
     pub graph: Option<BondGraphResult>,
     /// What was left out and why, and what the results warn of.
@@ -105,12 +108,21 @@ pub fn running(file: &EngineFile, traces: Result<&[TraceFile], String>, speed: f
         section(tasks.simulation.is_some(), "the simulated run is", &traces, &mut warnings, |traces| {
             simulate(file, traces, &SimulateRequest::default()).map_err(|error| error.to_string())
         });
+    let crosscheck =
+        section(tasks.simulation.is_some(), "the second opinion is", &traces, &mut warnings, |traces| {
+            let request = CrossCheckRequest {
+                speed: Some(speed),
+                simulation: tasks.simulation.clone(),
+                ..CrossCheckRequest::default()
+            };
+            crosscheck(engine, traces, &request).map_err(|error| error.to_string())
+        });
     let input = tasks.simulation.as_deref();
     let graph = section(has_graph(engine, input), "the bond graph is", &traces, &mut warnings, |traces| {
         bond_graph_report(engine, traces, input, speed)
     });
     let strength = strength.unwrap_or_default();
-    Running { torque, bearings, films, strength, torsion, mounts, simulation, graph, warnings }
+    Running { torque, bearings, films, strength, torsion, mounts, simulation, crosscheck, graph, warnings }
 }
 
 /// What the section on torque is called where it is left out.
@@ -139,10 +151,13 @@ impl Running {
         let films = self.films.as_ref().and_then(BearingFilms::section);
         let mounts = self.mounts.as_ref().map(|study| mounts_section(engine, study));
         let simulated = self.simulation.as_ref().map(simulation_section);
+        let crosscheck = self.crosscheck.as_ref().map(crosscheck_section);
         let graph = self.graph.as_ref().map(bond_graph_section);
         let strength = rule_section(&self.strength);
         let torsion = self.torsion.as_ref().map(torsion_section);
-        [torque, bearings, films, torsion, strength, mounts, simulated, graph].into_iter().flatten().collect()
+        let found =
+            [torque, bearings, films, torsion, strength, mounts, simulated, crosscheck, graph];
+        found.into_iter().flatten().collect()
     }
 }
 

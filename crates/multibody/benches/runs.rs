@@ -2,7 +2,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use lanchester_file::{read, template};
 use lanchester_model::*;
-use lanchester_multibody::{BlockMotion, GasPressure, LoadLaw, RotorInertia, Simulation, Train};
+use lanchester_multibody::{BlockMotion, Duration, GasPressure, LoadLaw, RotorInertia, Simulation, Train};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
@@ -56,6 +56,91 @@ fn engine(name: &str) -> Engine {
     Engine::new(engine).expect("it is valid")
 }
 
+/// The gas of the Modelica library's V6: polynomials in the place of the piston, one turn a cycle.
+struct ModelicaGas;
+
+impl GasPressure for ModelicaGas {
+    fn pressure(&self, _: usize, own: f64, _: f64) -> f64 {
+        let own = own.rem_euclid(TAU);
+        let (sin, cos) = own.sin_cos();
+        let pin = 0.05 * cos + (0.175f64.powi(2) - (0.05 * sin).powi(2)).sqrt();
+        let x = 1.0 - (0.32 - pin) / 0.195;
+        let by = |c: [f64; 5]| c.iter().fold(0.0, |sum, c| sum * x + c);
+        let falling = own > TAU / 2.0;
+        1e5 * if falling {
+            by([177.4132, -287.2189, 151.8252, -24.9973, 2.4])
+        } else {
+            by([145.930, -131.707, 17.3438, 17.9272, 2.4])
+        }
+    }
+
+    fn cycle(&self) -> f64 {
+        TAU
+    }
+
+    fn kinks(&self, _: usize) -> Vec<f64> {
+        vec![0.0, TAU / 2.0]
+    }
+}
+
+/// The V6 of the Modelica library: 1.01 s from 10 rad/s under a load that goes with the square of the speed, to 1e-7.
+fn modelica(c: &mut Criterion) {
+    let deg = f64::to_radians;
+    let places = [[-30.0, -30.0], [30.0, 90.0], [-30.0, 210.0], [30.0, 210.0], [-30.0, 90.0], [30.0, -30.0]];
+    let rod = Rod {
+        length: 0.175,
+        big_end_mass: 0.5,
+        small_end_mass: 0.5,
+        inertia: Some(0.006),
+        axial_inertia: 0.0,
+        mass_rule: RodMassRule::CentreOfGravity,
+        joint: RodJoint::Crankpin,
+    };
+    let throw = |[_, angle]: [f64; 2]| Throw {
+        crankshaft: 0,
+        angle: deg(angle),
+        z: 0.0,
+        radius: 0.05,
+        unbalance: 0.0,
+        unbalance_offset: 0.0,
+        webs: None,
+    };
+    let cylinder = |(index, [axis, angle]): (usize, [f64; 2])| Cylinder {
+        throw: index,
+        angle: deg(axis),
+        z: 0.0,
+        offset: 0.0,
+        pin_offset: 0.0,
+        bore: Some(0.1),
+        piston_mass: 6.0,
+        rod: rod.clone(),
+        firing_angle: Some(deg(axis - angle).rem_euclid(TAU)),
+        chamber: None,
+    };
+    let crankshaft =
+        Crankshaft { name: "crankshaft".into(), ratio: Ratio::ONE, phase: 0.0, x: 0.0, y: 0.0, mains: None };
+    let engine = Engine::new(EngineParts {
+        name: "V6".into(),
+        strokes: Strokes::Two,
+        rotation: Rotation::Clockwise,
+        speed: SpeedRange { lowest: 200.0, highest: 200.0 },
+        crankshafts: vec![crankshaft],
+        throws: places.map(throw).into(),
+        cylinders: places.into_iter().enumerate().map(cylinder).collect(),
+        ..EngineParts::default()
+    })
+    .expect("it is valid");
+    let inertia = RotorInertia { crankshafts: vec![Some(1.1)], ..RotorInertia::default() };
+    let train = Train::new(&engine, &inertia).expect("it turns");
+    let mut simulation = Simulation::free(10.0, 1.0);
+    simulation.duration = Duration::Time(1.01);
+    (simulation.gravity, simulation.tolerance, simulation.step) = (9.81, 1e-7, TAU);
+    simulation.load.law = LoadLaw::Quadratic { torque: 100.0, at: 200.0 };
+    c.bench_function("V6 of the Modelica library, 1.01 s", |b| {
+        b.iter(|| train.run(black_box(&simulation), Some(&ModelicaGas)))
+    });
+}
+
 fn runs(c: &mut Criterion) {
     let mut group = c.benchmark_group("ten revolutions");
     for (name, template) in [("single", "single"), ("V6", "v6-60")] {
@@ -88,5 +173,5 @@ fn runs(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, runs);
+criterion_group!(benches, runs, modelica);
 criterion_main!(benches);

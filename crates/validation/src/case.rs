@@ -11,7 +11,6 @@ use lanchester::file::workshop::read_sheet;
 use lanchester::file::{EngineFile, read};
 use lanchester::mechanism::{Kinematics, LoadRequest, Loads, Part, PeakMode, loads};
 use lanchester::model::Engine;
-use lanchester::task::Tasks;
 use lanchester::task::workshop::Sheet;
 use std::cell::OnceCell;
 use std::collections::HashMap;
@@ -20,8 +19,8 @@ use std::rc::Rc;
 /// An engine and its loads.
 pub(crate) struct Run {
     pub engine: Engine,
-    /// What the file asks beside the engine.
-    pub tasks: Tasks,
+    /// The engine with what its file asks of it.
+    pub file: EngineFile,
     pub loads: Loads,
     pub shape: ShapeFit,
     pub stress_fit: StressFit,
@@ -37,10 +36,6 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// The engine with what its file asks.
-    pub fn file(&self) -> EngineFile {
-        EngineFile { engine: self.engine.clone(), tasks: self.tasks.clone() }
-    }
 
     /// The twin thesis's `M_z`: balance shafts and weights, without side thrust and torque reaction.
     pub fn roll_of_shafts(&self) -> Vec<f64> {
@@ -83,7 +78,7 @@ impl Bench {
             return Ok(run.clone());
         }
         let reading = read(&text);
-        let Some(EngineFile { engine, tasks }) = reading.file.clone() else {
+        let Some(EngineFile { engine, tasks }) = reading.file else {
             let messages: Vec<_> = reading.diagnostics.iter().map(|d| d.message.clone()).collect();
             return Err(messages.join("; "));
         };
@@ -93,8 +88,8 @@ impl Bench {
         }
         let loads = loads(&engine, &request).map_err(|error| error.to_string())?;
         let run = Rc::new(Run {
+            file: EngineFile { engine: engine.clone(), tasks },
             engine,
-            tasks,
             loads,
             inputs: inputs(&text, &changes),
             power_step: fitting.power_step,

@@ -123,14 +123,25 @@ pub(crate) const FILES: &[(&str, &str)] = embedded![
     "torsional-chains/marine-geared-set.json",
     "torsional-chains/six-masses.toml",
     "torsional-chains/six-masses.json",
+    "modelica-engines/source.json",
+    "modelica-engines/v6.toml",
+    "modelica-engines/single-gas.toml",
+    "modelica-engines/single.toml",
+    "modelica-engines/slider-crank.toml",
+    "modelica-engines/v6.json",
+    "modelica-engines/single-gas.json",
+    "modelica-engines/single.json",
+    "modelica-engines/slider-crank.json",
 ];
 
-/// The synthetic pressure traces, by the names under which engine files ask for them.
-pub(crate) const TRACES: [(&str, &str); 4] = [
+/// The synthetic pressure traces, and gas laws of others as traces, by the names under which engine files ask for them.
+pub(crate) const TRACES: [(&str, &str); 6] = [
     ("pressure-1000.csv", include_str!("../../../validation/traces/pressure-1000.csv")),
     ("pressure-2000.csv", include_str!("../../../validation/traces/pressure-2000.csv")),
     ("pressure-3000.csv", include_str!("../../../validation/traces/pressure-3000.csv")),
     ("pressure-4000.csv", include_str!("../../../validation/traces/pressure-4000.csv")),
+    ("../traces/modelica-v6.csv", include_str!("../../../validation/traces/modelica-v6.csv")),
+    ("../traces/modelica-single.csv", include_str!("../../../validation/traces/modelica-single.csv")),
 ];
 
 /// A source: its `source.json`, tables and engine files.

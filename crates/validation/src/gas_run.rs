@@ -8,6 +8,11 @@ use lanchester::model::Engine;
 use lanchester::{TraceFile, cylinder_gas};
 use std::f64::consts::TAU;
 
+/// The traces that engine files of `validation/` may name.
+pub(crate) fn traces() -> Vec<TraceFile> {
+    TRACES.iter().map(|(name, text)| TraceFile { name: (*name).into(), text: (*text).into() }).collect()
+}
+
 /// Torque and bearing loads of an engine.
 pub(crate) struct GasRun {
     pub torque: Torque,
@@ -17,7 +22,7 @@ pub(crate) struct GasRun {
 impl GasRun {
     /// Of an engine with the synthetic traces that it names.
     pub fn of(engine: &Engine, kinematics: Kinematics) -> Result<GasRun, String> {
-        let traces = TRACES.map(|(name, text)| TraceFile { name: name.into(), text: text.into() });
+        let traces = traces();
         let gas = cylinder_gas(engine, &traces, engine.speed.highest).map_err(|error| error.to_string())?;
         let request = TorqueRequest {
             lever: Lever::Sine,

@@ -28,6 +28,7 @@ mod mount;
 mod quantity;
 mod render;
 mod result;
+mod rigid_run;
 mod shape;
 mod source;
 mod stress;

@@ -15,13 +15,14 @@
 //! `... of rotating + reciprocating`, `... of cylinder 1` takes a name from these alone. The rest are data of the
 //! engine, see [`EngineDatum`]; `a plus b` adds them. Devices that a method fits: [`DeviceKey`]. Shapes of counterweights:
 //! [`ShapeKey`]. Forces at mounts: [`MountKey`]. What the gas does: [`GasKey`]. The bond graph: [`GraphKey`]. Static stress: [`StressKey`].
-//! Torsion: [`TorsionKey`]. Workshop sheets: [`WorkshopKey`].
+//! Torsion: [`TorsionKey`]. Runs in time: [`RunKey`]. Workshop sheets: [`WorkshopKey`].
 
 use crate::case::Run;
 use crate::gas::GasKey;
 use crate::graph::GraphKey;
 use crate::method::DeviceKey;
 use crate::mount::MountKey;
+use crate::rigid_run::RunKey;
 use crate::shape::ShapeKey;
 use crate::stress::{StressKey, StressRun};
 use crate::torsion::TorsionKey;
@@ -53,6 +54,8 @@ pub(crate) enum Key {
     Torsion(TorsionKey),
     /// Of a case of static stress.
     Stress(StressKey),
+    /// Of a run in time.
+    Run(RunKey),
     /// Of a workshop sheet.
     Workshop(WorkshopKey),
 }
@@ -196,6 +199,9 @@ impl Key {
         if let Some(graph) = GraphKey::parse(text) {
             return Ok(Key::Graph(graph));
         }
+        if let Some(run) = RunKey::parse(text) {
+            return Ok(Key::Run(run));
+        }
         let (name, selection) = match text.split_once(" of ") {
             Some((name, whose)) if name != "angle" => (name, Selection::parse(whose)?),
             _ => (text, Selection::Total),
@@ -221,11 +227,12 @@ impl Key {
             Key::Mount(mount) => mount.of(run).map(Value::Number),
             Key::Gas(gas) => gas.of(run).map(Value::Number),
             Key::Graph(graph) => graph.of(&run.engine).map(Value::Number),
-            Key::Torsion(torsion) => torsion.of(&run.file()).map(Value::Number),
+            Key::Torsion(torsion) => torsion.of(&run.file).map(Value::Number),
             Key::Stress(stress) => {
                 let found = run.stress.get_or_init(|| StressRun::of(&run.engine, &run.stress_fit));
                 found.as_ref().map(|found| Value::Number(stress.of(found))).map_err(Clone::clone)
             }
+            Key::Run(key) => key.of(run).map(Value::Number),
             Key::Workshop(_) => Err("an engine is no workshop sheet".to_string()),
         }
     }

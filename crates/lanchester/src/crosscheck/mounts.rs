@@ -6,15 +6,17 @@
 //! (1) SUM rho J w Omega x z       gyroscopic couple of the rotors
 //! (2) I_zz - SUM rho J            the drive turns the rotors on while the block rolls: their polar inertia does not follow it
 //! ```
-//! and leaves out that pistons, rods and unbalances move within the block: what that changes goes with the moving mass, and halves with it. With gas the mean
-//! torque is taken by a load on the block, so that it does not lean; the loads of the gas do not halve with the masses, so that no ratio is held.
+//! and leaves out that pistons, rods and unbalances move within the block (3): what that changes goes with the moving mass, and halves with it. With gas the mean
+//! torque is taken by a load on the block, so that it does not lean. The gas does not halve with the masses, and on soft mounts it turns the block so far that the
+//! linear response is off by that alone (4): its ratio is held for a share of the gas whose motion is small, and what the rest of it adds stands beside.
 
 use crate::crosscheck::orders::order_of;
 use crate::crosscheck::pair::{CrossCheckError, Pair};
 use crate::inertias::{rotating_bodies, rotor_inertia};
 use crate::pressure::simulated::GivenGas;
 use lanchester_mechanism::{
-    GasTrain, Lever, MountSystem, inertia_excitations, merged_orders, rotor_inertia_about_z,
+    GasTrain, Lever, MountSystem, OrderLoads, OrderResponse, inertia_excitations, merged_orders,
+    rotor_inertia_about_z,
 };
 use lanchester_model::{Block, Engine, EngineParts, MovingParts};
 use lanchester_multibody::{BlockMotion, GasPressure, Load, LoadLaw, Motion, ReactsOn, Simulation, Train};
@@ -34,12 +36,38 @@ const NOTHING: f64 = 1e-8;
 /// Orders below this share of the largest are not listed.
 const LISTED: f64 = 1e-3;
 
-/// Motion of the block's centre [m] and rotation [rad], one amplitude an order.
-type Orders = Vec<(f64, [Complex64; 6])>;
+/// Share of the gas whose motion of the block counts as small: both signs of it are simulated.
+const SMALL: f64 = 0.02;
 
-/// Kinds of motion: name, unit, first component.
-const KINDS: [(&str, &str, usize); 2] =
-    [("translation of the block's centre", "m", 0), ("rotation of the block", "rad", 3)];
+/// By order: displacement of the block's centre [m], rotation [rad], and the force on every mount [N], three amplitudes each.
+type Orders = Vec<(f64, Vec<Complex64>)>;
+
+/// Kinds of quantities: name, unit, first component; forces at mounts go to the end.
+const KINDS: [(&str, &str, usize); 3] = [
+    ("translation of the block's centre", "m", 0),
+    ("rotation of the block", "rad", 3),
+    ("forces at the mounts", "N", 6),
+];
+
+/// Components of a kind.
+fn part(values: &[Complex64], from: usize) -> &[Complex64] {
+    if from < 6 { &values[from..from + 3] } else { values.get(6..).unwrap_or_default() }
+}
+
+/// Root of the sum of the squares of some amplitudes.
+fn size(values: &[Complex64]) -> f64 {
+    values.iter().map(|value| value.norm_sqr()).sum::<f64>().sqrt()
+}
+
+/// Factors times orders, summed.
+fn sum(terms: &[(f64, &Orders)]) -> Orders {
+    let Some((_, first)) = terms.first() else { return Vec::new() };
+    let all = first.iter().enumerate().map(|(index, (order, values))| {
+        let of = |k: usize| terms.iter().map(|(factor, own)| *factor * own[index].1[k]).sum();
+        (*order, (0..values.len()).map(of).collect())
+    });
+    all.collect()
+}
 
 /// Why neither C nor D applies, if they do not.
 fn cannot_move(pair: &Pair<'_>) -> Option<String> {
@@ -59,47 +87,98 @@ pub(crate) fn moving_block(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, Stri
     let Some(whole) = with_whole_block(pair.engine) else {
         return Ok(Err("its mounts leave a motion free".into()));
     };
-    let (Some(found), Some(plain), Some(both)) = (
-        simulated(pair, &whole, Run::Imposed)?,
-        linear(pair, &whole, false, false)?,
-        linear(pair, &whole, true, false)?,
-    ) else {
-        return Ok(Err("no periodic motion was found".into()));
-    };
+    let none = || Ok(Err("no periodic motion was found".into()));
+    let Some(found) = simulated(pair, &whole, Run::Imposed(0.0))? else { return none() };
+    let mut by_causes = Vec::new();
+    for rotors in [Rotors::NEITHER, Rotors::COUPLE, Rotors::ROLL, Rotors::BOTH] {
+        let Some(response) = linear(pair, &whole, rotors, 0.0)? else { return none() };
+        by_causes.push(off(&response, &found));
+    }
+    let [plain, couple, roll, left] = by_causes[..] else { return none() };
+    let Some(both) = linear(pair, &whole, Rotors::BOTH, 0.0)? else { return none() };
     let half = halved(&whole);
     let (Some(half_found), Some(half_both)) =
-        (simulated(pair, &half, Run::Imposed)?, linear(pair, &half, true, false)?)
+        (simulated(pair, &half, Run::Imposed(0.0))?, linear(pair, &half, Rotors::BOTH, 0.0)?)
     else {
         return Ok(Err("no periodic motion was found with half the moving mass".into()));
     };
     let mut rows = motion_rows("", &both, &found, |_, _| "moving masses".into());
-    let (left, half_left) = (off(&both, &found), off(&half_both, &half_found));
-    rows.push(CrossRow {
-        quantity: "motion, largest difference; without what the rotors do in the closed form".into(),
-        unit: "share".into(),
-        order: None,
-        closed_form: Some(off(&plain, &found)),
-        bond_graph: None,
-        multibody: left,
-        difference: left,
-        scale: 1.0,
-        bar: None,
-        verdict: CrossVerdict::DiffersAsItMust,
-        reason: Some("the first number is without the gyroscopic couple and the roll of the rotors, the second with them".into()),
-    });
-    if left > NOTHING {
-        let ratio = left / half_left;
-        let values = [2.0, ratio, (ratio - 2.0).abs(), 2.0];
-        let name = "what is left, over that of half the moving mass";
-        rows.push(CrossRow::held(name, "1", None, values, RATIO));
+    for (what, without, cause) in [
+        (
+            "neither (1) nor (2)",
+            plain,
+            "(1) gyroscopic couple of the rotors, (2) their inertia does not follow the roll",
+        ),
+        ("(1) alone", couple, "(2) the rotors' inertia does not follow the roll"),
+        ("(2) alone", roll, "(1) gyroscopic couple of the rotors"),
+    ] {
+        rows.push(CrossRow {
+            quantity: format!("motion, largest difference; {what} in the closed form, and with both"),
+            unit: "share".into(),
+            order: None,
+            closed_form: Some(without),
+            bond_graph: None,
+            multibody: left,
+            difference: left,
+            scale: 1.0,
+            bar: None,
+            verdict: CrossVerdict::DiffersAsItMust,
+            reason: Some(format!("the first number lacks {cause}; the second has both")),
+        });
     }
+    rows.extend(ratio_row(
+        "what is left, over that of half the moving mass",
+        left,
+        off(&half_both, &half_found),
+    ));
     if pair.gas.is_some()
-        && let (Some(found), Some(both)) =
-            (simulated(pair, &whole, Run::ImposedWithGas)?, linear(pair, &whole, true, true)?)
+        && let (Some(full), Some(both_full)) =
+            (simulated(pair, &whole, Run::Imposed(1.0))?, linear(pair, &whole, Rotors::BOTH, 1.0)?)
+        && let (Some(gas), Some(half_gas)) = (of_small_gas(pair, &whole)?, of_small_gas(pair, &half)?)
     {
-        rows.extend(motion_rows(", with gas", &both, &found, |_, _| "moving masses".into()));
+        // What inertia and a little gas leave, each for itself, as if the motion of all of it were small.
+        let small = sum(&[(1.0, &both), (-1.0, &found), (1.0, &gas.closed), (-1.0, &gas.found)]);
+        let all = sum(&[(1.0, &both_full), (-1.0, &full), (-1.0, &small)]);
+        rows.extend(motion_rows(", with gas", &both_full, &full, |index, from| {
+            let share = |own: &Orders| size(part(&own[index].1, from)) / largest(&full, from);
+            format!("moving masses {:.1e}, size of the motion {:.1e}", share(&small), share(&all))
+        }));
+        let what = "what is left of the motion by a little gas, over that of half the moving mass";
+        rows.extend(ratio_row(what, gas.left(), half_gas.left()));
     }
     Ok(Ok(rows))
+}
+
+/// The ratio of what is left to what is left with half the moving mass, which must be 2; none where nothing is left.
+fn ratio_row(name: &str, left: f64, half_left: f64) -> Option<CrossRow> {
+    let ratio = left / half_left;
+    let values = [2.0, ratio, (ratio - 2.0).abs(), 2.0];
+    (left > NOTHING).then(|| CrossRow::held(name, "1", None, values, RATIO))
+}
+
+/// Motion by the gas alone, as far as it is in proportion to it: closed form and simulation.
+struct OfGas {
+    closed: Orders,
+    found: Orders,
+}
+
+impl OfGas {
+    /// Largest difference.
+    fn left(&self) -> f64 {
+        off(&self.closed, &self.found)
+    }
+}
+
+/// From a share of the gas with either sign.
+fn of_small_gas(pair: &Pair<'_>, engine: &Engine) -> Result<Option<OfGas>, CrossCheckError> {
+    let both = |plus: Option<Orders>, minus: Option<Orders>| {
+        Some(sum(&[(0.5 / SMALL, &plus?), (-0.5 / SMALL, &minus?)]))
+    };
+    let found =
+        both(simulated(pair, engine, Run::Imposed(SMALL))?, simulated(pair, engine, Run::Imposed(-SMALL))?);
+    let closed =
+        both(linear(pair, engine, Rotors::BOTH, SMALL)?, linear(pair, engine, Rotors::BOTH, -SMALL)?);
+    Ok(closed.zip(found).map(|(closed, found)| OfGas { closed, found }))
 }
 
 /// Rows of condition D, or why it does not apply.
@@ -118,28 +197,23 @@ pub(crate) fn all_free(pair: &Pair<'_>) -> Result<Result<Vec<CrossRow>, String>,
     };
     let (Some(free), Some(imposed), Some(both)) = (
         simulated(pair, &whole, Run::Free)?,
-        simulated(pair, &whole, Run::ImposedWithGas)?,
-        linear(pair, &whole, true, true)?,
+        simulated(pair, &whole, Run::Imposed(1.0))?,
+        linear(pair, &whole, Rotors::BOTH, 1.0)?,
     ) else {
         return Ok(Err("no periodic motion was found".into()));
     };
-    // The part of C, and what is left: the free speed.
+    // The part of C, that of the free speed, and what neither explains.
+    let of_masses = sum(&[(1.0, &imposed), (-1.0, &both)]);
+    let of_speed = sum(&[(1.0, &free), (-1.0, &imposed)]);
     Ok(Ok(motion_rows(", by the linear response", &both, &free, |index, from| {
-        let size = |a: &[Complex64; 6], b: &[Complex64; 6]| {
-            (from..from + 3).map(|k| (a[k] - b[k]).norm_sqr()).sum::<f64>().sqrt()
-        };
-        let scale = largest(&free, from);
-        let masses = size(&imposed[index].1, &both[index].1) / scale;
-        let speed = size(&free[index].1, &imposed[index].1) / scale;
-        format!("moving masses {masses:.1e} (C), free speed {speed:.1e} (B)")
+        let share = |own: &Orders| size(part(&own[index].1, from)) / largest(&free, from);
+        format!("as in C {:.1e}, free speed {:.1e} (B)", share(&of_masses), share(&of_speed))
     })))
 }
 
-/// Largest amplitude of three components over all orders.
+/// Largest size of a kind over all orders.
 fn largest(orders: &Orders, from: usize) -> f64 {
-    let size =
-        |motion: &[Complex64; 6]| motion[from..from + 3].iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt();
-    orders.iter().map(|(_, motion)| size(motion)).fold(f64::MIN_POSITIVE, f64::max)
+    orders.iter().map(|(_, values)| size(part(values, from))).fold(f64::MIN_POSITIVE, f64::max)
 }
 
 /// Rows of every order of two motions that is not small; `reason` of an order by its place and first component.
@@ -151,21 +225,22 @@ fn motion_rows(
 ) -> Vec<CrossRow> {
     let mut rows = Vec::new();
     for (name, unit, from) in KINDS {
-        let size =
-            |motion: &[Complex64; 6]| motion[from..from + 3].iter().map(|c| c.norm_sqr()).sum::<f64>().sqrt();
         let scale = largest(found, from);
-        for (index, ((order, ours), (_, theirs))) in found.iter().zip(closed).enumerate() {
-            if size(ours).max(size(theirs)) < LISTED * scale {
+        let apart = sum(&[(1.0, found), (-1.0, closed)]);
+        for (index, (order, ours)) in found.iter().enumerate() {
+            let [ours, theirs, apart] =
+                [ours, &closed[index].1, &apart[index].1].map(|v| size(part(v, from)));
+            if ours.max(theirs) < LISTED * scale {
                 continue;
             }
             rows.push(CrossRow {
                 quantity: format!("{name}{what}"),
                 unit: unit.into(),
                 order: Some(*order),
-                closed_form: Some(size(theirs)),
+                closed_form: Some(theirs),
                 bond_graph: None,
-                multibody: size(ours),
-                difference: size(&std::array::from_fn(|k| ours[k] - theirs[k])),
+                multibody: ours,
+                difference: apart,
                 scale,
                 bar: None,
                 verdict: CrossVerdict::DiffersAsItMust,
@@ -178,16 +253,16 @@ fn motion_rows(
 
 /// Largest difference of two motions, translations over the largest translation and rotations over the largest rotation.
 fn off(a: &Orders, b: &Orders) -> f64 {
-    let largest = |from: usize| {
-        let sizes = b.iter().flat_map(|(_, motion)| motion[from..from + 3].iter().map(|c| c.norm()));
-        sizes.fold(f64::MIN_POSITIVE, f64::max)
-    };
-    let scales = [largest(0), largest(3)];
-    let pairs = a
-        .iter()
-        .zip(b)
-        .flat_map(|((_, a), (_, b))| (0..6).map(move |k| (a[k] - b[k]).norm() / scales[k / 3]));
-    pairs.fold(0.0, f64::max)
+    let mut most = 0.0f64;
+    for from in [0, 3] {
+        let norms = b.iter().flat_map(|(_, motion)| part(motion, from)).map(|value| value.norm());
+        let scale = norms.fold(f64::MIN_POSITIVE, f64::max);
+        for ((_, a), (_, b)) in a.iter().zip(b) {
+            let pairs = part(a, from).iter().zip(part(b, from));
+            most = pairs.map(|(a, b)| (a - b).norm() / scale).fold(most, f64::max);
+        }
+    }
+    most
 }
 
 /// The engine with the numbers of its whole body in `[block]`; `None` where its mounts do not hold it.
@@ -225,14 +300,32 @@ fn halved(engine: &Engine) -> Engine {
 }
 
 /// What is simulated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Run {
-    /// Imposed speed, inertia alone.
-    Imposed,
-    /// Imposed speed, gas.
-    ImposedWithGas,
+    /// Imposed speed, with this share of the gas.
+    Imposed(f64),
     /// Free speed, gas.
     Free,
+}
+
+/// A share of a gas.
+struct Share<'a> {
+    of: GivenGas<'a>,
+    share: f64,
+}
+
+impl GasPressure for Share<'_> {
+    fn pressure(&self, cylinder: usize, own_angle: f64, speed: f64) -> f64 {
+        self.share * self.of.pressure(cylinder, own_angle, speed)
+    }
+
+    fn cycle(&self) -> f64 {
+        self.of.cycle()
+    }
+
+    fn kinks(&self, cylinder: usize) -> Vec<f64> {
+        self.of.kinks(cylinder)
+    }
 }
 
 /// The periodic motion of the simulation by order; `None` where there is none.
@@ -243,9 +336,11 @@ fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders
         _ => Simulation::imposed(pair.speed, 1.0),
     };
     simulation.block = BlockMotion::Mounts;
-    let given = pair.gas.filter(|_| run != Run::Imposed).map(GivenGas::new);
-    if let (Some(gas), Some(_)) = (pair.gas, &given) {
-        let mean = GasTrain::new(engine, gas, Lever::Exact)?.mean_torques().iter().sum::<f64>();
+    let share = if let Run::Imposed(share) = run { share } else { 1.0 };
+    let gas = pair.gas.filter(|_| share != 0.0);
+    let given = gas.map(|gas| Share { of: GivenGas::new(gas), share });
+    if let Some(gas) = gas {
+        let mean = share * GasTrain::new(engine, gas, Lever::Exact)?.mean_torques().iter().sum::<f64>();
         if mean <= 0.0 && run == Run::Free {
             return Ok(None);
         }
@@ -260,46 +355,96 @@ fn simulated(pair: &Pair<'_>, engine: &Engine, run: Run) -> Result<Option<Orders
     let Some(block) = engine.block.as_ref().filter(|_| found.residual < 1e-8) else { return Ok(None) };
     let centre = Vector3::from(block.centre);
     let samples = &found.run.samples;
-    let at = |k: usize| {
+    let at = |k: usize| -> Vec<f64> {
         let (position, orientation) = (samples.position[k].into(), samples.orientation[k]);
         let rotation = Motion { position, orientation, ..Motion::fixed(0.0, 0.0) }.rotation();
         let moved = position + rotation * centre - centre;
         let turn = Rotation3::from_matrix_unchecked(rotation).scaled_axis();
-        [moved.x, moved.y, moved.z, turn.x, turn.y, turn.z]
+        let motion = [moved.x, moved.y, moved.z, turn.x, turn.y, turn.z];
+        motion.into_iter().chain(samples.mounts.get(k).into_iter().flatten().flatten().copied()).collect()
     };
     let count = samples.theta.len() - 1;
-    let traces: Vec<[f64; 6]> = (0..count).map(at).collect();
+    let traces: Vec<Vec<f64>> = (0..count).map(at).collect();
+    let components = traces.first().map_or(0, Vec::len);
     let turns = f64::from(train.revolutions);
     let orders = (1..=ORDERS * train.revolutions).map(|k| {
         let order = f64::from(k) / turns;
-        (order, std::array::from_fn(|c| 2.0 * order_of(traces.iter().map(|at| at[c]), count, turns, order)))
+        let of = |c: usize| 2.0 * order_of(traces.iter().map(|at| at[c]), count, turns, order);
+        (order, (0..components).map(of).collect())
     });
     Ok(Some(orders.collect()))
 }
 
-/// The response of `mounts` by order, with what the rotors do and with gas where asked for; `None` where there is none.
+/// What of the rotors is in the closed form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Rotors {
+    /// (1) Their gyroscopic couple.
+    couple: bool,
+    /// (2) Their inertia does not follow the roll.
+    roll: bool,
+}
+
+impl Rotors {
+    const NEITHER: Rotors = Rotors { couple: false, roll: false };
+    const COUPLE: Rotors = Rotors { couple: true, roll: false };
+    const ROLL: Rotors = Rotors { couple: false, roll: true };
+    const BOTH: Rotors = Rotors { couple: true, roll: true };
+}
+
+/// The response of `mounts` by order, with what of the rotors and which share of the gas is asked for; `None` where there is none.
 fn linear(
     pair: &Pair<'_>,
     engine: &Engine,
-    rotors: bool,
-    with_gas: bool,
+    rotors: Rotors,
+    share: f64,
 ) -> Result<Option<Orders>, CrossCheckError> {
+    let about_z = rotor_inertia_about_z(&rotating_bodies(engine));
+    // The system takes both causes from one number: that of the roll alone is put in or made up for in the block's inertia.
+    let other = match rotors {
+        Rotors { couple: true, roll: false } => about_z,
+        Rotors { couple: false, roll: true } => -about_z,
+        _ => 0.0,
+    };
+    let shifted = engine.with(|parts| {
+        if let Some(block) = &mut parts.block {
+            block.inertia[2] += other;
+        }
+    });
+    let Ok(shifted) = shifted else { return Ok(None) };
     let (Ok(system), Ok(mut excitations)) =
-        (MountSystem::new(engine), inertia_excitations(engine, &[pair.speed], ORDERS))
+        (MountSystem::new(&shifted), inertia_excitations(engine, &[pair.speed], ORDERS))
     else {
         return Ok(None);
     };
-    if let (Some(gas), true, Some(excitation)) = (pair.gas, with_gas, excitations.first_mut()) {
-        let gas = GasTrain::new(engine, gas, Lever::Exact)?.orders(ORDERS);
+    if let (Some(gas), true, Some(excitation)) = (pair.gas, share != 0.0, excitations.first_mut()) {
+        let mut gas = GasTrain::new(engine, gas, Lever::Exact)?.orders(ORDERS);
+        gas.iter_mut().for_each(|order| scale(order, share));
         excitation.orders = merged_orders(&excitation.orders, &gas);
     }
-    let about_z = rotor_inertia_about_z(&rotating_bodies(engine));
-    let system = system.with_rotors(if rotors { about_z } else { 0.0 });
+    let system = system.with_rotors(if rotors.couple { about_z } else { 0.0 });
     let Ok(response) = system.response(&excitations) else { return Ok(None) };
+    let mounts = engine.mounts.len();
     let all = |k: u32| {
         let order = f64::from(k) / f64::from(pair.train.revolutions);
         let own = response.speeds[0].orders.iter().find(|own| (own.order - order).abs() < 1e-9);
-        (order, own.map_or([Complex64::ZERO; 6], |own| own.motion))
+        let of = |own: &OrderResponse| -> Vec<Complex64> {
+            own.motion.iter().chain(own.forces.iter().flatten()).copied().collect()
+        };
+        (order, own.map_or_else(|| vec![Complex64::ZERO; 6 + 3 * mounts], of))
     };
     Ok(Some((1..=ORDERS * pair.train.revolutions).map(all).collect()))
+}
+
+/// Loads of one order times a factor.
+fn scale(order: &mut OrderLoads, factor: f64) {
+    for load in [
+        &mut order.force_forward,
+        &mut order.force_backward,
+        &mut order.couple_forward,
+        &mut order.couple_backward,
+        &mut order.roll_moment,
+        &mut order.shaft_torque,
+    ] {
+        *load *= factor;
+    }
 }

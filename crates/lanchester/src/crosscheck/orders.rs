@@ -20,10 +20,27 @@ pub(crate) fn two_sided(trace: &[Complex64], turns: f64, order: f64) -> [Complex
     if order == 0.0 { [by(1.0), Complex64::ZERO] } else { [by(1.0), by(-1.0)] }
 }
 
+/// The larger of two amounts; what is not a number is the largest of all.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
+}
+
 /// A row for every order up to `max_order`, whole and in fractions of `turns`, of two traces: closed form, simulation.
 pub(crate) fn order_rows(
+    named: (&str, &str),
+    [closed, ours]: [&[Complex64]; 2],
+    turns: f64,
+    max_order: u32,
+    scale: f64,
+    bar: f64,
+) -> Vec<CrossRow> {
+    largest_order_rows(named, &[[closed, ours]], turns, max_order, scale, bar)
+}
+
+/// The same of several parts of one kind: the largest of all of them.
+pub(crate) fn largest_order_rows(
     (name, unit): (&str, &str),
-    traces: [&[Complex64]; 2],
+    parts: &[[&[Complex64]; 2]],
     turns: f64,
     max_order: u32,
     scale: f64,
@@ -32,11 +49,17 @@ pub(crate) fn order_rows(
     let count = (f64::from(max_order) * turns).round() as u32;
     let rows = (0..=count).filter_map(|k| {
         let order = f64::from(k) / turns;
-        let [closed, ours] = traces.map(|trace| two_sided(trace, turns, order));
-        let size = |parts: [Complex64; 2]| parts[0].norm() + parts[1].norm();
-        let off = size([ours[0] - closed[0], ours[1] - closed[1]]);
-        let listed = size(closed).max(size(ours)) > LISTED * scale;
-        listed.then(|| CrossRow::held(name, unit, Some(order), [size(closed), size(ours), off, scale], bar))
+        let size = |sides: [Complex64; 2]| sides[0].norm() + sides[1].norm();
+        let mut largest = [0.0f64; 3];
+        for traces in parts {
+            let [closed, ours] = traces.map(|trace| two_sided(trace, turns, order));
+            let sizes = [size(closed), size(ours), size([ours[0] - closed[0], ours[1] - closed[1]])];
+            largest = std::array::from_fn(|k| larger(largest[k], sizes[k]));
+        }
+        let [closed, ours, off] = largest;
+        // What is not a number is listed too.
+        let is_rounding = larger(closed, ours) <= LISTED * scale;
+        (!is_rounding).then(|| CrossRow::held(name, unit, Some(order), [closed, ours, off, scale], bar))
     });
     rows.collect()
 }

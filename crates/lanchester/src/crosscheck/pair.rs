@@ -7,6 +7,7 @@ use lanchester_model::{Engine, SimulationInput};
 use lanchester_multibody::{Guidance, Instant, Motion, MultibodyError, Reactions, RotorShares, Train};
 use lanchester_report::Condition;
 use nalgebra::Vector3;
+use num_complex::Complex64;
 
 /// What to compare.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +60,20 @@ pub(crate) struct Pair<'a> {
     pub request: &'a CrossCheckRequest,
 }
 
+/// Force, couple, roll moment on the block and shaft torque, as complex numbers.
+pub(crate) type Loads = [Complex64; 4];
+
+/// What the simulation says of the block and the shaft at `theta`, speed imposed, block fixed; and of every joint.
+pub(crate) fn loads_at(pair: &Pair<'_>, theta: f64, shares: &[RotorShares]) -> (Loads, Reactions) {
+    let all = pair.reactions(theta, shares);
+    let [x, y, _] = all.on_block.force;
+    let [mx, my, mz] = all.on_block.moment;
+    let real = |value: f64| Complex64::new(value, 0.0);
+    ([Complex64::new(x, y), Complex64::new(mx, my), real(mz), real(all.shaft_torque)], all)
+}
+
 impl Pair<'_> {
+    /// Reactions of the simulation at `theta`, speed imposed, block fixed.
     pub(crate) fn reactions(&self, theta: f64, shares: &[RotorShares]) -> Reactions {
         let forces: Vec<f64> = (0..self.train.cylinders.len())
             .map(|index| {

@@ -1,7 +1,7 @@
 //! Closed form and bond graph held against the multibody simulation of the same engine.
 
-use crate::crosscheck::orders::order_rows;
-use crate::crosscheck::pair::{CrossCheckError, CrossCheckRequest, Pair};
+use crate::crosscheck::orders::{larger, largest_order_rows, order_rows};
+use crate::crosscheck::pair::{CrossCheckError, CrossCheckRequest, Loads, Pair, loads_at};
 use crate::inertias::{known_inertia, rotor_inertia};
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::measured::TraceFile;
@@ -28,6 +28,10 @@ const CANCELLED: f64 = 1e-3;
 
 /// Samples of one revolution.
 const SAMPLES: usize = 180;
+
+/// Loads on the block and at the shaft.
+const KINDS: [(&str, &str); 4] =
+    [("force", "N"), ("couple", "N m"), ("roll moment", "N m"), ("shaft torque", "N m")];
 
 /// Compares closed form, bond graph and multibody simulation of `engine`, with its own gas where the file gives some; `traces` holds the files that
 /// [`crate::trace_names`] names.
@@ -113,81 +117,78 @@ impl Pair<'_> {
             BearingRequest { speed: Some(self.speed), samples: SAMPLES, ..BearingRequest::default() };
         let bearings = bearing_loads(self.engine, self.gas, &request)?;
         let shares = self.train.main_shares(&[]);
-        let mut on_block: Vec<[Complex64; 4]> = Vec::new();
-        let mut by_closed: Vec<[Complex64; 4]> = Vec::new();
-        // Largest closed value, largest of the simulation, largest difference: side thrust, piston pins, lower pins, mains.
-        let mut parts = [[0.0f64; 3]; 4];
+        let mut on_block: Vec<Loads> = Vec::new();
+        let mut by_closed: Vec<Loads> = Vec::new();
+        // Side thrust, piston pins, lower pins, mains; of every one of a kind the traces of closed form and simulation.
+        let cylinders = self.train.cylinders.len();
+        let mut parts: [Vec<[Vec<Complex64>; 2]>; 4] = Default::default();
+        for (kind, part) in parts.iter_mut().enumerate() {
+            part.resize(if kind < 3 { cylinders } else { bearings.mains.len() }, Default::default());
+        }
         let mut reach = 0.0f64;
         for cylinder in &self.train.cylinders {
             reach = reach.max(cylinder.z.abs()).max(cylinder.crankpin.norm());
         }
         for (j, &theta) in bearings.theta.iter().enumerate() {
-            let ours = self.reactions(theta, &shares);
+            let (loads, ours) = loads_at(self, theta, &shares);
             let theirs = closed.components(theta);
             let gas = train.as_ref().map_or(0.0, |train| train.torque(theta));
-            let [x, y, _] = ours.on_block.force;
-            let [mx, my, mz] = ours.on_block.moment;
             let real = |value: f64| Complex64::new(value, 0.0);
-            on_block.push([Complex64::new(x, y), Complex64::new(mx, my), real(mz), real(ours.shaft_torque)]);
+            on_block.push(loads);
             by_closed.push([
                 Complex64::new(theirs.force_x, theirs.force_y),
                 Complex64::new(theirs.couple_x, theirs.couple_y),
                 real(theirs.roll_moment - gas),
                 real(theirs.shaft_torque + gas),
             ]);
-            let mut compare = |kind: usize, ours: Complex64, theirs: Complex64| {
-                let [closed, multibody, off] = &mut parts[kind];
-                *closed = closed.max(theirs.norm());
-                *multibody = multibody.max(ours.norm());
-                *off = off.max((ours - theirs).norm());
+            let mut compare = |kind: usize, index: usize, ours: Complex64, theirs: Complex64| {
+                let [closed, multibody] = &mut parts[kind][index];
+                closed.push(theirs);
+                multibody.push(ours);
             };
             for (index, (own, theirs)) in ours.cylinders.iter().zip(&bearings.cylinders).enumerate() {
                 let across = |force: [f64; 3]| Complex64::new(force[0], force[1]);
                 let axis = self.train.cylinders[index].axis;
-                compare(0, real(own.side_thrust), real(theirs.side_thrust[j]));
-                compare(1, across(own.piston_pin.force) * axis.conj(), theirs.piston_pin.load[j]);
-                compare(2, across(own.lower_pin.force), theirs.lower_pin.load[j]);
+                compare(0, index, real(own.side_thrust), real(theirs.side_thrust[j]));
+                compare(1, index, across(own.piston_pin.force) * axis.conj(), theirs.piston_pin.load[j]);
+                compare(2, index, across(own.lower_pin.force), theirs.lower_pin.load[j]);
             }
-            for theirs in &bearings.mains {
+            for (index, theirs) in bearings.mains.iter().enumerate() {
                 let mains = &ours.rotors[theirs.crankshaft - 1].mains[0];
                 let [x, y] = mains.get(theirs.main - 1).copied().unwrap_or([f64::NAN; 2]);
-                compare(3, Complex64::new(x, y), theirs.load.load[j]);
+                compare(3, index, Complex64::new(x, y), theirs.load.load[j]);
             }
         }
-        let whole = parts[2][0];
-        let kinds = [("force", "N"), ("couple", "N m"), ("roll moment", "N m"), ("shaft torque", "N m")];
+        let turns = bearings.period / TAU;
+        let max_order = self.request.max_order;
+        let largest = |trace: &[Complex64]| trace.iter().map(|at| at.norm()).fold(0.0, f64::max);
+        let apart =
+            |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, larger);
+        let whole = parts[2].iter().map(|[closed, _]| largest(closed)).fold(0.0, f64::max);
+        let mut kinds = KINDS.map(|named| (named, 0.0));
         let mut rows = Vec::new();
-        let mut scales = kinds.map(|(name, unit)| (name, unit, 0.0));
-        for (kind, (name, unit)) in kinds.into_iter().enumerate() {
-            let largest =
-                |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind].norm()).fold(0.0, f64::max);
-            let off =
-                on_block.iter().zip(&by_closed).map(|(a, b)| (a[kind] - b[kind]).norm()).fold(0.0, f64::max);
-            let of_parts = CANCELLED * whole * if kind == 0 { 1.0 } else { reach };
-            let scale = largest(&by_closed).max(of_parts);
-            scales[kind].2 = scale;
-            let values = [largest(&by_closed), largest(&on_block), off, scale];
-            rows.push(CrossRow::held(name, unit, None, values, bar));
-            let pick = |trace: &[[Complex64; 4]]| trace.iter().map(|at| at[kind]).collect::<Vec<_>>();
-            let turns = bearings.period / TAU;
-            rows.extend(order_rows(
-                (name, unit),
-                [&pick(&by_closed), &pick(&on_block)],
-                turns,
-                self.request.max_order,
-                scale,
-                bar,
-            ));
+        for (kind, (named, scale)) in kinds.iter_mut().enumerate() {
+            let pick = |trace: &[Loads]| trace.iter().map(|at| at[kind]).collect::<Vec<_>>();
+            let (theirs, ours) = (pick(&by_closed), pick(&on_block));
+            *scale = largest(&theirs).max(CANCELLED * whole * if kind == 0 { 1.0 } else { reach });
+            let values = [largest(&theirs), largest(&ours), apart(&ours, &theirs), *scale];
+            rows.push(CrossRow::held(named.0, named.1, None, values, bar));
+            rows.extend(order_rows(*named, [&theirs, &ours], turns, max_order, *scale, bar));
         }
         let names = ["side thrust", "piston pins", "crankpins and knuckle pins", "main bearings"];
-        for (name, [closed, multibody, off]) in names.into_iter().zip(parts) {
-            if name == "main bearings" && bearings.mains.is_empty() {
+        for (name, parts) in names.into_iter().zip(&parts) {
+            if parts.is_empty() {
                 continue;
             }
-            let scale = closed.max(CANCELLED * whole);
-            rows.push(CrossRow::held(name, "N", None, [closed, multibody, off, scale], bar));
+            let of = |side: usize| parts.iter().map(|part| largest(&part[side])).fold(0.0, f64::max);
+            let off = parts.iter().map(|[closed, ours]| apart(ours, closed)).fold(0.0, larger);
+            let scale = of(0).max(CANCELLED * whole);
+            rows.push(CrossRow::held(name, "N", None, [of(0), of(1), off, scale], bar));
+            let traces: Vec<[&[Complex64]; 2]> =
+                parts.iter().map(|[closed, ours]| [&closed[..], &ours[..]]).collect();
+            rows.extend(largest_order_rows((name, "N"), &traces, turns, max_order, scale, bar));
         }
-        rows.extend(crate::crosscheck::graph_states::load_rows(self, &bearings.theta, &on_block, scales)?);
+        rows.extend(crate::crosscheck::graph_loads::load_rows(self, turns, kinds)?);
         rows.extend(crate::crosscheck::graph_joints::joint_rows(self));
         rows.extend(crate::crosscheck::graph_states::gas_row(self)?);
         Ok(rows)

@@ -119,8 +119,15 @@ fn xcheck_moving_block() {
     let place = condition.rows.iter().position(|row| row.bar.is_some()).expect("the ratio has a bar");
     let ratio = &condition.rows[place];
     assert_eq!(ratio.verdict, CrossVerdict::Agrees, "{ratio:?}");
-    let left = &condition.rows[place - 1];
-    assert!(left.multibody < 0.5 * left.closed_form.unwrap(), "the rotors matter: {left:?}");
+    // Neither cause, the first alone, the second alone: each of them matters.
+    for left in &condition.rows[place - 3..place] {
+        assert!(left.multibody < 0.5 * left.closed_form.unwrap(), "the rotors matter: {left:?}");
+    }
+    // So does the ratio for a little gas.
+    let held: Vec<_> = condition.rows.iter().filter(|row| row.bar.is_some()).collect();
+    assert_eq!(held.len(), 2);
+    assert!(held.iter().all(|row| row.verdict == CrossVerdict::Agrees), "{held:?}");
+    assert!(condition.rows.iter().any(|row| row.quantity.starts_with("forces at the mounts")));
     // Half orders come with the gas.
     let half = |row: &&CrossRow| row.order.is_some_and(|order| order.fract() != 0.0);
     assert!(condition.rows[place + 1..].iter().any(|row| half(&row) && row.quantity.ends_with("with gas")));
@@ -179,5 +186,10 @@ fn xcheck_gas_of_the_bond_graph() {
         rows.iter().find(|row| row.quantity.contains(name)).unwrap_or_else(|| panic!("{name}")).clone()
     };
     let gas = row("gas as states");
+    for name in ["force", "couple", "roll moment", "shaft torque"] {
+        let load = row(&format!("{name}, bond graph"));
+        assert!(load.bond_graph.is_some_and(|own| own > 0.0), "{load:?}");
+        assert!(load.order.is_none() && load.verdict == CrossVerdict::Agrees, "{load:?}");
+    }
     assert!(gas.bond_graph.is_some() && gas.share() < 1e-6 && gas.verdict == CrossVerdict::Agrees, "{gas:?}");
 }

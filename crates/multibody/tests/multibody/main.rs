@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod closed_form;
+mod external;
 mod moving_block;
 mod published;
 mod referee;

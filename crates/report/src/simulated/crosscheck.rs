@@ -2,6 +2,7 @@
 
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
+use crate::kit::section::Section;
 use crate::kit::table::{Cell, Column, Table, csv_number, push_csv_line};
 use serde::Serialize;
 
@@ -66,8 +67,7 @@ impl Condition {
     /// What the multibody simulation is held against.
     pub fn held_against(self) -> &'static str {
         match self {
-            Condition::LikeForLike => "closed form or bond graph",
-            Condition::AllFree => "bond graph or closed form",
+            Condition::LikeForLike | Condition::AllFree => "closed form or bond graph",
             Condition::FreeSpeed | Condition::MovingBlock => "closed form",
         }
     }
@@ -194,7 +194,12 @@ impl ConditionCheck {
         let other = self.condition.held_against();
         let head = ["quantity", "order", other, "multibody", "difference", "bar", "verdict", "reason"];
         Table {
-            id: "crosscheck",
+            id: match self.condition {
+                Condition::LikeForLike => "crosscheck-a",
+                Condition::FreeSpeed => "crosscheck-b",
+                Condition::MovingBlock => "crosscheck-c",
+                Condition::AllFree => "crosscheck-d",
+            },
             title: format!("Condition {}: {}", self.condition.letter(), self.condition.name()),
             note: "Largest values over the cycle or amplitudes of an order; differences over the largest amplitude of their kind.".into(),
             remark: String::new(),
@@ -202,6 +207,35 @@ impl ConditionCheck {
             rows: rows.collect(),
         }
     }
+}
+
+impl ConditionCheck {
+    /// Why it does not apply, as a sentence.
+    fn missing(&self) -> Option<String> {
+        let reason = self.not_applicable.as_ref()?;
+        Some(format!(
+            "Condition {}, {}: not applicable, {reason}.",
+            self.condition.letter(),
+            self.condition.name()
+        ))
+    }
+}
+
+/// The comparison as a section of a report.
+pub fn crosscheck_section(check: &CrossCheck) -> Section {
+    let speed = number::short(number::rpm(check.speed), 6);
+    let rows = || check.conditions.iter().flat_map(|condition| &condition.rows);
+    let of = |verdict: CrossVerdict| rows().filter(|row| row.verdict == verdict).count();
+    let verdicts = [CrossVerdict::Agrees, CrossVerdict::DiffersAsItMust, CrossVerdict::Disagrees]
+        .map(|verdict| format!("{} of them: {}", verdict.name(), of(verdict)));
+    let all = format!("{} quantities are compared; {}.", rows().count(), verdicts.join(", "));
+    Section::new("crosscheck", "Two opinions", "Two opinions on every load")
+        .words(format!(
+            "Closed form and bond graph at {speed} rpm, held against the simulation of the same engine as rigid bodies, with which they share no physics."
+        ))
+        .words(all)
+        .paragraphs(check.conditions.iter().filter_map(ConditionCheck::missing))
+        .tables(check.conditions.iter().filter(|condition| !condition.rows.is_empty()).map(ConditionCheck::table))
 }
 
 /// All conditions as plain text.
@@ -214,16 +248,8 @@ pub fn crosscheck_text(check: &CrossCheck) -> String {
     );
     for condition in &check.conditions {
         out.push('\n');
-        match &condition.not_applicable {
-            Some(reason) => push_wrapped(
-                &mut out,
-                "",
-                &format!(
-                    "Condition {}, {}: not applicable, {reason}.",
-                    condition.condition.letter(),
-                    condition.condition.name()
-                ),
-            ),
+        match condition.missing() {
+            Some(words) => push_wrapped(&mut out, "", &words),
             None => out.push_str(&condition.table().text()),
         }
     }

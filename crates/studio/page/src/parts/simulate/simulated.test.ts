@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { SimulationAnswer } from "../../api/types";
+import { TRUNK, bands, outline } from "./energyFlow";
 import {
   acting,
   blockAt,
@@ -107,5 +108,23 @@ describe("a simulated run", () => {
     expect(to.map((part) => part.name)).toEqual(["load", "kinetic energy"]);
     expect(sum(from)).toBe(sum(to));
     expect(fluctuation(run.speeds)).toBeCloseTo(0.04);
+  });
+
+  it("draws its energy as bands in proportion, both sides as tall as the trunk", () => {
+    const flow = bands(run);
+    for (const side of [flow?.left ?? [], flow?.right ?? []]) {
+      expect(side.length).toBeGreaterThan(0);
+      expect(side.reduce((all, band) => all + band.wide, 0)).toBeCloseTo(TRUNK);
+      const [first] = side;
+      expect(first?.inner).toBeCloseTo(((flow?.height ?? 0) - TRUNK) / 2);
+    }
+    const [load, kinetic] = flow?.right ?? [];
+    expect((load?.wide ?? 0) / (kinetic?.wide ?? 1)).toBeCloseTo(
+      (load?.energy ?? 0) / (kinetic?.energy ?? 1),
+    );
+    expect(outline({ name: "", energy: 1, outer: 0, inner: 10, wide: 5 }, 0, 20)).toBe(
+      "M0,0 C10,0 10,10 20,10 V15 C10,15 10,5 0,5 Z",
+    );
+    expect(bands({ ...run, energy: [] })).toBeNull();
   });
 });
