@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 /// Why a case of the space is no engine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Invalid {
     /// The rod is not longer than the crank radius: a rod ratio of 1 or more.
