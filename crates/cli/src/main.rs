@@ -6,6 +6,7 @@
 mod arguments;
 mod commands;
 mod failure;
+mod figures;
 mod files;
 mod format;
 mod options;

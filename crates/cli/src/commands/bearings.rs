@@ -1,7 +1,8 @@
 //! `lanchester bearings`: what pistons, pins and bearings carry.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
+use crate::figures::write_figures;
 use crate::files::print;
 use crate::format::Format;
 use crate::options::torque::{BearingsArguments, FilmOption, PartOption};
@@ -52,7 +53,7 @@ pub fn run(arguments: &BearingsArguments, colour: bool) -> Result<u8, Failure> {
     if let Some(models) = &arguments.film {
         let models: Vec<Cavitation> = models.iter().map(|model| model_of(*model)).collect();
         let draw = |figures: &[Figure]| match &arguments.figures {
-            Some(folder) => write_figures(folder, &arguments.file, figures),
+            Some(folder) => write_figures(folder, &arguments.file, figures).map(drop),
             None => Ok(()),
         };
         let text = match &arguments.speeds {

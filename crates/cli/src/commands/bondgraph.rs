@@ -1,7 +1,8 @@
 //! `lanchester bondgraph`: a graph's causality, equations, poles, simulation, audit, drawing and exports.
 
-use crate::commands::{json, write_figures};
+use crate::commands::json;
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
 use crate::files::{Source, print, read_bytes, read_source, tell};
 use crate::format::Format;
 use crate::options::bondgraph::{

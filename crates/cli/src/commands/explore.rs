@@ -1,7 +1,8 @@
 //! `lanchester explore`: all layouts of given parts, and those that nothing beats.
 
-use crate::commands::{Opened, json, open, write_figures};
+use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
 use crate::files::{print, write_new};
 use crate::format::Format;
 use crate::options::explore::ExploreArguments;

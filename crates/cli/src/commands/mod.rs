@@ -8,7 +8,6 @@ pub mod compare;
 pub mod counterweight;
 pub mod crosscheck;
 pub mod explore;
-pub mod figures;
 pub mod licences;
 pub mod loads;
 pub mod merge;
@@ -28,11 +27,10 @@ pub mod validate;
 pub mod workshop;
 
 use crate::failure::Failure;
-use crate::files::{Source, read_source, write_result};
+use crate::files::{Source, read_source};
 use crate::trace_files::read_torques;
 use lanchester::file::{Diagnostic, EngineFile, read, render};
 use lanchester::mechanism::LoadError;
-use lanchester::report::Figure;
 use std::path::Path;
 
 /// An engine file with the text it was read from.
@@ -61,14 +59,6 @@ pub fn open(path: &Path, colour: bool) -> Result<Opened, Failure> {
 /// Pretty JSON with a trailing newline.
 pub fn json(value: &impl serde::Serialize) -> Result<String, Failure> {
     serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(Failure::own)
-}
-
-/// Figures as SVG files of their own, each under its id.
-pub fn write_figures(folder: &Path, engine_file: &Path, figures: &[Figure]) -> Result<(), Failure> {
-    for figure in figures {
-        write_result(&folder.join(format!("{}.svg", figure.id)), engine_file, &figure.svg())?;
-    }
-    Ok(())
 }
 
 /// A calculation that cannot be done as asked.

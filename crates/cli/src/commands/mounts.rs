@@ -1,7 +1,8 @@
 //! `lanchester mounts`: the block on its mounts.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
+use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::mounts::{MountsArguments, MountsTable};

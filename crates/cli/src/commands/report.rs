@@ -1,10 +1,10 @@
 //! `lanchester report`: the page, and its figures as files.
 
 use crate::arguments::ReportArguments;
-use crate::commands::figures::write_figures;
 use crate::commands::stress::say;
 use crate::commands::{json, open, refused};
 use crate::failure::{DONE, Failure};
+use crate::figures::write_figures;
 use crate::files::{Source, print, tell, write_result};
 use crate::format::Format;
 use crate::program::PROGRAM;

@@ -1,7 +1,8 @@
 //! `lanchester scatter`: what tolerances of the parts do to residual forces and couples.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
 use crate::files::print;
 use crate::format::Format;
 use crate::options::scatter::ScatterArguments;

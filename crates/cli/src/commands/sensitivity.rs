@@ -1,7 +1,8 @@
 //! `lanchester sensitivity`: what matters most for loads, torque, bearings and mounts.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
+use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::sensitivity::{SensitivityArguments, WeightsOption};

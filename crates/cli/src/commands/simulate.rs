@@ -1,7 +1,8 @@
 //! `lanchester simulate`: the rigid crank train in time.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
 use crate::files::print;
 use crate::format::Format;
 use crate::options::simulation::{BlockOption, SimulateArguments, SimulationTable};

@@ -1,7 +1,8 @@
 //! `lanchester torque`: what gas and inertia do to the crank.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure};
+use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::torque::{LeverOption, TorqueArguments, TorqueTable};

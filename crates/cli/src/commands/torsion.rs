@@ -1,7 +1,8 @@
 //! `lanchester torsion`: torsional vibration of the crankshaft with what it drives.
 
-use crate::commands::{json, open, write_figures};
+use crate::commands::{json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
 use crate::files::{print, tell};
 use crate::format::Format;
 use crate::options::torsion::{AimOption, TorsionArguments, TorsionTable, TuneOption};

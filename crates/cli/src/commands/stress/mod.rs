@@ -1,8 +1,8 @@
 //! `lanchester stress`: static stress, natural modes and exports of a crankshaft.
 
-use crate::commands::figures::write_figures;
 use crate::commands::{Opened, json, open};
 use crate::failure::{DONE, Failure, NOT_AS_EXPECTED};
+use crate::figures::write_figures;
 use crate::files::{print, read_bytes, tell, write_result};
 use crate::format::Format;
 use crate::options::stress::{
