@@ -155,8 +155,7 @@ impl Running {
         let graph = self.graph.as_ref().map(bond_graph_section);
         let strength = rule_section(&self.strength);
         let torsion = self.torsion.as_ref().map(torsion_section);
-        let found =
-            [torque, bearings, films, torsion, strength, mounts, simulated, crosscheck, graph];
+        let found = [torque, bearings, films, torsion, strength, mounts, simulated, crosscheck, graph];
         found.into_iter().flatten().collect()
     }
 }

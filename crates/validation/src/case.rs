@@ -36,7 +36,6 @@ pub(crate) struct Run {
 }
 
 impl Run {
-
     /// The twin thesis's `M_z`: balance shafts and weights, without side thrust and torque reaction.
     pub fn roll_of_shafts(&self) -> Vec<f64> {
         let weights = [Part::Counterweights, Part::Shafts];

@@ -2,8 +2,8 @@
 
 use crate::crosscheck::pair::{CrossCheckError, Pair};
 use lanchester_bondgraph::{
-    EngineDrive, EngineRequest, GasStates, Graph, Simulation as GraphRun, SimulationRequest,
-    engine_graph, equations,
+    EngineDrive, EngineRequest, GasStates, Graph, Simulation as GraphRun, SimulationRequest, engine_graph,
+    equations,
 };
 use lanchester_report::CrossRow;
 use std::f64::consts::TAU;
