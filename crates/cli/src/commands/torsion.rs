@@ -10,8 +10,8 @@ use crate::requests::value_list::value_list;
 use crate::trace_files::trace_files;
 use lanchester::report::{
     Table, TorsionResult, chain_table, critical_table, damped_mode_table, damper_table, holzer_table,
-    inertia_table, mode_table, shaft_order_table, shaft_table, speed_table, star_table, time_table,
-    torsion_csv, torsion_figures, torsion_text, tuning_table, twist_order_table,
+    mode_table, shaft_order_table, shaft_table, star_table, time_table, torsion_csv, torsion_figures,
+    torsion_inertia_table, torsion_speed_table, torsion_text, tuning_table, twist_order_table,
 };
 use lanchester::task::option;
 use lanchester::torsion::{TuneAim, TuneFree};
@@ -75,7 +75,7 @@ fn tables(found: &TorsionResult, table: TorsionTable) -> Result<Vec<Table>, Fail
         table.map(|table| vec![table]).ok_or_else(|| Failure::input(message, hint))
     };
     Ok(match table {
-        TorsionTable::Inertias => vec![inertia_table(found)],
+        TorsionTable::Inertias => vec![torsion_inertia_table(found)],
         TorsionTable::Shafts => vec![chain_table(found)],
         TorsionTable::Modes => vec![mode_table(found)],
         TorsionTable::DampedModes => vec![damped_mode_table(found)],
@@ -84,7 +84,7 @@ fn tables(found: &TorsionResult, table: TorsionTable) -> Result<Vec<Table>, Fail
         TorsionTable::Stars => vec![star_table(found)],
         TorsionTable::Torques => vec![shaft_table(found)],
         TorsionTable::Orders => vec![shaft_order_table(found)],
-        TorsionTable::Speeds => vec![speed_table(found)],
+        TorsionTable::Speeds => vec![torsion_speed_table(found)],
         TorsionTable::TwistOrders => vec![twist_order_table(found)],
         TorsionTable::Damper => some(damper_table(found), "the engine has no damper", "give [damper]")?,
         TorsionTable::Tuning => some(tuning_table(found), "no damper was tuned", "add `--tune damper`")?,

@@ -3,8 +3,8 @@
 use super::figures::torsion_figures;
 use super::result::{LimitedQuantity, TorsionResult};
 use super::tables::{
-    aim_unit, chain_table, critical_table, damped_mode_table, damper_table, inertia_table, mode_table,
-    shaft_table, speed_table, time_table, tuning_table,
+    aim_unit, chain_table, critical_table, damped_mode_table, damper_table, mode_table, shaft_table,
+    time_table, torsion_inertia_table, torsion_speed_table, tuning_table,
 };
 use crate::kit::number;
 use crate::kit::paragraph::push_wrapped;
@@ -102,7 +102,7 @@ impl TorsionResult {
 
     fn tables(&self) -> Vec<Table> {
         let mut tables = vec![
-            inertia_table(self),
+            torsion_inertia_table(self),
             chain_table(self),
             mode_table(self),
             damped_mode_table(self),
@@ -133,7 +133,7 @@ pub fn torsion_text(result: &TorsionResult) -> String {
 
 /// Twist, torques, stress and damper over speed, as CSV.
 pub fn torsion_csv(result: &TorsionResult) -> String {
-    speed_table(result).csv()
+    torsion_speed_table(result).csv()
 }
 
 /// The chapter of a report: the picture first.

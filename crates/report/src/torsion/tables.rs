@@ -59,7 +59,7 @@ pub fn chain_table(result: &TorsionResult) -> Table {
 }
 
 /// Inertia of every station with its parts.
-pub fn inertia_table(result: &TorsionResult) -> Table {
+pub fn torsion_inertia_table(result: &TorsionResult) -> Table {
     let chain = &result.crank.chain;
     let row = |(index, own): (usize, &lanchester_torsion::Station)| {
         let parts = result.crank.throws.iter().position(|at| *at == index);
@@ -226,7 +226,7 @@ pub fn shaft_table(result: &TorsionResult) -> Table {
 }
 
 /// Twist, nose, torques, stress over speed.
-pub fn speed_table(result: &TorsionResult) -> Table {
+pub fn torsion_speed_table(result: &TorsionResult) -> Table {
     let sweep = &result.sweep;
     let mut columns = vec![
         numbers("speed", "rpm", sweep.speeds.iter().map(|speed| number::rpm(*speed)), 5),
