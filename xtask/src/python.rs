@@ -3,7 +3,7 @@
 //! The wheel is built in the profile of the program and with the same features of the crates that both have, so that the commands of the README
 //! have compiled all but its own crate before ([decision 52](../../docs/decisions/0052-python-package.md)).
 
-use crate::command::{cargo, exists, in_view, quiet};
+use crate::command::{cargo, exists, quiet};
 use crate::workspace::{root, scratch, target};
 use anyhow::{Context, Result, bail, ensure};
 use std::collections::BTreeSet;

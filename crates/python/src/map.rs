@@ -7,7 +7,8 @@ use crate::guard::{Watch, caught, waited_for};
 use crate::native_engine::NativeEngine;
 use crate::options::Options;
 use crate::prepared::Prepared;
-use crate::questions::{Run, question};
+use crate::question::Run;
+use crate::questions::question;
 use crate::select::{Step, steps};
 use crate::to_python::{array, numbers};
 use pyo3::IntoPyObjectExt;
@@ -42,7 +43,9 @@ impl Engines {
             Engines::Changed { base, columns, .. } => {
                 // What is not given stays as the engine has it.
                 let given = columns.iter().filter(|(_, values)| !values[place].is_null());
-                let changes = given.fold(Changes::none(), |changes, (path, values)| changes.and(path, values[place].clone()));
+                let changes = given.fold(Changes::none(), |changes, (path, values)| {
+                    changes.and(path, values[place].clone())
+                });
                 base.with_text(changes.apply(&base.text)?)
             }
         }
@@ -151,7 +154,10 @@ fn column(values: &Bound<'_, PyAny>, path: &str) -> Result<Vec<Value>, Failure> 
         return entries.map(|(place, entry)| value_of(&entry?, &format!("{path}[{place}]"), 1)).collect();
     }
     let numbers = numbers(values)?.ok_or_else(|| {
-        Failure::option(format_args!("`{path}` needs numbers in one row"), "give a list or an array of one dimension")
+        Failure::option(
+            format_args!("`{path}` needs numbers in one row"),
+            "give a list or an array of one dimension",
+        )
     })?;
     let value = |number: f64| match serde_json::Number::from_f64(number) {
         Some(number) => Ok(Value::Number(number)),
