@@ -10,7 +10,7 @@ use lanchester::model::Engine;
 use lanchester::report::{Cell, Figure, Table};
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::PyList;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -252,14 +252,4 @@ fn cells_of<'c>(py: Python<'_>, cells: impl Iterator<Item = &'c Cell>) -> PyResu
     });
     let numbers: Vec<f64> = numbers.collect();
     Converted::Floats(vec![numbers.len()], numbers).object(py)
-}
-
-/// The schemas of all results: definitions, and the name of that of every question.
-#[pyfunction]
-pub fn schemas(py: Python<'_>) -> PyResult<Py<PyAny>> {
-    let (definitions, names) = crate::questions::schemas();
-    let found = PyDict::new(py);
-    found.set_item("definitions", definitions.to_string())?;
-    found.set_item("questions", names)?;
-    Ok(found.into_any().unbind())
 }

@@ -8,6 +8,7 @@
 #![forbid(unsafe_code)]
 
 mod answer;
+mod asking;
 mod failure;
 mod from_python;
 mod guard;
@@ -15,6 +16,7 @@ mod map;
 mod native_engine;
 mod options;
 mod prepared;
+mod question;
 mod questions;
 mod select;
 mod to_python;
@@ -27,17 +29,17 @@ mod _native {
     #[pymodule_export]
     use super::answer::Answer;
     #[pymodule_export]
-    use super::answer::schemas;
+    use super::asking::ask_all;
+    #[pymodule_export]
+    use super::asking::kernel_time;
+    #[pymodule_export]
+    use super::asking::panics;
+    #[pymodule_export]
+    use super::asking::schemas;
     #[pymodule_export]
     use super::map::map;
     #[pymodule_export]
     use super::native_engine::NativeEngine;
-    #[pymodule_export]
-    use super::native_engine::ask_all;
-    #[pymodule_export]
-    use super::native_engine::kernel_time;
-    #[pymodule_export]
-    use super::native_engine::panics;
 
     /// The version of the package.
     #[pymodule_export]

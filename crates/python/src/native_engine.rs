@@ -1,19 +1,15 @@
 //! The engine as Python holds it.
 
-use crate::answer::Answer;
 use crate::failure::{Failure, diagnostics};
 use crate::from_python::{self, Changes};
-use crate::guard::{Watch, unlocked, waited_for};
-use crate::options::Options;
+use crate::guard::unlocked;
 use crate::prepared::Prepared;
-use crate::questions::{How, question};
 use lanchester::file::{expanded, template, templates};
 use lanchester::model::Engine;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Instant;
 
 /// An engine file that was read.
 #[pyclass(frozen, name = "Engine", module = "lanchester._native")]
@@ -132,65 +128,4 @@ impl NativeEngine {
     fn __hash__(&self) -> u64 {
         lanchester::fnv1a(self.prepared.text.as_bytes())
     }
-
-    /// The answer to a question of this name about this engine.
-    fn ask(&self, py: Python<'_>, name: &str, options: Bound<'_, PyDict>) -> PyResult<Answer> {
-        answer(py, name, &[self.prepared.clone()], options)
-    }
-}
-
-/// The answer to a question about several engines.
-#[pyfunction]
-pub fn ask_all(
-    py: Python<'_>,
-    name: &str,
-    engines: Vec<PyRef<'_, NativeEngine>>,
-    options: Bound<'_, PyDict>,
-) -> PyResult<Answer> {
-    let engines: Vec<Arc<Prepared>> = engines.iter().map(|engine| engine.prepared.clone()).collect();
-    answer(py, name, &engines, options)
-}
-
-fn answer(
-    py: Python<'_>,
-    name: &str,
-    engines: &[Arc<Prepared>],
-    options: Bound<'_, PyDict>,
-) -> PyResult<Answer> {
-    let question = question(name)?;
-    let run = (question.read)(&Options::new(options))?;
-    let found = match question.how {
-        How::Short => unlocked(py, || run(engines, &Watch::default()))?,
-        How::Long => {
-            let engines = engines.to_vec();
-            waited_for(py, move |watch| run(&engines, watch))?
-        }
-    };
-    Ok(found.into())
-}
-
-/// Seconds of one answer without Python: what the cost of a call is compared with.
-#[pyfunction]
-pub fn kernel_time(
-    py: Python<'_>,
-    engine: PyRef<'_, NativeEngine>,
-    name: &str,
-    options: Bound<'_, PyDict>,
-    repeats: u32,
-) -> PyResult<f64> {
-    let run = (question(name)?.read)(&Options::new(options))?;
-    let engines = [engine.prepared.clone()];
-    Ok(unlocked(py, || {
-        let began = Instant::now();
-        for _ in 0..repeats {
-            std::hint::black_box(run(&engines, &Watch::default())?);
-        }
-        Ok(began.elapsed().as_secs_f64() / f64::from(repeats.max(1)))
-    })?)
-}
-
-/// Panics where a computation would, for the test that no panic crosses.
-#[pyfunction]
-pub fn panics(py: Python<'_>) -> PyResult<()> {
-    Ok(unlocked(py, || -> Result<(), Failure> { panic!("a panic for the test") })?)
 }

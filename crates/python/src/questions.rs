@@ -1,4 +1,4 @@
-//! All questions by name: how the arguments are read, what computes the answer, of which type it is.
+//! All questions by name.
 
 mod balancing;
 mod crankshaft;
@@ -9,50 +9,11 @@ mod studies;
 mod turning;
 mod workshop;
 
-use crate::answer::Data;
 use crate::failure::Failure;
-use crate::guard::Watch;
-use crate::options::Options;
-use crate::prepared::Prepared;
-use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use crate::question::Question;
+use schemars::generate::SchemaSettings;
 use serde_json::Value;
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-/// Computes the answer about engines: most questions are about the first alone.
-pub type Run = Box<dyn Fn(&[Arc<Prepared>], &Watch) -> Result<Data, Failure> + Send + Sync>;
-
-/// How long an answer takes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum How {
-    /// Milliseconds at most: it is computed where it is asked.
-    Short,
-    /// It may be longer: Ctrl-C is heard meanwhile.
-    Long,
-}
-
-/// A question.
-pub struct Question {
-    /// Its name.
-    pub name: &'static str,
-    /// How long it takes.
-    pub how: How,
-    /// Reads its arguments.
-    pub read: fn(&Options<'_>) -> Result<Run, Failure>,
-    /// The type of its answer.
-    schema: fn(&mut SchemaGenerator) -> Schema,
-}
-
-impl Question {
-    /// A question whose answer is a `T`.
-    const fn of<T: JsonSchema>(
-        name: &'static str,
-        how: How,
-        read: fn(&Options<'_>) -> Result<Run, Failure>,
-    ) -> Question {
-        Question { name, how, read, schema: SchemaGenerator::subschema_for::<T> }
-    }
-}
 
 fn all() -> impl Iterator<Item = &'static Question> {
     let lists: [&'static [Question]; 8] = [

@@ -280,7 +280,7 @@ class Engine:
         return self.drawing.svg
 
     def _ask(self, name: str, kind: type[Q], options: dict[str, Any]) -> Q:
-        return kind._made(self._native.ask(name, options), (self,))
+        return kind._made(_native.ask_all(name, [self._native], options), (self,))
 
     # What shakes it.
 

@@ -1,11 +1,11 @@
 //! The best weights and shafts with their proof, and which arrangement.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::guard::Watch;
 use crate::options::Options;
 use crate::prepared::Prepared;
+use crate::question::{How, Question, Run};
 use lanchester::balance::{
     Answer, ArrangementRequest, Arrangements, BalanceSettings, Consequences, DriveRule, Judged, MountPlaces,
     Next, Outcome, RobustAnswer, RobustMeasure, StopCause, Target, arrangements, fitted, searched_engine,

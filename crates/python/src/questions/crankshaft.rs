@@ -1,10 +1,10 @@
 //! The crankshaft as a body: counterweights as parts, stress, modes, strength.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
 use crate::prepared::Prepared;
+use crate::question::{How, Question, Run};
 use lanchester::flex::crank_case::CrankSupport;
 use lanchester::flex::crank_mesh::CrankMeshOptions;
 use lanchester::flex::sparse::Precision;

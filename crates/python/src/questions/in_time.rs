@@ -1,9 +1,9 @@
 //! The crank train in time, and the closed form against runs and bond graph.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
+use crate::question::{How, Question, Run};
 use lanchester::bondgraph::{
     Graph, Notation, causality_text, equations, equations_latex, equations_text, graph_file, modelica,
 };

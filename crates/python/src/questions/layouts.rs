@@ -1,11 +1,11 @@
 //! All layouts that the parts of an engine can make.
 
 use super::studies::run_study;
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
 use crate::prepared::Prepared;
+use crate::question::{How, Question, Run};
 use lanchester::file::expanded;
 use lanchester::report::{layout_front_figure, layout_front_table, layout_ranking_table, layout_search_text};
 use lanchester::results;

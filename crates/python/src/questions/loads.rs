@@ -1,9 +1,9 @@
 //! What shakes the block: loads, shear and bending, the block on its mounts, the inertias of what turns.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
+use crate::question::{How, Question, Run};
 use lanchester::mechanism::{
     InternalMoments, InternalRequest, Kinematics, LoadRequest, Loads, MountStudy, PeakMode, internal_cases,
     loads,

@@ -1,10 +1,10 @@
 //! Questions about many engines: side by side, what matters most, what production makes of them.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::guard::Watch;
 use crate::options::Options;
+use crate::question::{How, Question, Run};
 use lanchester::literature::TwinArrangement;
 use lanchester::mechanism::OuterTorque;
 use lanchester::report::{

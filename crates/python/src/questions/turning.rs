@@ -1,10 +1,10 @@
 //! What gas and inertia do to the crank: torque, bearings, oil films.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
 use crate::prepared::Prepared;
+use crate::question::{How, Question, Run};
 use lanchester::film::Cavitation;
 use lanchester::mechanism::{BearingLoads, BearingPart, BearingRequest, Lever, TorqueRequest};
 use lanchester::model::Friction;

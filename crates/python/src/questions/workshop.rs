@@ -1,9 +1,9 @@
 //! The workshop: balance factors.
 
-use super::{How, Question, Run};
 use crate::answer::{Data, Shown};
 use crate::failure::Failure;
 use crate::options::Options;
+use crate::question::{How, Question, Run};
 use lanchester::report::workshop::{factor_tables, factor_text, primary_ellipse_figure};
 use lanchester::workshop::{FactorAnswer, FactorRequest, factor_answer};
 
