@@ -268,8 +268,8 @@ impl Written {
 }
 
 /// Writes every file.
-pub fn write() -> Result<()> {
-    let program = program(Profile::Dev)?;
+pub fn write(profile: Profile) -> Result<()> {
+    let program = program(profile)?;
     for written in &WRITTEN {
         std::fs::write(root().join(written.file), written.text(&program)?)?;
         println!("{}", written.file);

@@ -40,7 +40,8 @@ fn shaft() -> CrankMesh {
     let end = mesh.pick(|at| at[2] > LENGTH - 1e-9);
     mesh.sets.push(NodeSet { name: "FLYWHEEL".to_owned(), nodes: end });
     let quality = quality(&mesh).unwrap();
-    CrankMesh { mesh, quality, corners: Vec::new(), left_out: Vec::new() }
+    let body_mass = quality.mass;
+    CrankMesh { mesh, quality, corners: Vec::new(), webs: Vec::new(), body_mass, left_out: Vec::new() }
 }
 
 fn body() -> &'static (CrankBody, Vec<f64>) {

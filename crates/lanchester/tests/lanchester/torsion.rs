@@ -3,7 +3,7 @@
 use lanchester::file::EngineFile;
 use lanchester::mechanism::{BearingPart, BearingRequest, throw_forces};
 use lanchester::torsion::{
-    StationKind, crank_chain, orders_of, throw_stiffness, torque_orders, train_inertia,
+    CrankChain, StationKind, orders_of, throw_stiffness, torque_orders, train_inertia,
 };
 use lanchester::{EngineTorsionError, TorsionRequest, engine_chain, torsion};
 use std::f64::consts::TAU;
@@ -105,11 +105,10 @@ fn ker_wilson_of_a_uniform_crankshaft() {
             .collect::<Vec<_>>()
     };
     let twice = engine_chain(&file, &all(2.0)).expect("a chain");
-    let stiff = |crank: &lanchester::torsion::CrankChain| {
+    let stiff = |crank: &CrankChain| {
         crank.chain.shafts().iter().find(|s| s.name == "throw 3 to throw 4").map(|s| s.stiffness)
     };
     assert!((stiff(&twice).expect("a shaft") / exact - 2.0).abs() < 1e-9);
-    let _ = crank_chain;
 }
 
 #[test]
