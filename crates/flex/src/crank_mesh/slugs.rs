@@ -1,7 +1,6 @@
 //! Inserts and holes of counterweights.
 
 use super::segment::refuse;
-use super::stack::Solid;
 use crate::{FlexError, Material};
 use lanchester_geometry::crankshaft::CrankshaftBody;
 use lanchester_shape::{Edge, Point};
@@ -19,11 +18,9 @@ pub(super) struct Slug {
 }
 
 impl Slug {
-    /// Whether one of these solids holds it.
-    pub fn is_in(&self, solids: &[Solid]) -> bool {
-        solids.iter().any(|solid| {
-            solid.name == self.host && solid.faces[0] < self.faces[1] && self.faces[0] < solid.faces[1]
-        })
+    /// Whether a solid of this name between these faces holds it.
+    pub fn is_in(&self, name: &str, faces: [f64; 2]) -> bool {
+        name == self.host && faces[0] < self.faces[1] && self.faces[0] < faces[1]
     }
 
     /// Its circle, in quarters.

@@ -158,7 +158,11 @@ pub(super) fn stack_net(
         own.into_iter()
             .find(|bar| bar.bore > 0.0 && hole.contains(bar.centre) && is_circle(hole, bar.centre, bar.bore))
     };
-    let slugs: Vec<&Slug> = core.slugs.iter().filter(|slug| slug.is_in(solids)).collect();
+    let slugs: Vec<&Slug> = core
+        .slugs
+        .iter()
+        .filter(|slug| solids.iter().any(|solid| slug.is_in(&solid.name, solid.faces)))
+        .collect();
     let edges_of = |solid: &Solid| -> Vec<Edge> {
         let contours = solid.outline.contours().enumerate();
         let plain = contours.filter(|(k, contour)| *k == 0 || bore(contour).is_none());
