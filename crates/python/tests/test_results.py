@@ -153,7 +153,7 @@ def test_tables_go_to_pandas_arrow_and_duckdb() -> None:
     table = Engine.template("in-line-4").loads().table("peaks")
     frame = table.to_dataframe()
     assert list(frame.columns) == table.to_arrow().column_names and len(frame) == len(table)
-    assert any("[N" in name for name in frame.columns)
+    assert any("[deg]" in name for name in frame.columns)
     connection = duckdb.connect()
     connection.register("peaks", table.to_arrow())
     [(count,)] = connection.execute("select count(*) from peaks").fetchall()
