@@ -380,6 +380,63 @@ export type BeamLoads = {
   stations: Station[];
 };
 
+/** A bearing of an engine and its film over the cycle. */
+export type BearingFilm = {
+  /** The bearing. */
+  bearing: JournalBearing;
+  /** Model of cavitation. */
+  cavitation: Cavitation;
+  /** Number of its crankshaft, from 1. */
+  crankshaft: number;
+  /** Whether that balance was found. */
+  heat_balanced: boolean;
+  /** Main or big end. */
+  kind: BearingKind;
+  /** Largest load [N]. */
+  largest_load: number;
+  /** Crank angle of the largest pressure [rad]. */
+  largest_pressure_angle: number;
+  /** Crank angle of the least film [rad]. */
+  least_film_angle: number;
+  /** Direction of the least film in the shell's frame [rad]: of a main that of the engine, of a big end from the rod's line towards the piston. */
+  least_film_in_shell: number;
+  /** Number of the main bearing on its crankshaft, or of the cylinder. */
+  number: number;
+  /** Orbit and film. */
+  orbit: FilmOrbit;
+  /** Largest and mean load over diameter times length [Pa]. */
+  projected_pressure: [number, number];
+  /** Composite roughness [m]. */
+  roughness: number;
+  /** Angle of the shell's frame at the instants of the orbit [rad]: of a big end the rod's line towards the piston. Empty: it does not turn. */
+  shell_angle?: number[];
+  /** Temperature of the film [K], where that of supply is known: the balance was repeated until it changed by 0.1 K. */
+  temperature: number | null;
+  /** Rise of temperature through the film [K]. */
+  temperature_rise: number;
+  /** Viscosity of the film [Pa s]. */
+  viscosity: number;
+};
+
+/** Oil films of an engine at one speed. */
+export type BearingFilms = {
+  /** What the file does not say and was assumed, and what was left out. */
+  assumptions: string[];
+  /** Name of the engine. */
+  engine: string;
+  /** By bearing and model of cavitation. */
+  films: BearingFilm[];
+  /** Period of crankshaft 1 [rad]. */
+  period: number;
+  /** Speed of crankshaft 1 [rad/s]. */
+  speed: number;
+  /** [`BEARING_FILMS_VERSION`]. */
+  version: number;
+};
+
+/** Which bearing of the engine. */
+export type BearingKind = "main" | "crankpin";
+
 /**
  * Loads of all bearings at one speed.
  *
@@ -558,6 +615,9 @@ export type CatalogueHole = {
   /** Unbalance that the hole removes, or that the slug in it adds beyond what was drilled away [kg m]. */
   unbalance: number;
 };
+
+/** Model of cavitation. */
+export type Cavitation = "full" | "gumbel" | "reynolds" | "mass-conserving";
 
 /** The chamber that pistons share. */
 export type ChamberMotion = {
@@ -1623,6 +1683,50 @@ export type FileState = {
   text: string;
 };
 
+/** The orbit over one period, and what the film does on it. */
+export type FilmOrbit = {
+  /** Largest change from the last period but one, over the clearance. */
+  change: number;
+  /** Largest share of the load that contact takes. */
+  contact_share: number;
+  /** Share of the period with contact of the roughness. */
+  contact_time: number;
+  /** Journal centre at every instant of the load [m]. */
+  eccentricity: Array<[number, number]>;
+  /** Friction power, mean over the period [W]: torques and motion of the journal, contact left out. */
+  friction_power: number;
+  /** Largest film pressure [Pa] and its instant over the period. */
+  largest_pressure: number;
+  /** Instant of the largest pressure, over the period. */
+  largest_pressure_at: number;
+  /** Least film [m]. */
+  least_film: number;
+  /** Direction of the least film [rad]. */
+  least_film_angle: number;
+  /** Instant of the least film, over the period. */
+  least_film_at: number;
+  /** How it ended. */
+  outcome: OrbitOutcome;
+  /** Periods integrated. */
+  periods: number;
+  /** Oil that leaves at the ends, mean [m3/s]; what a feed pressure adds is left out. */
+  side_flow: number;
+  /** Steps of the integrator. */
+  steps: number;
+  /** Largest difference of the table's force from that of the film solved directly, over the load. */
+  table_error: number;
+};
+
+/** An engine at a speed, and which models of cavitation its films have. */
+export type FilmsQuestion = {
+  /** Models of cavitation side by side; that of the file, else Guembel's, where it is left out. */
+  models: Cavitation[];
+  /** Speed of crankshaft 1 [rad/s]; the highest of the engine where it is left out. */
+  speed: number | null;
+  /** The engine file. */
+  text: string;
+};
+
 /** One load of the spectrum, with its remedy. */
 export type Finding = {
   /** Amplitude [N] or [N m]. */
@@ -2126,6 +2230,16 @@ export type InternalMoments = {
   version: number;
 };
 
+/** A plain cylindrical bearing. */
+export type JournalBearing = {
+  /** Radial clearance [m]: half the difference of the diameters. */
+  clearance: number;
+  /** Length of the bearing along the axis [m]. */
+  length: number;
+  /** Radius of the journal [m]. */
+  radius: number;
+};
+
 /** What is judged. */
 export type Judged = "force" | "couple" | "mount-force";
 
@@ -2563,6 +2677,9 @@ export type Optimum = {
   /** [`DESIGN_VERSION`]. */
   version: number;
 };
+
+/** How an orbit ended. */
+export type OrbitOutcome = "periodic" | "not_periodic" | "overloaded";
 
 /**
  * One order of the loads.
