@@ -414,7 +414,7 @@ impl Equations {
         };
         let (now, first) = (moduli(t, y), moduli(0.0, &start));
         let grown: Vec<String> = (self.graph.elements.iter().zip(now.iter().zip(&first)))
-            .filter(|(_, (now, first))| !(now.abs() <= GROWN * first.abs().max(1e-3)))
+            .filter(|(_, (now, first))| now.is_nan() || now.abs() > GROWN * first.abs().max(1e-3))
             .map(|(element, (now, _))| format!("`{}` is {now:.3e}", element.name))
             .collect();
         if grown.is_empty() { String::new() } else { format!("; the ratio of {} there", grown.join(", ")) }
