@@ -235,11 +235,11 @@ impl Answer {
 /// A column: an array where it is all numbers, NaN where there is none, else a list.
 fn cells_of<'c>(py: Python<'_>, cells: impl Iterator<Item = &'c Cell>) -> PyResult<Py<PyAny>> {
     let cells: Vec<&Cell> = cells.collect();
-    if cells.iter().any(|cell| matches!(cell, Cell::Text(_))) || cells.is_empty() {
+    if cells.iter().any(|cell| matches!(cell, Cell::Text(_) | Cell::Formula { .. })) || cells.is_empty() {
         let list = PyList::empty(py);
         for cell in cells {
             match cell {
-                Cell::Text(text) => list.append(text)?,
+                Cell::Text(text) | Cell::Formula { text, .. } => list.append(text)?,
                 Cell::Number { value, .. } => list.append(value)?,
                 Cell::Empty => list.append(py.None())?,
             }

@@ -393,7 +393,7 @@ impl Builder<'_> {
                 last.push(Piece::default());
                 continue;
             };
-            let mut own = self.from_sizes(&elements, &along, modulus);
+            let mut own = self.pieces_of_sizes(&elements, &along, modulus);
             if !(crankshaft == 0 && has_nose) {
                 own.remove(0);
             }
@@ -443,7 +443,7 @@ impl Builder<'_> {
     }
 
     /// Pieces of one crankshaft: from its front end to the first throw, between throws, from the last throw to its rear end.
-    fn from_sizes(&mut self, elements: &[CrankElement], along: &[usize], modulus: f64) -> Vec<Piece> {
+    fn pieces_of_sizes(&mut self, elements: &[CrankElement], along: &[usize], modulus: f64) -> Vec<Piece> {
         let parts = ker_wilson::flexibilities(elements);
         if let Some(clipped) = parts.iter().find(|part| part.is_clipped) {
             self.notes.push(format!(

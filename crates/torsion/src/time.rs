@@ -298,7 +298,7 @@ pub fn periodic_motion(
         }
         steps += 1;
     }
-    if !(closure < 1e-4) {
+    if closure.is_nan() || closure >= 1e-4 {
         return Err(TorsionError::NotPeriodic {
             speed,
             why: format!("after {steps} steps the state misses itself by {closure:.1e} of its size"),

@@ -290,8 +290,9 @@ mod tests {
         assert_eq!(film_figures(TAU, &[film.clone(), other])[0].panels.len(), 2);
         assert_eq!(figures[1].panels.len(), 1);
         assert!(film_figures(TAU, &[]).is_empty());
-        assert!(films_over_speed_figure(&[(1.0, &[film.clone()])]).is_none());
-        let over = films_over_speed_figure(&[(1.0, &[film.clone()]), (2.0, &[second])]).expect("two speeds");
+        assert!(films_over_speed_figure(&[(1.0, std::slice::from_ref(&film))]).is_none());
+        let over = films_over_speed_figure(&[(1.0, std::slice::from_ref(&film)), (2.0, &[second])])
+            .expect("two speeds");
         assert_eq!(over.panels.len(), 1);
     }
 }
