@@ -14,6 +14,9 @@ use pyo3::types::PyList;
 use serde::Serialize;
 use std::sync::Arc;
 
+/// The engine with what a result has found; the number is that of the choice, where there is one.
+pub type Adopted<T> = fn(&T, &Prepared, Option<usize>) -> Result<Arc<Prepared>, Failure>;
+
 /// How a result is shown: the same words, tables and pictures as in every front end.
 pub struct Shown<T> {
     /// The text of the command line.
@@ -23,7 +26,7 @@ pub struct Shown<T> {
     /// Its pictures.
     pub figures: fn(&T, &Engine) -> Vec<Figure>,
     /// The engine with what was found; a number chooses where there is a choice.
-    pub adopted: Option<fn(&T, &Prepared, Option<usize>) -> Result<Arc<Prepared>, Failure>>,
+    pub adopted: Option<Adopted<T>>,
 }
 
 impl<T> Default for Shown<T> {

@@ -71,7 +71,7 @@ pub fn map(
     let count = all.count();
     match pick {
         None => {
-            let answers = waited_for(py, move |watch| each(&all, &run, watch, |data| Ok(data)))?;
+            let answers = waited_for(py, move |watch| each(&all, &run, watch, Ok))?;
             let list = PyList::empty(py);
             for data in answers {
                 list.append(Answer::from(data).into_py_any(py)?)?;

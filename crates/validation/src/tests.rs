@@ -3,6 +3,7 @@
 use super::files::sources;
 use super::source::PrintedCells;
 use crate::*;
+use std::sync::OnceLock;
 
 /// The printed text moved by so many units of its last digit.
 fn moved(text: &str, units: f64) -> String {
@@ -33,6 +34,12 @@ fn changed_on(bench: &mut Bench, mut change: impl FnMut(&mut Cell)) -> Vec<RowRe
         rows.extend(source.tables.iter().flat_map(|t| validate_table(bench, &source, t).rows));
     }
     rows
+}
+
+/// All numbers, computed once for all tests.
+fn whole() -> &'static Validation {
+    static WHOLE: OnceLock<Validation> = OnceLock::new();
+    WHOLE.get_or_init(|| validate(None))
 }
 
 #[test]
@@ -73,7 +80,7 @@ fn a_correct_number_one_unit_off_fails() {
 
 #[test]
 fn ours_one_unit_off_fails() {
-    let validation = validate(None);
+    let validation = whole();
     let rows = validation.sources.iter().flat_map(|s| &s.tables).flat_map(|t| &t.rows);
     for (row, value) in rows.filter_map(|r| Some((r, r.value?))) {
         if row.verdict == Verdict::Residual {
@@ -129,9 +136,9 @@ fn rows(validation: &Validation) -> impl Iterator<Item = &RowResult> {
 
 #[test]
 fn every_tolerance_is_that_of_the_printed_digits_and_is_shown() {
-    let validation = validate(None);
-    let shown = text(&validation, true);
-    for row in rows(&validation) {
+    let validation = whole();
+    let shown = text(validation, true);
+    for row in rows(validation) {
         let digits = row.printed.replace(',', ".");
         let Ok(number) = digits.parse::<f64>() else {
             assert!(row.tolerance.is_none() || row.printed == "Zero", "{}", row.printed);
@@ -171,8 +178,8 @@ fn an_input_compared_with_itself_is_no_match() {
 
 #[test]
 fn rows_of_synthetic_pressures_are_residuals_and_no_correct_value_is_claimed() {
-    let validation = validate(None);
-    let residuals: Vec<&RowResult> = rows(&validation).filter(|r| r.verdict == Verdict::Residual).collect();
+    let validation = whole();
+    let residuals: Vec<&RowResult> = rows(validation).filter(|r| r.verdict == Verdict::Residual).collect();
     assert!(residuals.len() > 80, "{}", residuals.len());
     assert!(residuals.iter().all(|row| row.correct.is_none() && row.residual.is_some()));
 }

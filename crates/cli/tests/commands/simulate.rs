@@ -223,8 +223,9 @@ fn an_interrupted_run_keeps_its_samples() {
     while !listens() {
         std::thread::sleep(Duration::from_millis(10));
     }
+    assert!(child.try_wait().unwrap().is_none(), "it runs for long");
     let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    assert!(sent.success() && child.try_wait().unwrap().is_none());
+    assert!(sent.success());
     let ended = child.wait_with_output().unwrap();
     let text = String::from_utf8(ended.stdout).unwrap();
     assert_eq!(ended.status.code(), Some(1), "{text}");

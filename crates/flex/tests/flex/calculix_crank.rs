@@ -3,8 +3,6 @@
 use crate::crank::one_throw;
 use lanchester_flex::crank_case::{CrankLoad, CrankSupport, PinLoad, crank_cases};
 use lanchester_flex::crank_mesh::{CrankMesh, CrankMeshOptions, crank_mesh};
-use lanchester_flex::crank_rings::{RingsOf, rings_deck};
-use lanchester_flex::crank_solve::solve_crank;
 use lanchester_flex::deck::{Analysis, write_deck};
 use lanchester_flex::modes::modes;
 use lanchester_flex::statics::{SolveOptions, as_node_forces, solve_static};
@@ -48,28 +46,17 @@ fn rows(text: &str, head: &str) -> Vec<Vec<f64>> {
     found
 }
 
-/// The flexible paper's twin on three mains.
-fn twin() -> CrankMesh {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../validation/flexible-paper/three-mains.toml");
-    let engine = lanchester_file::read(&std::fs::read_to_string(path).unwrap()).engine().unwrap();
-    let options = CrankMeshOptions { size: 24e-3, fillet_elements: 2, fillets: true };
-    crank_mesh(&engine, 0, options).unwrap()
-}
-
 #[test]
 fn ext_ccx_static_crankshaft() {
-    let (throw, twin) = (throw(), twin());
+    let crank = throw();
     let pin = PinLoad { pin: 1, force: [-65e3 * 0.992, 65e3 * 0.122] };
     let load = CrankLoad { pins: vec![pin], speed: 400.0 };
-    let springs = CrankSupport::Springs { stiffness: 2e9 };
-    for (name, crank, support) in [
-        ("clamped", &throw, CrankSupport::ClampedEnds),
-        ("springs", &throw, springs),
-        ("journals", &throw, CrankSupport::Journals),
-        ("free", &throw, CrankSupport::Free),
-        ("twin on springs", &twin, springs),
+    for (name, support) in [
+        ("clamped", CrankSupport::ClampedEnds),
+        ("springs", CrankSupport::Springs { stiffness: 2e9 }),
+        ("journals", CrankSupport::Journals),
     ] {
-        let case = crank_cases(crank, support, std::slice::from_ref(&load)).unwrap().remove(0);
+        let case = crank_cases(&crank, support, std::slice::from_ref(&load)).unwrap().remove(0);
         let case = as_node_forces(&crank.mesh, &case).unwrap();
         let deck = write_deck(&crank.mesh, &case, Analysis::Static).unwrap();
         let Some(text) = run(name, &deck) else { return };
@@ -95,31 +82,6 @@ fn ext_ccx_static_crankshaft() {
         assert!((energy / theirs - 1.0).abs() < 1e-6, "{name}: {energy} {theirs} mJ");
         assert!(off < 1e-6, "{name}: displacements differ by {off:e} of the largest");
     }
-}
-
-/// Rings with contact: CalculiX cuts the contact area into triangles with integration points of its own, so that the two agree less closely.
-#[test]
-fn ext_ccx_rings_crankshaft() {
-    let crank = throw();
-    let pin = PinLoad { pin: 1, force: [-65e3 * 0.992, 65e3 * 0.122] };
-    let load = CrankLoad { pins: vec![pin], speed: 0.0 };
-    let rings = RingsOf { thickness: 5e-3, modulus: 210e9 };
-    let deck = rings_deck(&crank, rings, &load, "rings").unwrap();
-    let Some(text) = run("rings", &deck) else { return };
-    let support = CrankSupport::Rings { thickness: 5e-3, modulus: 210e9 };
-    let ours = solve_crank(&crank, support, &[load], SolveOptions::default()).unwrap().remove(0);
-    let of_node = |row: Vec<f64>| (row[0] as usize - 1, [row[1], row[2], row[3]]);
-    let moved: Vec<_> = rows(&text, "displacements").into_iter().map(of_node).collect();
-    let largest =
-        1e3 * ours.solution.displacements.iter().flatten().fold(0.0f64, |most, u| most.max(u.abs()));
-    let mut off = 0.0f64;
-    for (node, u) in moved.iter().filter(|(node, _)| *node < crank.mesh.nodes.len()) {
-        for axis in 0..3 {
-            off = off.max((1e3 * ours.solution.displacements[*node][axis] - u[axis]).abs() / largest);
-        }
-    }
-    println!("rings: largest {largest} mm, off by {off:e}, {:?}", ours.contact);
-    assert!(moved.len() >= crank.mesh.nodes.len() && off < 5e-3, "{off:e}");
 }
 
 #[test]

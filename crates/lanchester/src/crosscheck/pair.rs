@@ -63,9 +63,29 @@ pub(crate) struct Pair<'a> {
 /// Force, couple, roll moment on the block and shaft torque, as complex numbers.
 pub(crate) type Loads = [Complex64; 4];
 
+/// How far beside a jump its two sides are looked at [rad]: above the rounding of an angle, below what changes a load.
+const BESIDE: f64 = 1e-12;
+
 /// What the simulation says of the block and the shaft at `theta`, speed imposed, block fixed; and of every joint.
 pub(crate) fn loads_at(pair: &Pair<'_>, theta: f64, shares: &[RotorShares]) -> (Loads, Reactions) {
-    let all = pair.reactions(theta, shares);
+    loads_of(pair.reactions(theta, shares))
+}
+
+/// The same where a pressure jumps at `theta`, on both sides of the jump: which of them counts at that angle is a matter of rounding. None elsewhere.
+pub(crate) fn loads_beside_jump(
+    pair: &Pair<'_>,
+    theta: f64,
+    shares: &[RotorShares],
+) -> Vec<(Loads, Reactions)> {
+    let [before, after] = [-BESIDE, BESIDE].map(|shift| pair.gas_forces(theta, shift));
+    let jumps = before.iter().zip(&after).any(|(a, b)| (a - b).abs() > 1e-9 * a.abs().max(b.abs()));
+    if !jumps {
+        return Vec::new();
+    }
+    [before, after].map(|forces| loads_of(pair.reactions_under(theta, &forces, shares))).into()
+}
+
+fn loads_of(all: Reactions) -> (Loads, Reactions) {
     let [x, y, _] = all.on_block.force;
     let [mx, my, mz] = all.on_block.moment;
     let real = |value: f64| Complex64::new(value, 0.0);
@@ -75,14 +95,22 @@ pub(crate) fn loads_at(pair: &Pair<'_>, theta: f64, shares: &[RotorShares]) -> (
 impl Pair<'_> {
     /// Reactions of the simulation at `theta`, speed imposed, block fixed.
     pub(crate) fn reactions(&self, theta: f64, shares: &[RotorShares]) -> Reactions {
-        let forces: Vec<f64> = (0..self.train.cylinders.len())
+        self.reactions_under(theta, &self.gas_forces(theta, 0.0), shares)
+    }
+
+    /// Gas forces of the cylinders [N] at `theta`, their own angles shifted [rad].
+    fn gas_forces(&self, theta: f64, shift: f64) -> Vec<f64> {
+        (0..self.train.cylinders.len())
             .map(|index| {
-                let own = self.train.own_angle(index, theta);
+                let own = self.train.own_angle(index, theta) + shift;
                 let area = self.train.cylinders[index].area.unwrap_or(0.0);
                 self.gas
                     .map_or(0.0, |gas| area * (gas[index].cylinder.at(own) - gas[index].crankcase.at(own)))
             })
-            .collect();
+            .collect()
+    }
+
+    fn reactions_under(&self, theta: f64, forces: &[f64], shares: &[RotorShares]) -> Reactions {
         let motion = Motion::fixed(theta, self.speed);
         let mut places = Vec::new();
         self.train.places_into(theta, &mut places);
@@ -90,7 +118,7 @@ impl Pair<'_> {
             motion: &motion,
             places: &places,
             rates: [0.0; 7],
-            gas: &forces,
+            gas: forces,
             gravity: Vector3::zeros(),
             piston_damping: 0.0,
             guidance: Guidance::Crankpin,

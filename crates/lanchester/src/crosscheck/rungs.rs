@@ -1,7 +1,7 @@
 //! Closed form and bond graph held against the multibody simulation of the same engine.
 
 use crate::crosscheck::orders::{larger, largest_order_rows, order_rows};
-use crate::crosscheck::pair::{CrossCheckError, CrossCheckRequest, Loads, Pair, loads_at};
+use crate::crosscheck::pair::{CrossCheckError, CrossCheckRequest, Loads, Pair, loads_at, loads_beside_jump};
 use crate::inertias::{known_inertia, rotor_inertia};
 use crate::pressure::cylinders::cylinder_gas;
 use crate::pressure::measured::TraceFile;
@@ -11,7 +11,7 @@ use lanchester_mechanism::{
     bearing_loads, speed_ripple,
 };
 use lanchester_model::Engine;
-use lanchester_multibody::{LoadLaw, RunOutcome, Simulation, Train};
+use lanchester_multibody::{LoadLaw, Reactions, RunOutcome, Simulation, Train};
 use lanchester_report::{CROSSCHECK_VERSION, Condition, ConditionCheck, CrossCheck, CrossRow};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
@@ -131,32 +131,52 @@ impl Pair<'_> {
         }
         for (j, &theta) in bearings.theta.iter().enumerate() {
             let (loads, ours) = loads_at(self, theta, &shares);
+            let beside = loads_beside_jump(self, theta, &shares);
             let theirs = closed.components(theta);
             let gas = train.as_ref().map_or(0.0, |train| train.torque(theta));
             let real = |value: f64| Complex64::new(value, 0.0);
-            on_block.push(loads);
-            by_closed.push([
+            let theirs = [
                 Complex64::new(theirs.force_x, theirs.force_y),
                 Complex64::new(theirs.couple_x, theirs.couple_y),
                 real(theirs.roll_moment - gas),
                 real(theirs.shaft_torque + gas),
-            ]);
-            let mut compare = |kind: usize, index: usize, ours: Complex64, theirs: Complex64| {
-                let [closed, multibody] = &mut parts[kind][index];
-                closed.push(theirs);
-                multibody.push(ours);
+            ];
+            // Of both sides of a jump the one that the closed form took.
+            let nearest = |own: Complex64, sides: &mut dyn Iterator<Item = Complex64>, theirs: Complex64| {
+                sides.fold(
+                    own,
+                    |best, side| {
+                        if (side - theirs).norm() < (best - theirs).norm() { side } else { best }
+                    },
+                )
             };
-            for (index, (own, theirs)) in ours.cylinders.iter().zip(&bearings.cylinders).enumerate() {
+            on_block.push(std::array::from_fn(|kind| {
+                nearest(loads[kind], &mut beside.iter().map(|(side, _)| side[kind]), theirs[kind])
+            }));
+            by_closed.push(theirs);
+            let mut compare =
+                |kind: usize, index: usize, of: &dyn Fn(&Reactions) -> Complex64, theirs: Complex64| {
+                    let [closed, multibody] = &mut parts[kind][index];
+                    closed.push(theirs);
+                    multibody.push(nearest(of(&ours), &mut beside.iter().map(|(_, side)| of(side)), theirs));
+                };
+            for (index, theirs) in bearings.cylinders.iter().enumerate() {
                 let across = |force: [f64; 3]| Complex64::new(force[0], force[1]);
                 let axis = self.train.cylinders[index].axis;
-                compare(0, index, real(own.side_thrust), real(theirs.side_thrust[j]));
-                compare(1, index, across(own.piston_pin.force) * axis.conj(), theirs.piston_pin.load[j]);
-                compare(2, index, across(own.lower_pin.force), theirs.lower_pin.load[j]);
+                let thrust = |side: &Reactions| real(side.cylinders[index].side_thrust);
+                compare(0, index, &thrust, real(theirs.side_thrust[j]));
+                let pin = |side: &Reactions| across(side.cylinders[index].piston_pin.force) * axis.conj();
+                compare(1, index, &pin, theirs.piston_pin.load[j]);
+                let lower = |side: &Reactions| across(side.cylinders[index].lower_pin.force);
+                compare(2, index, &lower, theirs.lower_pin.load[j]);
             }
             for (index, theirs) in bearings.mains.iter().enumerate() {
-                let mains = &ours.rotors[theirs.crankshaft - 1].mains[0];
-                let [x, y] = mains.get(theirs.main - 1).copied().unwrap_or([f64::NAN; 2]);
-                compare(3, index, Complex64::new(x, y), theirs.load.load[j]);
+                let main = |side: &Reactions| {
+                    let mains = &side.rotors[theirs.crankshaft - 1].mains[0];
+                    let [x, y] = mains.get(theirs.main - 1).copied().unwrap_or([f64::NAN; 2]);
+                    Complex64::new(x, y)
+                };
+                compare(3, index, &main, theirs.load.load[j]);
             }
         }
         let turns = bearings.period / TAU;

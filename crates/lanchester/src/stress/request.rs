@@ -151,11 +151,16 @@ pub fn support_words(support: CrankSupport) -> String {
             1e-6 * stiffness
         ),
         CrankSupport::Rings { thickness, modulus } => format!(
-            "rings {:.3} mm thick of {:.4} GPa around the journals, fixed at their outside, and around the loaded pins, which take the load there; contact \
+            "rings {} mm thick of {} GPa around the journals, fixed at their outside, and around the loaded pins, which take the load there; contact \
              without friction or tension; flywheel end fixed along and about the axis",
-            1e3 * thickness,
-            1e-9 * modulus
+            in_four_places(1e3 * thickness),
+            in_four_places(1e-9 * modulus)
         ),
         CrankSupport::Free => "none: loads balanced by the inertia of the crankshaft (inertia relief)".to_owned(),
     }
+}
+
+/// Without what stands behind the fourth place.
+fn in_four_places(value: f64) -> f64 {
+    (1e4 * value).round() / 1e4
 }
