@@ -28,6 +28,8 @@ const STEPS: f64 = 1e-7;
 const SAMPLES: f64 = 90.0;
 /// How long a joint rings behind a step of the pressure [rad]: `exp(-0.7 400 x)` is 1e-6 there.
 const RINGS: f64 = 0.05;
+/// Within this angle a sample is at a step [rad].
+const AT_STEP: f64 = 1e-6;
 /// A step of the pressure is more than this share of its largest within so small an angle [rad].
 const STEP: [f64; 2] = [8e-3, 1e-3];
 
@@ -43,11 +45,13 @@ pub(crate) fn joint_rows(pair: &Pair<'_>) -> Vec<CrossRow> {
     for (sample, theta) in theta.iter().enumerate().skip(1) {
         let theirs = pair.reactions(*theta, &shares);
         for (index, theirs) in theirs.cylinders.iter().enumerate() {
-            let behind = |step: &f64| {
-                let own = pair.train.own_angle(index, *theta);
-                (own - step).rem_euclid(pair.gas.map_or(TAU, |gas| gas[index].cylinder.period()))
+            // A sample at a step may lie on either side of it, as its angle is rounded.
+            let rings = |step: &f64| {
+                let own = pair.train.own_angle(index, *theta) + AT_STEP;
+                let period = pair.gas.map_or(TAU, |gas| gas[index].cylinder.period());
+                (own - step).rem_euclid(period) < RINGS + AT_STEP
             };
-            if *theta < RINGS || steps.get(index).is_some_and(|own| own.iter().any(|at| behind(at) < RINGS)) {
+            if *theta < RINGS || steps.get(index).is_some_and(|own| own.iter().any(rings)) {
                 continue;
             }
             let [along, across, x, y, upper, under] = joints[index].map(|own| own.at(sample));
