@@ -3,7 +3,7 @@
 //! A front end alone: it reads what Python gives, calls the facade without the interpreter's lock, and hands back results of which Python
 //! converts what it looks at. Units end here; no physics begins.
 //!
-//! Where to start: [`questions`](crate::questions) has a file for every kind of question, `to_python.rs` turns any serialisable result
+//! Where to start: `questions` has a file for every kind of question, `to_python.rs` turns any serialisable result
 //! into Python values. The classes that users see are in `python/lanchester`.
 #![forbid(unsafe_code)]
 
