@@ -58,7 +58,11 @@ __all__ = [
     "ConditionCheck",
     "Consequence",
     "Consequences",
+    "ContactReport",
     "Contribution",
+    "ConvergedNumber",
+    "Convergence",
+    "ConvergenceMesh",
     "Cost",
     "Cost2",
     "CounterweightCheck",
@@ -107,6 +111,7 @@ __all__ = [
     "Evolved",
     "ExchangeResult",
     "Exploration",
+    "Extrapolated",
     "Extreme",
     "Extremes",
     "Factor",
@@ -275,6 +280,7 @@ __all__ = [
     "TurningInertia",
     "VariedInput",
     "WebBound",
+    "WebPlace",
     "WebSection",
     "WebSheet",
     "WeightAsPart",
@@ -1060,7 +1066,7 @@ class BearingFilm(Record):
     """A bearing of an engine and its film over the cycle."""
 
     __slots__ = ()
-    _FIELDS = ("bearing", "cavitation", "crankshaft", "heat_balanced", "kind", "largest_load", "largest_pressure_angle", "least_film_angle", "least_film_in_shell", "number", "orbit", "projected_pressure", "roughness", "temperature", "temperature_rise", "viscosity",)
+    _FIELDS = ("bearing", "cavitation", "crankshaft", "heat_balanced", "kind", "largest_load", "largest_pressure_angle", "least_film_angle", "least_film_in_shell", "number", "orbit", "projected_pressure", "roughness", "shell_angle", "temperature", "temperature_rise", "viscosity",)
 
     @property
     def bearing(self) -> JournalBearing:
@@ -1126,6 +1132,11 @@ class BearingFilm(Record):
     def roughness(self) -> float:
         """Composite roughness [m]."""
         return self._get("roughness")  # type: ignore[no-any-return]
+
+    @property
+    def shell_angle(self) -> FloatArray:
+        """Angle of the shell's frame at the instants of the orbit [rad]: of a big end the rod's line towards the piston. Empty: it does not turn."""
+        return self._array("shell_angle")  # type: ignore[no-any-return]
 
     @property
     def temperature(self) -> float | None:
@@ -2266,6 +2277,33 @@ class Consequences(Record):
         return self._get("version")  # type: ignore[no-any-return]
 
 
+class ContactReport(Record):
+    """How rings and bars touch."""
+
+    __slots__ = ()
+    _FIELDS = ("closed", "largest_pressure", "penetration", "steps",)
+
+    @property
+    def closed(self) -> float:
+        """Share of the area of all rings that touches."""
+        return self._get("closed")  # type: ignore[no-any-return]
+
+    @property
+    def largest_pressure(self) -> float:
+        """Largest contact pressure [Pa]."""
+        return self._get("largest_pressure")  # type: ignore[no-any-return]
+
+    @property
+    def penetration(self) -> float:
+        """How far the stiff layer that stands for the contact gives way there [m]."""
+        return self._get("penetration")  # type: ignore[no-any-return]
+
+    @property
+    def steps(self) -> int:
+        """Steps until no point changed between open and closed, each with a factor of its own."""
+        return self._get("steps")  # type: ignore[no-any-return]
+
+
 class Contribution(Record):
     """What one tolerance adds to the scatter."""
 
@@ -2288,6 +2326,77 @@ class Contribution(Record):
     def tolerance(self) -> int:
         """Place of the tolerance in the request, from 0."""
         return self._get("tolerance")  # type: ignore[no-any-return]
+
+
+class ConvergedNumber(Record):
+    """A number on three meshes."""
+
+    __slots__ = ()
+    _FIELDS = ("found", "name", "scale", "unit",)
+
+    @property
+    def found(self) -> Extrapolated:
+        """Values in SI units, extrapolated."""
+        return self._of("found", Extrapolated)  # type: ignore[no-any-return]
+
+    @property
+    def name(self) -> str:
+        """What it is."""
+        return self._get("name")  # type: ignore[no-any-return]
+
+    @property
+    def scale(self) -> float:
+        """SI units in one of the tables."""
+        return self._get("scale")  # type: ignore[no-any-return]
+
+    @property
+    def unit(self) -> str:
+        """Its unit in the tables."""
+        return self._get("unit")  # type: ignore[no-any-return]
+
+
+class Convergence(Record):
+    """A convergence study."""
+
+    __slots__ = ()
+    _FIELDS = ("meshes", "numbers",)
+
+    @property
+    def meshes(self) -> Records[ConvergenceMesh]:
+        """The meshes, the coarse one first."""
+        return self._all("meshes", ConvergenceMesh)
+
+    @property
+    def numbers(self) -> Records[ConvergedNumber]:
+        """The numbers."""
+        return self._all("numbers", ConvergedNumber)
+
+
+class ConvergenceMesh(Record):
+    """A mesh of a convergence study."""
+
+    __slots__ = ()
+    _FIELDS = ("fillet_elements", "nodes", "size", "unknowns",)
+
+    @property
+    def fillet_elements(self) -> int:
+        """Elements across the 90 degrees of a fillet."""
+        return self._get("fillet_elements")  # type: ignore[no-any-return]
+
+    @property
+    def nodes(self) -> int:
+        """Nodes."""
+        return self._get("nodes")  # type: ignore[no-any-return]
+
+    @property
+    def size(self) -> float:
+        """Edge of the elements away from fillets [m]."""
+        return self._get("size")  # type: ignore[no-any-return]
+
+    @property
+    def unknowns(self) -> int:
+        """Unknowns."""
+        return self._get("unknowns")  # type: ignore[no-any-return]
 
 
 class Cost(Record):
@@ -2505,7 +2614,12 @@ class CrankCase(Record):
     """A solved case of a crankshaft."""
 
     __slots__ = ()
-    _FIELDS = ("displaced_at", "largest_displacement", "peaks", "surfaces",)
+    _FIELDS = ("contact", "displaced_at", "largest_displacement", "peaks", "surfaces", "webs",)
+
+    @property
+    def contact(self) -> ContactReport | None:
+        """With rings: how they touch."""
+        return self._of("contact", ContactReport)  # type: ignore[no-any-return]
 
     @property
     def displaced_at(self) -> FloatArray:
@@ -2526,6 +2640,11 @@ class CrankCase(Record):
     def surfaces(self) -> Records[SurfacePeak]:
         """Peaks of the surfaces of pins and journals, loaded ones too."""
         return self._all("surfaces", SurfacePeak)
+
+    @property
+    def webs(self) -> Records[SurfacePeak]:
+        """Peaks of webs: within each the largest stress away from fillets."""
+        return self._all("webs", SurfacePeak)
 
 
 class CrankFatigue(Result):
@@ -2621,7 +2740,12 @@ class CrankMesh(Record):
     """
 
     __slots__ = ()
-    _FIELDS = ("corners", "left_out", "quality",)
+    _FIELDS = ("body_mass", "corners", "left_out", "quality", "webs",)
+
+    @property
+    def body_mass(self) -> float:
+        """Mass of the body that is meshed, without fillets; of its nose and flange too, which are not [kg]."""
+        return self._get("body_mass")  # type: ignore[no-any-return]
 
     @property
     def corners(self) -> Records[FilletPlace]:
@@ -2630,13 +2754,18 @@ class CrankMesh(Record):
 
     @property
     def left_out(self) -> list[str]:
-        """What of the crankshaft is not meshed."""
+        """What of the crankshaft is not meshed, or not as it is."""
         return self._list("left_out")  # type: ignore[no-any-return]
 
     @property
     def quality(self) -> MeshQuality:
         """Its quality."""
         return self._of("quality", MeshQuality)  # type: ignore[no-any-return]
+
+    @property
+    def webs(self) -> Records[WebPlace]:
+        """Its webs, along z."""
+        return self._all("webs", WebPlace)
 
 
 class CrankMeshOptions(Record):
@@ -2665,7 +2794,12 @@ class CrankModes(Result):
     """Natural modes of a crankshaft at rest."""
 
     __slots__ = ()
-    _FIELDS = ("modes", "sheet", "support", "version",)
+    _FIELDS = ("convergence", "modes", "sheet", "support", "version",)
+
+    @property
+    def convergence(self) -> Convergence | None:
+        """With three meshes: what the frequencies tend to; the modes are those of the finest."""
+        return self._of("convergence", Convergence)  # type: ignore[no-any-return]
 
     @property
     def modes(self) -> ModeSolution:
@@ -4193,6 +4327,41 @@ class Exploration(Result):
     def version(self) -> int:
         """Version of this structure."""
         return self._get("version")  # type: ignore[no-any-return]
+
+
+class Extrapolated(Record):
+    """A number computed on three meshes, extrapolated to elements of size zero.
+
+    ```text
+    f(h) = f* + C h^p      (f1 - f2)/(f2 - f3) = (h1^p - h2^p)/(h2^p - h3^p)      f* = f3 + (f3 - f2)/((h2/h3)^p - 1)
+    band = 1.25 |f* - f3|                                                                                     (book, eq. 43.15)
+    ```
+    Where no such order from 0.5 to 6 exists, because the numbers go to and fro or do not come closer, the value is that of the finest mesh
+    and the band three times the largest difference.
+    """
+
+    __slots__ = ()
+    _FIELDS = ("band", "order", "value", "values",)
+
+    @property
+    def band(self) -> float:
+        """Half width of the band about it."""
+        return self._get("band")  # type: ignore[no-any-return]
+
+    @property
+    def order(self) -> float | None:
+        """Order that the three show; none where they show none."""
+        return self._get("order")  # type: ignore[no-any-return]
+
+    @property
+    def value(self) -> float:
+        """What they tend to."""
+        return self._get("value")  # type: ignore[no-any-return]
+
+    @property
+    def values(self) -> FloatArray:
+        """Value on the coarse, the middle and the fine mesh."""
+        return self._array("values")  # type: ignore[no-any-return]
 
 
 class Extreme(Record):
@@ -8922,12 +9091,17 @@ class StaticStress(Result):
     """
 
     __slots__ = ()
-    _FIELDS = ("cases", "gas", "notes", "sheet", "solve", "support", "version",)
+    _FIELDS = ("cases", "convergence", "gas", "notes", "sheet", "solve", "support", "version",)
 
     @property
     def cases(self) -> Records[StressCase]:
         """The load cases."""
         return self._all("cases", StressCase)
+
+    @property
+    def convergence(self) -> Convergence | None:
+        """With three meshes: what the numbers tend to; the cases are those of the finest."""
+        return self._of("convergence", Convergence)  # type: ignore[no-any-return]
 
     @property
     def gas(self) -> str | None:
@@ -9930,6 +10104,18 @@ class WebBound(Record):
     def web(self) -> int:
         """The web, counted from 1 through all throws."""
         return self._get("web")  # type: ignore[no-any-return]
+
+
+class WebPlace(Record):
+    """A web, away from its fillets."""
+
+    __slots__ = ()
+    _FIELDS = ("name",)
+
+    @property
+    def name(self) -> str:
+        """"web 2"."""
+        return self._get("name")  # type: ignore[no-any-return]
 
 
 class WebSection(Record):
