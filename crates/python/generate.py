@@ -88,8 +88,8 @@ class Types:
             return "get", "Any"
         if "anyOf" in schema and len(schema["anyOf"]) == 2 and {"type": "null"} in schema["anyOf"]:
             [own] = [own for own in schema["anyOf"] if own != {"type": "null"}]
-            how, kind = self.kind(own)
-            return how, optional(kind)
+            how, of_own = self.kind(own)
+            return how, optional(of_own)
         if "$ref" in schema and set(schema) <= {"$ref", "description", "default"}:
             name = name_of(schema)
             if self.merged(self.definitions[name]) is not None:
@@ -101,8 +101,8 @@ class Types:
             words = ", ".join(repr(word) for word in schema["enum"] if word is not None)
             return "get", optional(f"Literal[{words}]") if None in schema["enum"] else f"Literal[{words}]"
         if "oneOf" in schema or "anyOf" in schema:
-            kinds = [self.kind(own)[1] for own in schema.get("oneOf", schema.get("anyOf", []))]
-            return "get", union(kinds)
+            choices = schema["oneOf"] if "oneOf" in schema else schema["anyOf"]
+            return "get", union([self.kind(choice)[1] for choice in choices])
         kind = schema.get("type")
         if isinstance(kind, list):
             rest = [own for own in kind if own != "null"]

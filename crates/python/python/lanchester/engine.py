@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeVar, overload
 
 from . import _native
-from ._record import Picture, Result
+from ._record import FloatArray, Picture, Result
 from .errors import Diagnostic, RequestError
 from .results import (
     Arrangements,
@@ -288,7 +288,7 @@ class Engine:
         self,
         speed: Quantity | None = None,
         *,
-        about: Sequence[Quantity] | None = None,
+        about: Sequence[Quantity] | FloatArray | None = None,
         series: str = "exact",
         orders: int | None = None,
         samples: int | None = None,
