@@ -128,7 +128,7 @@ COMMANDS: list[tuple[str, list[str], Any]] = [
 @pytest.mark.parametrize(("file", "command", "ask"), COMMANDS, ids=[" ".join([*command[1], command[0]]) for command in COMMANDS])
 def test_json_is_that_of_the_command_line(file: str, command: list[str], ask: Any) -> None:
     if PROGRAM is None:
-        pytest.skip("LANCHESTER_PROGRAM names no program; `cargo xtask python` does")
+        pytest.skip("LANCHESTER_PROGRAM names no program")
     path = EXAMPLES / file
     line = [PROGRAM, command[0], str(path), *command[1:], "--format", "json"]
     printed = subprocess.run(line, capture_output=True, text=True, encoding="utf-8", check=False)
