@@ -10,9 +10,9 @@ use std::fmt::Write;
 /// [`read`](crate::read) to tell.
 ///
 /// ```
-/// let values = serde_json::json!({ "name": "twin", "rod": { "length": "120 mm" }, "mount": [{ "x": "0 m" }] });
+/// let values = serde_json::json!({ "mount": [{ "x": "0 m" }], "name": "twin", "rod": { "length": "120 mm" } });
 /// let text = lanchester_file::values_text(values.as_object().expect("it is an object"));
-/// assert_eq!(text, "name = \"twin\"\n\n[rod]\nlength = \"120 mm\"\n\n[[mount]]\nx = \"0 m\"\n");
+/// assert_eq!(text, "name = \"twin\"\n\n[[mount]]\nx = \"0 m\"\n\n[rod]\nlength = \"120 mm\"\n");
 /// ```
 pub fn values_text(values: &Map<String, Value>) -> String {
     let mut out = String::new();
